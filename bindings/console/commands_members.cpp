@@ -21,10 +21,9 @@ namespace {
 struct Present {
     Project project;
     SystemSpec spec;
-    AddPreparer preparer;
 };
 
-Present present_of(const RunningSystem& live) { return {live.project(), live.spec(), live.add_preparer()}; }
+Present present_of(const RunningSystem& live) { return {live.project(), live.spec()}; }
 
 // What is added belongs to the system's file, at no line of it.
 WordCall call_of(const std::string& word, const Present& present) { return {word, {present.spec.file}, nullptr}; }
@@ -59,20 +58,15 @@ Expected<CommandEnd> add_entry(Session::Parts& parts, const Arguments& arguments
         return failure(
             fmt::format("the name '{0}' is taken: remove \"{0}\" frees it, or choose another", shown(*name->text())));
     }
-    // All files are read and all scripts run here, beside the ticks; the act takes what has come of it.
-    NotedFiles files(at.project.files());
+    FileSnapshot files(at.project.files());
     const Project project = at.project.through(files);
     SystemWords words(project, at.spec);
     auto read = words.entry(call_of(word, at), *name->text(), *fields);
     if (read) read = words.finish();
     if (!read) return Unexpected(as_typed(read.error(), at));
     const Entry entry = words.spec().entries.back();
-    auto prepared = at.preparer.beside(entry, std::move(words.spec()), files);
-    if (!prepared) return Unexpected(as_typed(prepared.error(), at));
-    const auto added =
-        parts.at_system([&] { return std::make_optional(parts.live.add(std::move(*prepared), parts.options.who)); });
-    if (!added) return failure("interrupted");
-    if (!*added) return Unexpected(as_typed(added->error(), at));
+    const auto added = parts.act_beside(Add{entry}, files.take());
+    if (!added) return Unexpected(as_typed(added.error(), at));
     if (!std::visit([](const auto& each) { return each.active; }, entry)) return CommandEnd::done;
     const auto active = parts.at_system([&] { return std::make_optional(parts.act(Activate{name_of(entry)})); });
     return active ? done(*active) : failure("interrupted");

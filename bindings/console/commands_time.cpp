@@ -78,17 +78,8 @@ Expected<CommandEnd> command_speed(Session::Parts& parts, const Arguments& argum
     return CommandEnd::done;
 }
 
-// What acts have added is in no file.
-Expected<void> check_lost(Session::Parts& parts, const Arguments& arguments) {
-    if (arguments.has(1)) {
-        const auto how = arguments.text(1, "nothing, or \"anyway\"");
-        if (!how) return Unexpected(how.error());
-        if (*how != "anyway") return failure(fmt::format("expected nothing, or \"anyway\", got '{}'", shown(*how)));
-        return {};
-    }
-    auto look = parts.at_system([&] { return parts.live.lost_by_restart(); });
-    if (!look) return failure("interrupted");
-    const std::vector<std::string> names = look();
+// Refuses to lose what acts have added and no file has.
+Expected<void> check_lost(Session::Parts& parts, const std::vector<std::string>& names) {
     if (names.empty()) return {};
     const auto at = parts.at_system([&] {
         return std::make_optional(std::pair{parts.live.project(), parts.live.spec().file});
@@ -104,13 +95,16 @@ Expected<void> check_lost(Session::Parts& parts, const Arguments& arguments) {
 
 Expected<CommandEnd> command_restart(Session::Parts& parts, const Arguments& arguments) {
     if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
-    if (auto ok = check_lost(parts, arguments); !ok) return Unexpected(ok.error());
-    const auto attempt = parts.at_system([&] { return parts.live.try_restart(); });
-    if (!attempt) return failure("interrupted");
-    if (auto ok = attempt(); !ok) return Unexpected(ok.error());
-    const auto restarted = parts.at_system([&] { return std::make_optional(parts.act(Restart{})); });
-    if (!restarted) return failure("interrupted");
-    if (!*restarted) return Unexpected(restarted->error());
+    const bool anyway = arguments.has(1);
+    if (anyway) {
+        const auto how = arguments.text(1, "nothing, or \"anyway\"");
+        if (!how) return Unexpected(how.error());
+        if (*how != "anyway") return failure(fmt::format("expected nothing, or \"anyway\", got '{}'", shown(*how)));
+    }
+    const auto restarted = parts.act_beside(Restart{}, {}, [&](const PreparedAct& prepared) {
+        return anyway ? Expected<void>() : check_lost(parts, prepared.lost);
+    });
+    if (!restarted) return Unexpected(restarted.error());
     parts.show("started anew, time is 0");
     return CommandEnd::done;
 }

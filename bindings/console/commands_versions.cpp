@@ -31,25 +31,11 @@ const Component* changed_last(const System& system) {
 }  // namespace
 
 Expected<CommandEnd> command_reload(Session::Parts& parts, const Arguments&) {
-    const auto look = parts.at_system([&] { return parts.live.look_for_changes(); });
-    if (!look) return failure("interrupted");
-    std::vector<std::string> files = look();
-    if (files.empty()) {
-        parts.show("no script has changed");
-        return CommandEnd::done;
-    }
-    // What does not load, or not within its time, costs the ticks nothing.
-    const auto attempt = parts.at_system([&] { return parts.live.try_reload(files); });
-    if (!attempt) return failure("interrupted");
-    if (auto loads = attempt(); !loads) return Unexpected(loads.error());
-    const auto text = parts.at_system([&]() -> std::optional<Expected<std::string>> {
-        const auto report = parts.act(Reload{.files = std::move(files)});
-        if (!report) return Unexpected(report.error());
-        return report_text(parts.live.system(), *report);
-    });
+    const auto report = parts.act_beside(Reload{});
+    if (!report) return Unexpected(report.error());
+    const auto text = parts.at_system([&] { return std::make_optional(report_text(parts.live.system(), *report)); });
     if (!text) return failure("interrupted");
-    if (!*text) return Unexpected(text->error());
-    parts.show(**text);
+    parts.show(report->components.empty() ? "no script has changed" : *text);
     return CommandEnd::done;
 }
 

@@ -99,6 +99,23 @@ void Session::Parts::tell(const std::function<void(std::string_view)>& output, s
     worker.post(text.size(), [&output, text = std::string(text)] { output(text); });
 }
 
+Expected<ActResult> Session::Parts::act_beside(const Act& act, const FilesSeen& found,
+                                               const std::function<Expected<void>(const PreparedAct&)>& check) {
+    for (;;) {
+        const auto prepare = at_system([&] { return live.prepare(act, found); });
+        if (!prepare) return failure("interrupted");
+        PreparedAct prepared = prepare();
+        if (const auto ok = check ? check(prepared) : Expected<void>(); !ok) return Unexpected(ok.error());
+        bool fits = false;
+        const auto done = at_system([&] {
+            fits = live.fits(prepared);
+            return std::make_optional(fits ? live.commit(std::move(prepared), options.who) : Expected<ActResult>());
+        });
+        if (!done) return failure("interrupted");
+        if (fits) return *done;
+    }
+}
+
 Expected<void> Session::Parts::open() {
     auto fresh = create_sandbox({.print = [this](std::string_view line) { show(line); }});
     if (!fresh) return Unexpected(fresh.error());

@@ -78,6 +78,10 @@ struct Session::Parts {
     }
 
     Expected<ActResult> act(const Act& act) const { return live.act(act, options.who); }
+    /// From the worker: prepares an act there and has it performed between two ticks, if `check` has nothing
+    /// against it. `found` is what its maker has found of files.
+    Expected<ActResult> act_beside(const Act& act, const FilesSeen& found = {},
+                                   const std::function<Expected<void>(const PreparedAct&)>& check = {});
 
     // Of the thread that ticks:
     RunningSystem& live;

@@ -35,10 +35,10 @@ bool is_journaled(const Act& act, bool succeeded) {
            std::holds_alternative<Deactivate>(act) || std::holds_alternative<Reset>(act);
 }
 
-Expected<std::unique_ptr<Journal>> Journal::create(const std::filesystem::path& file, RecordingFiles& files) {
+Expected<std::unique_ptr<Journal>> Journal::create(const std::filesystem::path& file) {
     auto opened = ResultFile::open(file);
     if (!opened) return Unexpected(opened.error());
-    return std::unique_ptr<Journal>(new Journal(file.string(), std::move(*opened), files));
+    return std::unique_ptr<Journal>(new Journal(file.string(), std::move(*opened)));
 }
 
 Journal::~Journal() {
@@ -57,13 +57,13 @@ void Journal::begin(RunningSystem& live, const std::string& version, bool hardwa
                {"version", version},
                {"hardware", hardware},
                {"system", text_to_json(live.file().string())},
-               {"working_folder", text_to_json(files_.working_folder().string())},
+               {"working_folder", text_to_json(live.project().files().working_folder().string())},
                {"installed", std::move(installed)},
                {"seed", live.options().build.seed},
                {"seed_wins", live.options().build.seed_wins},
                {"params", text_to_json(live.options().values.file)},
                {"set", std::move(set)},
-               {"files", files_to_json(files_.take())}};
+               {"files", files_to_json(known(live.take_files()))}};
     add([first = std::move(first)] { return line(first); });
     live.observe_acts(this);
     flush();
@@ -101,10 +101,18 @@ void Journal::end(RunEnd how, const std::string& message, const ActTime& when, s
     }
 }
 
-void Journal::acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result) {
-    FilesSeen files = files_.take();
+FilesSeen Journal::known(FilesSeen files) {
+    std::erase_if(files, [this](const auto& found) {
+        if (!found.second.what.empty()) known_.insert(found.first);
+        return !known_.contains(found.first);
+    });
+    return files;
+}
+
+void Journal::acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result,
+                    FilesSeen files) {
     if (!is_journaled(act, result.has_value())) return;
-    add([when, act, who, &scripts = *live_->options().scripts, failed = !result, files = std::move(files)] {
+    add([when, act, who, &scripts = *live_->options().scripts, failed = !result, files = known(std::move(files))] {
         Json json{{"at", at(when)},
                   {"who", text_to_json(to_text(who))},
                   {"do", nezumi::name_of(act)},

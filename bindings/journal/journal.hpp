@@ -18,11 +18,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "bindings/journal/recorded_files.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/file_writer.hpp"
 #include "engine/base/result_file.hpp"
@@ -43,9 +43,9 @@ public:
     /// 0.1 s, this and the time to write.
     static constexpr std::chrono::milliseconds period{50};
 
-    /// Begins a file anew; the older one of its name is set aside. `files` is what the system will be read through, and
-    /// must outlive the journal. The system may go before it, but not act then.
-    static Expected<std::unique_ptr<Journal>> create(const std::filesystem::path& file, RecordingFiles& files);
+    /// Begins a file anew; the older one of its name is set aside. The system that it will follow may go before it, but
+    /// not act then.
+    static Expected<std::unique_ptr<Journal>> create(const std::filesystem::path& file);
     /// Without a last line it is none: what was there before is there again.
     ~Journal() override;
     Journal(const Journal&) = delete;
@@ -66,14 +66,17 @@ public:
     /// What is not written yet is not: `end` returns soon, with an error. From any thread.
     void give_up() { writer_.give_up(); }
 
-    void acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result) override;
+    void acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result,
+               FilesSeen files) override;
     void ran_out_of_time(const ActTime& when, const std::string& component, const Component::OutOfTime& call) override;
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    Journal(std::string name, ResultFile file, RecordingFiles& files)
-        : name_(std::move(name)), file_(std::move(file)), writer_(file_.descriptor()), files_(files) {}
+    Journal(std::string name, ResultFile file)
+        : name_(std::move(name)), file_(std::move(file)), writer_(file_.descriptor()) {}
+    // Without what is not there, and never was.
+    FilesSeen known(FilesSeen files);
     using Line = std::function<std::string()>;
     void add(Line line) { waiting_.push_back(std::move(line)); }
     void flush();
@@ -82,7 +85,7 @@ private:
     std::string name_;
     ResultFile file_;
     FileWriter writer_;
-    RecordingFiles& files_;
+    std::set<std::filesystem::path> known_;  // files that were there
     RunningSystem* live_ = nullptr;
     std::vector<Line> waiting_;  // to be made beside the ticks: an act may hold a picture, or a million numbers
     Clock::time_point marked_{};

@@ -43,28 +43,6 @@ private:
 
 }  // namespace
 
-const ProjectFiles& RecordingFiles::here() const {
-    return std::this_thread::get_id() == owner_ ? static_cast<const ProjectFiles&>(notes_) : disk();
-}
-
-std::string RecordingFiles::what_is(const fs::path& path) const { return here().what_is(path); }
-
-std::vector<std::string> RecordingFiles::names_in(const fs::path& folder) const { return here().names_in(folder); }
-
-Expected<std::string> RecordingFiles::read(const fs::path& path, const std::string& shown) const {
-    return here().read(path, shown);
-}
-
-FilesSeen RecordingFiles::take() {
-    FilesSeen seen;
-    for (auto& [path, found] : notes_.take()) {
-        fs::path whole = whole_path(working_folder(), path);
-        if (!found.what.empty()) known_.insert(whole);
-        if (known_.contains(whole)) seen[std::move(whole)].update(std::move(found));
-    }
-    return seen;
-}
-
 const PathSeen* RecordedFiles::find(const fs::path& path) const {
     const auto found = seen_.find(whole_path(working_folder_, path));
     return found == seen_.end() ? nullptr : &found->second;
@@ -89,14 +67,6 @@ Expected<std::string> RecordedFiles::read(const fs::path& path, const std::strin
 
 void RecordedFiles::update(const FilesSeen& seen) {
     for (const auto& [path, found] : seen) seen_[path].update(found);
-}
-
-WorldFactory with_pictures_from(const RecordingFiles& files, WorldFactory make) {
-    return [&files, make = std::move(make)](const ArenaSpec& arena, const PhysicsSpec& physics, auto warn) {
-        // What can't be read is told by whoever makes the world.
-        if (arena.floor) static_cast<void>(files.read(arena.floor->image, arena.floor->image));
-        return make(arena, physics, std::move(warn));
-    };
 }
 
 WorldFactory with_pictures_from(const RecordedFiles& files, WorldFactory make) {

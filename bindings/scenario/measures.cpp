@@ -68,25 +68,33 @@ std::vector<MeasureSummary> summarize(const std::vector<MeasuredRun>& runs) {
             }
         }
     }
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (values[i].empty()) continue;
-        std::sort(values[i].begin(), values[i].end());
-        all[i].count = values[i].size();
-        all[i].min = values[i].front();
-        all[i].median = quantile(values[i], 0.5);
-        all[i].mean = std::accumulate(values[i].begin(), values[i].end(), 0.0) / static_cast<double>(all[i].count);
-        all[i].max = values[i].back();
-    }
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].values = Statistics::of(std::move(values[i]));
     return all;
 }
 
+Statistics Statistics::of(std::vector<double> values) {
+    if (values.empty()) return {};
+    std::sort(values.begin(), values.end());
+    return {.count = values.size(),
+            .min = values.front(),
+            .median = quantile(values, 0.5),
+            .mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size()),
+            .max = values.back()};
+}
+
+std::string text_of(const Statistics& statistics) {
+    if (statistics.count == 0) return "";
+    return fmt::format(", min {:.6g}, median {:.6g}, mean {:.6g}, max {:.6g}", statistics.min, statistics.median,
+                       statistics.mean, statistics.max);
+}
+
+std::string title_of_measure(const std::string& name, const std::string& unit, const std::string& scenario) {
+    return fmt::format("{}{} of {}", name, unit.empty() ? "" : fmt::format(" [{}]", unit), scenario);
+}
+
 std::string text_of(const MeasureSummary& summary) {
-    const std::string unit = summary.unit.empty() ? "" : fmt::format(" [{}]", summary.unit);
-    std::string text = fmt::format("{}{} of {}: {} run{}", summary.name, unit, summary.scenario, summary.count,
-                                   summary.count == 1 ? "" : "s");
-    if (summary.count > 0)
-        text += fmt::format(", min {:.6g}, median {:.6g}, mean {:.6g}, max {:.6g}", summary.min, summary.median,
-                            summary.mean, summary.max);
+    std::string text = fmt::format("{}: {} run{}{}", title_of_measure(summary.name, summary.unit, summary.scenario),
+                                   summary.values.count, summary.values.count == 1 ? "" : "s", text_of(summary.values));
     if (summary.left_out > 0)
         text += fmt::format(" ({} with a component in ERROR, or not run to the end, left out)", summary.left_out);
     return text;
@@ -100,7 +108,7 @@ bool is_measures_csv(std::string_view text) {
     return text.starts_with(fmt::format("{}", fmt::join(fixed_columns, ",")));
 }
 
-std::string measures_csv(const std::vector<MeasuredRun>& runs, std::uint64_t seed) {
+std::string measures_csv(const std::vector<MeasuredRun>& runs) {
     std::vector<std::string> parameters;
     std::vector<std::string> measures;
     for (const MeasuredRun& run : runs) {
@@ -112,7 +120,7 @@ std::string measures_csv(const std::vector<MeasuredRun>& runs, std::uint64_t see
     for (const std::string& name : measures) fields.push_back(csv_field(name));
     std::string out = csv_row(fields) + "\n";
     for (const MeasuredRun& run : runs) {
-        fields = {csv_field(run.scenario), csv_field(run.name), fmt::to_string(seed), fmt::to_string(run.passed)};
+        fields = {csv_field(run.scenario), csv_field(run.name), fmt::to_string(run.seed), fmt::to_string(run.passed)};
         for (const std::string& name : parameters) {
             const auto has = [&](const auto& parameter) { return parameter.first == name; };
             const auto found = std::find_if(run.point.begin(), run.point.end(), has);

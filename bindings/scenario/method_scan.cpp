@@ -238,7 +238,7 @@ private:
 std::string unknown_method(std::string_view object, std::string_view name,
                            const std::vector<std::string_view>& methods) {
     const std::string text = fmt::format("{} has no '{}'", object, shown(name));
-    if (name == "seed") return text + ": the seed of a run is that of the session, which nezumi test --seed N sets";
+    if (name == "seed") return text + ": the option seed = N of the scenario gives its runs one, and s.seed reads it";
     return text + did_you_mean(name, methods);
 }
 

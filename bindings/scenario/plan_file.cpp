@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view magic = "nezumi plan 1\n";
+constexpr std::string_view magic = "nezumi plan 2\n";
 constexpr std::string_view prefix = "plan-";
 constexpr std::size_t largest_plan = std::size_t{1} << 30;
 
@@ -45,7 +45,7 @@ bool each_field(Archive& archive, T& error) {
 
 template <class Archive, MaybeConst<Scenario> T>
 bool each_field(Archive& archive, T& scenario) {
-    return archive(scenario.name) && archive(scenario.place);
+    return archive(scenario.name) && archive(scenario.place) && archive(scenario.paired);
 }
 
 template <class Archive, MaybeConst<PlannedFile> T>
@@ -69,6 +69,9 @@ void write_run(ArchiveWriter& writer, const PlannedRun& run) {
     writer(static_cast<std::uint64_t>(run.scenario));
     writer(run.name);
     writer(run.drawn);
+    writer(run.seed);
+    writer(run.repetition.name);
+    writer(run.repetition.seed.has_value());
     const TextPoint point = texts_of(run.point);
     writer(point.names);
     writer(point.values);
@@ -77,9 +80,11 @@ void write_run(ArchiveWriter& writer, const PlannedRun& run) {
 bool read_run(ArchiveReader& reader, const TestPlan& plan, PlannedRun& run) {
     std::uint64_t file = 0, scenario = 0;
     TextPoint point;
-    if (!reader(file) || !reader(scenario) || !reader(run.name) || !reader(run.drawn) || !reader(point.names) ||
-        !reader(point.values))
+    bool has_given_seed = false;
+    if (!reader(file) || !reader(scenario) || !reader(run.name) || !reader(run.drawn) || !reader(run.seed) ||
+        !reader(run.repetition.name) || !reader(has_given_seed) || !reader(point.names) || !reader(point.values))
         return false;
+    if (has_given_seed) run.repetition.seed = run.seed;
     if (file >= plan.files.size() || scenario >= plan.files[static_cast<std::size_t>(file)].scenarios.size())
         return false;
     if (point.names.size() != point.values.size()) return false;

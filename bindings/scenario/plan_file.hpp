@@ -15,7 +15,8 @@
 namespace nezumi {
 
 struct KeptPlan {
-    /// All runs, of all parts. Of scenarios only their names and places are there, of values only their texts.
+    /// All runs, of all parts. Of scenarios only their names, places and `paired` are there, of values only their
+    /// texts.
     TestPlan plan;
     std::uint64_t made_with = 0;  ///< `fingerprint`
     std::uint64_t seed = 0;

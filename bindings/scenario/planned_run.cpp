@@ -22,8 +22,9 @@ RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSes
     if (run.scenario >= (*read)->scenarios().size())
         return {.outcome = RunOutcome::could_not_run, .error = {"the file has changed meanwhile", {file.shown}}};
     ScenarioRun scenario(**read, run.scenario,
-                         {.seed = options.seed,
+                         {.seed = run.seed,
                           .point = run.point,
+                          .name = run.name,
                           .systems = options.systems,
                           .files = files,
                           .keep_history = keep_history,
@@ -32,8 +33,10 @@ RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSes
 }
 
 std::string command_for(const PlannedFile& file, const PlannedRun& run, const TestSessionOptions& options) {
-    return fmt::format("nezumi test {} --filter {} --seed {}{}", shell_text(file.shown), shell_text(run.name),
-                       options.seed, options.words);
+    const auto& given = run.repetition.seed;
+    const std::string seed = given ? fmt::format("--seeds {0}..{0}", *given) : fmt::format("--seed {}", options.seed);
+    return fmt::format("nezumi test {} --filter {} {}{}", shell_text(file.shown), shell_text(run.name), seed,
+                       options.words);
 }
 
 }  // namespace
@@ -56,8 +59,9 @@ RunResult agree(std::vector<RunResult> results, const Place& place) {
 RunReport report_of(const TestPlan& plan, const PlannedRun& run, RunResult result, const TestSessionOptions& options) {
     const PlannedFile& file = plan.files[run.file];
     const Scenario& scenario = file.scenarios[run.scenario];
-    return {scenario.place.file, scenario.place.line, scenario.name, run.name, command_for(file, run, options),
-            std::move(result)};
+    return {
+        scenario.place.file, scenario.place.line, scenario.name, run.name, run.seed, command_for(file, run, options),
+        std::move(result)};
 }
 
 RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const TestSessionOptions& options, bool quick) {
@@ -89,7 +93,7 @@ RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const TestSes
     again.files.emplace_back("failure.txt");
     std::string text;
     for (const std::string& line : failure_lines(report_of(plan, run, again, options))) text += line + "\n";
-    text += fmt::format("seed: {}\n", options.seed);
+    text += fmt::format("the session's seed: {}\n", options.seed);
     for (const std::string& line : again.printed) text += "| " + line + "\n";
     if (auto ok = write_whole(fs::path(*folder) / "failure.txt", text); !ok) {
         again.files.pop_back();

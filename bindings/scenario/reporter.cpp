@@ -51,6 +51,7 @@ public:
                                                  summary.jobs == 1 ? "" : "s");
         write_(text);
         for (const MeasureSummary& measure : summary.measures) write_(text_of(measure) + "\n");
+        for (const PairSummary& pair : summary.pairs) write_(text_of(pair) + "\n");
     }
 
 private:
@@ -110,6 +111,7 @@ public:
                            summary.failed, summary.could_not_run));
         if (summary.kept > 0) write_(fmt::format("# {} of them were kept\n", summary.kept));
         for (const MeasureSummary& measure : summary.measures) write_("# " + text_of(measure) + "\n");
+        for (const PairSummary& pair : summary.pairs) write_("# " + text_of(pair) + "\n");
     }
 
 private:
@@ -135,6 +137,7 @@ std::vector<std::string> failure_lines(const RunReport& report) {
         for (const std::string& file : result.files) files += (files.empty() ? "" : ", ") + file;
         lines.push_back(fmt::format("files: {} ({})", result.folder, files));
     }
+    if (!report.scenario.empty()) lines.push_back(fmt::format("seed of this run: {}", report.seed));
     if (!report.again.empty()) lines.push_back("repeat it with: " + report.again);
     return lines;
 }

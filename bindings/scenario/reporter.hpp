@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bindings/scenario/measured_pairs.hpp"
 #include "bindings/scenario/measures.hpp"
 #include "bindings/scenario/run_result.hpp"
 
@@ -16,11 +17,12 @@ namespace nezumi {
 
 /// One run as it is told.
 struct RunReport {
-    std::string file;      ///< of the scenario
-    int line = 0;          ///< of the scenario
-    std::string scenario;  ///< its name
-    std::string name;      ///< with the values of its sweep
-    std::string again;     ///< the command that repeats it
+    std::string file;        ///< of the scenario
+    int line = 0;            ///< of the scenario
+    std::string scenario;    ///< its name
+    std::string name;        ///< with the values of its sweep
+    std::uint64_t seed = 0;  ///< of the run
+    std::string again;       ///< the command that repeats it
     RunResult result;
 };
 
@@ -36,6 +38,7 @@ struct SessionSummary {
     std::size_t kept = 0;    ///< runs whose results are of earlier sessions: this one made the others
     std::size_t merged = 0;  ///< folders whose results these are; 0: the session made them
     std::vector<MeasureSummary> measures;
+    std::vector<PairSummary> pairs;
 };
 
 using WriteText = std::function<void(std::string_view)>;

@@ -23,10 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t largest_picture = std::size_t{256} << 20;  // [bytes] of a file that a run reads
-constexpr std::string_view magic = "nezumi result 1\n";
+constexpr std::string_view magic = "nezumi result 2\n";
 
 std::string text_of(const ResultKey& key) {
-    return fmt::format("{}\n{}\n{}\n{}", key.file, key.run, key.repetition, key.simplest ? "simplest" : "run");
+    return fmt::format("{}\n{}\n{}\n{}\n{}", key.file, key.run, key.repetition, key.simplest ? "simplest" : "run",
+                       key.seed);
 }
 
 // Beside a scenario count the kinds of files that a run reads. Others may change while it runs: its log, a report.
@@ -115,6 +116,7 @@ Expected<void> ResultStore::keep(const ResultKey& key, const KeptResult& result)
     writer(made_with_);
     writer(text_of(key));
     writer(result.name);
+    writer(result.seed);
     return write_whole(path_of(key), writer.bytes + to_bytes(result.result));
 }
 
@@ -126,7 +128,7 @@ std::optional<KeptResult> ResultStore::find(const ResultKey& key) const {
     std::uint64_t made_with = 0;
     std::string whose;
     KeptResult kept;
-    if (!reader(made_with) || !reader(whose) || !reader(kept.name)) return std::nullopt;
+    if (!reader(made_with) || !reader(whose) || !reader(kept.name) || !reader(kept.seed)) return std::nullopt;
     if (made_with != made_with_ || whose != text_of(key)) return std::nullopt;
     auto result = from_bytes(reader.bytes);
     if (!result) return std::nullopt;

@@ -32,12 +32,14 @@ struct ResultKey {
     std::string run;               ///< its name
     std::uint64_t repetition = 0;  ///< of `--repeat`
     bool simplest = false;         ///< not the run itself, but the simplest failure that was found from it
+    std::uint64_t seed = 0;        ///< of the run
 };
 
-/// A result, and the name of the run that had it: another one for a simplest failure.
+/// A result, and the name and the seed of the run that had it: another one for a simplest failure.
 struct KeptResult {
     std::string name;
     RunResult result;
+    std::uint64_t seed = 0;
 };
 
 /// Files are written whole or not at all, also by several processes at once where each has runs of its own.

@@ -53,10 +53,11 @@ std::function<void()> later(RunningSystem* live, Act what) {
     return [live, what = std::move(what)] { static_cast<void>(act_on(live, what)); };
 }
 
-// Each run of a sweep has a golden of its own: "stop.csv" is "stop-speed=0.1.csv".
-std::string golden_name(const std::filesystem::path& file, const SweepPoint& point) {
-    if (point.empty()) return file.string();
-    return file.parent_path() / (run_file_name(file.filename(), text_of(point), true) + file.extension().string());
+// Each run of a sweep, or with a seed of several, has a golden of its own: "stop.csv" is "stop-speed=0.1.csv".
+// `run`: what the run's name has beside the scenario's.
+std::string golden_name(const std::filesystem::path& file, std::string_view run) {
+    if (run.empty()) return file.string();
+    return file.parent_path() / (run_file_name(file.filename(), run, true) + file.extension().string());
 }
 
 }  // namespace
@@ -79,7 +80,7 @@ int ScenarioRun::Methods::load(ScenarioRun& run, lua_State* lua) {
 
 int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
     if (lua_type(lua, 2) != LUA_TSTRING) return raise(run, "expected the name of a CSV file beside the scenario's");
-    const std::string name = golden_name(text_or_empty(lua, 2), run.settings_.point);
+    const std::string name = golden_name(text_or_empty(lua, 2), run.values());
     GoldenOptions options;
     const bool has_options = lua_type(lua, 3) == LUA_TTABLE;
     if (has_options) {

@@ -33,9 +33,24 @@ struct Describe<Scenario> {
               "how many random draws. A failing draw is simplified: to numbers nearer to 0 and with fewer digits, to "
               "values that stand earlier in their list",
               {.fallback = "20 when a sweep has a range"}},
+        Extra{"seeds",
+              "integer",
+              "",
+              "each combination is run so often, each time with a seed of its own",
+              {.fallback = "once"}},
+        Extra{"seed",
+              "integer",
+              "",
+              "the seed of every run, as `nezumi run --seed` takes it",
+              {.fallback = "each run's own, made from the session's and its name"}},
+        Setting{"paired", &Scenario::paired, "",
+                "a list of the sweep: runs that differ in its value alone have the same seed, and the summary shows "
+                "the differences of what they measured"},
         Internal{&Scenario::name},
         Internal{&Scenario::place},
         Internal{&Scenario::sweep},
+        Internal{&Scenario::seeds},
+        Internal{&Scenario::seed},
     };
 };
 

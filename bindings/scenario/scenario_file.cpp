@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "bindings/lua/files/read_options.hpp"
@@ -82,6 +83,16 @@ Expected<void> check_names_of_runs(const Scenario& scenario, const Scenario& bef
 }
 
 }  // namespace
+
+Expected<void> check_paired(const Scenario& scenario, const std::string& name) {
+    std::vector<std::string_view> lists;
+    for (const SweepKey& key : scenario.sweep.keys) {
+        if (!std::holds_alternative<std::vector<SweepValue>>(key.values)) continue;
+        if (key.name == name) return {};
+        lists.emplace_back(key.name);
+    }
+    return failure(fmt::format("the sweep has no list '{}'{}", shown(name), did_you_mean(name, lists)));
+}
 
 Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem::path& path,
                                                            const ScenarioFileOptions& options,
@@ -237,9 +248,15 @@ Expected<Scenario> ScenarioFile::read_call(lua_State* lua, const Place& place) {
 }
 
 Expected<void> ScenarioFile::read_options(lua_State* lua, int index, Scenario& scenario) {
-    std::int64_t samples = 0;
+    std::int64_t samples = 0, seeds = 0, seed = 0;
     const auto by_hand = [&](Fields& options) {
         const bool has_samples = options.whole("samples", samples, 1, static_cast<std::int64_t>(most_runs));
+        const bool has_seeds = options.whole("seeds", seeds, 1, static_cast<std::int64_t>(most_runs));
+        if (options.whole("seed", seed, 0, std::numeric_limits<std::int64_t>::max())) {
+            scenario.seed = static_cast<std::uint64_t>(seed);
+            if (has_seeds)
+                options.check().explain({"seeds"}, "'seed' gives all runs the same one: leave one of them out");
+        }
         if (!options.gives("sweep")) {
             if (has_samples) options.check().explain({"samples"}, "there is no sweep to draw from");
             return;
@@ -254,6 +271,12 @@ Expected<void> ScenarioFile::read_options(lua_State* lua, int index, Scenario& s
     check.set_given({scenario.name});
     if (auto ok = nezumi::read_options(lua, index, std::move(check), scenario, {}, by_hand); !ok) return ok;
     if (samples > 0) scenario.sweep.samples = static_cast<std::size_t>(samples);
+    scenario.seeds = static_cast<std::size_t>(seeds);
+    if (!scenario.paired.empty()) {
+        if (auto ok = check_paired(scenario, scenario.paired); !ok)
+            return failure(
+                fmt::format("scenario '{}': option 'paired': {}", nezumi::shown(scenario.name), ok.error().message));
+    }
     return {};
 }
 

@@ -1,6 +1,7 @@
 // A file of scenarios: `scenario(name, options, function)` collected from a `*_test.lua`, each ready to be run.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <lua.hpp>
@@ -27,7 +28,13 @@ struct Scenario {
     Place place;
     double timeout = default_timeout;  ///< [s] of simulated time
     Sweep sweep;
+    std::size_t seeds = 0;                ///< each combination is made so often, with seeds of their own; 0: once
+    std::optional<std::uint64_t> seed{};  ///< of every run; nothing: each has its own
+    std::string paired{};                 ///< runs that differ in this key alone have the same seed; "": none have
 };
+
+/// Whether the runs of a scenario can be compared in pairs by this key: the sweep has a list of its values.
+Expected<void> check_paired(const Scenario& scenario, const std::string& name);
 
 struct ScenarioFileOptions {
     std::vector<std::filesystem::path> installed;  ///< folders of the installed files (`Project::of`)

@@ -36,7 +36,7 @@ bool is_early(std::string_view name) {
            std::find(words.begin(), words.end(), name) != words.end();
 }
 
-// The one word of a system that would have no effect here: the seed of a run is the session's.
+// The one word of a system that would have no effect here: `s.seed` is the seed of the run.
 constexpr std::string_view not_of_scenarios = "seed";
 
 // Methods that let time pass, or wait for it.
@@ -117,6 +117,7 @@ int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
     if (run.stopped_) return end_run;
     if (lua_type(lua, 2) != LUA_TSTRING) return raise(run, "s: expected the name of a method or component");
     const std::string name(string_at(lua, 2));
+    if (name == "seed") return lua_pushinteger(lua, static_cast<lua_Integer>(run.settings_.seed)), 1;
     lua_pushvalue(lua, 2);
     const bool is_method = lua_rawget(lua, lua_upvalueindex(2)) != LUA_TNIL && name != not_of_scenarios;
     if (is_method && is_early(name)) {

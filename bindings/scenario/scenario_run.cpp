@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <utility>
@@ -132,9 +133,11 @@ void ScenarioRun::take_outcome(const CallResult& called) {
     }
 }
 
-std::string ScenarioRun::title() const {
-    const std::string values = text_of(settings_.point);
-    return values.empty() ? scenario_.name : scenario_.name + " " + values;
+std::string_view ScenarioRun::values() const {
+    std::string_view name = settings_.name;
+    name.remove_prefix(std::min(name.size(), scenario_.name.size()));
+    if (name.starts_with(' ')) name.remove_prefix(1);
+    return name;
 }
 
 void ScenarioRun::finish() {
@@ -151,7 +154,7 @@ void ScenarioRun::finish() {
     result_.seconds = worlds_.now();
     result_.hash = worlds_.trace_hash();
     if (settings_.files == nullptr) return;
-    RunFiles::Kept kept = settings_.files->finish(title());
+    RunFiles::Kept kept = settings_.files->finish(settings_.name);
     result_.files = std::move(kept.names);
     for (const Error& problem : kept.problems) result_.facts.push_back(describe(problem));
 }

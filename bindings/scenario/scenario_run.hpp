@@ -46,6 +46,7 @@ public:
 struct RunSettings {
     std::uint64_t seed = 0;
     SweepPoint point{};
+    std::string name{};                    ///< of the run
     std::function<LiveOptions()> systems;  ///< how systems are made; seed, log and budget are set here
     RunFiles* files = nullptr;             ///< null: nothing is kept
     bool keep_history = false;             ///< for plots: memory that grows with the run
@@ -114,6 +115,8 @@ private:
     void take_outcome(const CallResult& called);
     void finish();
     void print(std::string_view line);
+    // What the run's name has beside the scenario's.
+    std::string_view values() const;
 
     // The worlds that words describe.
     Described& described();
@@ -135,7 +138,6 @@ private:
 
     void tell_ports(const std::vector<PortAt>& ports);
     void tell_plot(const Watched& watched);
-    std::string title() const;
 
     ScenarioFile& file_;
     const Scenario& scenario_;

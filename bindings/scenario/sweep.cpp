@@ -193,6 +193,12 @@ std::string text_of(const SweepPoint& point) {
     return out + "]";
 }
 
+SweepPoint without(const SweepPoint& point, std::string_view key) {
+    SweepPoint rest = point;
+    std::erase_if(rest, [&](const auto& value) { return value.first == key; });
+    return rest;
+}
+
 std::vector<SweepPoint> combinations(const Sweep& sweep) {
     std::vector<SweepPoint> all{{}};
     for (const SweepKey& key : sweep.keys) {

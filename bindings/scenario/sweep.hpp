@@ -62,6 +62,9 @@ inline constexpr std::size_t most_runs = 100'000;
 /// "[speed=0.1, stop_d=30]"; "" for a point without values.
 std::string text_of(const SweepPoint& point);
 
+/// A point's values but for that of one key.
+SweepPoint without(const SweepPoint& point, std::string_view key);
+
 /// Every combination of listed values, the last key changing fastest. One point without values when there are no keys.
 std::vector<SweepPoint> combinations(const Sweep& sweep);
 

@@ -4,11 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "bindings/scenario/scenario_run.hpp"
 #include "engine/base/find_files.hpp"
+#include "engine/ports/payload.hpp"
 #include "engine/project/near_path.hpp"
 
 namespace nezumi {
@@ -22,13 +26,57 @@ std::string text_of_paths(const std::vector<fs::path>& paths) {
     return out;
 }
 
-std::vector<PlannedRun> runs_of(const Scenario& scenario, std::size_t file, std::size_t index, std::uint64_t seed) {
-    std::vector<PlannedRun> runs;
+// How often each combination is made.
+std::vector<Repetition> repetitions(const Scenario& scenario, const std::optional<SeedRange>& seeds) {
+    std::vector<Repetition> all;
+    if (scenario.seed) return {Repetition{}};
+    if (seeds) {
+        for (std::uint64_t i = 0; i <= seeds->last - seeds->first; ++i)
+            all.push_back({fmt::format(" seed {}", seeds->first + i), seeds->first + i});
+        return all;
+    }
+    for (std::size_t i = 1; i <= scenario.seeds; ++i) all.push_back({.name = fmt::format(" #{}", i)});
+    if (all.empty()) all.emplace_back();
+    return all;
+}
+
+std::string name_of_values(const Scenario& scenario, const SweepPoint& point) {
+    return point.empty() ? scenario.name : scenario.name + " " + text_of(point);
+}
+
+// Numbers that tables and other programs keep exactly.
+std::uint64_t seed_of_run(std::uint64_t session, std::string_view name) { return mix(session, name) >> 11; }
+
+// Draws at random: of a sweep that is compared in pairs, each draw with every value of that key.
+std::vector<SweepPoint> drawn_points(const Scenario& scenario, std::uint64_t seed) {
+    const std::uint64_t own = seed_of(seed, scenario.name);
+    Sweep rest = scenario.sweep, compared;
+    const auto is_compared = [&](const SweepKey& key) { return key.name == scenario.paired; };
+    const auto key = std::find_if(rest.keys.begin(), rest.keys.end(), is_compared);
+    if (key == rest.keys.end()) return draws(rest, own);
+    const auto at = key - rest.keys.begin();
+    compared.keys.push_back(*key);
+    rest.keys.erase(key);
+    std::vector<SweepPoint> points;
+    for (const SweepPoint& point : draws(rest, own)) {
+        for (const SweepPoint& value : combinations(compared)) {
+            points.push_back(point);
+            points.back().insert(points.back().begin() + at, value.front());
+        }
+    }
+    return points;
+}
+
+std::vector<PlannedRun> runs_of(const TestPlan& plan, std::size_t file, std::size_t index,
+                                const std::vector<Repetition>& repeated) {
+    const Scenario& scenario = plan.files[file].scenarios[index];
     const bool drawn = scenario.sweep.is_random();
-    auto points = drawn ? draws(scenario.sweep, seed_of(seed, scenario.name)) : combinations(scenario.sweep);
-    runs.reserve(points.size());
-    for (SweepPoint& point : points) runs.push_back({file, index, std::move(point), "", drawn});
-    for (PlannedRun& run : runs) run.name = name_of_run(scenario, run.point);
+    const auto points = drawn ? drawn_points(scenario, plan.seed) : combinations(scenario.sweep);
+    std::vector<PlannedRun> runs;
+    runs.reserve(points.size() * repeated.size());
+    for (const SweepPoint& point : points) {
+        for (const Repetition& repetition : repeated) runs.push_back(planned_run(plan, file, index, point, repetition));
+    }
     return runs;
 }
 
@@ -36,15 +84,26 @@ std::vector<PlannedRun> runs_of(const Scenario& scenario, std::size_t file, std:
 enum class Fit { none, part, whole };
 
 Fit fit(const std::string& filter, const Scenario& scenario, const PlannedRun& run) {
-    if (run.name == filter || scenario.name == filter) return Fit::whole;
+    const std::string_view values = std::string_view(run.name).substr(0, run.name.size() - run.repetition.name.size());
+    if (run.name == filter || values == filter || scenario.name == filter) return Fit::whole;
     return run.name.find(filter) != std::string::npos ? Fit::part : Fit::none;
 }
 
-// A point of a random sweep that the filter names, whether or not it is drawn this time.
-std::optional<SweepPoint> named_point(const std::string& filter, const Scenario& scenario) {
+// The runs of a random sweep that the filter names, whether or not they are drawn this time.
+std::vector<PlannedRun> named_runs(const std::string& filter, const TestPlan& plan, std::size_t file, std::size_t index,
+                                   const std::vector<Repetition>& repeated) {
+    const Scenario& scenario = plan.files[file].scenarios[index];
     const std::string prefix = scenario.name + " ";
-    if (!scenario.sweep.is_random() || !filter.starts_with(prefix)) return std::nullopt;
-    return find_point(scenario.sweep, std::string_view(filter).substr(prefix.size()));
+    std::vector<PlannedRun> named;
+    if (!scenario.sweep.is_random() || !filter.starts_with(prefix)) return named;
+    const std::string_view values = std::string_view(filter).substr(prefix.size());
+    for (const Repetition& repetition : repeated) {
+        auto point = find_point(scenario.sweep, values);
+        if (!point && values.ends_with(repetition.name))
+            point = find_point(scenario.sweep, values.substr(0, values.size() - repetition.name.size()));
+        if (point) named.push_back(planned_run(plan, file, index, std::move(*point), repetition));
+    }
+    return named;
 }
 
 // Where a project keeps its scenarios.
@@ -57,8 +116,42 @@ std::vector<fs::path> scenario_folders(const fs::path& root) {
     return folders;
 }
 
+// Compares the runs of every scenario that can be by this key.
+Expected<void> pair(TestPlan& plan, const std::string& name) {
+    if (name.empty()) return {};
+    std::optional<Error> why;
+    bool paired = false;
+    for (PlannedFile& file : plan.files) {
+        for (Scenario& scenario : file.scenarios) {
+            const auto fits = check_paired(scenario, name);
+            if (fits) {
+                scenario.paired = name;
+                paired = true;
+            } else if (!why || fits.error().message.size() > why->message.size()) {
+                why = fits.error();  // the one that has a nearest name
+            }
+        }
+    }
+    if (paired || !why) return {};
+    return failure("--paired: " + why->message);
+}
+
 // Where scenarios are when nobody says where.
 fs::path scenario_root(const Project& project) { return project.root().empty() ? fs::current_path() : project.root(); }
+
+// Results, folders of failures and --filter know a run by its name.
+Expected<void> check_runs(const TestPlan& plan) {
+    if (plan.runs.size() > most_runs)
+        return failure(fmt::format("these are {} runs, more than {}: choose some by --filter, or fewer seeds",
+                                   plan.runs.size(), most_runs));
+    std::set<std::pair<std::size_t, std::string_view>> names;
+    for (const PlannedRun& run : plan.runs) {
+        if (names.emplace(run.file, run.name).second) continue;
+        const Place& place = plan.files[run.file].scenarios[run.scenario].place;
+        return failure(fmt::format("two runs are called '{}': rename a scenario", shown(run.name)), place);
+    }
+    return {};
+}
 
 Project project_here() { return Project::of(fs::current_path() / "any"); }
 
@@ -130,7 +223,7 @@ Expected<std::vector<fs::path>> find_scenario_files(const std::vector<fs::path>&
 Expected<TestPlan> plan_tests(const PlanOptions& options) {
     const auto paths = find_scenario_files(options.paths);
     if (!paths) return Unexpected(paths.error());
-    TestPlan plan;
+    TestPlan plan{.seed = options.seed};
     std::vector<PlannedRun> part;
     std::vector<PlannedRun> whole;
     std::vector<std::string_view> names;
@@ -146,6 +239,7 @@ Expected<TestPlan> plan_tests(const PlanOptions& options) {
         }
         plan.files.push_back(std::move(planned));
     }
+    if (auto ok = pair(plan, options.paired); !ok) return Unexpected(ok.error());
     for (PlannedFile& file : plan.files) {
         const auto called_so = [&](const PlannedFile& other) { return other.path.stem() == file.path.stem(); };
         file.has_own_stem = std::count_if(plan.files.begin(), plan.files.end(), called_so) == 1;
@@ -154,11 +248,12 @@ Expected<TestPlan> plan_tests(const PlanOptions& options) {
         for (std::size_t i = 0; i < plan.files[file].scenarios.size(); ++i) {
             const Scenario& scenario = plan.files[file].scenarios[i];
             names.emplace_back(scenario.name);
-            if (const auto point = named_point(options.filter, scenario)) {
-                whole.push_back({file, i, *point, name_of_run(scenario, *point), true});
+            const auto repeated = repetitions(scenario, options.seeds);
+            if (auto named = named_runs(options.filter, plan, file, i, repeated); !named.empty()) {
+                std::move(named.begin(), named.end(), std::back_inserter(whole));
                 continue;
             }
-            for (PlannedRun& run : runs_of(scenario, file, i, options.seed)) {
+            for (PlannedRun& run : runs_of(plan, file, i, repeated)) {
                 const Fit fits = options.filter.empty() ? Fit::part : fit(options.filter, scenario, run);
                 if (fits == Fit::whole) whole.push_back(run);
                 if (fits != Fit::none) part.push_back(std::move(run));
@@ -166,6 +261,7 @@ Expected<TestPlan> plan_tests(const PlanOptions& options) {
         }
     }
     plan.runs = whole.empty() ? std::move(part) : std::move(whole);
+    if (auto ok = check_runs(plan); !ok) return Unexpected(ok.error());
     const bool unread =
         std::any_of(plan.files.begin(), plan.files.end(), [](const auto& f) { return !f.errors.empty(); });
     if (plan.runs.empty() && !unread) {
@@ -175,8 +271,15 @@ Expected<TestPlan> plan_tests(const PlanOptions& options) {
     return plan;
 }
 
-std::string name_of_run(const Scenario& scenario, const SweepPoint& point) {
-    return point.empty() ? scenario.name : scenario.name + " " + text_of(point);
+PlannedRun planned_run(const TestPlan& plan, std::size_t file, std::size_t scenario, SweepPoint point,
+                       const Repetition& repetition) {
+    const Scenario& of = plan.files[file].scenarios[scenario];
+    PlannedRun run{.file = file, .scenario = scenario, .drawn = of.sweep.is_random(), .repetition = repetition};
+    run.name = name_of_values(of, point) + repetition.name;
+    const std::string shared = name_of_values(of, without(point, of.paired)) + repetition.name;
+    run.seed = of.seed ? *of.seed : repetition.seed.value_or(seed_of_run(plan.seed, shared));
+    run.point = std::move(point);
+    return run;
 }
 
 std::string shell_text(const std::string& argument) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,12 +23,25 @@ Expected<std::vector<std::filesystem::path>> find_scenario_files(const std::vect
 /// has the nearest name, or the nearest path.
 Expected<std::vector<std::filesystem::path>> find_scenarios_called(const std::string& name);
 
+/// Seeds that a session is told, from the first to the last.
+struct SeedRange {
+    std::uint64_t first = 0, last = 0;
+};
+
+/// One of several runs with the same values.
+struct Repetition {
+    std::string name;  ///< what follows in the name of the run: " #3", " seed 17"; "" of the only one
+    std::optional<std::uint64_t> seed{};  ///< by --seeds; nothing: made from the session's seed and the run's name
+};
+
 struct PlannedRun {
     std::size_t file = 0;      ///< in the plan
     std::size_t scenario = 0;  ///< in the file
     SweepPoint point{};
-    std::string name;    ///< "stops in front of the wall [speed=0.1]"
+    std::string name;    ///< "stops in front of the wall [speed=0.1]", with its repetition
     bool drawn = false;  ///< at random
+    Repetition repetition{};
+    std::uint64_t seed = 0;  ///< of all that it draws at random: below 2^53, unless somebody has given it
 };
 
 struct PlannedFile {
@@ -41,6 +55,7 @@ struct PlannedFile {
 struct TestPlan {
     std::vector<PlannedFile> files;
     std::vector<PlannedRun> runs;  ///< in order
+    std::uint64_t seed = 0;        ///< of the session
 };
 
 struct PlanOptions {
@@ -48,13 +63,16 @@ struct PlanOptions {
     std::string filter;  ///< part of a run's name; a whole name means no other
     std::uint64_t seed = 0;
     std::vector<std::filesystem::path> installed;
+    std::optional<SeedRange> seeds{};  ///< each combination is made with each of them, whatever its scenario says
+    std::string paired;                ///< of all scenarios whose sweep has a list of this name; "": as they say
 };
 
 /// Reads the files. An error when there is no file or no run at all; what is wrong with a file is in the plan.
 Expected<TestPlan> plan_tests(const PlanOptions& options);
 
-/// The name of a run.
-std::string name_of_run(const Scenario& scenario, const SweepPoint& point);
+/// The run with these values, with its name and its seed.
+PlannedRun planned_run(const TestPlan& plan, std::size_t file, std::size_t scenario, SweepPoint point,
+                       const Repetition& repetition);
 
 /// An argument as a shell takes it.
 std::string shell_text(const std::string& argument);

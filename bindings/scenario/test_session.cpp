@@ -63,7 +63,7 @@ public:
             for (const ResultStore& store : merged_) {
                 auto kept = store.find(key_of(run, 0, true));
                 if (!kept) continue;
-                take_simplest(run, kept->name, std::move(kept->result));
+                take_simplest(run, std::move(*kept));
                 break;
             }
         }
@@ -106,7 +106,8 @@ private:
     const Scenario& scenario_of(const PlannedRun& run) const { return plan_.files[run.file].scenarios[run.scenario]; }
 
     ResultKey key_of(std::size_t run, std::size_t repetition, bool simplest = false) const {
-        return {plan_.files[plan_.runs[run].file].shown, plan_.runs[run].name, repetition, simplest};
+        const PlannedRun& planned = plan_.runs[run];
+        return {plan_.files[planned.file].shown, planned.name, repetition, simplest, planned.seed};
     }
 
     // What real robots do is never the same, and goldens are written by the run itself.
@@ -146,7 +147,7 @@ private:
         const PlannedRun& planned = plan_.runs[run];
         RunResult result = run_planned(plan_, planned, options_, planned.drawn || repetition > 0);
         if (keeps()) {
-            const auto kept = keep_->keep(key_of(run, repetition), {planned.name, result});
+            const auto kept = keep_->keep(key_of(run, repetition), {planned.name, result, planned.seed});
             if (!kept && options_.keep) {
                 result.outcome = RunOutcome::could_not_run;
                 result.error = {"the result of this run can't be kept: " + describe(kept.error())};
@@ -234,11 +235,15 @@ private:
                 {.scenario = scenario_of(run).name,
                  .name = run.name,
                  .point = run.point,
+                 .seed = run.seed,
+                 .paired = scenario_of(run).paired,
+                 .repetition = run.repetition.name,
                  .passed = result.outcome == RunOutcome::passed,
                  .measures = result.measures,
                  .counts = !result.component_failed && result.outcome != RunOutcome::could_not_run});
         }
         end_.summary.measures = summarize(end_.measured);
+        end_.summary.pairs = summarize_pairs(end_.measured);
     }
 
     // What is said of the simplest failure of a random sweep need not be said of each.
@@ -284,7 +289,7 @@ private:
         for (const std::size_t run : first_failures()) {
             if (end_.interrupted) return;
             if (auto kept = options_.resume ? keep_->find(key_of(run, 0, true)) : std::nullopt) {
-                take_simplest(run, kept->name, std::move(kept->result));
+                take_simplest(run, std::move(*kept));
             } else {
                 simplify(run);
             }
@@ -309,8 +314,8 @@ private:
         for (int step = 0; step < most_simplifications && !end_.interrupted; ++step) {
             std::vector<PlannedRun> candidates;
             for (SweepPoint& point : simpler(scenario.sweep, simplest.point)) {
-                std::string name = name_of_run(scenario, point);
-                candidates.push_back({found.file, found.scenario, std::move(point), std::move(name), true});
+                candidates.push_back(
+                    planned_run(plan_, found.file, found.scenario, std::move(point), found.repetition));
             }
             const std::vector<RunResult> results = run_all(candidates, true);
             std::size_t next = 0;
@@ -325,11 +330,12 @@ private:
         RunResult result = run_all({simplest}, false).front();
         if (end_.interrupted) return;
         // Whoever merges finds it by the run that was planned; without it that run is told as it was.
-        if (keeps()) static_cast<void>(keep_->keep(key_of(index, 0, true), {simplest.name, result}));
-        take_simplest(index, simplest.name, std::move(result));
+        if (keeps()) static_cast<void>(keep_->keep(key_of(index, 0, true), {simplest.name, result, simplest.seed}));
+        take_simplest(index, {simplest.name, std::move(result), simplest.seed});
     }
 
-    void take_simplest(std::size_t index, const std::string& name, RunResult result) {
+    void take_simplest(std::size_t index, KeptResult kept) {
+        RunResult& result = kept.result;
         PlannedRun simplest = plan_.runs[index];
         std::size_t samples = 0;
         std::size_t failed = 0;
@@ -339,12 +345,13 @@ private:
             ++samples;
             if (!results_[i].empty() && results_[i].front().outcome == RunOutcome::failed) ++failed;
         }
-        if (name != simplest.name)
+        if (kept.name != simplest.name)
             result.facts.insert(result.facts.begin(), fmt::format("first seen with {}", text_of(simplest.point)));
         result.facts.insert(
             result.facts.begin(),
             fmt::format("{} of {} samples failed; this is the simplest failure found", failed, samples));
-        simplest.name = name;
+        simplest.name = kept.name;
+        simplest.seed = kept.seed;
         simplified_.emplace(index, report_of(plan_, simplest, std::move(result), options_));
     }
 

@@ -74,11 +74,6 @@ Expected<std::unique_ptr<WebServer>> WebServer::open(RunningSystem& live, ClockC
 
 WebServer::~WebServer() {
     pictures_.reset();
-    if (reader_) {
-        reader_->close([] {});
-        // What reads files that do not answer goes on without it.
-        if (!reader_->join(Clock::now() + std::chrono::seconds(1))) static_cast<void>(reader_.release());
-    }
     hub_.end(dump({{"is", "bye"}, {"text", "the run has ended"}}));
     if (sockets_) sockets_->wake();
 }
@@ -106,7 +101,7 @@ bool WebServer::serve(Clock::time_point until, double late) {
         waiting_.clear();
         dealt_ = 0;
     }
-    if (reader_) reader_->serve(until);
+    finish_restart();
     const auto now = Clock::now();
     drives_.serve(now);
     relay_.serve();
@@ -193,25 +188,25 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
 
 Expected<WebServer::Reply> WebServer::restart(ClientId client, std::int64_t id, const Browser& browser) {
     if (clock_.is_hardware()) return failure(std::string(only_real_time));
-    if (reader_ == nullptr) reader_ = std::make_unique<Worker>(bell_);
-    if (!reader_->is_idle()) return failure("somebody is about to restart it already");
-    // Files that do not answer keep no tick: another thread reads them first.
-    reader_->start([this, &reader = *reader_, client, id, who = browser.who, attempt = live_.try_restart(),
-                    look = live_.lost_by_restart()] {
-        const std::vector<std::string> lost = look();
-        Expected<void> ready = attempt();
-        if (ready && !lost.empty())
-            ready = failure(fmt::format("{} would be gone: save the system first", fmt::join(lost, ", ")));
-        reader.perform([&] {
-            if (ready) {
-                live_.system().log(LogLevel::info, to_text(who) + ": starts anew");
-                if (const auto restarted = live_.act(Restart{}, who); !restarted) ready = Unexpected(restarted.error());
-            }
-            answer(client, id, ready);
-            return true;
-        });
-    });
+    if (!worker_.is_idle()) return failure("somebody is about to restart it already");
+    restart_ = {client, id, browser.who};
+    worker_.start(live_.prepare(Restart{}));
     return Reply::later;
+}
+
+void WebServer::finish_restart() {
+    auto prepared = worker_.take();
+    if (!prepared) return;
+    if (!live_.fits(*prepared)) return worker_.start(live_.prepare(Restart{}));
+    Expected<void> done;
+    if (!prepared->error && !prepared->lost.empty()) {
+        done = failure(fmt::format("{} would be gone: save the system first", fmt::join(prepared->lost, ", ")));
+    } else {
+        if (!prepared->error) live_.system().log(LogLevel::info, to_text(restart_.who) + ": starts anew");
+        const auto restarted = live_.commit(std::move(*prepared), restart_.who);
+        if (!restarted) done = Unexpected(restarted.error());
+    }
+    answer(restart_.client, restart_.id, done);
 }
 
 Expected<void> WebServer::set_time(const TimeMessage& time, const Browser& browser) {

@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "bindings/console/server.hpp"
-#include "bindings/console/worker.hpp"
 #include "bindings/web/console_relay.hpp"
 #include "bindings/web/drives.hpp"
 #include "bindings/web/hub.hpp"
 #include "bindings/web/pictures.hpp"
 #include "bindings/web/sockets.hpp"
 #include "bindings/web/state_reader.hpp"
+#include "engine/live/act_worker.hpp"
 #include "engine/live/clock_control.hpp"
 #include "engine/live/running_system.hpp"
 
@@ -75,6 +75,7 @@ private:
     Expected<Reply> perform(ClientId client, const Browser& browser, const BrowserMessage& message);
     Expected<void> set_time(const TimeMessage& time, const Browser& browser);
     Expected<Reply> restart(ClientId client, std::int64_t id, const Browser& browser);
+    void finish_restart();
     void explain();
     void show(double late, Clock::time_point now);
     void describe_system(Clock::time_point now);
@@ -98,8 +99,13 @@ private:
     std::vector<Explained> explained_;  // that are to be
     std::vector<Hub::Incoming> waiting_;
     std::size_t dealt_ = 0;  // of waiting_
-    Bell bell_;
-    std::unique_ptr<Worker> reader_;  // of files, which may make it wait; none before the first restart
+    struct RestartWish {
+        ClientId client = 0;
+        std::int64_t id = 0;
+        Actor who;
+    };
+    RestartWish restart_;  // that is being prepared
+    ActWorker worker_;
     Clock::time_point shown_{};
     Clock::time_point described_{};
     std::uint64_t fingerprint_ = 0;

@@ -1,4 +1,4 @@
-// What takes long is tried beside the ticks first, so that a file that never ends its loading delays none.
+// Files are loaded beside the ticks, one save after the other.
 #include "engine/live/live_reload.hpp"
 
 #include <fmt/format.h>
@@ -16,10 +16,6 @@ LiveReload::LiveReload(const System& system, Reloads& reloads, const std::vector
     watch_again();
 }
 
-LiveReload::~LiveReload() {
-    if (rehearser_.joinable()) rehearser_.join();
-}
-
 void LiveReload::watch_again() {
     FileWatcher::Files files;
     for (const ScriptFile& file : reloads_.files()) files.try_emplace(file.path, file.hash);
@@ -28,17 +24,8 @@ void LiveReload::watch_again() {
 }
 
 void LiveReload::take_changes() {
-    if (rehearsed_.exchange(false)) {
-        rehearser_.join();
-        const std::vector<std::string> paths = std::exchange(rehearsal_, {});
-        if (!waiting_.empty()) {
-            reload(std::exchange(waiting_, {}), false);
-        } else if (outcome_) {
-            reload(paths, true);
-        } else {
-            system_.log(LogLevel::error, describe(outcome_.error()));
-        }
-    }
+    if (auto prepared = worker_.take()) finish(std::move(*prepared));
+    if (!worker_.is_idle()) return;
     std::vector<std::string> scripts;
     for (const FileWatcher::Change& change : watcher_.take_changes()) {
         if (other_files_.contains(change.path)) {
@@ -56,7 +43,7 @@ void LiveReload::take_changes() {
     }
     // A module that was missing or wrong may have come: what failed without it is tried again.
     if (watcher_.take_others() || !scripts.empty()) scripts.insert(scripts.end(), failed_.begin(), failed_.end());
-    if (!scripts.empty()) reload(scripts, false);
+    if (!scripts.empty()) reload(std::move(scripts));
 }
 
 // As a module does that was missing: the script that failed without it was tried again before the watcher had looked.
@@ -69,31 +56,20 @@ bool LiveReload::runs_already(const FileWatcher::Change& change) const {
                        [&](const auto& file) { return !is_of(file) || file.hash == change.hash; });
 }
 
-void LiveReload::reload(const std::vector<std::string>& paths, bool rehearsed) {
-    reloads_.limit_preparation(rehearsed ? 0 : longest_preparation);
-    const Expected<void> done = act_(paths);
-    reloads_.limit_preparation(0);
+void LiveReload::reload(std::vector<std::string> paths) {
+    worker_.start(act_.prepare(paths));
+    loading_ = std::move(paths);
     failed_.clear();
-    if (!done) {
-        if (!rehearsed && done.error().kind == Error::Kind::out_of_time) return rehearse(paths);
-        system_.log(LogLevel::error, describe(done.error()));
-        failed_ = paths;
-    }
-    watch_again();
 }
 
-void LiveReload::rehearse(std::vector<std::string> paths) {
-    if (rehearser_.joinable()) {
-        waiting_ = std::move(paths);
-        return;
+void LiveReload::finish(PreparedAct prepared) {
+    const auto done = act_.commit(std::move(prepared));
+    if (!done) return reload(std::exchange(loading_, {}));
+    if (!*done) {
+        system_.log(LogLevel::error, describe(done->error()));
+        failed_ = std::exchange(loading_, {});
     }
-    auto rehearsal = reloads_.rehearsal(paths);
-    if (!rehearsal) return system_.log(LogLevel::error, describe(rehearsal.error()));
-    rehearsal_ = std::move(paths);
-    rehearser_ = std::thread([this, load = std::move(*rehearsal)] {
-        outcome_ = load();
-        rehearsed_.store(true, std::memory_order_release);
-    });
+    watch_again();
 }
 
 }  // namespace nezumi

@@ -13,7 +13,6 @@ namespace nezumi {
 struct RunningSystem::Running {
     SystemSpec spec;
     std::unique_ptr<Behaviors> behaviors;
-    std::unique_ptr<Component> prepared;  // what the maker of behaviours gives next, instead of making it
     Makers makers;
     std::unique_ptr<System> system;
     TraceHash hash;

@@ -1,10 +1,9 @@
 // Performs acts on a running system: those of perform.hpp, and those on scripts, entries and the whole.
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <optional>
+#include <cassert>
 #include <utility>
 
+#include "engine/live/prepare.hpp"
 #include "engine/live/running.hpp"
 #include "engine/live/running_system.hpp"
 #include "engine/system/perform.hpp"
@@ -12,33 +11,66 @@
 #include "engine/system/rtm_wiring.hpp"
 
 namespace nezumi {
-namespace {
-
-Expected<const Component*> behavior_named(System& system, std::string_view name) {
-    const auto component = system.component(name);
-    if (!component) return Unexpected(component.error());
-    if ((*component)->script_file() != nullptr) return *component;
-    return failure(fmt::format("{} has no script: only behaviours reload", name));
-}
-
-}  // namespace
 
 Expected<ActResult> RunningSystem::act(const Act& act, const Actor& who) {
+    if (!takes_files(act)) return perform_and_tell(act, nullptr, who);
+    settle();
+    return commit(prepare(act)(), who);
+}
+
+Preparation RunningSystem::prepare(const Act& act, FilesSeen found) const {
+    PreparingWork work;
+    if (const auto* reload = std::get_if<Reload>(&act)) work = work_of(*reload, *this, *running_->reloads);
+    if (const auto* add = std::get_if<Add>(&act)) work = work_of(*add, *this);
+    if (const auto* restart = std::get_if<Restart>(&act)) work = work_of(*restart, *this);
+    assert(work);
+    return [act, start = starts_, project = project_, found = std::move(found), work = std::move(work)] {
+        PreparedAct prepared{.act = act, .start = start};
+        FileSnapshot files(project.files(), found);
+        work(prepared, project.through(files));
+        prepared.files = files.take();
+        return prepared;
+    };
+}
+
+bool RunningSystem::fits(const PreparedAct& prepared) const {
+    return prepared.start == starts_ && (prepared.reload == nullptr || running_->reloads->fits(*prepared.reload));
+}
+
+Expected<ActResult> RunningSystem::commit(PreparedAct prepared, const Actor& who) {
+    return perform_and_tell(prepared.act, &prepared, who);
+}
+
+void RunningSystem::settle() {
     // What failed on probation is taken back before anything else happens, here as before a tick.
     running_->reloads->after_tick();
     if (!foreseen_.empty()) take_foreseen();
+}
+
+Expected<ActResult> RunningSystem::perform_and_tell(const Act& act, PreparedAct* prepared, const Actor& who) {
+    settle();
     const ActTime time = when();
-    auto result = std::visit([&](const auto& each) { return perform(each, who); }, act);
+    auto result = prepared != nullptr ? check(*prepared) : Expected<void>();
+    auto done = result ? std::visit([&](const auto& each) { return perform(each, who, prepared); }, act)
+                       : Unexpected(result.error());
     ++acts_;
     if (act_observer_ != nullptr) {
-        act_observer_->acted(time, act, who, result);
+        act_observer_->acted(time, act, who, done, prepared != nullptr ? std::move(prepared->files) : FilesSeen());
         tell_out_of_time(std::holds_alternative<Restart>(act) ? when() : time);
     }
-    return result;
+    return done;
+}
+
+Expected<void> RunningSystem::check(const PreparedAct& prepared) const {
+    if (!fits(prepared)) return failure("the system has changed while this was read: say it again");
+    for (const std::string& line : prepared.printed) {
+        if (options_.print) options_.print(line);
+    }
+    return prepared.error ? Unexpected(*prepared.error) : Expected<void>();
 }
 
 template <class EngineAct>
-Expected<ActResult> RunningSystem::perform(const EngineAct& act, const Actor& who) {
+Expected<ActResult> RunningSystem::perform(const EngineAct& act, const Actor& who, PreparedAct* /*prepared*/) {
     if constexpr (requires { perform_on_spec(*running_->system, running_->spec, act, who); }) {
         return perform_on_spec(*running_->system, running_->spec, act, who);
     } else {
@@ -46,56 +78,28 @@ Expected<ActResult> RunningSystem::perform(const EngineAct& act, const Actor& wh
     }
 }
 
-Expected<ActResult> RunningSystem::perform(const Reload& act, const Actor& /*who*/) {
-    Expected<ActResult> report;
-    if (!act.files.empty()) {
-        report = running_->reloads->reload_files(act.files);
-    } else {
-        const auto behavior = behavior_named(*running_->system, act.component);
-        if (!behavior) return Unexpected(behavior.error());
-        const ScriptFile& file = *(*behavior)->script_file();
-        report = running_->reloads->reload({file.path, act.shown.empty() ? file.shown : act.shown, act.text});
-    }
+Expected<ActResult> RunningSystem::perform(const Reload& /*act*/, const Actor& /*who*/, PreparedAct* prepared) {
+    FileSnapshot files(project_.files(), std::move(prepared->files));
+    auto report = running_->reloads->commit(*prepared->reload, project_.through(files));
+    prepared->files = files.take();
     if (report) watch_again();
     if (!report && report.error().kind == Error::Kind::out_of_time && options_.build.out_of_time_is_fatal)
         running_->system->fail(report.error());
     return report;
 }
 
-Expected<ActResult> RunningSystem::perform(const Rollback& act, const Actor& /*who*/) {
-    const auto behavior = behavior_named(*running_->system, act.component);
-    if (!behavior) return Unexpected(behavior.error());
-    auto report = running_->reloads->rollback(**behavior);
+Expected<ActResult> RunningSystem::perform(const Rollback& act, const Actor& /*who*/, PreparedAct* /*prepared*/) {
+    if (const auto script = script_of(*running_->system, act.component); !script) return Unexpected(script.error());
+    auto report = running_->reloads->rollback(*running_->system->find(act.component));
     if (report) watch_again();
     return report;
 }
 
-Expected<ActResult> RunningSystem::add(PreparedAdd prepared, const Actor& who) {
-    if (prepared.start != starts_) return failure("the system was started anew while this was read: say it again");
-    const Add same{prepared.given};
-    prepared_ = std::move(prepared);
-    auto added = act(same, who);
-    prepared_.reset();
-    return added;
-}
-
-Expected<ActResult> RunningSystem::perform(const Add& act, const Actor& /*who*/) {
+Expected<ActResult> RunningSystem::perform(const Add& act, const Actor& /*who*/, PreparedAct* prepared) {
     SystemSpec& spec = running_->spec;
+    SystemSpec& part = prepared->spec;
     const auto* robot = std::get_if<RobotEntry>(&act.entry);
-    if (options_.build.real_time && robot != nullptr)
-        return failure(fmt::format("robot '{}': with --hw all robots are there from the start", name_of(act.entry)));
-    if (!prepared_) {
-        SystemSpec part;
-        part.file = spec.file;
-        if (robot != nullptr && spec.models.contains(robot->described_by()))
-            part.models.emplace(robot->described_by(), spec.models.at(robot->described_by()));
-        auto prepared = add_preparer().here(act.entry, std::move(part));
-        if (!prepared) return Unexpected(prepared.error());
-        prepared_ = std::move(*prepared);
-    }
-    PreparedAdd prepared = *std::exchange(prepared_, std::nullopt);
-    project_.files().adopt(prepared.seen);
-    for (auto& [name, model] : prepared.models) {
+    for (auto& [name, model] : part.models) {
         const bool is_its_own = robot != nullptr && name != robot->described_by();
         if (is_its_own) {
             spec.models.insert_or_assign(name, std::move(model));
@@ -103,22 +107,30 @@ Expected<ActResult> RunningSystem::perform(const Add& act, const Actor& /*who*/)
             spec.models.emplace(name, std::move(model));
         }
     }
-    for (const std::string& file : prepared.files) {
-        if (std::find(spec.files.begin(), spec.files.end(), file) == spec.files.end()) spec.files.push_back(file);
+    for (const std::string& file : part.files) {
+        if (std::ranges::find(spec.files, file) == spec.files.end()) spec.files.push_back(file);
     }
-    if (prepared.behavior) running_->prepared = prepared.behavior->take();
-    auto added = add_entry(*running_->system, prepared.entry, spec, running_->makers);
-    running_->prepared.reset();
+    running_->behaviors->take_all(*prepared->behaviors);
+    auto added = add_entry(*running_->system, part.entries.front(), spec, running_->makers);
     if (!added) return Unexpected(added.error());
-    spec.entries.push_back(std::move(prepared.entry));
+    spec.entries.push_back(std::move(part.entries.front()));
     watch_again();
     return ActResult{};
 }
 
-Expected<ActResult> RunningSystem::perform(const Remove& act, const Actor& who) {
+Expected<ActResult> RunningSystem::perform(const Remove& act, const Actor& who, PreparedAct* /*prepared*/) {
     auto gone = perform_on_spec(*running_->system, running_->spec, act, who);
     if (gone) watch_again();
     return gone;
+}
+
+Expected<ActResult> RunningSystem::perform(const Restart& /*act*/, const Actor& /*who*/, PreparedAct* prepared) {
+    auto next = build(std::move(prepared->spec), std::move(prepared->behaviors));
+    if (!next) return Unexpected(next.error());
+    hash_before_ = trace_hash();
+    take(std::move(*next));
+    activate();
+    return ActResult{};
 }
 
 }  // namespace nezumi

@@ -7,38 +7,33 @@
 #include <optional>
 #include <utility>
 
+#include "engine/live/prepare.hpp"
 #include "engine/live/running.hpp"
 
 namespace nezumi {
-namespace {
-
-Expected<SystemSpec> read_spec(const std::filesystem::path& file, const Project& project, const LiveOptions& options) {
-    auto spec = options.scripts->read_system(file, project, {.seed = options.build.seed, .print = options.print});
-    if (spec && options.prepare) {
-        if (auto ok = options.prepare(*spec); !ok) return Unexpected(ok.error());
-    }
-    if (spec) {
-        if (auto ok = options.scripts->apply(options.values, *spec, project); !ok) return Unexpected(ok.error());
-    }
-    return spec;
-}
-
-}  // namespace
-
 Expected<std::unique_ptr<RunningSystem>> RunningSystem::load(const std::filesystem::path& file, LiveOptions options) {
-    Project project = Project::of(file, options.installed, *options.files);
+    FileSnapshot files(*options.files);
+    const Project project = Project::of(file, options.installed, files);
     auto spec = read_spec(file, project, options);
     if (!spec) return Unexpected(spec.error());
-    auto live = make(std::move(*spec), std::move(project), std::move(options));
+    Project lasting = project.through(*options.files);
+    auto live = make(std::move(*spec), std::move(lasting), std::move(options), files);
     if (live) (*live)->file_ = file;
     return live;
 }
 
 Expected<std::unique_ptr<RunningSystem>> RunningSystem::make(SystemSpec spec, Project project, LiveOptions options) {
+    FileSnapshot files(project.files());
+    return make(std::move(spec), std::move(project), std::move(options), files);
+}
+
+Expected<std::unique_ptr<RunningSystem>> RunningSystem::make(SystemSpec spec, Project project, LiveOptions options,
+                                                             FileSnapshot& files) {
     auto live = std::unique_ptr<RunningSystem>(new RunningSystem(std::move(project), std::move(options)));
-    auto running = live->build(std::move(spec));
+    auto running = live->build(std::move(spec), files);
     if (!running) return Unexpected(running.error());
     live->take(std::move(*running));
+    live->files_ = files.take();
     return live;
 }
 
@@ -47,7 +42,13 @@ RunningSystem::RunningSystem(Project project, LiveOptions options)
 
 RunningSystem::~RunningSystem() = default;
 
-Expected<std::unique_ptr<RunningSystem::Running>> RunningSystem::build(SystemSpec spec) {
+Expected<std::unique_ptr<RunningSystem::Running>> RunningSystem::build(SystemSpec spec, const FileSnapshot& files) {
+    auto behaviors = load_behaviors(spec, context_of(spec, options_.build), project_.through(files), options_);
+    return build(std::move(spec), std::move(behaviors));
+}
+
+Expected<std::unique_ptr<RunningSystem::Running>> RunningSystem::build(SystemSpec spec,
+                                                                       std::unique_ptr<Behaviors> behaviors) {
     auto next = std::make_unique<Running>();
     next->spec = std::move(spec);
     next->makers.world = options_.world;
@@ -56,11 +57,9 @@ Expected<std::unique_ptr<RunningSystem::Running>> RunningSystem::build(SystemSpe
     next->makers.rig = options_.rig;
     next->makers.network = options_.network;
     next->makers.components = options_.components;
-    next->behaviors = options_.scripts->behaviors(project_, options_.budget);
-    next->makers.behavior = [&running = *next](const BehaviorEntry& entry,
-                                               const MakerContext& context) -> Expected<std::unique_ptr<Component>> {
-        if (running.prepared != nullptr) return std::exchange(running.prepared, nullptr);
-        return running.behaviors->make(entry, context);
+    next->behaviors = std::move(behaviors);
+    next->makers.behavior = [&all = *next->behaviors](const BehaviorEntry& entry, const MakerContext&) {
+        return all.take(entry);
     };
     BuildOptions options = options_.build;
     options.log = [log = options_.build.log, start = starts_ + 1](LogLine line) {
@@ -80,11 +79,13 @@ std::unique_ptr<RunningSystem::Running> RunningSystem::take(std::unique_ptr<Runn
     running_->system->observe(running_->hash);
     trace_.start(*running_->system);
     if (options_.watch) {
-        running_->live_reload.emplace(*running_->system, *running_->reloads, running_->spec.files,
-                                      [this](const std::vector<std::string>& files) -> Expected<void> {
-                                          auto done = act(Reload{.files = files}, {Actor::Kind::file_watcher});
-                                          return done ? Expected<void>() : Unexpected(done.error());
-                                      });
+        running_->live_reload.emplace(
+            *running_->system, *running_->reloads, running_->spec.files,
+            LiveReload::Act{.prepare = [this](const auto& files) { return prepare(Reload{.files = files}); },
+                            .commit = [this](PreparedAct prepared) -> std::optional<Expected<ActResult>> {
+                                if (!fits(prepared)) return std::nullopt;
+                                return commit(std::move(prepared), {Actor::Kind::file_watcher});
+                            }});
     }
     ++starts_;
     if (!foreseen_.empty()) take_foreseen();
@@ -96,6 +97,7 @@ std::unique_ptr<RunningSystem::Running> RunningSystem::take(std::unique_ptr<Runn
 }
 
 void RunningSystem::activate() {
+    files_.clear();
     if (!foreseen_.empty()) take_foreseen();
     activate_all(*running_->system, running_->spec);
 }
@@ -181,20 +183,9 @@ void RunningSystem::tell_out_of_time(const ActTime& time) {
     }
 }
 
-Expected<ActResult> RunningSystem::perform(const Restart& /*act*/, const Actor& /*who*/) {
-    Expected<SystemSpec> spec = running_->spec;
-    if (!file_.empty()) spec = read_spec(file_, project_, options_);
-    if (!spec) return Unexpected(spec.error());
-    auto next = build(std::move(*spec));
-    if (!next) return Unexpected(next.error());
-    hash_before_ = trace_hash();
-    take(std::move(*next));
-    activate();
-    return ActResult{};
-}
-
 Expected<void> RunningSystem::rebuild(SystemSpec spec) {
-    auto next = build(std::move(spec));
+    FileSnapshot files(project_.files());
+    auto next = build(std::move(spec), files);
     if (!next) return Unexpected(next.error());
     const std::unique_ptr<Running> before = take(std::move(*next));
     activate();
@@ -234,69 +225,6 @@ void RunningSystem::end() {
 
 const System& RunningSystem::system() const { return *running_->system; }
 const SystemSpec& RunningSystem::spec() const { return running_->spec; }
-std::function<std::vector<std::string>()> RunningSystem::look_for_changes() const {
-    return [files = running_->reloads->loaded_files(), project = project_] {
-        return changed_files(files, [&](const std::string& path) { return project.read_source(path); });
-    };
-}
-
-std::function<Expected<void>()> RunningSystem::try_reload(const std::vector<std::string>& files) const {
-    // There loading that takes too long ends the run, which an attempt does not.
-    if (options_.build.out_of_time_is_fatal) return [] { return Expected<void>(); };
-    return [rehearsal = running_->reloads->rehearsal(files)]() -> Expected<void> {
-        return rehearsal ? (*rehearsal)() : Unexpected(rehearsal.error());
-    };
-}
-
-AddPreparer RunningSystem::add_preparer() const {
-    const System::Settings& settings = running_->system->settings();
-    return {.scripts = options_.scripts,
-            .project = project_,
-            .load = running_->behaviors->loader(),
-            .context = {.seed = settings.seed, .tick_rate = settings.rate},
-            .start = starts_};
-}
-
-std::function<Expected<void>()> RunningSystem::try_restart() const {
-    return [look = look_for_changes(), file = file_, project = project_, seed = options_.build.seed,
-            scripts = options_.scripts]() -> Expected<void> {
-        look();
-        if (file.empty()) return {};
-        const auto spec = scripts->read_system(file, project, {.seed = seed});
-        if (!spec) return Unexpected(spec.error());
-        for (const Entry& entry : spec->entries) {
-            // What is wrong with a script is the act's to say.
-            if (const auto* behavior = std::get_if<BehaviorEntry>(&entry))
-                static_cast<void>(project.read_source(behavior->path));
-        }
-        return {};
-    };
-}
-
-std::function<std::vector<std::string>()> RunningSystem::lost_by_restart() const {
-    // What a file says has a line.
-    std::vector<std::string> added;
-    for (const Entry& entry : running_->spec.entries) {
-        if (place_of(entry).line == 0) added.push_back(name_of(entry));
-    }
-    for (const MarkerSpec& marker : running_->spec.arena.markers) {
-        if (marker.place.line == 0) added.push_back(marker.name);
-    }
-    if (file_.empty()) added.clear();
-    return [added, file = file_, project = project_, seed = options_.build.seed, scripts = options_.scripts]() mutable {
-        if (added.empty()) return added;
-        const auto spec = scripts->read_system(file, project, {.seed = seed});
-        if (!spec) return added;
-        std::erase_if(added, [&](const std::string& name) {
-            const auto same = [&](const auto& each) { return each.name == name; };
-            return std::any_of(spec->entries.begin(), spec->entries.end(),
-                               [&](const Entry& entry) { return name_of(entry) == name; }) ||
-                   std::any_of(spec->arena.markers.begin(), spec->arena.markers.end(), same);
-        });
-        return added;
-    };
-}
-
 std::uint64_t RunningSystem::trace_hash() const {
     const std::uint64_t hash = running_->hash.value();
     return hash_before_ ? mix(*hash_before_, hash) : hash;

@@ -7,10 +7,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/live/explain.hpp"
-#include "engine/live/prepared_add.hpp"
+#include "engine/live/prepared_act.hpp"
 #include "engine/live/script_host.hpp"
 #include "engine/project/project.hpp"
 #include "engine/system/act.hpp"
@@ -51,8 +52,9 @@ struct ActTime {
 class ActObserver {
 public:
     virtual ~ActObserver() = default;
-    /// An act, and what has come of it. Also one that was refused.
-    virtual void acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result) = 0;
+    /// An act, what has come of it, also where it was refused, and what it found of files.
+    virtual void acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result,
+                       FilesSeen files) = 0;
     /// A call into a script ran out of its time.
     virtual void ran_out_of_time(const ActTime& when, const std::string& component,
                                  const Component::OutOfTime& call) = 0;
@@ -84,9 +86,16 @@ public:
     ///   Restart reads the file again and starts anew from time 0, activated: everything is as in the file.
     ///   Add does not activate. Remove lets the safe values of a component through; what carries others, and a real
     ///   robot, stays. Its connections and the hands on its ports go with it, its columns of a recording stay empty.
+    ///   Reload, Add and Restart read and load here: `prepare` and `commit` at once.
     Expected<ActResult> act(const Act& act, const Actor& who);
-    /// `Add`, of what was prepared beside the ticks; refused where the system has started anew since.
-    Expected<ActResult> add(PreparedAdd prepared, const Actor& who);
+    // The same in two phases, for who has a thread that may wait: no tick waits for files or scripts.
+    /// Between two ticks: how a Reload, Add or Restart is prepared beside them. `found` is what its maker has found of
+    /// files already. A Reload that names neither files nor a component is of all files that have changed.
+    Preparation prepare(const Act& act, FilesSeen found = {}) const;
+    /// Whether the system is still the one that it was prepared for.
+    bool fits(const PreparedAct& prepared) const;
+    /// Between two ticks: performs it; refused where it does not fit or its preparation failed.
+    Expected<ActResult> commit(PreparedAct prepared, const Actor& who);
     /// Ends what one holds who goes for good, as a connection that closes: a velocity is zero for a tick first.
     void let_go(const Actor& who);
     /// Has an execution of a behaviour traced, line by line; it runs as it would without. Returns the number of that
@@ -127,19 +136,8 @@ public:
     const Project& project() const { return project_; }
     const LiveOptions& options() const { return options_; }
     PartReader part_reader() const { return {project_, options_.scripts}; }
-    // Files that do not answer must keep no tick. What follows is asked for between two ticks and called in a thread
-    // that may wait, before the act.
-    /// Scripts and modules that have changed since they were loaded, as `Reload` takes them.
-    std::function<std::vector<std::string>()> look_for_changes() const;
-    /// Loads what `Reload` of these files would, and lets it go: the error is why it would be refused.
-    std::function<Expected<void>()> try_reload(const std::vector<std::string>& files) const;
-    /// Reads and loads what `Add` does, for `add`.
-    AddPreparer add_preparer() const;
-    /// Reads what `Restart` reads. The error is the system file's.
-    std::function<Expected<void>()> try_restart() const;
-    /// Names of components and markers that acts have added and that the system's file does not have: a restart would
-    /// lose them. Reads that file, as `look_for_changes`.
-    std::function<std::vector<std::string>()> lost_by_restart() const;
+    /// What its start has found of files, once, until it is activated: what a journal keeps.
+    FilesSeen take_files() { return std::exchange(files_, {}); }
     /// Of everything since the start; after a restart, of that and of what the start before came to.
     std::uint64_t trace_hash() const;
     /// What it carries, over restarts.
@@ -149,25 +147,33 @@ private:
     struct Running;
 
     RunningSystem(Project project, LiveOptions options);
+    // `prepared` is null for acts that take nothing of files.
+    Expected<ActResult> perform_and_tell(const Act& act, PreparedAct* prepared, const Actor& who);
+    Expected<void> check(const PreparedAct& prepared) const;
+    void settle();
     template <class EngineAct>
-    Expected<ActResult> perform(const EngineAct& act, const Actor& who);
-    Expected<ActResult> perform(const Reload& act, const Actor& who);
-    Expected<ActResult> perform(const Rollback& act, const Actor& who);
-    Expected<ActResult> perform(const Add& act, const Actor& who);
-    Expected<ActResult> perform(const Remove& act, const Actor& who);
-    Expected<ActResult> perform(const Restart& act, const Actor& who);
+    Expected<ActResult> perform(const EngineAct& act, const Actor& who, PreparedAct* prepared);
+    Expected<ActResult> perform(const Reload& act, const Actor& who, PreparedAct* prepared);
+    Expected<ActResult> perform(const Rollback& act, const Actor& who, PreparedAct* prepared);
+    Expected<ActResult> perform(const Add& act, const Actor& who, PreparedAct* prepared);
+    Expected<ActResult> perform(const Remove& act, const Actor& who, PreparedAct* prepared);
+    Expected<ActResult> perform(const Restart& act, const Actor& who, PreparedAct* prepared);
     ActDoor door();
     void watch_again();
     void end_holds();
     void take_foreseen();
     void tell_out_of_time(const ActTime& time);
-    Expected<std::unique_ptr<Running>> build(SystemSpec spec);
+    static Expected<std::unique_ptr<RunningSystem>> make(SystemSpec spec, Project project, LiveOptions options,
+                                                         FileSnapshot& files);
+    Expected<std::unique_ptr<Running>> build(SystemSpec spec, const FileSnapshot& files);
+    Expected<std::unique_ptr<Running>> build(SystemSpec spec, std::unique_ptr<Behaviors> behaviors);
     // Returns what it takes the place of.
     std::unique_ptr<Running> take(std::unique_ptr<Running> running);
 
     std::filesystem::path file_;  // empty: from none
     Project project_;
     LiveOptions options_;
+    FilesSeen files_;  // of the start
     Trace trace_;
     ActObserver* act_observer_ = nullptr;
     std::int64_t acts_ = 0;
@@ -177,8 +183,7 @@ private:
         Actor who;
         std::int64_t tick;
     };
-    std::optional<PreparedAdd> prepared_;  // of the act that comes
-    std::vector<Ending> endings_;          // of holds, after the tick in which a zero was sent
+    std::vector<Ending> endings_;  // of holds, after the tick in which a zero was sent
     std::unique_ptr<Running> running_;
     std::optional<std::uint64_t> hash_before_;  // of the starts before this one
     int starts_ = 0;

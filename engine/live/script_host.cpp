@@ -8,27 +8,24 @@ Unexpected none() { return failure("there are no scripts here: this program has 
 
 class NoReloads final : public Reloads {
 public:
-    Expected<ActResult> reload_files(const std::vector<std::string>& /*paths*/) override { return ActResult{}; }
-    Expected<ActResult> reload(const SourceText& /*source*/) override { return none(); }
+    Loader loader() const override {
+        return [](const auto&...) { return std::make_unique<PreparedReload>(); };
+    }
+    bool fits(const PreparedReload& /*prepared*/) const override { return true; }
+    Expected<ActResult> commit(PreparedReload& /*prepared*/, const Project& /*project*/) override {
+        return ActResult{};
+    }
     Expected<ActResult> rollback(const Component& /*component*/) override { return none(); }
     void after_tick() override {}
     std::vector<ScriptFile> loaded_files() const override { return {}; }
     std::vector<ScriptFile> files() const override { return {}; }
-    Expected<Rehearsal> rehearsal(const std::vector<std::string>& /*paths*/) const override {
-        return [] { return Expected<void>(); };
-    }
-    void limit_preparation(double /*seconds*/) override {}
 };
 
 class NoBehaviors final : public Behaviors {
 public:
-    Expected<std::unique_ptr<Component>> make(const BehaviorEntry& /*entry*/,
-                                              const MakerContext& /*context*/) override {
-        return none();
-    }
-    BehaviorLoader loader() override {
-        return [](const auto&, const auto&, const auto&) { return none(); };
-    }
+    void load(const BehaviorEntry& /*entry*/, const MakerContext& /*context*/, const Project& /*project*/) override {}
+    Expected<std::unique_ptr<Component>> take(const BehaviorEntry& /*entry*/) override { return none(); }
+    void take_all(Behaviors& /*others*/) override {}
     std::unique_ptr<Reloads> reloads_of(System& /*system*/) override { return std::make_unique<NoReloads>(); }
 };
 
@@ -53,9 +50,7 @@ public:
     Expected<void> read_robot(RobotEntry& robot, SystemSpec& part, const Project& /*project*/) const override {
         return part.models.contains(robot.described_by()) ? Expected<void>() : none();
     }
-    std::unique_ptr<Behaviors> behaviors(const Project& /*project*/, Budget /*budget*/) const override {
-        return std::make_unique<NoBehaviors>();
-    }
+    std::unique_ptr<Behaviors> behaviors(Budget /*budget*/) const override { return std::make_unique<NoBehaviors>(); }
 };
 
 }  // namespace

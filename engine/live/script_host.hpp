@@ -18,15 +18,27 @@
 
 namespace nezumi {
 
+/// New versions of behaviours that have been loaded, or why they can't be.
+class PreparedReload {
+public:
+    virtual ~PreparedReload() = default;
+};
+
 /// New versions of the behaviours of one system, which must outlive it. All of it is to be called between two ticks. An
 /// error means that nothing has changed; its message ends with "still running version N".
 class Reloads {
 public:
     virtual ~Reloads() = default;
-    /// Reloads every component of these files and every one that requires them, from what the files hold now.
-    virtual Expected<ActResult> reload_files(const std::vector<std::string>& paths) = 0;
-    /// Reloads the components of a file from this text of it.
-    virtual Expected<ActResult> reload(const SourceText& source) = 0;
+    /// Loads the components of these files and those that require them, from what the files hold now; where there are
+    /// none, those of the file of `source`, from its text. May be called in any thread, and outlive the system.
+    using Loader = std::function<std::unique_ptr<PreparedReload>(const std::vector<std::string>& files,
+                                                                 const SourceText& source, const Project& project)>;
+    virtual Loader loader() const = 0;
+    /// Whether the behaviours are still those that it was prepared for.
+    virtual bool fits(const PreparedReload& prepared) const = 0;
+    /// Lets the versions run that were loaded, which must fit. What depends on the tick is loaded here, from the files
+    /// of `project`: those that were read before.
+    virtual Expected<ActResult> commit(PreparedReload& prepared, const Project& project) = 0;
     /// Takes a component, and those that came to their version with it, back to the version before, state included.
     virtual Expected<ActResult> rollback(const Component& component) = 0;
     /// After every tick: takes back what has failed on probation.
@@ -36,34 +48,19 @@ public:
     virtual std::vector<ScriptFile> loaded_files() const = 0;
     /// The same, and those that a refused version required.
     virtual std::vector<ScriptFile> files() const = 0;
-
-    /// Loads what `reload_files` would, and lets it go: the error is why it would be refused. May be called in any
-    /// thread, and outlive the system.
-    using Rehearsal = std::function<Expected<void>()>;
-    virtual Expected<Rehearsal> rehearsal(const std::vector<std::string>& paths) const = 0;
-    /// What the preparation of a component may take [s of CPU time]; 0: what its calls may.
-    virtual void limit_preparation(double seconds) = 0;
 };
 
-/// A behaviour that was loaded beside the ticks.
-class LoadedBehavior {
-public:
-    virtual ~LoadedBehavior() = default;
-    /// Between two ticks, once: for the system that it was loaded for, which is there.
-    virtual std::unique_ptr<Component> take() = 0;
-};
-/// May be called in any thread, and outlive the system. Reads through this project's files, which it needs no longer
-/// when it has returned.
-using BehaviorLoader = std::function<Expected<std::unique_ptr<LoadedBehavior>>(
-    const BehaviorEntry& entry, const MakerContext& context, const Project& project)>;
-
-/// The behaviours of one start of a system. It must outlive them.
+/// Behaviours that are loaded, in any thread, and taken into a system between two ticks.
 class Behaviors {
 public:
     virtual ~Behaviors() = default;
-    /// For `Makers::behavior`.
-    virtual Expected<std::unique_ptr<Component>> make(const BehaviorEntry& entry, const MakerContext& context) = 0;
-    virtual BehaviorLoader loader() = 0;
+    /// Reads through the files of `project`, which are not needed later. What is wrong is told by `take`.
+    virtual void load(const BehaviorEntry& entry, const MakerContext& context, const Project& project) = 0;
+    /// What was loaded for this entry, once: for `Makers::behavior`.
+    virtual Expected<std::unique_ptr<Component>> take(const BehaviorEntry& entry) = 0;
+    /// Takes over all that others of the same host have loaded.
+    virtual void take_all(Behaviors& others) = 0;
+    /// Of the system that these behaviours are in. They must outlive it.
     virtual std::unique_ptr<Reloads> reloads_of(System& system) = 0;
 };
 
@@ -101,7 +98,7 @@ public:
     virtual Expected<void> read_robot(RobotEntry& robot, SystemSpec& part, const Project& project) const = 0;
 
     /// `budget` is of each call into a behaviour.
-    virtual std::unique_ptr<Behaviors> behaviors(const Project& project, Budget budget) const = 0;
+    virtual std::unique_ptr<Behaviors> behaviors(Budget budget) const = 0;
 };
 
 /// For programs whose components are all in C++: it reads no files and makes no behaviours.

@@ -1,4 +1,4 @@
-// The disk, and notes of what was found.
+// The disk, and snapshots of what was found there.
 #include "engine/project/project_files.hpp"
 
 #include <algorithm>
@@ -54,33 +54,33 @@ void PathSeen::update(PathSeen later) {
     if (later.names) names = std::move(later.names);
 }
 
-std::string NotedFiles::what_is(const fs::path& path) const {
-    std::string what = files_.what_is(path);
-    seen_[path].update({.what = what});
-    return what;
+PathSeen& FileSnapshot::at(const fs::path& path) const {
+    const auto [seen, is_new] = found_.try_emplace((working_folder_ / path).lexically_normal());
+    if (is_new) seen->second.what = files_.what_is(path);
+    return seen->second;
 }
 
-std::vector<std::string> NotedFiles::names_in(const fs::path& folder) const {
-    auto names = files_.names_in(folder);
-    // One that is empty or gone now may have had names before.
-    PathSeen found{.what = names.empty() ? files_.what_is(folder) : "a folder"};
-    if (found.what == "a folder") found.names = names;
-    seen_[folder].update(std::move(found));
-    return names;
+std::string FileSnapshot::what_is(const fs::path& path) const { return at(path).what; }
+
+std::vector<std::string> FileSnapshot::names_in(const fs::path& folder) const {
+    PathSeen& seen = at(folder);
+    if (seen.what != "a folder") return {};
+    if (!seen.names) seen.names = files_.names_in(folder);
+    return *seen.names;
 }
 
-Expected<std::string> NotedFiles::read(const fs::path& path, const std::string& shown) const {
-    auto text = files_.read(path, shown);
-    if (text) {
-        seen_[path].update({.what = "a file", .text = *text});
-    } else if (std::string what = files_.what_is(path); !what.empty()) {
-        seen_[path].update({.what = std::move(what), .unreadable = text.error().message});
+Expected<std::string> FileSnapshot::read(const fs::path& path, const std::string& shown) const {
+    PathSeen& seen = at(path);
+    if (!seen.text && seen.unreadable.empty()) {
+        auto text = files_.read(path, shown);
+        if (text) {
+            seen.update({.what = "a file", .text = std::move(*text)});
+        } else {
+            seen.unreadable = text.error().message;
+        }
     }
-    return text;
-}
-
-void NotedFiles::adopt(const FilesSeen& seen) const {
-    for (const auto& [path, found] : seen) seen_[path].update(found);
+    if (!seen.text) return failure(seen.unreadable, {shown});
+    return *seen.text;
 }
 
 }  // namespace nezumi

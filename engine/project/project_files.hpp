@@ -12,7 +12,7 @@
 
 namespace nezumi {
 
-/// What somebody has found at a path, as far as it was asked for.
+/// What was found at a path, as far as it was asked for.
 struct PathSeen {
     std::string what;                               ///< as `ProjectFiles::what_is`
     std::optional<std::string> text;                ///< of a file that was read
@@ -38,30 +38,31 @@ public:
     virtual std::vector<std::string> names_in(const std::filesystem::path& folder) const = 0;
     /// The whole of a file, as `read_whole`.
     virtual Expected<std::string> read(const std::filesystem::path& path, const std::string& shown) const = 0;
-    /// Counts what another thread has found for the run as found here and now.
-    virtual void adopt(const FilesSeen& /*seen*/) const {}
 };
 
 /// The disk.
 const ProjectFiles& disk();
 
-/// Others, and what was found in them: for a thread that reads for another. For one thread.
-class NotedFiles final : public ProjectFiles {
+/// What an act finds of files: each is looked at and read once, and stays what it was then. For one thread at a time.
+class FileSnapshot final : public ProjectFiles {
 public:
-    /// `files` must outlive it.
-    explicit NotedFiles(const ProjectFiles& files) : files_(files) {}
-    std::filesystem::path working_folder() const override { return files_.working_folder(); }
+    /// `files` must outlive it. What was `found` in them before stays as it was.
+    explicit FileSnapshot(const ProjectFiles& files, FilesSeen found = {})
+        : files_(files), working_folder_(files.working_folder()), found_(std::move(found)) {}
+    std::filesystem::path working_folder() const override { return working_folder_; }
     std::string what_is(const std::filesystem::path& path) const override;
     std::vector<std::string> names_in(const std::filesystem::path& folder) const override;
     Expected<std::string> read(const std::filesystem::path& path, const std::string& shown) const override;
-    void adopt(const FilesSeen& seen) const override;
 
-    /// What was found since the last time.
-    FilesSeen take() { return std::exchange(seen_, {}); }
+    /// All that was found, by whole paths; nothing is kept.
+    FilesSeen take() { return std::exchange(found_, {}); }
 
 private:
+    PathSeen& at(const std::filesystem::path& path) const;
+
     const ProjectFiles& files_;
-    mutable FilesSeen seen_;
+    std::filesystem::path working_folder_;
+    mutable FilesSeen found_;
 };
 
 }  // namespace nezumi

@@ -161,10 +161,14 @@ Expected<Component*> add_entry(System& system, const Entry& entry, const SystemS
     return add_native(system, std::get<ComponentEntry>(entry), makers);
 }
 
+MakerContext context_of(const SystemSpec& spec, const BuildOptions& options) {
+    return {.seed = options.seed_wins ? options.seed : spec.seed.value_or(options.seed), .tick_rate = spec.rate};
+}
+
 Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Makers& makers,
                                                const BuildOptions& options) {
     if (auto steps = steps_per_tick(spec.rate, spec.physics_step); !steps) return at(spec.rate_place, steps.error());
-    const std::uint64_t seed = options.seed_wins ? options.seed : spec.seed.value_or(options.seed);
+    const std::uint64_t seed = context_of(spec, options).seed;
     auto system = std::make_unique<System>(System::Settings{.rate = spec.rate,
                                                             .physics_step = spec.physics_step,
                                                             .seed = seed,

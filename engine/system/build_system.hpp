@@ -57,6 +57,9 @@ struct BuildOptions {
     LogSink log;
 };
 
+/// What a system that is built so gives its makers.
+MakerContext context_of(const SystemSpec& spec, const BuildOptions& options);
+
 /// Builds the world, every entry in order and the connections, and gives parameters their values. Nothing is activated.
 /// `spec` must outlive the system. Errors carry the place of the line that is wrong.
 Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Makers& makers,

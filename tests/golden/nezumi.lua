@@ -767,6 +767,9 @@ function output(name, type, doc, options) end
 ---@field timeout? number [s] simulated time after which the scenario fails
 ---@field sweep? table<string, any[]|Range> one run for each combination, `{ speed = { 0.1, 0.2 }, ... }`, the keys in sorted order. `range(lo, hi)` instead of a list draws numbers at random, `range(lo, hi, step)` those of a step: all values when they are no more than `samples`, else without repetition
 ---@field samples? integer how many random draws. A failing draw is simplified: to numbers nearer to 0 and with fewer digits, to values that stand earlier in their list
+---@field seeds? integer each combination is run so often, each time with a seed of its own
+---@field seed? integer the seed of every run, as `nezumi run --seed` takes it
+---@field paired? string a list of the sweep: runs that differ in its value alone have the same seed, and the summary shows the differences of what they measured
 
 ---@class (exact) ExpectationOptions
 ---@field within? number [s] the event must come, or the hold begin, so soon (of wait_until, eventually, maintain)
@@ -1067,6 +1070,7 @@ function range(from, to, step) end
 function scenario(name, options, fn) end
 
 ---@class Scenario
+---@field seed integer of this run
 ---@field world World the components of the system, once there is one
 ---@field [string] Component the same
 local s = {}
@@ -1121,6 +1125,10 @@ function s:check(value, message) end
 ---@param tolerance number
 ---@param message? string
 function s:near(actual, expected, tolerance, message) end
+
+---From here on this component may go to ERROR; else that fails the scenario.
+---@param component Component|string
+function s:allow_error(component) end
 
 ---Keeps one number of this run under a name: `nezumi test --measures FILE.csv` has a row for each run.
 ---@param name string

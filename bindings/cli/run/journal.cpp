@@ -24,10 +24,8 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
         return loaded;
     }
     if (options.journal.empty()) return RunningSystem::load(options.file, std::move(live));
-    auto journal = Journal::create(options.journal, files_);
+    auto journal = Journal::create(options.journal);
     if (!journal) return Unexpected(journal.error());
-    live.files = &files_;
-    live.world = with_pictures_from(files_, std::move(live.world));
     auto loaded = RunningSystem::load(options.file, std::move(live));
     if (!loaded) return loaded;
     journal_ = std::move(*journal);

@@ -45,7 +45,6 @@ private:
 
     RunLoop* loop_ = nullptr;
     RunningSystem* live_ = nullptr;
-    RecordingFiles files_;
     std::unique_ptr<Journal> journal_;
     std::unique_ptr<Replay> replay_;
     std::string file_;

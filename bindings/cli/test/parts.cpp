@@ -1,4 +1,4 @@
-// A part is written as a fraction.
+// Two whole numbers with a sign between them.
 #include "bindings/cli/test/parts.hpp"
 
 #include <fmt/format.h>
@@ -7,21 +7,39 @@
 #include <system_error>
 
 namespace nezumi::cli {
+namespace {
+
+template <class Number>
+bool read_two(std::string_view text, std::string_view between, Number& first, Number& second) {
+    const auto at = text.find(between);
+    if (at == std::string_view::npos) return false;
+    const auto read = [](std::string_view part, Number& number) {
+        const auto [end, problem] = std::from_chars(part.data(), part.data() + part.size(), number);
+        return problem == std::errc() && end == part.data() + part.size();
+    };
+    return read(text.substr(0, at), first) && read(text.substr(at + between.size()), second);
+}
+
+}  // namespace
 
 Expected<Shard> read_shard(const std::string& text) {
     Shard shard;
     if (text.empty()) return shard;
     constexpr std::size_t most = 1'000'000;
-    const char* const last = text.data() + text.size();
-    const auto [slash, first_problem] = std::from_chars(text.data(), last, shard.index);
-    bool fits = first_problem == std::errc() && slash != last && *slash == '/';
-    if (fits) {
-        const auto [end, problem] = std::from_chars(slash + 1, last, shard.count);
-        fits = problem == std::errc() && end == last;
-    }
+    const bool fits = read_two(text, "/", shard.index, shard.count);
     if (fits && shard.index >= 1 && shard.index <= shard.count && shard.count <= most) return shard;
     return failure(
         fmt::format("--shard: expected a part K/N with K from 1 to N, as in 2/5, got '{}'", nezumi::shown(text)));
+}
+
+Expected<std::optional<SeedRange>> read_seeds(const std::string& text) {
+    SeedRange seeds;
+    if (text.empty()) return std::nullopt;
+    if (read_two(text, "..", seeds.first, seeds.last) && seeds.first <= seeds.last &&
+        seeds.last - seeds.first < most_runs)
+        return seeds;
+    return failure(fmt::format("--seeds: expected the first and the last of at most {} seeds, as in 1..250, got '{}'",
+                               most_runs, nezumi::shown(text)));
 }
 
 Expected<void> refuse_given(const GivenOptions& options, std::string_view why) {

@@ -1,6 +1,7 @@
-// Sessions in parts: which part one makes, and what can't be said of parts.
+// What `nezumi test` is told in two numbers, as parts and seeds, and options that don't go together.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,9 @@ namespace nezumi::cli {
 
 /// Of "2/5"; the whole where it is empty.
 Expected<Shard> read_shard(const std::string& text);
+
+/// Of "1..250"; nothing where it is empty.
+Expected<std::optional<SeedRange>> read_seeds(const std::string& text);
 
 /// Options that were given, or not.
 using GivenOptions = std::vector<std::pair<std::string_view, bool>>;

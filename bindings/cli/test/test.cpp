@@ -128,6 +128,8 @@ Expected<void> check_options(const TestOptions& command) {
         ok = refuse_given({{"--filter", !command.filter.empty()},
                            {"--list", command.list},
                            {"--seed", command.seed.has_value()},
+                           {"--seeds", !command.seeds.empty()},
+                           {"--paired", !command.paired.empty()},
                            {"--repeat", command.repeat.has_value()},
                            {"--jobs", command.jobs.has_value()},
                            {"-o", command.folder != TestOptions{}.folder},
@@ -162,8 +164,7 @@ int finish(const TestOptions& command, const SessionEnd& end) {
         if (auto ok = write_whole(command.junit, junit_text(end.reports, end.summary)); !ok) return refuse(ok.error());
     }
     if (!command.measures.empty()) {
-        if (auto ok = write_whole(command.measures, measures_csv(end.measured, end.summary.seed)); !ok)
-            return refuse(ok.error());
+        if (auto ok = write_whole(command.measures, measures_csv(end.measured)); !ok) return refuse(ok.error());
     }
     if (!command.plots.empty()) {
         const auto plots = sweep_plots(end.measured);
@@ -201,6 +202,9 @@ int test(const TestOptions& command) {
     options.systems = simulated_systems;
     options.files = scenario_files;
     if (auto ready = choose_robots(command, options); !ready) return refuse(ready.error());
+    if (!command.paired.empty()) options.words += " --paired " + shell_text(command.paired);
+    const auto seeds = read_seeds(command.seeds);
+    if (!seeds) return refuse(seeds.error());
     const auto shard = read_shard(command.shard);
     if (!shard) return refuse(shard.error());
     options.shard = *shard;
@@ -211,8 +215,12 @@ int test(const TestOptions& command) {
         if (!kept) return refuse(kept.error());
         session = [&paths, kept = std::move(*kept)](Reporter& reporter) { return merge_tests(kept, paths, reporter); };
     } else {
-        auto plan = plan_tests(
-            {.paths = paths, .filter = command.filter, .seed = options.seed, .installed = options.installed});
+        auto plan = plan_tests({.paths = paths,
+                                .filter = command.filter,
+                                .seed = options.seed,
+                                .installed = options.installed,
+                                .seeds = *seeds,
+                                .paired = command.paired});
         if (!plan) return refuse(plan.error());
         if (command.list) return list(*plan, options.shard);
         if (auto one = check_is_one(command, *plan); !one) return refuse(one.error());

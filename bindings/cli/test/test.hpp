@@ -15,6 +15,7 @@ struct TestOptions {
     bool list = false;
     std::optional<std::uint64_t> seed, repeat, jobs;
     std::string junit;
+    std::string seeds, paired;
     std::string measures;
     std::string plots;
     bool tap = false;

@@ -1,6 +1,7 @@
 // Joins readers of files, maker and reloader of behaviours to what the engine asks for.
 #include "bindings/lua/reload/lua_host.hpp"
 
+#include <map>
 #include <utility>
 
 #include "bindings/lua/files/calibration_file.hpp"
@@ -16,49 +17,29 @@ namespace {
 
 class LuaBehaviors final : public Behaviors {
 public:
-    LuaBehaviors(const Project& project, Budget budget) {
-        settings_ = {.project = project, .budget = budget, .chunks = &chunks_};
-    }
+    explicit LuaBehaviors(Budget budget) : budget_(budget) {}
 
-    Expected<std::unique_ptr<Component>> make(const BehaviorEntry& entry, const MakerContext& context) override {
-        return make_behavior(entry, context, settings_);
+    void load(const BehaviorEntry& entry, const MakerContext& context, const Project& project) override {
+        loaded_.emplace(entry.name,
+                        make_behavior(entry, context, {.project = project, .budget = budget_, .chunks = &chunks_}));
     }
-
-    BehaviorLoader loader() override {
-        return [this, budget = settings_.budget](const BehaviorEntry& entry, const MakerContext& context,
-                                                 const Project& project) -> Expected<std::unique_ptr<LoadedBehavior>> {
-            // `this` may be gone meanwhile: the code is kept apart from that of the system.
-            auto loaded = std::make_unique<Loaded>(*this);
-            auto made =
-                make_behavior(entry, context, {.project = project, .budget = budget, .chunks = &loaded->chunks});
-            if (!made) return Unexpected(made.error());
-            loaded->component = std::move(*made);
-            return loaded;
-        };
+    Expected<std::unique_ptr<Component>> take(const BehaviorEntry& entry) override {
+        return std::move(loaded_.extract(entry.name).mapped());
     }
-
-    std::unique_ptr<Reloads> reloads_of(System& system) override {
-        return std::make_unique<Reloader>(
-            system, [this](const std::string& path) { return settings_.project.read_source(path); });
+    void take_all(Behaviors& others) override {
+        auto& more = static_cast<LuaBehaviors&>(others);
+        chunks_.take(more.chunks_);
+        for (const auto& [name, loaded] : more.loaded_) {
+            if (loaded) (*loaded)->script().share(&chunks_);
+        }
+        loaded_.merge(more.loaded_);
     }
+    std::unique_ptr<Reloads> reloads_of(System& system) override { return std::make_unique<Reloader>(system, chunks_); }
 
 private:
-    struct Loaded final : LoadedBehavior {
-        explicit Loaded(LuaBehaviors& behaviors) : all(behaviors) {}
-
-        std::unique_ptr<Component> take() override {
-            all.chunks_.take(chunks);
-            component->script().settle(modules_of(all.settings_.project), &all.chunks_);
-            return std::move(component);
-        }
-
-        LuaBehaviors& all;
-        ChunkCache chunks;
-        std::unique_ptr<ScriptComponent> component;
-    };
-
+    const Budget budget_;
     ChunkCache chunks_;
-    BehaviorSettings settings_;
+    std::multimap<std::string, Expected<std::unique_ptr<ScriptComponent>>> loaded_;
 };
 
 class LuaHost final : public ScriptHost {
@@ -91,8 +72,8 @@ public:
         return use_calibration(part, robot, project, {.is_needed = true, .serial = ""});
     }
 
-    std::unique_ptr<Behaviors> behaviors(const Project& project, Budget budget) const override {
-        return std::make_unique<LuaBehaviors>(project, budget);
+    std::unique_ptr<Behaviors> behaviors(Budget budget) const override {
+        return std::make_unique<LuaBehaviors>(budget);
     }
 };
 

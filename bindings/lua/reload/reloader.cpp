@@ -1,4 +1,4 @@
-// Prepare all, adopt all, then commit all: the only step that changes anything, and the only one that can't fail.
+// Load all beside the ticks; then adopt all and commit all: the only step that changes anything, and can't fail.
 #include "bindings/lua/reload/reloader.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +7,10 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <set>
+#include <optional>
+#include <utility>
+
+#include "bindings/lua/script/behavior_maker.hpp"
 
 namespace nezumi {
 namespace {
@@ -22,8 +25,8 @@ bool contains(const std::vector<std::string>& all, const std::string& one) {
     return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-Error still_running(Error error, const ScriptComponent& component) {
-    error.message += fmt::format("; still running version {}", component.version());
+Error still_running(Error error, int version) {
+    error.message += fmt::format("; still running version {}", version);
     return error;
 }
 
@@ -59,110 +62,129 @@ std::vector<ScriptFile> Reloader::loaded_files() const {
     return all;
 }
 
-Expected<ActResult> Reloader::reload_files(const std::vector<std::string>& paths) {
-    auto changes = changes_of(paths);
-    if (!changes) return Unexpected(changes.error());
-    return run(*changes);
-}
+// A behaviour and its next version.
+struct Reloader::Next {
+    std::string name;
+    int running = 0;  // version
+    std::vector<std::string> paths;
+    ScriptComponent::Loading loading;
+};
 
-Expected<std::vector<Reloader::Change>> Reloader::changes_of(const std::vector<std::string>& paths) const {
-    std::vector<std::string> changed;
-    changed.reserve(paths.size());
-    for (const std::string& path : paths) changed.push_back(normal(path));
-    std::map<std::string, SourceText> sources;
-    std::vector<Change> changes;
-    for (ScriptComponent* component : scripts()) {
-        const Script& script = component->script();
-        bool touched = contains(changed, normal(script.file().path));
-        for (const ScriptFile& module : script.modules()) touched = touched || contains(changed, normal(module.path));
-        if (!touched) continue;
-        const auto [source, is_new] = sources.try_emplace(script.file().path);
-        if (is_new) {
-            auto text = read_(script.file().path);
-            if (!text) return Unexpected(still_running(text.error(), *component));
-            source->second = {text->path, script.file().shown, std::move(text->text)};
+struct Reloader::Prepared final : PreparedReload {
+    std::vector<std::pair<std::string, int>> running;  // every behaviour that there was, and its version
+    ChunkCache chunks;                                 // of `scripts`
+    std::vector<Next> next;
+    std::vector<std::unique_ptr<Script>> scripts;  // as `next`
+    std::vector<ScriptFile> required;              // by the last of them
+    std::optional<Error> error;
+
+    // Loads those that come from one of the files or, where there is none, from that of `source`.
+    void load(std::vector<Next> all, std::vector<std::string> files, const SourceText& source, const Project& project);
+};
+
+void Reloader::Prepared::load(std::vector<Next> all, std::vector<std::string> files, const SourceText& source,
+                              const Project& project) {
+    for (std::string& file : files) file = normal(file);
+    const std::string replaced = files.empty() ? normal(source.path) : "";
+    std::map<std::string, Expected<SourceText>> texts;
+    for (Next& each : all) {
+        running.emplace_back(each.name, each.running);
+        const std::string own = each.paths.front();
+        const bool touched =
+            files.empty()
+                ? normal(own) == replaced
+                : std::ranges::any_of(each.paths, [&](const auto& path) { return contains(files, normal(path)); });
+        if (!touched || error) continue;
+        if (!files.empty()) {
+            const auto text = texts.try_emplace(own, project.read_source(own)).first->second;
+            if (!text) {
+                error = still_running(text.error(), each.running);
+                continue;
+            }
+            each.loading.source.text = text->text;
+        } else {
+            each.loading.source = source;
         }
-        changes.emplace_back(component, source->second);
+        each.loading.context.find_module = modules_of(project);
+        each.loading.context.chunks = &chunks;
+        required.clear();
+        auto script = ScriptComponent::load_beside(each.loading, required);
+        if (!script) error = still_running(script.error(), each.running);
+        scripts.push_back(script ? std::move(*script) : nullptr);
+        each.loading.context.find_module = {};
+        next.push_back(std::move(each));
     }
-    return changes;
 }
 
-Expected<Reloads::Rehearsal> Reloader::rehearsal(const std::vector<std::string>& paths) const {
-    auto changes = changes_of(paths);
-    if (!changes) return Unexpected(changes.error());
-    std::vector<Part> parts;
-    for (auto& [component, source] : *changes) {
-        auto state = component->copy_state();
-        if (!state) return Unexpected(still_running(state.error(), *component));
-        Part part{.source = source,
-                  .context = component->script().context(),
-                  .parameters = component->parameters(),
-                  .state = std::move(*state),
-                  .running = component->version()};
-        part.context.version = part.running + 1;
-        parts.push_back(std::move(part));
+Reloads::Loader Reloader::loader() const {
+    std::vector<Next> all;
+    for (const ScriptComponent* component : scripts()) {
+        const Script& script = component->script();
+        Next& next = all.emplace_back(
+            Next{component->name(), component->version(), {script.file().path}, component->next_loading()});
+        for (const ScriptFile& module : script.modules()) next.paths.push_back(module.path);
+        next.loading.source = {script.file().path, script.file().shown, ""};
+        next.loading.context.seconds = system_.now().seconds;
     }
-    return [parts = std::move(parts)] { return rehearse(parts); };
+    return [all = std::move(all)](const std::vector<std::string>& files, const SourceText& source,
+                                  const Project& project) {
+        auto prepared = std::make_unique<Prepared>();
+        prepared->load(all, files, source, project);
+        return prepared;
+    };
 }
 
-Expected<void> Reloader::rehearse(const std::vector<Part>& parts) {
-    ChunkCache chunks;  // the system's own goes when it is started anew
-    for (const Part& part : parts) {
-        ScriptContext context = part.context;
-        context.chunks = &chunks;
-        auto script =
-            Script::load(part.source, std::move(context), {.parameters = &part.parameters, .state = &part.state});
-        if (script) continue;
-        Error error = script.error();
-        error.message += fmt::format("; still running version {}", part.running);
-        return Unexpected(error);
-    }
-    return {};
+bool Reloader::fits(const PreparedReload& prepared) const {
+    const auto is_same = [](const auto& before, const ScriptComponent* now) {
+        return before.first == now->name() && before.second == now->version();
+    };
+    return std::ranges::equal(static_cast<const Prepared&>(prepared).running, scripts(), is_same);
 }
 
-Expected<ActResult> Reloader::reload(const SourceText& source) {
-    const std::string file = normal(source.path);
-    std::vector<Change> changes;
-    for (ScriptComponent* other : scripts()) {
-        if (normal(other->script().file().path) == file) changes.emplace_back(other, source);
-    }
-    return run(changes);
-}
-
-Expected<ActResult> Reloader::run(const std::vector<Change>& changes) {
+Expected<ActResult> Reloader::commit(PreparedReload& loaded, const Project& project) {
+    auto& prepared = static_cast<Prepared&>(loaded);
+    attempted_ = std::move(prepared.required);
+    if (prepared.error) return Unexpected(*prepared.error);
     const Time& now = system_.now();
-    std::vector<ScriptComponent::Version> next;
-    for (const auto& [component, source] : changes) {
-        const double limit = preparation_seconds_;
-        const Budget budget = limit > 0 ? Budget{limit} : component->script().context().budget;
+    struct Change {
+        ScriptComponent& component;
+        ScriptComponent::Version next;
+    };
+    std::vector<Change> changes;
+    for (std::size_t i = 0; i < prepared.next.size(); ++i) {
+        ScriptComponent& component = *dynamic_cast<ScriptComponent*>(system_.find(prepared.next[i].name));
+        ScriptComponent::Loading& loading = prepared.next[i].loading;
+        loading.context.find_module = modules_of(project);
         attempted_.clear();
-        auto prepared = component->prepare(source, budget, now, attempted_);
-        if (!prepared) return Unexpected(still_running(prepared.error(), *component));
-        next.push_back(std::move(*prepared));
+        auto next = component.prepare(loading, std::move(prepared.scripts[i]), now, attempted_);
+        if (!next) return Unexpected(still_running(next.error(), component.version()));
+        changes.push_back({component, std::move(*next)});
     }
     attempted_.clear();
-    for (std::size_t i = 0; i < changes.size(); ++i) {
-        if (auto ok = changes[i].first->adopt(next[i], now); !ok)
-            return Unexpected(still_running(ok.error(), *changes[i].first));
+    for (Change& change : changes) {
+        if (auto ok = change.component.adopt(change.next, now); !ok)
+            return Unexpected(still_running(ok.error(), change.component.version()));
     }
 
     ActResult report;
     ++reloads_;
-    for (std::size_t i = 0; i < changes.size(); ++i) {
-        ScriptComponent& component = *changes[i].first;
-        let_ports_go(component, next[i], report);
-        component.commit(std::move(next[i]), reloads_);
+    chunks_.take(prepared.chunks);
+    for (Change& change : changes) {
+        ScriptComponent& component = change.component;
+        change.next.script->share(&chunks_);
+        let_ports_go(component, change.next, report);
+        component.commit(std::move(change.next), reloads_);
         component.begin_probation();
         watch_probation(component);
         report.components.push_back(component.name());
     }
-    if (!changes.empty()) report.version = changes.front().first->version();
+    if (!changes.empty()) report.version = changes.front().component.version();
     connect_again(report);
     finish(report, "");
-    for (const auto& [component, source] : changes) {
-        if (component->state() != LifeState::error) continue;
+    for (const Change& change : changes) {
+        if (change.component.state() != LifeState::error) continue;
         // A fresh try; what fails is in the log, and the component is in ERROR as it was.
-        if (component->reset(now)) static_cast<void>(component->activate(now));
+        if (change.component.reset(now)) static_cast<void>(change.component.activate(now));
     }
     return report;
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace nezumi {
 namespace {
 
@@ -13,6 +15,14 @@ void follow_config(const Component& component, const std::string& name, Paramete
 }
 
 }  // namespace
+
+bool same_values(const Parameters& one, const Parameters& other) {
+    using Parameter = Parameters::Parameter;
+    return std::ranges::equal(one.all(), other.all(), [](const Parameter& a, const Parameter& b) {
+        return a.value == b.value && a.set == b.set && a.from_outside == b.from_outside &&
+               a.from_within == b.from_within;
+    });
+}
 
 void describe_lost(const Parameters& running, const Parameters& before, const Parameters& after,
                    std::vector<std::string>& warnings) {

@@ -10,6 +10,9 @@
 
 namespace nezumi {
 
+/// Whether a version that was loaded with the one would be the same with the other; both are of one version.
+bool same_values(const Parameters& one, const Parameters& other);
+
 /// Says which values went with their parameters, and which no longer fit. `before` may be without the set that
 /// `running` has in use.
 void describe_lost(const Parameters& running, const Parameters& before, const Parameters& after,

@@ -15,7 +15,6 @@
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {
-namespace {}  // namespace
 
 Script::Script(const SourceText& source, ScriptContext context)
     : file_(source), doc_(first_comment(source.text)), context_(std::move(context)) {
@@ -39,6 +38,7 @@ Expected<std::unique_ptr<Script>> Script::load(const SourceText& source, ScriptC
     script->inheritance_ = inheritance;
     auto ok = script->run_top_level(source);
     script->inheritance_ = {};
+    script->context_.find_module = {};  // modules are loaded while the file loads
     if (!ok) return Unexpected(std::move(ok.error()));
     return script;
 }
@@ -61,7 +61,8 @@ Expected<void> Script::run_top_level(const SourceText& source) {
     auto chunk = compile(source, ScriptKind::component);
     if (!chunk) return Unexpected(chunk.error());
     auto installed = protect(L, context_.budget, [&](lua_State* inside) {
-        install_globals(inside, *this, inheritance_.state);
+        install_globals(inside, *this);
+        if (inheritance_.looks_at_tick == nullptr) set_state_global(inside, inheritance_.state);
         return 0;
     });
     if (!installed) return Unexpected(to_error(installed.error()));
@@ -290,6 +291,14 @@ Expected<void> Script::set_state(const PlainData& data) {
     auto set = protect(lua_->lua(), context_.budget, [&](lua_State* inside) {
         push_state(inside);
         set_plain(inside, data);
+        return 0;
+    });
+    return set ? Expected<void>() : Unexpected(to_error(set.error()));
+}
+
+Expected<void> Script::take_state_over(const PlainData& state) {
+    auto set = protect(lua_->lua(), context_.budget, [&](lua_State* inside) {
+        set_state_global(inside, &state);
         return 0;
     });
     return set ? Expected<void>() : Unexpected(to_error(set.error()));

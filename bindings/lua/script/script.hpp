@@ -80,6 +80,8 @@ struct Inheritance {
     const Parameters* parameters = nullptr;       ///< values that somebody set and that still fit are kept
     const PlainData* state = nullptr;             ///< the contents of `state`
     std::vector<ScriptFile>* required = nullptr;  ///< is told of every module that is required
+    /// `state` comes later, by `take_state_over`: set where the top level looks at it before, or at the time.
+    bool* looks_at_tick = nullptr;
 };
 
 class Script {
@@ -118,11 +120,14 @@ public:
     void bind(Component& owner);
     /// What every call may use up from now on.
     void set_budget(Budget budget) { context_.budget = budget; }
-    /// Where later versions find their modules and the code that they share from now on.
-    void settle(ModuleFinder find_module, ChunkCache* chunks) {
-        context_.find_module = std::move(find_module);
-        context_.chunks = chunks;
+    /// Where the code is that it shares from now on.
+    void share(ChunkCache* chunks) { context_.chunks = chunks; }
+    /// Notes that loaded in another tick it could be another.
+    void note_look_at_tick() {
+        if (inheritance_.looks_at_tick != nullptr) *inheritance_.looks_at_tick = true;
     }
+    /// Gives it the `state` that was to come later.
+    Expected<void> take_state_over(const PlainData& state);
     /// Opens the ports, or closes them: whether this version is the one that runs. Their slots must be filled.
     void go_live(bool live);
 

@@ -101,38 +101,59 @@ bool ScriptComponent::visit_member(std::string_view member, const LeafVisitor& v
     return true;
 }
 
-Expected<ScriptComponent::Version> ScriptComponent::prepare(const SourceText& source, Budget budget, const Time& now,
-                                                            std::vector<ScriptFile>& required) {
+ScriptComponent::Loading ScriptComponent::next_loading() const {
+    Loading next{.context = script_->context(), .parameters = parameters_};
+    next.context.version = next_version();
+    next.context.tick_rate = tick_rate();
+    next.parameters.take_staged();
+    return next;
+}
+
+Expected<std::unique_ptr<Script>> ScriptComponent::load_beside(const Loading& loading,
+                                                               std::vector<ScriptFile>& required) {
+    bool looks_at_tick = false;
+    auto script =
+        Script::load(loading.source, loading.context,
+                     {.parameters = &loading.parameters, .required = &required, .looks_at_tick = &looks_at_tick});
+    if (looks_at_tick && (script || script.error().kind != Error::Kind::out_of_time)) return nullptr;
+    return script;
+}
+
+Expected<ScriptComponent::Version> ScriptComponent::prepare(const Loading& loading, std::unique_ptr<Script> loaded,
+                                                            const Time& now, std::vector<ScriptFile>& required) {
     Version next;
     std::vector<Dropped> dropped;
     auto state = script_->take_state(dropped);
     if (!state) return failure("state can't be taken over: " + state.error().message, state.error().place);
     describe_dropped(dropped, next.warnings);
 
-    ScriptContext context = script_->context();
-    context.version = next_version();
-    context.budget = budget;
+    ScriptContext context = loading.context;
     context.seconds = now.seconds;
-    context.tick_rate = tick_rate();
     Parameters running = parameters_;
     running.take_staged();
     Parameters settings = running;
     const std::size_t others = required.size();
-    const auto try_load = [&] {
+    const auto load = [&] {
         required.erase(required.begin() + static_cast<std::ptrdiff_t>(others), required.end());
-        return Script::load(source, context, {.parameters = &settings, .state = &*state, .required = &required});
+        return Script::load(loading.source, context,
+                            {.parameters = &settings, .state = &*state, .required = &required});
     };
-    auto script = try_load();
-    if (!script) return Unexpected(script.error());
-    if (auto fits = check_set(*this, (*script)->parameters()); !fits) {
+    if (loaded == nullptr || !same_values(loading.parameters, running)) {
+        auto script = load();
+        if (!script) return Unexpected(script.error());
+        loaded = std::move(*script);
+    } else if (auto ok = loaded->take_state_over(*state); !ok) {
+        return Unexpected(ok.error());
+    }
+    if (auto fits = check_set(*this, loaded->parameters()); !fits) {
         next.warnings.push_back(fmt::format("set '{}' no longer fits, and none is in use now: {}", shown(set_in_use()),
                                             fits.error().message));
         leave_set(*this, settings);
-        script = try_load();  // its top level may have read a value of that set
+        auto script = load();  // its top level may have read a value of that set
         if (!script) return Unexpected(script.error());
+        loaded = std::move(*script);
     }
-    next.script = std::move(*script);
-    next.script->set_budget(script_->context().budget);
+    next.script = std::move(loaded);
     next.number = next_version();
     describe_lost(running, settings, next.script->parameters(), next.warnings);
     return next;

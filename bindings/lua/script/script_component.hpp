@@ -73,9 +73,21 @@ public:
         int probation_left = 0;  ///< executions that it was still on probation for
     };
 
-    /// Loads another version, which takes over the state and the parameters of the one that runs. Touches nothing. The
-    /// modules that it required are added to `required`, also when it fails.
-    Expected<Version> prepare(const SourceText& source, Budget budget, const Time& now,
+    /// All that it takes to load another version of a component: a copy.
+    struct Loading {
+        SourceText source{};
+        ScriptContext context;
+        Parameters parameters{};  ///< of the version that runs, with what is staged
+    };
+    /// Of the next version, but for its text, and for where its modules and code are.
+    Loading next_loading() const;
+    /// Loads beside the ticks, in any thread. Null: its top level looks at what is of the tick, `state` or the time,
+    /// and is to run in that of the commit. The modules that it required are added to `required`, also when it fails.
+    static Expected<std::unique_ptr<Script>> load_beside(const Loading& loading, std::vector<ScriptFile>& required);
+
+    /// Makes of what was loaded a version that takes over the state and the parameters of now. What is null, or was
+    /// loaded with other parameters, is loaded here. Touches nothing.
+    Expected<Version> prepare(const Loading& loading, std::unique_ptr<Script> loaded, const Time& now,
                               std::vector<ScriptFile>& required);
     /// Makes the ports that it needs and runs its `on_reload`. Touches nothing.
     Expected<void> adopt(Version& next, const Time& now);

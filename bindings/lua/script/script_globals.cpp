@@ -27,6 +27,7 @@ constexpr char modules_key = 0;
 
 int global_now(lua_State* L) {
     bridge(L, [L] { return Arguments{L}.at_most("now", 0, "()"); });
+    script_of(L).note_look_at_tick();
     lua_pushnumber(L, script_of(L).seconds());
     return 1;
 }
@@ -145,6 +146,12 @@ int global_index(lua_State* L) {
         return 1;
     }
     push_text(L, 2);
+    if (string_at(L, -1) == "state") {  // before it is there
+        script.note_look_at_tick();
+        set_state_global(L, nullptr);
+        push_state(L);
+        return 1;
+    }
     // Most scripts name few of the libraries, and have no tasks and no probes: they do without the memory of these.
     if (open_library(L, string_at(L, -1))) {
         lua_pushglobaltable(L);
@@ -177,7 +184,7 @@ int global_index(lua_State* L) {
 
 }  // namespace
 
-void install_globals(lua_State* L, Script& script, const PlainData* state) {
+void install_globals(lua_State* L, Script& script) {
     luaL_checkstack(L, 12, nullptr);
     lua_newtable(L);
     lua_rawsetp(L, LUA_REGISTRYINDEX, &modules_key);
@@ -189,14 +196,6 @@ void install_globals(lua_State* L, Script& script, const PlainData* state) {
     lua_setfield(L, -2, "log");
     push_config(L, script);
     lua_setfield(L, -2, "config");
-    if (state != nullptr) {
-        push_plain(L, *state);
-    } else {
-        lua_newtable(L);
-    }
-    lua_pushvalue(L, -1);
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &state_key);
-    lua_setfield(L, -2, "state");
 
     lua_createtable(L, 0, 3);
     set_function(L, script, "__index", global_index);
@@ -204,6 +203,21 @@ void install_globals(lua_State* L, Script& script, const PlainData* state) {
     lua_pushboolean(L, 0);
     lua_setfield(L, -2, "__metatable");
     lua_setmetatable(L, -2);
+    lua_pop(L, 1);
+}
+
+void set_state_global(lua_State* L, const PlainData* state) {
+    luaL_checkstack(L, 4, nullptr);
+    lua_pushglobaltable(L);
+    lua_pushliteral(L, "state");
+    if (state != nullptr) {
+        push_plain(L, *state);
+    } else {
+        lua_newtable(L);
+    }
+    lua_pushvalue(L, -1);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &state_key);
+    lua_rawset(L, -3);
     lua_pop(L, 1);
 }
 

@@ -10,9 +10,12 @@
 
 namespace nezumi {
 
-/// Puts them into a script's Lua state, with a copy of this `state` unless it is null. May raise a
-/// Lua error (memory).
-void install_globals(lua_State* L, Script& script, const PlainData* state);
+/// Puts them into a script's Lua state, but for `state`: until that is set, a script that looks at it is noted
+/// (`Script::note_look_at_tick`) and finds it empty. May raise a Lua error (memory).
+void install_globals(lua_State* L, Script& script);
+
+/// Sets `state` to a copy of this, or to an empty table. May raise a Lua error (memory).
+void set_state_global(lua_State* L, const PlainData* state);
 
 /// Their names, without those of the library.
 const std::vector<std::string_view>& script_globals();

@@ -33,6 +33,7 @@ function range(from, to, step) end
 function scenario(name, options, fn) end
 
 ---@class Scenario
+---@field seed integer of this run
 ---@field world World the components of the system, once there is one
 ---@field [string] Component the same
 local s = {}

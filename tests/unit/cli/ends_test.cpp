@@ -155,7 +155,7 @@ TEST_CASE("a run that follows no clock waits for who reads its log, which gets a
     Program run({"run", project.file, "--headless", "--speed", "max"});
     REQUIRE(run.wait_for_error("begins"));
     sleep(1);
-    holds(sink("standard error: the log of a run that follows no clock"), run);
+    holds(sink("standard error: the log of a run that does not follow a clock"), run);
 }
 
 TEST_CASE("a terminal with a status line that takes no output holds nothing", "[cli][ends][wallclock]") {
@@ -307,13 +307,13 @@ TEST_CASE("a second signal ends a run that what it writes to holds, at once", "[
     CHECK(rows_of(csv).size() > 90);
 }
 
-TEST_CASE("docs/reliability.md tells of all that a run writes to what happens when it takes nothing", "[cli][ends]") {
+TEST_CASE("docs/reliability.md lists what happens when an output of a run accepts no data", "[cli][ends]") {
     std::string table =
-        "| what | takes nothing as | ticks meanwhile | after SIGTERM it ends | with status | what gets lost |\n"
+        "| output | why it accepts no data | ticks meanwhile | after SIGTERM the run ends | status | lost data |\n"
         "|---|---|---|---|---|---|\n";
     for (const Sink& each : sinks)
         table += fmt::format("| {} | {} | {} | {} | {} | {} |\n", each.name, each.takes_nothing,
-                             each.ticks_go_on ? "go on" : "wait", each.ends_at_once ? "at once" : "within 2 s",
+                             each.ticks_go_on ? "continue" : "wait", each.ends_at_once ? "at once" : "within 2 s",
                              each.status, each.lost);
     const std::string page = (root / "docs/reliability.md").string();
     const std::string text = text_of_file(page);

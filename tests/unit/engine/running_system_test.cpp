@@ -49,7 +49,7 @@ TEST_CASE("what needs scripts is refused where there are none", "[engine][live]"
     CHECK(error_of(live->act(Reload{.component = "it"}, {})) == "it has no script: only behaviours reload");
     CHECK(error_of(live->act(Rollback{"it"}, {})) == "it has no script: only behaviours reload");
     CHECK(error_of(live->act(Reload{.files = {"b.lua"}}, {})).empty());  // nothing comes from it
-    CHECK(live->look_for_changes()().empty());
+    CHECK(error_of(live->act(Reload{}, {})).empty());
     CHECK(RunningSystem::load("system.lua", {}).error().message == none);
     CHECK(live->explain_next("it").error().message == "it is no behaviour: it has no lines");
 }

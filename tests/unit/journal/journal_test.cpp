@@ -52,10 +52,9 @@ TEST_CASE("the older journal has another name until the new one has its end, and
           "[journal]") {
     const Scratch folder;
     const fs::path file = folder.write("it.journal", "older\n");
-    RecordingFiles files;
     SECTION("a run that ends") {
         SmallRun run("function on_execute() end");
-        run.journal = std::move(Journal::create(file, files).value());
+        run.journal = std::move(Journal::create(file).value());
         run.journal->begin(*run.live, journal_version, false);
         run.tick(3);
         CHECK(text_of_file(file.string() + "~") == "older\n");
@@ -64,7 +63,7 @@ TEST_CASE("the older journal has another name until the new one has its end, and
         CHECK_FALSE(fs::exists(file.string() + "~"));
     }
     SECTION("a system that could not be read") {
-        REQUIRE(Journal::create(file, files));
+        REQUIRE(Journal::create(file));
         CHECK(text_of_file(file) == "older\n");
         CHECK_FALSE(fs::exists(file.string() + "~"));
     }
@@ -151,11 +150,9 @@ TEST_CASE("a replay reads no map, robot file or table either", "[journal]") {
     const fs::path system = project.write("system.lua",
                                           "arena { csv 'map.csv' } robot 'mouse' { model = 'far_sighted' }\n"
                                           "behavior 'it' { script = 'it' } connect('mouse.ir_sensor_out', 'it.in')");
-    RecordingFiles files;
     LiveOptions options = RandomRun::makers();
-    options.files = &files;
     auto live = std::move(RunningSystem::load(system, std::move(options)).value());
-    auto journal = std::move(Journal::create(other.path("it.journal"), files).value());
+    auto journal = std::move(Journal::create(other.path("it.journal")).value());
     journal->begin(*live, journal_version, false);
     live->activate();
     for (int i = 0; i < 20; ++i) live->tick();
@@ -171,17 +168,12 @@ TEST_CASE("a replay reads no map, robot file or table either", "[journal]") {
 TEST_CASE("what was read and loaded beside the ticks is replayed from the journal", "[journal]") {
     SmallRun run(counter);
     const auto add = [&](const std::string& name) {
-        const AddPreparer preparer = run.live->add_preparer();
-        SystemSpec part = run.live->spec();
-        Expected<PreparedAdd> prepared = failure("not yet");
-        std::thread([&] {
-            NotedFiles files(preparer.project.files());
-            const auto path = preparer.project.through(files).find(FileKind::script, name, part.file);
-            prepared = preparer.beside(BehaviorEntry{.name = name, .script = name, .path = path->string()},
-                                       std::move(part), files);
-        }).join();
-        REQUIRE(prepared);
-        REQUIRE(run.live->add(std::move(*prepared), {}));
+        const fs::path path = run.folder.path("behaviors/" + name + ".lua");
+        const Preparation prepare =
+            run.live->prepare(Add{BehaviorEntry{.name = name, .script = name, .path = path.string()}});
+        PreparedAct prepared;
+        std::thread([&] { prepared = prepare(); }).join();
+        REQUIRE(run.live->commit(std::move(prepared), {}));
         REQUIRE(run.live->act(Activate{name}, {}));
         run.tick(3);
     };
@@ -212,15 +204,13 @@ TEST_CASE("what was read and loaded beside the ticks is replayed from the journa
 TEST_CASE("what was prepared for a system that has started anew since is refused", "[journal]") {
     SmallRun run(counter);
     run.folder.write("behaviors/late.lua", counter);
-    NotedFiles files(run.live->project().files());
-    auto prepared = run.live->add_preparer().beside(
-        BehaviorEntry{.name = "late", .script = "late", .path = run.folder.path("behaviors/late.lua").string()},
-        run.live->spec(), files);
-    REQUIRE(prepared);
+    PreparedAct prepared = run.live->prepare(
+        Add{BehaviorEntry{.name = "late", .script = "late", .path = run.folder.path("behaviors/late.lua").string()}})();
     REQUIRE(run.live->act(Restart{}, {}));
-    const auto added = run.live->add(std::move(*prepared), {});
+    CHECK_FALSE(run.live->fits(prepared));
+    const auto added = run.live->commit(std::move(prepared), {});
     REQUIRE_FALSE(added);
-    CHECK(added.error().message == "the system was started anew while this was read: say it again");
+    CHECK(added.error().message == "the system has changed while this was read: say it again");
 }
 
 TEST_CASE("a process that is killed leaves a journal that replays to its last whole line", "[journal]") {
@@ -266,7 +256,7 @@ TEST_CASE("an act with a million numbers is written beside the ticks", "[journal
     for (int attempt = 0; attempt < 4; ++attempt) {
         const ActTime when = it.live->when();
         const std::int64_t before = thread_time();
-        it.journal->acted(when, act, {Actor::Kind::console}, ActResult{});
+        it.journal->acted(when, act, {Actor::Kind::console}, ActResult{}, {});
         it.journal->serve();
         spent = std::min(spent, static_cast<double>(thread_time() - before) * 1e-9);
         it.tick();
@@ -282,13 +272,11 @@ TEST_CASE("a run whose files have names that are no UTF-8 replays from its journ
     folder.write("behaviors/base64:x", "");
     const fs::path system = folder.write("caf\xe9/syst\xe8me.lua", "behavior 'it' { script = 'it' }\n");
     const std::string script = folder.write("caf\xe9/compt\xe9.lua", counter).string();
-    RecordingFiles files;
     LiveOptions options;
-    options.files = &files;
     options.scripts = &lua_scripts();
     auto live = std::move(RunningSystem::load(system, std::move(options)).value());
     const fs::path file = folder.path("it.journal");
-    auto journal = std::move(Journal::create(file, files).value());
+    auto journal = std::move(Journal::create(file).value());
     journal->begin(*live, journal_version, false);
     live->activate();
     const auto added = live->act(

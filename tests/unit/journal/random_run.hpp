@@ -34,12 +34,10 @@ public:
 
     /// Acts now and then, for so many ticks, and returns the hash. `after_tick` may end it.
     std::uint64_t run(int ticks, const std::function<bool(Journal&)>& after_tick = {}) {
-        auto made = Journal::create(journal_file(), files_);
+        auto made = Journal::create(journal_file());
         REQUIRE(made);
         Journal& journal = **made;
         LiveOptions options = makers();
-        options.files = &files_;
-        options.world = with_pictures_from(files_, std::move(options.world));
         options.build.seed = seed_;
         auto loaded = RunningSystem::load(file, std::move(options));
         if (!loaded) FAIL(describe(loaded.error()));
@@ -168,10 +166,9 @@ function on_execute()
     }
     Act make(std::in_place_type_t<Reload>) {
         write_scripts(random_());
-        std::vector<std::string> changed = live_->look_for_changes()();
         if (below(5) == 0)
             return Reload{.component = "controller", .shown = "broken.lua", .text = "function on_execute( end"};
-        return Reload{.files = std::move(changed), .component = "nobody"};
+        return Reload{};
     }
     Act make(std::in_place_type_t<Rollback>) { return Rollback{"controller"}; }
     Act make(std::in_place_type_t<Add>) {
@@ -215,7 +212,6 @@ function on_execute()
 
     std::uint64_t seed_;
     std::mt19937_64 random_;
-    RecordingFiles files_;
     std::unique_ptr<RunningSystem> live_;
 };
 

@@ -22,10 +22,9 @@ struct SmallRun {
         const std::filesystem::path system = folder.write("system.lua", "behavior 'it' { script = 'it' }\n");
         LiveOptions options;
         options.scripts = &lua_scripts();
-        options.files = &files;
         options.budget = budget;
         live = std::move(RunningSystem::load(system, std::move(options)).value());
-        journal = std::move(Journal::create(file, files).value());
+        journal = std::move(Journal::create(file).value());
         journal->begin(*live, journal_version, false);
         live->activate();
     }
@@ -50,7 +49,6 @@ struct SmallRun {
 
     Scratch folder;
     std::filesystem::path file = folder.path("it.journal");
-    RecordingFiles files;
     std::unique_ptr<RunningSystem> live;
     std::unique_ptr<Journal> journal;
 };

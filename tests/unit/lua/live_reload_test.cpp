@@ -1,6 +1,4 @@
 // Saving a file changes the running robot; a bad save is told and changes nothing; no tick waits for either.
-#include "engine/live/live_reload.hpp"
-
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,10 +9,12 @@
 #include <fstream>
 #include <thread>
 
-#include "bindings/lua/reload/reloader.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
+#include "engine/live/running_system.hpp"
 
 using namespace nezumi;
+using Catch::Matchers::EndsWith;
 
 namespace {
 
@@ -30,24 +30,17 @@ void write(const Text& path, const Text& text) {
 
 // A system that ticks at 100 Hz by the clock.
 struct Live {
-    explicit Live(const Text& text) {
+    explicit Live(const Text& text, const Text& system = "behavior 'it' { script = 'it' }") {
         fs::remove_all(folder);
         fs::create_directories(folder);
         write(file, text);
-        write(system_file, "a system");
-        const ModuleFinder find = [this](std::string_view name, std::string_view) {
-            return read_source((folder / (Text(name) + ".lua")).string());
-        };
-        auto loaded = ScriptComponent::load("it", read_source(file).value(), {.find_module = find, .chunks = &chunks});
-        REQUIRE(loaded);
-        component = loaded->get();
-        REQUIRE(system.add(std::move(*loaded)));
-        REQUIRE(component->activate(system.now()));
-        live = std::make_unique<LiveReload>(system, reloader, std::vector<Text>{system_file},
-                                            [this](const std::vector<Text>& files) -> Expected<void> {
-                                                auto report = reloader.reload_files(files);
-                                                return report ? Expected<void>() : Unexpected(report.error());
-                                            });
+        write(system_file, system);
+        LiveOptions options;
+        options.scripts = &lua_scripts();
+        options.watch = true;
+        options.build.log = [this](const LogLine& line) { log.push_back(line.text); };
+        live = std::move(RunningSystem::load(system_file, std::move(options)).value());
+        live->activate();
         run(10);
     }
     ~Live() {
@@ -59,8 +52,7 @@ struct Live {
         for (; ticks > 0; --ticks) {
             std::this_thread::sleep_until(next);
             const std::int64_t began = thread_time();
-            live->between_ticks();
-            system.tick();
+            live->tick();
             longest = std::max(longest, static_cast<double>(thread_time() - began) * 1e-9);
             next = std::max(next + std::chrono::milliseconds(10), Clock::now());
         }
@@ -76,17 +68,15 @@ struct Live {
         for (const Text& line : log) UNSCOPED_INFO(line);
         return false;
     }
-    std::int32_t value() const { return std::get<std::int32_t>(component->find_out_port("out")->value()); }
+    std::int32_t value(const Text& name = "it") const {
+        return std::get<std::int32_t>(live->system().find(name)->find_out_port("out")->value());
+    }
 
     fs::path folder = fs::temp_directory_path() / ("nezumi_live_" + std::to_string(::getpid()));
     Text file = (folder / "it.lua").string();
     Text system_file = (folder / "system.lua").string();
     std::vector<Text> log;
-    ChunkCache chunks;
-    System system{{}, [this](const LogLine& line) { log.push_back(line.text); }};
-    Reloader reloader{system};
-    ScriptComponent* component = nullptr;
-    std::unique_ptr<LiveReload> live;
+    std::unique_ptr<RunningSystem> live;
     Clock::time_point next = Clock::now();
     int ticks_until_said = 0;
     double longest = 0;  // [s] of CPU time that a tick took
@@ -129,9 +119,9 @@ TEST_CASE("a script that a FIFO takes the place of is told once, and reloads whe
     it.run(120);
     CHECK(it.log.empty());
     CHECK(it.value() == 1);
-    const auto refused = it.reloader.reload_files(changed_files(it.reloader.loaded_files(), read_source));
+    const auto refused = it.live->act(Reload{}, {});
     REQUIRE_FALSE(refused);
-    CHECK(describe(refused.error()) == "it.lua: is a FIFO, expected a file; still running version 1");
+    CHECK_THAT(describe(refused.error()), EndsWith("it.lua: is a FIFO, expected a file; still running version 1"));
     fs::remove(it.file);
     write(it.file, writes("2"));
     CHECK(it.says("version 2 runs in it"));
@@ -199,4 +189,22 @@ TEST_CASE("a changed system file says what to do", "[lua][reload]") {
     Live it(writes("1"));
     write(it.system_file, "another system");
     CHECK(it.says("system.lua has changed: restart() to use it"));
+}
+
+TEST_CASE("a file of many behaviours that takes long to load holds no tick", "[lua][reload][watchdog]") {
+    constexpr int many = 40;
+    Text system;
+    for (int i = 1; i <= many; ++i) system += "behavior 'b" + std::to_string(i) + "' { script = 'it' }\n";
+    const Text slow = "for i = 1, 1000000 do end ";
+    Live it(writes("1", slow), system);
+    const std::int64_t began = thread_time();
+    REQUIRE(it.live->act(Reload{.files = {it.file}}, {}));
+    const double at_once = static_cast<double>(thread_time() - began) * 1e-9;
+    it.longest = 0;
+    write(it.file, writes("2", slow));
+    CHECK(it.says("it.lua: version 3 runs in b1, b2, b3, b4, b5 and 35 more"));
+    it.run(1);
+    CHECK(it.value("b1") == 2);
+    CHECK(it.value("b40") == 2);
+    CHECK(it.longest < at_once / 4);
 }

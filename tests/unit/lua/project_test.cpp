@@ -172,26 +172,40 @@ TEST_CASE("what is named is not offered as the nearest name", "[lua][project]") 
                Catch::StartsWith("there is no file 'map.csv'; looked for"));
 }
 
-TEST_CASE("a folder that is empty later has no names any more in what was noted, nor has one that is gone",
+TEST_CASE("a folder that is empty later has no names any more in what is updated, nor has one that is gone",
           "[lua][project]") {
     const Scratch scratch;
     const fs::path folder = scratch.path("lib");
     scratch.write("lib/a.lua", "");
-    NotedFiles files(disk());
-    CHECK(files.names_in(folder) == std::vector<std::string>{"a.lua"});
-    FilesSeen seen = files.take();
-    CHECK(seen.at(folder).names == std::vector<std::string>{"a.lua"});
+    const auto look = [&] {
+        FileSnapshot files(disk());
+        static_cast<void>(files.names_in(folder));
+        return files.take().at(folder);
+    };
+    PathSeen seen = look();
+    CHECK(seen.names == std::vector<std::string>{"a.lua"});
     fs::remove(folder / "a.lua");
-    CHECK(files.names_in(folder).empty());
-    CHECK(files.is_folder(folder));
-    seen[folder].update(files.take().at(folder));
-    CHECK(seen[folder].what == "a folder");
-    CHECK(seen[folder].names == std::vector<std::string>());
-    scratch.write("lib/a.lua", "");
-    CHECK(files.names_in(folder).size() == 1);
+    seen.update(look());
+    CHECK(seen.what == "a folder");
+    CHECK(seen.names == std::vector<std::string>());
     fs::remove_all(folder);
-    CHECK(files.names_in(folder).empty());
-    seen = files.take();
-    CHECK(seen[folder].what.empty());
-    CHECK_FALSE(seen[folder].names);
+    seen.update(look());
+    CHECK(seen.what.empty());
+    CHECK_FALSE(seen.names);
+}
+
+TEST_CASE("what a snapshot has found of a file stays so, whatever is saved meanwhile", "[lua][project]") {
+    const Scratch scratch;
+    const std::string file = scratch.write("a.lua", "first").string();
+    FileSnapshot files(disk());
+    CHECK(files.read(file, "a.lua") == "first");
+    CHECK(files.what_is(scratch.path("b.lua")).empty());
+    CHECK(describe(files.read(scratch.path("b.lua"), "b.lua").error()) == "b.lua: there is no such file");
+    scratch.write("a.lua", "second");
+    scratch.write("b.lua", "new");
+    CHECK(files.read(file, "a.lua") == "first");
+    CHECK(files.what_is(scratch.path("b.lua")).empty());
+    CHECK_FALSE(files.read(scratch.path("b.lua"), "b.lua"));
+    CHECK(FileSnapshot(disk()).read(file, "a.lua") == "second");
+    CHECK(FileSnapshot(disk(), files.take()).read(file, "a.lua") == "first");
 }

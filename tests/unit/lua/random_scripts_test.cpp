@@ -13,6 +13,7 @@
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/reload/lua_host.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
+#include "bindings/lua/script/script_component.hpp"
 #include "engine/live/running_system.hpp"
 #include "engine/robot/robot.hpp"
 #include "sim/world.hpp"

@@ -6,6 +6,9 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "bindings/lua/reload/reloader.hpp"
 #include "engine/system/system.hpp"
@@ -51,11 +54,19 @@ struct ReloadRig {
     // Writes a new text and reloads it; the message when it is refused.
     Text change(const Text& file, const Text& text) {
         write(file, text);
-        auto report = reloader.reload_files({path(file)});
+        auto report = reload({path(file)});
         if (!report) return describe(report.error());
         notes = report->notes;
         return "";
     }
+    // Both phases at once: of these files or, where there are none, of a text.
+    Expected<ActResult> reload(const std::vector<Text>& of, const SourceText& text = {}) {
+        FileSnapshot seen(files);
+        const Project project = Project::of(path("system.lua"), {}, seen);
+        const auto loaded = reloader.loader()(of, text, project);
+        return reloader.commit(*loaded, project);
+    }
+    Expected<ActResult> reload_changed() { return reload(changed_files(reloader.loaded_files(), read_source)); }
     template <class T>
     T out(const Text& port) const {
         return std::get<T>(system.port(port).value()->value());
@@ -67,11 +78,22 @@ struct ReloadRig {
         return false;
     }
 
+    // Messages show files by their names in the folder.
+    struct InFolder final : ProjectFiles {
+        explicit InFolder(fs::path working) : folder(std::move(working)) {}
+        fs::path working_folder() const override { return folder; }
+        Text what_is(const fs::path& path) const override { return disk().what_is(path); }
+        std::vector<Text> names_in(const fs::path& path) const override { return disk().names_in(path); }
+        Expected<Text> read(const fs::path& path, const Text& shown) const override { return disk().read(path, shown); }
+        fs::path folder;
+    };
+
     fs::path folder = fs::temp_directory_path() / ("nezumi_reload_" + std::to_string(::getpid()));
+    InFolder files{folder};
     std::vector<Text> log, notes;
     ChunkCache chunks;
     System system{{}, [this](const LogLine& line) { log.push_back(line.component + ": " + line.text); }};
-    Reloader reloader{system};
+    Reloader reloader{system, chunks};
 };
 
 // A script that writes how often this version ran, and a total that a reload keeps.

@@ -153,7 +153,7 @@ TEST_CASE("a version that can't be had leaves the old one untouched and says wha
     CHECK(world.change("it.lua", counter("1") + "function on_reload() while true do end end") ==
           "it.lua:9: ran for more than 0.05 s: is there an endless loop?" + still);
     fs::remove(world.path("it.lua"));
-    CHECK(describe(world.reloader.reload_files({world.path("it.lua")}).error()).find(still) != Text::npos);
+    CHECK(describe(world.reload({world.path("it.lua")}).error()).find(still) != Text::npos);
     world.tick();
     CHECK(world.out<Longs>("it.out") == Longs{3, 3});
     CHECK(it.version() == 1);
@@ -302,7 +302,7 @@ TEST_CASE("changed_files tells what has changed on disk and nothing else", "[lua
     ScriptComponent& a = world.add_text("a", counter("1"));
     ScriptComponent& b = world.add_text("b", counter("1"));
     world.write("a.lua", counter("2"));
-    auto report = world.reloader.reload_files(changed_files(world.reloader.loaded_files(), read_source));
+    auto report = world.reload_changed();
     REQUIRE(report);
     CHECK(report->components == std::vector<Text>{"a"});
     CHECK(a.version() == 2);
@@ -315,10 +315,10 @@ TEST_CASE("a component reloads from a text that is in no file", "[lua][reload]")
     ScriptComponent& it = world.add_text("it", counter("1"));
     world.tick();
     const SourceText text{it.script().file().path, "it.lua", counter("10")};
-    REQUIRE(world.reloader.reload(text));
+    REQUIRE(world.reload({}, text));
     world.tick();
     CHECK(world.out<Longs>("it.out") == Longs{1, 11});
-    const auto refused = world.reloader.reload({it.script().file().path, "it.lua", "function on_execute( end"});
+    const auto refused = world.reload({}, {it.script().file().path, "it.lua", "function on_execute( end"});
     REQUIRE_FALSE(refused);
     CHECK(refused.error().message == "<name> or '...' expected near 'end'; still running version 2");
     CHECK(refused.error().place == Place{"it.lua", 1});

@@ -144,8 +144,11 @@ TEST_CASE("what a file prints while it loads is not lost, at the start and in a 
     CHECK(rig.log == std::vector<Text>{"info: first"});
     rig.log.clear();
     std::vector<ScriptFile> required;
-    auto next = rig.component->prepare(source("param('x', 1) print('loaded') log.warn('careful')"), paced_budget,
-                                       rig.now, required);
+    ScriptComponent::Loading loading = rig.component->next_loading();
+    loading.source = source("param('x', 1) print('loaded') log.warn('careful')");
+    auto loaded = ScriptComponent::load_beside(loading, required);
+    REQUIRE(loaded);
+    auto next = rig.component->prepare(loading, std::move(*loaded), rig.now, required);
     REQUIRE(next);
     REQUIRE(rig.component->adopt(*next, rig.now));
     rig.component->commit(std::move(*next), 1);

@@ -70,7 +70,8 @@ private:
 
 // Remembers who did what.
 struct Acts final : ActObserver {
-    void acted(const ActTime& /*when*/, const Act& act, const Actor& who, const Expected<ActResult>& result) override {
+    void acted(const ActTime& /*when*/, const Act& act, const Actor& who, const Expected<ActResult>& result,
+               FilesSeen /*files*/) override {
         lines.push_back(std::string(name_of(act)) + " by " + to_text(who) +
                         (result ? "" : ": " + result.error().message));
     }

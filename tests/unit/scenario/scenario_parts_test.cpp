@@ -53,7 +53,7 @@ struct PartsRig : ScenarioRig {
             for (const std::string& line : report.result.printed) text += "  | " + line + "\n";
         }
         for (const MeasureSummary& measure : end.summary.measures) text += text_of(measure) + "\n";
-        return text + measures_csv(end.measured, end.summary.seed);
+        return text + measures_csv(end.measured);
     }
 
     fs::path part(std::size_t index) const { return folder().path(fmt::format("part-{}", index)); }
@@ -117,7 +117,8 @@ TEST_CASE("a run that nobody has made is named, with the part that makes it", "[
     PartsRig rig;
     for (std::size_t part = 1; part <= 2; ++part) rig.make_part(part, 2);
     const PlannedRun second = rig.plan().runs[1];
-    ResultStore(rig.part(2), rig.options.made_with).forget({rig.plan().files.front().shown, second.name});
+    ResultStore(rig.part(2), rig.options.made_with)
+        .forget({.file = rig.plan().files.front().shown, .run = second.name, .seed = second.seed});
     const SessionEnd merged = rig.merge(2);
     CHECK(merged.status() == 2);
     CHECK(merged.reports[1].name == "drives [speed=0.2]");
@@ -159,7 +160,9 @@ TEST_CASE("a session that resumes makes only what is not kept, and tells of all"
     const TestPlan plan = rig.plan();
     rig.options.made_with = 5;
     const ResultStore store(rig.options.folder, 5);
-    const auto key = [&](std::size_t run) { return ResultKey{plan.files.front().shown, plan.runs[run].name}; };
+    const auto key = [&](std::size_t run) {
+        return ResultKey{.file = plan.files.front().shown, .run = plan.runs[run].name, .seed = plan.runs[run].seed};
+    };
     // One that was torn, and one that was made, as can be seen.
     REQUIRE(store.keep(key(2), {plan.runs[2].name, {.printed = {"kept"}}}));
     const fs::path torn = *fs::directory_iterator(ResultStore::folder_in(rig.options.folder));
@@ -225,7 +228,7 @@ TEST_CASE("what sessions write beside their scenarios is nothing that results we
     const std::uint64_t before = now();
     rig.folder().write("tests/log.txt", "PASS");
     rig.folder().write("tests/report.xml", "<testsuite/>");
-    rig.folder().write("tests/measured.csv", measures_csv({{.scenario = "deep", .name = "deep"}}, 1));
+    rig.folder().write("tests/measured.csv", measures_csv({{.scenario = "deep", .name = "deep"}}));
     rig.folder().write("tests/out/results/0123456789abcdef", "nezumi result 1\n");
     for (const char* left : {"failure.txt", "trace.csv", "picture.png"})
         rig.folder().write(std::string("tests/out/deep_test-deep/") + left, "of a failure");
@@ -254,7 +257,8 @@ TEST_CASE("a session that was not to keep its results leaves none, and one that 
     const TestPlan plan = rig.plan();
     const ResultStore store(rig.options.folder, rig.options.made_with);
     const auto is_kept = [&](std::size_t run) {
-        return store.find({plan.files.front().shown, plan.runs[run].name}).has_value();
+        const PlannedRun& planned = plan.runs[run];
+        return store.find({.file = plan.files.front().shown, .run = planned.name, .seed = planned.seed}).has_value();
     };
     for (int i = 0; i < 20'000 && !(is_kept(0) && is_kept(2)); ++i) usleep(1000);
     kill(session, SIGKILL);

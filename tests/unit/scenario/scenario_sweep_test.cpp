@@ -62,7 +62,7 @@ TEST_CASE("the values in a run's name lead back to its point", "[lua][scenario][
 
     const Sweep drawn = one_range({.lo = -1, .hi = 1});
     for (std::size_t i = 0; i < drawn.samples; ++i) {
-        const SweepPoint point = draw(drawn, 124, i);
+        const SweepPoint point = draw_point(drawn, 124, i);
         CHECK(find_point(drawn, text_of(point)) == point);
     }
     CHECK_FALSE(find_point(drawn, "[x=1.5]"));
@@ -72,12 +72,12 @@ TEST_CASE("the values in a run's name lead back to its point", "[lua][scenario][
 TEST_CASE("draws lie within the range and depend on seed and index alone", "[lua][scenario][sweep]") {
     const Sweep sweep = one_range({.lo = 2, .hi = 3});
     for (std::size_t i = 0; i < 50; ++i) {
-        const SweepPoint point = draw(sweep, 7, i);
+        const SweepPoint point = draw_point(sweep, 7, i);
         CHECK(number(point) >= 2);
         CHECK(number(point) <= 3);
-        CHECK(draw(sweep, 7, i) == point);
-        CHECK_FALSE(draw(sweep, 8, i) == point);
-        CHECK_FALSE(draw(sweep, 7, i + 1) == point);
+        CHECK(draw_point(sweep, 7, i) == point);
+        CHECK_FALSE(draw_point(sweep, 8, i) == point);
+        CHECK_FALSE(draw_point(sweep, 7, i + 1) == point);
     }
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("a range with a step draws its multiples, as integers when lo and step
     const Sweep sweep = one_range({.lo = 1, .hi = 9, .step = 4, .whole = true});
     bool seen[10]{};
     for (std::size_t i = 0; i < 50; ++i) {
-        const auto drawn = std::get<std::int64_t>(draw(sweep, 7, i).front().second.data.values.front());
+        const auto drawn = std::get<std::int64_t>(draw_point(sweep, 7, i).front().second.data.values.front());
         REQUIRE((drawn == 1 || drawn == 5 || drawn == 9));
         seen[drawn] = true;
     }
@@ -154,7 +154,7 @@ TEST_CASE("values of a range without a step are drawn each by itself", "[lua][sc
     const Sweep sweep = one_range({.lo = 0, .hi = 1});
     const std::vector<SweepPoint> all = draws(sweep, 7);
     REQUIRE(all.size() == 50);
-    for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] == draw(sweep, 7, i));
+    for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] == draw_point(sweep, 7, i));
 }
 
 TEST_CASE("a control character in a text is its code in the run's name", "[lua][scenario][sweep]") {
@@ -172,7 +172,7 @@ TEST_CASE("a control character in a text is its code in the run's name", "[lua][
 TEST_CASE("simplifying comes to an end, nearer to zero or shorter with every step", "[lua][scenario][sweep]") {
     const Sweep sweep = one_range({.lo = -10, .hi = 10});
     for (std::size_t i = 0; i < 20; ++i) {
-        SweepPoint point = draw(sweep, 3, i);
+        SweepPoint point = draw_point(sweep, 3, i);
         const bool positive = number(point) > 0;
         // What fails is everything beyond 0.62 on the same side.
         const auto fails = [&](const SweepPoint& p) { return (positive ? number(p) : -number(p)) > 0.62; };

@@ -1,0 +1,80 @@
+// A pair is two runs of one scenario with the same values of all other keys, and the same repetition.
+#include "bindings/scenario/measured_pairs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace nezumi {
+namespace {
+
+// What one value of the key came to in one measure: by what its pairs have in common.
+struct Side {
+    std::string value;
+    std::map<std::string, double> measured{};
+};
+
+struct Compared {
+    std::string scenario, name, unit, key;
+    std::vector<Side> sides{};
+};
+
+std::vector<Compared> compared(const std::vector<MeasuredRun>& runs) {
+    std::vector<Compared> all;
+    for (const MeasuredRun& run : runs) {
+        const auto is_key = [&](const auto& value) { return value.first == run.paired; };
+        const auto own = std::find_if(run.point.begin(), run.point.end(), is_key);
+        if (!run.counts || own == run.point.end()) continue;
+        const std::string common = text_of(without(run.point, run.paired)) + run.repetition;
+        for (const Measure& measure : run.measures) {
+            const auto same = [&](const Compared& other) {
+                return std::tie(other.scenario, other.name, other.unit) ==
+                       std::tie(run.scenario, measure.name, measure.unit);
+            };
+            auto found = std::find_if(all.begin(), all.end(), same);
+            if (found == all.end())
+                found = all.insert(all.end(), {run.scenario, measure.name, measure.unit, run.paired});
+            const auto is_value = [&](const Side& side) { return side.value == own->second.text; };
+            auto side = std::find_if(found->sides.begin(), found->sides.end(), is_value);
+            if (side == found->sides.end()) side = found->sides.insert(found->sides.end(), {own->second.text});
+            side->measured.emplace(common, measure.value);
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+std::vector<PairSummary> summarize_pairs(const std::vector<MeasuredRun>& runs) {
+    std::vector<PairSummary> summaries;
+    for (const Compared& each : compared(runs)) {
+        const Side& first = each.sides.front();
+        for (auto second = each.sides.begin() + 1; second != each.sides.end(); ++second) {
+            PairSummary summary{each.scenario, each.name, each.unit, each.key, first.value, second->value};
+            std::vector<double> differences;
+            for (const auto& [common, value] : second->measured) {
+                const auto other = first.measured.find(common);
+                if (other == first.measured.end()) continue;
+                differences.push_back(value - other->second);
+                if (value < other->second) ++summary.less;
+                if (value > other->second) ++summary.more;
+            }
+            summary.differences = Statistics::of(std::move(differences));
+            summaries.push_back(std::move(summary));
+        }
+    }
+    return summaries;
+}
+
+std::string text_of(const PairSummary& summary) {
+    const Statistics& differences = summary.differences;
+    return fmt::format("{0}, {1}={2} minus {1}={3}: {4} pair{5}{6} (less in {7}, more in {8})",
+                       title_of_measure(summary.name, summary.unit, summary.scenario), summary.key, summary.second,
+                       summary.first, differences.count, differences.count == 1 ? "" : "s", text_of(differences),
+                       summary.less, summary.more);
+}
+
+}  // namespace nezumi
