@@ -96,14 +96,14 @@ class Wiring(rig.PageCase):
                         lambda: "the value is shown, not " + self.page.text(".diagram .tip"))
 
     def test_other_hosts_are_seen_and_their_ports_connected(self):
-        self.open(text=FOLLOWER)
+        follower = self.open(text=FOLLOWER)
         page = self.page
         page.view("diagram")
         self.assertEqual(self.wires(), ["late/driver.out mouse.target_velocity_in"])
         self.assertIn("waits", page.find(".wire-group").get_attribute("class"))
         self.assertIn("waits", page.find('[data-component="late/driver"]').get_attribute("class"))
         self.assertIn("which waits", page.find(".wire-group").get_attribute("aria-label"))
-        leader = self.system(text=LEADER)
+        leader = self.system(text=LEADER, runtime=follower.folder)  # the secret of the same user
         page.until("document.querySelector('[data-component=\"ev3/vehicle\"]') !== null", "the other host's robot is shown")
         page.drawn()
         page.keys().move_to_element(self.port("ev3/vehicle.current_vel")).click_and_hold().move_by_offset(20, 10).perform()

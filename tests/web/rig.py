@@ -53,7 +53,8 @@ def wait_until(holds, what, within=PATIENCE):
 
 
 class System:
-    """`nezumi run` of a file, or of a text with scripts of its own: { name: text }."""
+    """`nezumi run` of a file, or of a text with scripts of its own: { name: text }; `runtime`: the folder of another run of
+    the same user."""
 
     def __init__(self, nezumi, file=None, text=None, scripts=None, options=(), runtime=None):
         self.folder = tempfile.mkdtemp(prefix="nezumi-web-")
@@ -65,7 +66,8 @@ class System:
             for name, script in (scripts or {}).items():
                 with open(os.path.join(self.folder, "behaviors", name + ".lua"), "w") as out:
                     out.write(script)
-        environment = dict(os.environ, XDG_RUNTIME_DIR=runtime or self.folder, XDG_STATE_HOME=self.folder)
+        home = runtime or self.folder
+        environment = dict(os.environ, XDG_RUNTIME_DIR=home, XDG_STATE_HOME=home)
         self.reader = None
         self.process = subprocess.Popen([nezumi, "run", file, *options], cwd=ROOT, env=environment, stdin=subprocess.DEVNULL,
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
