@@ -4,15 +4,8 @@
 #include <cairo.h>
 
 #include "bindings/draw/paper.hpp"
-#include "engine/world/picture.hpp"
 
 namespace nezumi::draw {
-
-/// A tag of AprilTag's family 36h11.
-struct PrintedTag {
-    int id = 0;
-    Picture cells;  ///< a pixel each, with the white margin
-};
 
 /// Draws the tag in the middle of the sheet, with its number, its size and a line to measure by below it. The
 /// context's unit is 1 m from the top left; `size` [m] is the edge of the black border, at most `largest_marker`.

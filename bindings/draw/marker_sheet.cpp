@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "bindings/draw/canvas.hpp"
+#include "bindings/draw/marker_drawing.hpp"
 
 namespace nezumi::draw {
 namespace {

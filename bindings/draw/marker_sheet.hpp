@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/draw/marker_drawing.hpp"
+#include "bindings/draw/paper.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi::draw {

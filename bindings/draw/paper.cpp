@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "engine/world/picture.hpp"
-
 namespace nezumi::draw {
 namespace {
 

@@ -8,34 +8,32 @@
 #include "hw/calibrate/camera.hpp"
 #include "sim/picture.hpp"
 
-using nezumi::cli::no_simulation;
-
 namespace nezumi::draw {
 
 PictureOf look_at(const RunningSystem& /*live*/, const Trajectories& /*trajectories*/, std::string /*title*/) {
     return {};
 }
 Expected<void> draw_picture(PictureOf /*picture*/, const std::string& /*file*/, const PictureReader& /*read*/) {
-    return failure(std::string(no_simulation));
+    return failure(std::string(cli::no_simulation));
 }
 
 WiringOf wiring_of(const RunningSystem& /*live*/, std::string /*title*/) { return {}; }
 Expected<void> draw_wiring(const WiringOf& /*wiring*/, const std::string& /*file*/) {
-    return failure(std::string(no_simulation));
+    return failure(std::string(cli::no_simulation));
 }
 
 Expected<void> draw_sweep_plot(const SweepPlot& /*plot*/, const std::filesystem::path& /*folder*/) {
-    return failure(std::string(no_simulation));
+    return failure(std::string(cli::no_simulation));
 }
 
 Expected<std::string> marker_pdf(const Paper& /*paper*/, const std::vector<PrintedTag>& /*tags*/, double /*size*/) {
-    return failure(std::string(no_simulation));
+    return failure(std::string(cli::no_simulation));
 }
 
 }  // namespace nezumi::draw
 namespace nezumi::sim {
 
-Expected<Picture> read_picture(const std::string& /*file*/) { return failure(std::string(no_simulation)); }
+Expected<Picture> read_picture(const std::string& /*file*/) { return failure(std::string(cli::no_simulation)); }
 Picture paint_tag(int /*id*/) { return {}; }
 
 }  // namespace nezumi::sim
@@ -44,7 +42,7 @@ namespace nezumi::hw {
 Expected<IntrinsicsFit> calibrate_camera(const BoardCourse& /*course*/,
                                          const std::function<Expected<TimedPicture>()>& /*next*/,
                                          const std::function<void(const std::string& text)>& /*tell*/) {
-    return failure(std::string(no_simulation));
+    return failure(std::string(cli::no_simulation));
 }
 
 }  // namespace nezumi::hw
