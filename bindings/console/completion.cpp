@@ -285,8 +285,9 @@ Completion complete(Session::Parts& parts, std::string_view text, std::size_t cu
     text = text.substr(0, cursor);
     Completion completion{text.size(), {}};
     if (parts.state->is_lost()) return completion;
-    const TextAtCursor quoted = text_at_cursor(text);
-    if (quoted.comment) return completion;
+    const CursorText at_cursor(text);
+    if (at_cursor.in_comment()) return completion;
+    const TextAtCursor quoted = at_cursor.quoted();
     if (quoted.open && quoted.word == "use" && quoted.callee.separator == ':') {
         completion.from = quoted.from;
         completion.candidates = set_names(parts, quoted.callee.chain);
@@ -297,9 +298,9 @@ Completion complete(Session::Parts& parts, std::string_view text, std::size_t cu
         completion.from = quoted.from;
         completion.candidates = parts.at_system([&] { return texts_at(parts.live.system(), quoted); });
     } else {
-        const NameAtCursor name = name_at_cursor(text);
+        const NameAtCursor name = at_cursor.name();
         completion.from = name.from;
-        const FieldAtCursor field = name.separator == 0 ? field_at_cursor(text) : FieldAtCursor{};
+        const FieldAtCursor field = name.separator == 0 ? at_cursor.field() : FieldAtCursor{};
         Names fields = field.open ? field_names(parts, field) : Names{};
         if (!fields.empty()) {
             completion.candidates = std::move(fields);
@@ -308,7 +309,7 @@ Completion complete(Session::Parts& parts, std::string_view text, std::size_t cu
             if (name.from < text.size())
                 completion.candidates.insert(completion.candidates.end(), lua_keywords().begin(), lua_keywords().end());
         } else if (!name.broken) {
-            const TextAtCursor call = call_at_cursor(text.substr(0, name.begin));
+            const TextAtCursor call = at_cursor.call();
             Walk walk(parts, call.word == "plot" && call.callee.separator == 0);
             completion.candidates = walk.names(walk.follow(name.chain), name.separator);
         }

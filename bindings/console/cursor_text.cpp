@@ -1,214 +1,126 @@
-// Reads the words before the cursor as Lua does.
+// Looks from the last token outwards.
 #include "bindings/console/cursor_text.hpp"
 
 #include <algorithm>
-#include <optional>
-#include <span>
-
-#include "bindings/lua/sandbox/lexer.hpp"
+#include <utility>
 
 namespace nezumi {
 namespace {
 
-using Kind = Token::Kind;
-using Tokens = std::span<const Token>;
+using Kind = SyntaxNode::Kind;
 
-bool is_word(const Token& token) { return token.kind == Kind::name || token.kind == Kind::keyword; }
-
-// What a string literal holds, as it is written: without its quotes or brackets. Nothing for a number.
-std::string_view inside(const Token& token) {
-    std::string_view text = token.text;
-    std::size_t quote = 1;
-    if (text.front() == '[') {
-        quote = text.find('[', 1) + 1;
-    } else if (text.front() != '"' && text.front() != '\'') {
-        return {};
-    }
-    text.remove_prefix(quote);
-    if (!token.open) text.remove_suffix(std::min(quote, text.size()));
-    return text;
-}
-
-// Takes `name` or `["name"]` from the end. False for anything else.
-bool take_name(Tokens& tokens, std::string& name) {
-    if (tokens.empty()) return false;
-    if (is_word(tokens.back())) {
-        name = tokens.back().text;
-        tokens = tokens.first(tokens.size() - 1);
-        return true;
-    }
-    if (tokens.size() < 4 || !tokens.back().is("]") || !tokens[tokens.size() - 3].is("[")) return false;
-    name = inside(tokens[tokens.size() - 2]);
-    tokens = tokens.first(tokens.size() - 3);
-    return !name.empty();
-}
-
-// The chain of names whose part begins at `from`, behind these tokens of `text`.
-NameAtCursor name_before(Tokens tokens, std::size_t from, std::string_view text) {
-    NameAtCursor result;
-    result.from = result.begin = from;
-    if (tokens.empty() || !(tokens.back().is(".") || tokens.back().is(":"))) return result;
-    result.separator = tokens.back().text.front();
-    tokens = tokens.first(tokens.size() - 1);
-    for (;;) {
-        std::string name;
-        const bool subscript = !tokens.empty() && tokens.back().is("]");
-        if (!take_name(tokens, name)) {
-            result.broken = true;
-            break;
-        }
-        result.begin = static_cast<std::size_t>(tokens.data()[tokens.size()].text.data() - text.data());
-        result.chain.push_back(std::move(name));
-        if (subscript) continue;  // what it is a member of
-        if (tokens.empty() || !tokens.back().is(".")) break;
-        tokens = tokens.first(tokens.size() - 1);
-    }
-    std::reverse(result.chain.begin(), result.chain.end());
-    return result;
-}
-
-// The names of `controller.out`, where these tokens are that and nothing else.
-std::vector<std::string> chain_of(Tokens tokens) {
-    std::string last;
-    const bool subscript = !tokens.empty() && tokens.back().is("]");
-    if (!take_name(tokens, last)) return {};
-    std::vector<std::string> chain;
-    if (!tokens.empty() && subscript) {
-        chain = chain_of(tokens);
-        if (chain.empty()) return {};
-    } else if (!tokens.empty()) {
-        NameAtCursor before = name_before(tokens, 0, tokens.front().text);
-        if (before.separator != '.' || before.broken) return {};
-        chain = std::move(before.chain);
-    }
-    chain.push_back(std::move(last));
-    return chain;
-}
-
-// The bracket of any kind that is open behind these tokens: the number of tokens before it; none: there is none.
-std::optional<std::size_t> open_bracket(Tokens tokens) {
-    int depth = 0;
-    for (std::size_t at = tokens.size(); at > 0; --at) {
-        const Token& token = tokens[at - 1];
-        if (token.is(")") || token.is("]") || token.is("}")) ++depth;
-        if ((token.is("(") || token.is("[") || token.is("{")) && depth-- == 0) return at - 1;
-    }
-    return std::nullopt;
-}
-
-struct Before {
-    std::vector<Token> tokens;
-    bool comment = false;
-};
-
-Before read(std::string_view text) {
-    Before before;
-    Lexer lexer(text);
-    for (Token token = lexer.next(); token.kind != Kind::end; token = lexer.next()) before.tokens.push_back(token);
-    before.comment = lexer.ends_in_comment();
-    return before;
-}
-
-// Finds the call whose argument comes after these tokens.
-void find_callee(TextAtCursor& result, Tokens before, std::string_view text) {
-    std::size_t callee = before.size();
-    if (before.size() > 1 && before.back().kind == Kind::literal && is_word(before[before.size() - 2])) {
-        result.first = inside(before.back());  // `robot "mouse" { ... }`
-        result.argument = 2;
-        --callee;
-    } else if (!before.empty() && !is_word(before.back())) {
-        int depth = 0;
-        std::size_t bracket = before.size();
-        for (; bracket > 0; --bracket) {
-            const Token& token = before[bracket - 1];
-            if (token.is(")") || token.is("]") || token.is("}")) ++depth;
-            if (token.is("(") || token.is("[") || token.is("{")) {
-                if (depth-- == 0) break;
-            }
-            if (depth == 0 && token.is(",")) ++result.argument;
-        }
-        if (bracket == 0 || !before[bracket - 1].is("(")) return;
-        if (bracket < before.size() && before[bracket].kind == Kind::literal) result.first = inside(before[bracket]);
-        const Tokens arguments = before.subspan(bracket);
-        const auto comma = std::find_if(arguments.begin(), arguments.end(), [](const Token& t) { return t.is(","); });
-        result.first_chain = chain_of(arguments.first(static_cast<std::size_t>(comma - arguments.begin())));
-        callee = bracket - 1;
-    }
-    if (callee == 0 || !is_word(before[callee - 1])) return;
-    const Token& word = before[callee - 1];
-    result.callee =
-        name_before(before.first(callee - 1), static_cast<std::size_t>(word.text.data() - text.data()), text);
-    result.word = word.text;
-}
-
-// The last token ends at the cursor.
-bool touches_cursor(Tokens tokens, std::string_view text) {
-    return !tokens.empty() && tokens.back().text.data() + tokens.back().text.size() == text.data() + text.size();
+// The name of the field that a value is given to; nothing for an element.
+std::string given_field(const SyntaxNode& entry) {
+    if (entry.is(Kind::field)) return std::string(entry.word_text());
+    return entry.is(Kind::keyed_field) ? std::string(entry.child->string().value_or("")) : "";
 }
 
 }  // namespace
 
-NameAtCursor name_at_cursor(std::string_view text) {
-    const Before before = read(text);
-    Tokens tokens = before.tokens;
-    std::size_t from = text.size();
-    const bool touches = touches_cursor(tokens, text);
-    if (touches && tokens.back().kind == Kind::literal) {  // "3." is a number
-        NameAtCursor result;
-        result.from = from;
+CursorText::CursorText(std::string_view text) : tree_(text, SyntaxTree::Dialect::console) {
+    const Token* const begin = tree_.tokens().data();
+    const Token* here = &tree_.tokens().back();
+    if (here != begin) last_ = here - 1;
+    if (last_ != nullptr && last_->is_word() && touches_cursor(*last_)) here = part_ = last_;
+    if (here != begin && (here[-1].is(".") || here[-1].is(":"))) separator_ = here - 1;
+    for (const SyntaxNode& node : tree_.nodes()) {
+        const bool is_literal = node.is(Kind::literal) && node.first->open;
+        if (is_literal) quoted_ = &node;
+        if (node_ != nullptr) continue;
+        const bool has_member = node.is(Kind::member) || node.is(Kind::method_call);
+        const bool is_it = separator_ != nullptr
+                               ? has_member && node.child->end == separator_
+                               : (node.is(Kind::name) || node.is(Kind::missing)) && node.first == here;
+        if (is_it) node_ = &node;
+    }
+}
+
+bool CursorText::touches_cursor(const Token& token) const {
+    return token.text.data() + token.text.size() == tree_.source().data() + tree_.source().size();
+}
+
+// The names before the separator of a member; without one the name stands alone.
+NameAtCursor CursorText::named(const SyntaxNode& node, const Token* separator) const {
+    NameAtCursor result;
+    if (separator == nullptr) return result;
+    result.separator = separator->text.front();
+    auto chain = name_chain(*node.child);
+    result.broken = !chain;
+    if (chain) result.chain = std::move(*chain);
+    return result;
+}
+
+NameAtCursor CursorText::name() const {
+    const bool is_literal =
+        last_ != nullptr && (last_->kind == Token::Kind::number || last_->kind == Token::Kind::string);
+    NameAtCursor result;
+    if (separator_ != nullptr && node_ != nullptr) {
+        result = named(*node_, separator_);
+    } else if (separator_ != nullptr || (is_literal && touches_cursor(*last_))) {  // "3." is a number
         result.separator = '.';
         result.broken = true;
-        return result;
     }
-    if (touches && is_word(tokens.back())) {
-        from -= tokens.back().text.size();
-        tokens = tokens.first(tokens.size() - 1);
-    }
-    return name_before(tokens, from, text);
+    result.from = part_ != nullptr ? tree_.offset(*part_) : tree_.source().size();
+    return result;
 }
 
-TextAtCursor text_at_cursor(std::string_view text) {
+// The call that has the value, or what it is an operand of, as an argument.
+void CursorText::find_call(TextAtCursor& result, const SyntaxNode& value) const {
+    const SyntaxNode& argument = value.operand_of();
+    const SyntaxNode* const given = argument.parent;
+    const bool is_given = given != nullptr && given->is(Kind::expressions) && given->parent != nullptr &&
+                          (given->parent->is(Kind::call) || given->parent->is(Kind::method_call));
+    if (!is_given) return;
+    const SyntaxNode* call = given->parent;
+    const SyntaxNode* first = given->child;
+    for (const SyntaxNode* each = first; each != &argument; each = each->next) ++result.argument;
+    if (call->child->is(Kind::call) && call->child->last->child != nullptr) {  // `robot "mouse" { ... }`
+        call = call->child;
+        first = call->last->child;
+        ++result.argument;
+    }
+    if (first != &argument) {
+        result.first = first->string().value_or("");
+        result.first_chain = name_chain(*first).value_or(std::vector<std::string>());
+    }
+    const SyntaxNode& named_by = call->is(Kind::method_call) ? *call : *call->child;
+    const bool is_named = named_by.is(Kind::name) || named_by.is(Kind::member) || named_by.is(Kind::method_call);
+    if (!is_named || named_by.word == nullptr) return;
+    result.callee = named(named_by, named_by.is(Kind::name) ? nullptr : named_by.child->end);
+    result.word = named_by.word->text;
+}
+
+TextAtCursor CursorText::quoted() const {
     TextAtCursor result;
-    const Before before = read(text);
-    result.comment = before.comment;
-    if (before.tokens.empty() || !before.tokens.back().open) return result;
+    if (last_ == nullptr || !last_->open) return result;
     result.open = true;
-    result.from = text.size() - inside(before.tokens.back()).size();
-    Tokens tokens = Tokens(before.tokens).first(before.tokens.size() - 1);
-    if (!tokens.empty() && tokens.back().is("=")) {
-        tokens = tokens.first(tokens.size() - 1);
-        const auto bracket = open_bracket(tokens);
-        if (!bracket || !tokens[*bracket].is("{") || !take_name(tokens, result.field)) return result;
-        tokens = Tokens(before.tokens).first(*bracket);
-    }
-    find_callee(result, tokens, text);
+    result.from = tree_.source().size() - last_->inside().size();
+    if (quoted_ == nullptr) return result;
+    const SyntaxNode* value = &quoted_->operand_of();
+    if (value->parent != nullptr) result.field = given_field(*value->parent);
+    if (!result.field.empty()) value = value->parent->parent;
+    find_call(result, *value);
     return result;
 }
 
-TextAtCursor call_at_cursor(std::string_view text) {
+TextAtCursor CursorText::call() const {
     TextAtCursor result;
-    const Before before = read(text);
-    find_callee(result, before.tokens, text);
+    if (node_ != nullptr) find_call(result, *node_);
     return result;
 }
 
-FieldAtCursor field_at_cursor(std::string_view text) {
+FieldAtCursor CursorText::field() const {
     FieldAtCursor result;
-    const Before before = read(text);
-    Tokens tokens = before.tokens;
-    if (touches_cursor(tokens, text) && is_word(tokens.back())) tokens = tokens.first(tokens.size() - 1);
-    if (tokens.empty() || !(tokens.back().is("{") || tokens.back().is(",") || tokens.back().is(";"))) return result;
-    for (;;) {
-        const auto bracket = open_bracket(tokens);
-        if (!bracket || !tokens[*bracket].is("{")) return result;
-        tokens = tokens.first(*bracket);
-        if (tokens.empty() || !tokens.back().is("=")) break;
-        tokens = tokens.first(tokens.size() - 1);
-        std::string name;
-        if (!take_name(tokens, name)) return result;
+    const bool is_element =
+        separator_ == nullptr && node_ != nullptr && node_->parent != nullptr && node_->parent->is(Kind::element);
+    if (!is_element) return result;
+    const SyntaxNode* table = node_->parent->parent;
+    for (; table->parent->is(Kind::field) || table->parent->is(Kind::keyed_field); table = table->parent->parent) {
+        std::string name = given_field(*table->parent);
+        if (name.empty() || table->parent->last != table) return result;
         result.path.insert(result.path.begin(), std::move(name));
     }
-    find_callee(result.call, tokens, text);
+    find_call(result.call, *table);
     result.open = !result.call.word.empty();
     return result;
 }

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bindings/lua/syntax/syntax_tree.hpp"
+
 namespace nezumi {
 
 /// `controller.config.sp` is the chain "controller", "config" and the part "sp".
@@ -13,7 +15,6 @@ struct NameAtCursor {
     std::vector<std::string> chain;  ///< names before the part; `x["in"]` counts as a name
     char separator = 0;              ///< '.' or ':' before the part; 0: the part begins the chain
     std::size_t from = 0;            ///< [bytes] where the part begins
-    std::size_t begin = 0;           ///< [bytes] where the chain begins
     bool broken = false;             ///< what stands before the part is more than names: nothing is known of it
 };
 
@@ -27,7 +28,6 @@ struct TextAtCursor {
     int argument = 1;                      ///< which one it is, from 1; 2 behind `robot "mouse"`
     std::string first;                     ///< the first argument, where that is a quoted text too
     std::vector<std::string> first_chain;  ///< the same, where it is a chain of names
-    bool comment = false;                  ///< the cursor is in a comment
 };
 
 /// `controller.out:write { v` is a field's name in the table that `controller.out:write` is called with; in
@@ -38,11 +38,29 @@ struct FieldAtCursor {
     std::vector<std::string> path;  ///< fields from that argument to the table around the cursor
 };
 
-/// `text` ends at the cursor.
-TextAtCursor text_at_cursor(std::string_view text);
-NameAtCursor name_at_cursor(std::string_view text);
-FieldAtCursor field_at_cursor(std::string_view text);
-/// The call whose argument begins at the cursor.
-TextAtCursor call_at_cursor(std::string_view text);
+class CursorText {
+public:
+    /// The text ends at the cursor, and must outlive this.
+    explicit CursorText(std::string_view text);
+
+    bool in_comment() const { return tree_.ends_in_comment(); }
+    NameAtCursor name() const;
+    TextAtCursor quoted() const;
+    FieldAtCursor field() const;
+    /// The call that the name at the cursor is an argument of.
+    TextAtCursor call() const;
+
+private:
+    bool touches_cursor(const Token& token) const;
+    NameAtCursor named(const SyntaxNode& node, const Token* separator) const;
+    void find_call(TextAtCursor& result, const SyntaxNode& value) const;
+
+    SyntaxTree tree_;
+    const Token* last_ = nullptr;         // null: there is none
+    const Token* part_ = nullptr;         // the word that ends at the cursor
+    const Token* separator_ = nullptr;    // the '.' or ':' before it, or at the cursor
+    const SyntaxNode* node_ = nullptr;    // the expression whose part that is
+    const SyntaxNode* quoted_ = nullptr;  // the literal that is open
+};
 
 }  // namespace nezumi

@@ -1,15 +1,14 @@
-// Tokens before Lua's compiler, twice: first as an expression.
+// Rewrites what is more than Lua, then compiles it twice: first as an expression.
 #include "bindings/console/input_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <optional>
-#include <vector>
+#include <utility>
 
-#include "bindings/lua/sandbox/lexer.hpp"
+#include "bindings/lua/syntax/syntax_tree.hpp"
 #include "engine/base/names.hpp"
 
 namespace nezumi {
@@ -17,77 +16,41 @@ namespace {
 
 constexpr std::size_t longest_input = std::size_t{64} << 10;  // [bytes]
 
-bool lacks_an_end(const Error& error) {
-    return error.message.ends_with("near <eof>") || error.message.ends_with("near '<eof>'");
-}
+using Kind = SyntaxNode::Kind;
+
+// Puts texts in the place of others.
+class Changes {
+public:
+    explicit Changes(std::string_view text) : text_(text) {}
+    /// In the order of the text.
+    void replace(std::size_t from, std::size_t to, std::string_view by) {
+        changed_.append(text_.substr(copied_, from - copied_)).append(by);
+        copied_ = to;
+    }
+    std::string done() { return std::move(changed_.append(text_.substr(copied_))); }
+
+private:
+    std::string_view text_;
+    std::string changed_;
+    std::size_t copied_ = 0;
+};
 
 }  // namespace
 
 std::string with_keyword_names(std::string_view text) {
-    std::string changed;
-    std::size_t copied = 0;
-    Lexer lexer(text);
-    bool after_value = false;
-    const char* dot = nullptr;  // of a dot that follows a value
-    for (Token token = lexer.next(); token.kind != Token::Kind::end; token = lexer.next()) {
-        if (dot != nullptr && token.kind == Token::Kind::keyword) {
-            const auto from = static_cast<std::size_t>(dot - text.data());
-            const auto to = static_cast<std::size_t>(token.text.data() - text.data());
-            changed.append(text.substr(copied, from - copied));
-            changed.append("[\"").append(token.text).append("\"]");
-            changed.append(text.substr(from + 1, to - from - 1));  // blanks and ends of lines
-            copied = to + token.text.size();
-            after_value = true;
-            dot = nullptr;
-            continue;
-        }
-        dot = after_value && token.is(".") ? token.text.data() : nullptr;
-        after_value = token.kind == Token::Kind::name || token.is(")") || token.is("]");
+    const SyntaxTree tree(text, SyntaxTree::Dialect::console);
+    Changes changes(text);
+    for (const SyntaxNode& node : tree.nodes()) {
+        if (!node.is(Kind::member) || node.word == nullptr || node.word->kind != Token::Kind::keyword) continue;
+        const std::size_t dot = tree.offset(*node.child->end);
+        const std::size_t word = tree.offset(*node.word);
+        const std::string_view between = text.substr(dot + 1, word - dot - 1);  // blanks and ends of lines
+        changes.replace(dot, word + node.word->text.size(), fmt::format("[\"{}\"]{}", node.word->text, between));
     }
-    return changed.append(text.substr(copied));
+    return changes.done();
 }
 
 namespace {
-
-// What a text in quotes holds, if that is a name.
-std::optional<std::string_view> quoted_name(const Token& token) {
-    if (token.kind != Token::Kind::literal || token.open || token.text.size() < 2) return std::nullopt;
-    const std::string_view name = token.text.substr(1, token.text.size() - 2);
-    return is_identifier(name) || is_keyword(name) ? std::optional(name) : std::nullopt;
-}
-
-// The chain of names that the tokens from `at` on are, if a comma or bracket ends it; `at` is behind it then.
-std::optional<std::vector<std::string>> read_chain(const std::vector<Token>& tokens, std::size_t& at) {
-    std::vector<std::string> chain;
-    std::size_t next = at;
-    const auto is = [&](std::size_t ahead, std::string_view sign) {
-        return next + ahead < tokens.size() && tokens[next + ahead].is(sign);
-    };
-    const auto is_index = [](const Token& token) {
-        return token.kind == Token::Kind::literal && std::all_of(token.text.begin(), token.text.end(), [](char c) {
-                   return std::isdigit(static_cast<unsigned char>(c)) != 0;
-               });
-    };
-    if (next >= tokens.size() || tokens[next].kind != Token::Kind::name) return std::nullopt;
-    chain.emplace_back(tokens[next++].text);
-    while (!is(0, ",") && !is(0, ")")) {
-        if (is(0, ".") && next + 1 < tokens.size() &&
-            (tokens[next + 1].kind == Token::Kind::name || tokens[next + 1].kind == Token::Kind::keyword)) {
-            chain.push_back("." + std::string(tokens[next + 1].text));
-            next += 2;
-        } else if (is(0, "[") && is(2, "]") && is_index(tokens[next + 1])) {
-            chain.push_back("[" + std::string(tokens[next + 1].text) + "]");
-            next += 3;
-        } else if (is(0, "[") && is(2, "]") && quoted_name(tokens[next + 1])) {
-            chain.push_back("." + std::string(*quoted_name(tokens[next + 1])));
-            next += 3;
-        } else {
-            return std::nullopt;
-        }
-    }
-    at = next;
-    return chain;
-}
 
 // What is no port, but can be followed as one.
 bool is_followed_member(std::string_view member) {
@@ -95,39 +58,49 @@ bool is_followed_member(std::string_view member) {
            member == ".tasks" || member == ".truth";
 }
 
+// ".out.vx[1]" of `controller.out.vx[1]`, if the expression is names and numbers of elements behind one name.
+std::optional<std::string> path_of(const SyntaxNode& expression) {
+    std::string path;
+    const SyntaxNode* node = &expression;
+    for (; node->is(Kind::member) || node->is(Kind::subscript); node = node->child) {
+        if (node->is(Kind::member)) {
+            if (node->word == nullptr) return std::nullopt;
+            path.insert(0, "." + std::string(node->word_text()));
+        } else if (const auto name = node->last->string()) {
+            if (!is_identifier(*name) && !is_keyword(*name)) return std::nullopt;
+            path.insert(0, "." + std::string(*name));
+        } else {
+            const std::string_view index = node->last->text();
+            const bool is_index = index.find_first_not_of("0123456789") == std::string_view::npos;
+            if (!is_index || index.empty()) return std::nullopt;
+            path.insert(0, "[" + std::string(index) + "]");
+        }
+    }
+    return node->is(Kind::name) ? std::optional(path) : std::nullopt;
+}
+
 }  // namespace
 
 std::string with_plotted_names(std::string_view text) {
-    std::vector<Token> tokens;
-    Lexer lexer(text);
-    for (Token token = lexer.next(); token.kind != Token::Kind::end; token = lexer.next()) tokens.push_back(token);
-    std::string changed;
-    std::size_t copied = 0;
-    for (std::size_t at = 0; at + 1 < tokens.size(); ++at) {
-        const bool is_member = at > 0 && (tokens[at - 1].is(".") || tokens[at - 1].is(":"));
-        if (tokens[at].kind != Token::Kind::name || tokens[at].text != "plot" || is_member || !tokens[at + 1].is("("))
-            continue;
-        for (std::size_t next = at + 2; next < tokens.size(); ++next) {
-            const Token& first = tokens[next];
-            const auto chain = read_chain(tokens, next);
-            if (!chain) break;
-            const bool is_part = chain->size() > 2 || (chain->size() == 2 &&
-                                                       ((*chain)[1].front() == '[' || is_followed_member((*chain)[1])));
-            if (is_part) {
-                const auto from = static_cast<std::size_t>(first.text.data() - text.data());
-                const Token& last = tokens[next - 1];
-                const auto to = static_cast<std::size_t>(last.text.data() - text.data()) + last.text.size();
-                changed.append(text.substr(copied, from - copied));
-                changed.append(
-                    fmt::format("{{ {}, \"{}\" }}", chain->front(), fmt::join(chain->begin() + 1, chain->end(), "")));
-                const std::string_view replaced = text.substr(from, to - from);
-                changed.append(static_cast<std::size_t>(std::count(replaced.begin(), replaced.end(), '\n')), '\n');
-                copied = to;
-            }
-            if (tokens[next].is(")")) break;
+    const SyntaxTree tree(text, SyntaxTree::Dialect::console);
+    Changes changes(text);
+    for (const SyntaxNode& node : tree.nodes()) {
+        const bool is_plot = node.is(Kind::call) && node.child->is(Kind::name) && node.child->word->text == "plot";
+        if (!is_plot || !node.end[-1].is(")")) continue;
+        for (const SyntaxNode& argument : *node.last) {
+            const auto path = path_of(argument);
+            if (!path) continue;
+            const std::size_t second = path->find_first_of(".[", 1);
+            const bool is_part = second != std::string::npos || path->starts_with('[') || is_followed_member(*path);
+            if (path->empty() || !is_part) continue;
+            const std::string_view whole = argument.text();
+            const std::string lines(static_cast<std::size_t>(std::count(whole.begin(), whole.end(), '\n')), '\n');
+            const std::size_t from = tree.offset(*argument.first);
+            changes.replace(from, from + whole.size(),
+                            fmt::format("{{ {}, \"{}\" }}{}", argument.first->text, *path, lines));
         }
     }
-    return changed.append(text.substr(copied));
+    return changes.done();
 }
 
 Expected<Chunk> compile_input(std::string_view text) {
@@ -139,11 +112,11 @@ Expected<Chunk> compile_input(std::string_view text) {
 
 bool is_complete_input(std::string_view text) {
     // A line ends here: a quoted text that is open is a mistake, and no text to be continued.
-    const std::string lua = with_keyword_names(with_plotted_names(text)) + "\n";
-    const auto expression = compile("return " + lua, input_name);
-    if (expression) return true;
-    const auto statements = compile(lua, input_name);
-    return statements || (!lacks_an_end(expression.error()) && !lacks_an_end(statements.error()));
+    const std::string lines = std::string(text) + "\n";
+    const std::string expression = "return " + lines;
+    const SyntaxTree as_expression(expression, SyntaxTree::Dialect::console);
+    const SyntaxTree as_statements(lines, SyntaxTree::Dialect::console);
+    return as_expression.error() == nullptr || !(as_expression.ends_early() || as_statements.ends_early());
 }
 
 }  // namespace nezumi

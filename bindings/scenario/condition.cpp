@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "bindings/lua/sandbox/compile.hpp"
-#include "bindings/lua/sandbox/globals_scan.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
+#include "bindings/lua/syntax/globals.hpp"
 
 namespace nezumi {
 namespace {
@@ -30,8 +30,10 @@ std::vector<std::string> upvalues_of(lua_State* lua, int function) {
 // that is a compile-time constant is none, and would become a global.)
 bool knows_all_names(const std::string& text) {
     const auto& library = sandbox_names();
-    for (const GlobalUse& use : scan_globals(text)) {
-        if (use.name != "_ENV" && std::find(library.begin(), library.end(), use.name) == library.end()) return false;
+    const SyntaxTree tree(text);
+    for (const GlobalUse& use : global_uses(tree)) {
+        if (use.name() != "_ENV" && std::find(library.begin(), library.end(), use.name()) == library.end())
+            return false;
     }
     return true;
 }

@@ -163,10 +163,12 @@ std::vector<Error> check_system(const std::string& text, const std::string& show
 }
 
 // A text that is compiled and not run, and may name these words.
-std::vector<Error> check_words(const std::string& text, const std::string& shown, std::vector<std::string_view> words) {
-    words.insert(words.end(), sandbox_names().begin(), sandbox_names().end());
-    words.emplace_back("require");
-    auto chunk = compile_checked(text, shown, {std::move(words), {}});
+std::vector<Error> check_words(const std::string& text, const std::string& shown,
+                               const std::vector<std::string_view>& words) {
+    KnownGlobals known = sandbox_globals();
+    known.readable.insert(known.readable.end(), words.begin(), words.end());
+    known.readable.emplace_back("require");
+    auto chunk = compile_checked(text, shown, known);
     return chunk ? std::vector<Error>() : std::move(chunk.error());
 }
 

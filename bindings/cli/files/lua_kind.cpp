@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "bindings/lua/files/system_lua.hpp"
-#include "bindings/lua/sandbox/globals_scan.hpp"
-#include "bindings/lua/sandbox/lexer.hpp"
 #include "bindings/lua/script/script_globals.hpp"
+#include "bindings/lua/syntax/globals.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -19,18 +18,10 @@ bool has(const Names& names, std::string_view name) {
 }
 
 // Whether the file ends by returning something, as modules do.
-bool returns(std::string_view text) {
-    Lexer lexer(without_preamble(text));
-    int depth = 0;
-    for (Token token = lexer.next(); token.kind != Token::Kind::end; token = lexer.next()) {
-        if (token.kind != Token::Kind::keyword) continue;
-        const std::string_view word = token.text;
-        // `for` and `while` have their `do`, `elseif` is within its `if`.
-        if (word == "function" || word == "if" || word == "do" || word == "repeat") ++depth;
-        if (word == "end" || word == "until") --depth;
-        if (word == "return" && depth == 0) return true;
-    }
-    return false;
+bool returns(const SyntaxTree& tree) {
+    const SyntaxNode& root = tree.root();
+    return std::any_of(begin(root), end(root),
+                       [](const SyntaxNode& statement) { return statement.is(SyntaxNode::Kind::return_statement); });
 }
 
 }  // namespace
@@ -44,16 +35,17 @@ LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text) {
     int of_behaviors = 0;
     int of_systems = 0;
     bool declares = false;
-    for (const GlobalUse& use : scan_globals(text)) {
-        if (use.name == "robot_model") return LuaKind::robot;
-        if (use.name == "scenario") return LuaKind::scenario;
-        if (use.name == "calibration") return LuaKind::calibration;
-        if (use.assigned && use.name.starts_with("on_")) declares = true;
-        if (has(script_globals(), use.name) && use.name != "require") ++of_behaviors;
-        if (has(system_word_names(), use.name)) ++of_systems;
+    const SyntaxTree tree(without_preamble(text));
+    for (const GlobalUse& use : global_uses(tree)) {
+        if (use.name() == "robot_model") return LuaKind::robot;
+        if (use.name() == "scenario") return LuaKind::scenario;
+        if (use.name() == "calibration") return LuaKind::calibration;
+        if (use.assigned && use.name().starts_with("on_")) declares = true;
+        if (has(script_globals(), use.name()) && use.name() != "require") ++of_behaviors;
+        if (has(system_word_names(), use.name())) ++of_systems;
     }
     if (!declares && folder == "robots") return LuaKind::robot;
-    if (!declares && returns(text)) return of_systems > of_behaviors ? LuaKind::system_module : LuaKind::module;
+    if (!declares && returns(tree)) return of_systems > of_behaviors ? LuaKind::system_module : LuaKind::module;
     if (declares || of_behaviors > of_systems) return LuaKind::behavior;
     return of_systems > of_behaviors || folder == "systems" ? LuaKind::system : LuaKind::behavior;
 }

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <optional>
 
-#include "bindings/lua/sandbox/lexer.hpp"
+#include "bindings/lua/syntax/lexer.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/trimmed.hpp"
@@ -47,10 +47,8 @@ bool is_number(std::string_view text) {
 // A whole text that is one string of Lua.
 bool is_string(std::string_view text) {
     if (!text.starts_with('"') && !text.starts_with('\'')) return false;
-    Lexer lexer(text);
-    const Token token = lexer.next();
-    return token.kind == Token::Kind::literal && token.text.size() == text.size() && text.size() >= 2 &&
-           text.back() == text.front();
+    const Token token = Lexer(text).next();
+    return token.text.size() == text.size() && !token.open && !token.malformed;
 }
 
 // { 1.0, 0.5 }

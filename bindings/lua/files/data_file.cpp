@@ -69,7 +69,7 @@ Error DataFile::to_error(const CallError& error) const {
 }
 
 Expected<Chunk> DataFile::compile_file(std::string_view text, const std::string& shown) {
-    auto chunk = compile_checked(text, shown, {known_, {}});
+    auto chunk = compile_checked(text, shown, known_);
     if (!chunk) {
         if (errors_.empty()) errors_ = chunk.error();
         for (Error& error : errors_) error.message = one_line(std::move(error.message));
@@ -89,9 +89,9 @@ Expected<void> DataFile::run(std::string_view text, const std::string& shown, co
 Expected<void> DataFile::try_to_run(std::string_view text, const std::string& shown,
                                     const std::vector<Global>& globals) {
     shown_ = shown;
-    known_ = sandbox_names();
-    known_.push_back("require");
-    for (const Global& global : globals) known_.push_back(global.name);
+    known_ = sandbox_globals();
+    known_.readable.push_back("require");
+    for (const Global& global : globals) known_.readable.push_back(global.name);
     auto chunk = compile_file(text, shown);
     if (!chunk) return Unexpected(chunk.error());
 

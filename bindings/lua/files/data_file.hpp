@@ -78,7 +78,7 @@ private:
 
     const Project& project_;
     DataFileOptions options_;
-    std::vector<std::string_view> known_;
+    KnownGlobals known_;
     std::string shown_;
     std::optional<Error> error_;  // of a function, or of a file that does not compile
     std::vector<Error> errors_;

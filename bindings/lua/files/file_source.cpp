@@ -1,4 +1,4 @@
-// Scans Lua for table constructors and notes where each field stands.
+// Visits the tables that calls are given, and notes where each field stands.
 #include "bindings/lua/files/file_source.hpp"
 
 #include <algorithm>
@@ -7,34 +7,25 @@
 #include <utility>
 
 #include "bindings/lua/files/file_value.hpp"
-#include "bindings/lua/sandbox/lexer.hpp"
+#include "bindings/lua/syntax/syntax_tree.hpp"
 
 namespace nezumi {
 namespace {
 
-bool is_string(const Token& token) {
-    return token.kind == Token::Kind::literal &&
-           (token.text.front() == '"' || token.text.front() == '\'' || token.text.front() == '[');
-}
-
-// What a short string literal says, but for its escapes.
-std::string_view unquoted(std::string_view literal) {
-    return literal.size() >= 2 ? literal.substr(1, literal.size() - 2) : literal;
-}
+using Kind = SyntaxNode::Kind;
 
 // What a literal says; nothing when that is not plain.
 std::optional<FileValue> value_of(const Token& token) {
     if (token.is("nil")) return FileValue{};
     if (token.is("true") || token.is("false")) return FileValue{token.is("true")};
-    if (token.kind != Token::Kind::literal) return std::nullopt;
-    if (is_string(token)) {
+    if (token.kind == Token::Kind::string) {
         if (token.text.front() == '[' || token.text.find('\\') != std::string_view::npos) return std::nullopt;
-        return FileValue{std::string(unquoted(token.text))};
+        return FileValue{std::string(token.inside())};
     }
     double number = 0;
     const char* const end = token.text.data() + token.text.size();
     const auto read = std::from_chars(token.text.data(), end, number);
-    if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
+    if (token.kind != Token::Kind::number || read.ec != std::errc() || read.ptr != end) return std::nullopt;
     return FileValue{number};
 }
 
@@ -42,6 +33,31 @@ std::optional<double> number_of(const FileValue& value) {
     if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*whole);
     if (const auto* number = std::get_if<double>(&value.data)) return *number;
     return std::nullopt;
+}
+
+// The same of an expression: a literal, or a number with a minus.
+std::optional<FileValue> value_of(const SyntaxNode& expression) {
+    if (expression.is(Kind::literal)) return value_of(*expression.first);
+    if (!expression.is(Kind::unary) || !expression.word->is("-") || !expression.child->is(Kind::literal))
+        return std::nullopt;
+    const auto value = value_of(*expression.child->first);
+    const auto number = value ? number_of(*value) : std::nullopt;
+    return number ? std::optional(FileValue{-*number}) : std::nullopt;
+}
+
+// The tables that an expression may give: itself, or operands of it.
+std::vector<const SyntaxNode*> tables_of(const SyntaxNode& expression) {
+    std::vector<const SyntaxNode*> tables;
+    std::vector<const SyntaxNode*> waiting{&expression};
+    while (!waiting.empty()) {
+        const SyntaxNode& node = *waiting.back();
+        waiting.pop_back();
+        if (node.is(Kind::table)) tables.push_back(&node);
+        if (!node.is(Kind::binary)) continue;
+        waiting.push_back(node.last);
+        waiting.push_back(node.child);
+    }
+    return tables;
 }
 
 // Whether a literal gives this value; null: no value.
@@ -69,12 +85,12 @@ struct FileSource::Node {
             std::find_if(children.begin(), children.end(), [&](const auto& node) { return node->key == name; });
         return found == children.end() ? nullptr : found->get();
     }
-    Node* add(std::string name, int at_line, int at_column) {
+    Node* add(std::string name, const Token& place) {
         children.push_back(std::make_unique<Node>());
         Node& node = *children.back();
         node.key = std::move(name);
-        node.line = at_line;
-        node.column = at_column;
+        node.line = place.line;
+        node.column = place.column;
         return &node;
     }
 
@@ -107,155 +123,54 @@ private:
     }
 };
 
-class FileSource::Scanner {
+// Notes the tables that a call is given, and their fields.
+class FileSource::Reader {
 public:
-    Scanner(std::string_view text, Node& calls) : lexer_(text), calls_(calls) {}
-
-    void run() {
-        for (Token token = lexer_.next(); token.kind != Token::Kind::end; token = lexer_.next()) {
-            if (token.is("{")) {
-                open_table(token);
-            } else if (token.is("(") || token.is("[")) {
-                frames_.push_back({Frame::Kind::round, nullptr, caller()});
-            } else if (token.is("}") || token.is(")") || token.is("]")) {
-                close(token);
-            } else if (token.is("function") || token.is("if") || token.is("do") || token.is("repeat")) {
-                frames_.push_back({Frame::Kind::block});
-            } else if (token.is("end") || token.is("until")) {
-                if (!frames_.empty() && frames_.back().kind == Frame::Kind::block) frames_.pop_back();
-            } else if (token.is("=") && in_table()) {
-                note_key();
-            } else if (token.is(",") || token.is(";")) {
-                end_entry();
+    static void read_call(const SyntaxNode& call, Node& calls) {
+        const SyntaxNode& called = *call.child;
+        const SyntaxNode* const given = call.last;
+        // `robot "m" { }`: the word and the name are those of the call that the table is given to.
+        const bool is_second = called.is(Kind::call) || called.is(Kind::method_call);
+        const SyntaxNode& first = is_second ? called : call;
+        const Token* const word = first.is(Kind::method_call) ? first.word : first.child->word;
+        const bool has_word =
+            first.is(Kind::method_call) || first.child->is(Kind::name) || first.child->is(Kind::member);
+        if (!has_word || word == nullptr || given == &called) return;
+        const SyntaxNode* const name = first.last->child;
+        for (const SyntaxNode& argument : *given) {
+            for (const SyntaxNode* const table : tables_of(argument)) {
+                Node* const node = calls.add(std::string(word->text), *word);
+                node->is_table = true;
+                if (name != nullptr && name->string()) node->literal = value_of(*name);
+                read_table(*table, *node);
             }
-            before_ = std::exchange(last_, token);
-            if (!frames_.empty()) frames_.back().note(last_);
         }
     }
 
 private:
-    // What is called, and the text that it is given first; of a key in brackets the text alone.
-    struct Call {
-        Token word{}, name{};
-    };
-    // An entry is a field of a table, or an argument within a round bracket.
-    struct Frame {
-        enum class Kind { round, table, block } kind;
-        Node* node = nullptr;   // of a table: where its fields go; may be null
-        Call call{};            // of a round bracket: whose it is
-        int elements = 0;       // how many elements, or arguments, are complete
-        bool fresh = true;      // the next token begins an entry
-        bool keyed = false;     // of a table: this entry has a key
-        int tokens = 0;         // of this entry, behind its key; a bracket with what is within counts as one
-        Token first{};          // the first token of this entry
-        Node* value = nullptr;  // of a table: the node of this entry, when it is known
-
-        void note(const Token& token) {
-            if (token.is("{") || token.is("(") || token.is("[") || token.is(",") || token.is(";")) return;
-            if (std::exchange(fresh, false)) first = token;
-            tokens = token.is("=") ? 0 : tokens + 1;
-        }
-    };
-
-    bool in(Frame::Kind kind) const { return !frames_.empty() && frames_.back().kind == kind; }
-    bool in_table() const { return in(Frame::Kind::table); }
-
-    // Who is called by what comes next: `word {`, `word "name" {`, `word("name") {`, `word(`.
-    Call caller() const {
-        if (last_.kind == Token::Kind::name) return {last_};
-        if (is_string(last_) && before_.kind == Token::Kind::name) return {before_, last_};
-        if (last_.is(")")) return closed_;
-        return {};
-    }
-
-    void open_table(const Token& brace) {
-        Call call = caller();
-        Node* node = nullptr;
-        if (call.word.kind != Token::Kind::name && in(Frame::Kind::round)) call = frames_.back().call;
-        const bool called = call.word.kind == Token::Kind::name && !last_.is("=");
-        if (called) {
-            node = calls_.add(std::string(call.word.text), call.word.line, call.word.column);
-            node->is_table = true;
-            if (is_string(call.name)) node->literal = value_of(call.name);
-        } else if (in_table()) {
-            node = entry_node(brace);
-        }
-        frames_.push_back({Frame::Kind::table, node});
-    }
-
-    // The node of the entry that is being read: its key's, or a new one for an element.
-    Node* entry_node(const Token& token) {
-        Frame& table = frames_.back();
-        if (table.node == nullptr) return nullptr;
-        if (table.value == nullptr) {
-            const Token& at = table.fresh ? token : table.first;
-            table.value = table.node->add("[" + std::to_string(table.elements + 1) + "]", at.line, at.column);
-        }
-        return table.value;
-    }
-
-    void note_key() {
-        Frame& table = frames_.back();
-        const Token& key = last_.is("]") ? closed_.name : last_;
-        table.keyed = true;
-        if (table.node == nullptr) return;
-        if (key.kind != Token::Kind::name && !is_string(key)) {
-            table.node->has_more = true;
-            return;
-        }
-        table.value =
-            table.node->add(std::string(is_string(key) ? unquoted(key.text) : key.text), key.line, key.column);
-    }
-
-    void end_entry() {
-        if (in_table()) {
-            end_field();
-        } else if (in(Frame::Kind::round)) {
-            end_argument();
+    static void read_table(const SyntaxNode& table, Node& into) {
+        int elements = 0;
+        for (const SyntaxNode& entry : table) {
+            const SyntaxNode& value = *entry.last;
+            std::string key;
+            const Token* place = value.first;
+            if (entry.is(Kind::element)) {
+                key = "[" + std::to_string(++elements) + "]";
+            } else {
+                const auto text = entry.is(Kind::field) ? std::optional(entry.word_text()) : entry.child->string();
+                if (!text) {
+                    into.has_more = true;
+                    continue;
+                }
+                key = *text;
+                place = entry.is(Kind::field) ? entry.word : entry.child->first;
+            }
+            Node& node = *into.add(std::move(key), *place);
+            node.is_table = value.is(Kind::table);
+            node.literal = value_of(value);
+            for (const SyntaxNode* const each : tables_of(value)) read_table(*each, node);
         }
     }
-
-    void end_argument() {
-        Frame& bracket = frames_.back();
-        if (++bracket.elements == 1 && bracket.tokens == 1 && is_string(last_)) bracket.call.name = last_;
-        bracket.tokens = 0;
-    }
-
-    void end_field() {
-        Frame& table = frames_.back();
-        if (!table.keyed) {
-            if (!table.fresh) entry_node(last_);
-            ++table.elements;
-        }
-        if (table.value != nullptr) {
-            table.value->is_table = table.tokens == 1 && last_.is("}");
-            if (table.tokens == 1) table.value->literal = value_of(last_);
-            if (table.tokens == 2 && before_.is("-")) table.value->literal = negative(value_of(last_));
-        }
-        table.fresh = true;
-        table.keyed = false;
-        table.tokens = 0;
-        table.value = nullptr;
-    }
-
-    static std::optional<FileValue> negative(const std::optional<FileValue>& value) {
-        const auto number = value ? number_of(*value) : std::nullopt;
-        return number ? std::optional(FileValue{-*number}) : std::nullopt;
-    }
-
-    void close(const Token& token) {
-        if (frames_.empty() || frames_.back().kind == Frame::Kind::block) return;
-        if (in(Frame::Kind::round) || (token.is("}") && !frames_.back().fresh)) end_entry();
-        closed_ = frames_.back().call;
-        frames_.pop_back();
-    }
-
-    Lexer lexer_;
-    Node& calls_;
-    std::vector<Frame> frames_;
-    Token last_;
-    Token before_;
-    Call closed_;
 };
 
 std::string to_text(const FieldPath& path) {
@@ -269,7 +184,10 @@ std::string to_text(const FieldPath& path) {
 
 FileSource::FileSource(std::string_view text, std::string shown)
     : shown_(std::move(shown)), calls_(std::make_unique<Node>()) {
-    Scanner(text, *calls_).run();
+    const SyntaxTree tree(without_preamble(text));
+    for (const SyntaxNode& node : tree.nodes()) {
+        if (node.is(Kind::call) || node.is(Kind::method_call)) Reader::read_call(node, *calls_);
+    }
 }
 
 FileSource::~FileSource() = default;

@@ -28,7 +28,7 @@ struct GivenTable {
 
 class FileSource {
 public:
-    /// Reads the text as Lua's lexer would. Text that is no Lua gives fewer places, never an error.
+    /// Text that is no Lua gives fewer places, never an error.
     FileSource(std::string_view text, std::string shown);
     ~FileSource();
     FileSource(FileSource&&) noexcept;
@@ -43,7 +43,7 @@ public:
 
 private:
     struct Node;
-    class Scanner;
+    class Reader;
     std::string shown_;
     std::unique_ptr<Node> calls_;  // every call with a table: its children are the table's fields
 };

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "bindings/lua/files/system_lua.hpp"
-#include "bindings/lua/sandbox/globals_scan.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
+#include "bindings/lua/syntax/globals.hpp"
 
 namespace nezumi {
 namespace {
@@ -29,13 +29,14 @@ bool is_system(std::string_view text) {
     int of_others = 0;
     bool names_things = false;
     bool requires_something = false;
-    for (const GlobalUse& use : scan_globals(text)) {
-        if (use.assigned && use.name.starts_with("on_")) return false;
-        if (use.name == "require") {
+    const SyntaxTree tree(without_preamble(text));
+    for (const GlobalUse& use : global_uses(tree)) {
+        if (use.assigned && use.name().starts_with("on_")) return false;
+        if (use.name() == "require") {
             requires_something = true;
-        } else if (!has(sandbox_names(), use.name)) {
-            ++(has(system_word_names(), use.name) ? of_systems : of_others);
-            names_things = names_things || has(naming_words, use.name);
+        } else if (!has(sandbox_names(), use.name())) {
+            ++(has(system_word_names(), use.name()) ? of_systems : of_others);
+            names_things = names_things || has(naming_words, use.name());
         }
     }
     return (names_things && of_systems > of_others) || (requires_something && of_others == 0);

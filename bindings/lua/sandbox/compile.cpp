@@ -7,8 +7,8 @@
 #include <charconv>
 #include <utility>
 
-#include "bindings/lua/sandbox/lexer.hpp"
 #include "bindings/lua/sandbox/state.hpp"
+#include "bindings/lua/syntax/other_languages.hpp"
 #include "engine/base/visible.hpp"
 
 namespace nezumi {
@@ -98,7 +98,12 @@ Expected<Chunk> compile(std::string_view source, const std::string& file) {
         return failure("the code is nested too deeply",
                        {file, 1 + static_cast<int>(std::count(seen.begin(), seen.end(), '\n'))});
     }
-    if (status != LUA_OK) return Unexpected(place_of_syntax_error(lua_tostring(lua, -1), file));
+    if (status != LUA_OK) {
+        Error error = place_of_syntax_error(lua_tostring(lua, -1), file);
+        if (const std::string_view hint = other_language_hint(SyntaxTree(source)); !hint.empty())
+            error.message += fmt::format(": {}", hint);
+        return Unexpected(std::move(error));
+    }
     Chunk chunk{file, {}};
     lua_dump(lua, append_bytecode, &chunk.bytecode, 0);
     return chunk;
@@ -108,7 +113,7 @@ tl::expected<Chunk, std::vector<Error>> compile_checked(std::string_view source,
                                                         const KnownGlobals& known) {
     auto chunk = compile(source, file);
     if (!chunk) return tl::unexpected(std::vector<Error>{chunk.error()});
-    std::vector<Error> errors = check_globals(source, file, known);
+    std::vector<Error> errors = check_globals(SyntaxTree(without_preamble(source)), file, known);
     if (!errors.empty()) return tl::unexpected(std::move(errors));
     return std::move(*chunk);
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bindings/lua/sandbox/call.hpp"
-#include "bindings/lua/sandbox/globals_scan.hpp"
+#include "bindings/lua/syntax/globals.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi {

@@ -11,6 +11,7 @@
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/library.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
+#include "bindings/lua/sandbox/missing_names.hpp"
 
 namespace nezumi {
 namespace library {
@@ -193,6 +194,28 @@ const std::vector<std::string_view>& sandbox_names() {
         return list;
     }();
     return names;
+}
+
+const KnownGlobals& sandbox_globals() {
+    static const KnownGlobals known = [] {
+        const auto state = create_sandbox();
+        assert(state);
+        lua_State* const lua = (*state)->lua();
+        KnownGlobals globals{.readable = sandbox_names(), .instead = missing_names()};
+        for (const library::Library& each : library::libraries) {
+            KnownLibrary& library = globals.libraries.emplace_back();
+            library.name = each.name;
+            lua_getglobal(lua, each.name);
+            push_behind_lock(lua, -1);
+            for (lua_pushnil(lua); lua_next(lua, -2) != 0; lua_pop(lua, 1)) {
+                library.fields.emplace_back(lua_tostring(lua, -2));
+            }
+            std::sort(library.fields.begin(), library.fields.end());
+            lua_settop(lua, 0);
+        }
+        return globals;
+    }();
+    return known;
 }
 
 }  // namespace nezumi

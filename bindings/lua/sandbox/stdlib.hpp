@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bindings/lua/sandbox/state.hpp"
+#include "bindings/lua/syntax/globals.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi {
@@ -32,5 +33,7 @@ Expected<std::unique_ptr<LuaState>> create_sandbox(StateOptions options = {}, Li
 
 /// The names that `open_sandbox` defines, sorted: what a script may read and not assign.
 const std::vector<std::string_view>& sandbox_names();
+/// The same with the fields of its libraries, and what there is instead of names that it does not have.
+const KnownGlobals& sandbox_globals();
 
 }  // namespace nezumi

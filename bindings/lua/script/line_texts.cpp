@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/lua/sandbox/lexer.hpp"
+#include "bindings/lua/syntax/syntax_tree.hpp"
 #include "engine/base/trimmed.hpp"
 
 namespace nezumi {
@@ -24,31 +24,27 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-// Those that the line names, `config.speed` and such too.
-std::vector<TracedLines::Value> named_in(std::string_view text, const std::vector<TracedLines::Value>& values) {
+// The variables that each line of a text names: "config" and "config.speed" where it says the latter.
+std::map<int, std::vector<std::string>> names_by_line(std::string_view text) {
+    using Kind = SyntaxNode::Kind;
+    std::map<int, std::vector<std::string>> named;
+    const SyntaxTree tree(without_preamble(text));
+    for (const SyntaxNode& node : tree.nodes()) {
+        if (node.word == nullptr || !(node.is(Kind::name) || node.is(Kind::declaration))) continue;
+        named[node.word->line].emplace_back(node.word_text());
+        const SyntaxNode& outer = *node.parent;
+        if (!outer.is(Kind::member) || outer.word == nullptr) continue;
+        named[outer.word->line].push_back(std::string(node.word_text()) + "." + std::string(outer.word_text()));
+    }
+    return named;
+}
+
+// Those values that have one of the names, in the order of the names.
+std::vector<TracedLines::Value> values_of(const std::vector<std::string>& names,
+                                          const std::vector<TracedLines::Value>& values) {
     std::vector<TracedLines::Value> named;
-    Lexer lexer(text);
-    std::string path;  // "config" or "config.speed", as far as it has come
-    bool is_field = false;
-    for (Token token = lexer.next(); token.kind != Token::Kind::end; token = lexer.next()) {
-        if (token.is(".") && !path.empty()) {
-            is_field = true;
-            continue;
-        }
-        const bool is_name = token.kind == Token::Kind::name;
-        if (!is_name) {
-            path = token.is(":") || token.is(".") ? "?" : "";  // what follows is no variable
-            is_field = path == "?";
-            continue;
-        }
-        if (is_field) {
-            path += '.';
-        } else {
-            path.clear();
-        }
-        path += token.text;
-        is_field = false;
-        const auto is_it = [&](const TracedLines::Value& each) { return each.name == path; };
+    for (const std::string& name : names) {
+        const auto is_it = [&](const TracedLines::Value& each) { return each.name == name; };
         const auto value = std::find_if(values.begin(), values.end(), is_it);
         if (value != values.end() && std::none_of(named.begin(), named.end(), is_it)) named.push_back(*value);
     }
@@ -58,18 +54,24 @@ std::vector<TracedLines::Value> named_in(std::string_view text, const std::vecto
 }  // namespace
 
 void add_texts(TracedLines& traced, const Script& script) {
-    std::map<std::string, std::string> texts;
-    std::map<std::string, std::vector<std::string_view>> lines;
+    struct Text {
+        std::string text;
+        std::vector<std::string_view> lines;
+        std::map<int, std::vector<std::string>> names;
+    };
+    std::map<std::string, Text> texts;
     for (TracedLines::Line& line : traced.lines) {
-        if (!texts.contains(line.file)) {
-            const std::string& text = texts[line.file] = script.text_of(line.file);
-            lines[line.file] = lines_of(text);
+        const auto [found, is_new] = texts.try_emplace(line.file);
+        Text& text = found->second;
+        if (is_new) {
+            text.text = script.text_of(line.file);
+            text.lines = lines_of(text.text);
+            text.names = names_by_line(text.text);
         }
-        const auto& all = lines[line.file];
         const auto index = static_cast<std::size_t>(line.line - 1);
-        if (index >= all.size()) continue;
-        line.text = trimmed(all[index]);
-        if (!all[index].empty()) line.values = named_in(all[index], line.values);
+        if (index >= text.lines.size()) continue;
+        line.text = trimmed(text.lines[index]);
+        line.values = values_of(text.names[line.line], line.values);
     }
 }
 

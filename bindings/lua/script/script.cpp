@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "bindings/lua/sandbox/stdlib.hpp"
-#include "bindings/lua/script/first_comment.hpp"
 #include "bindings/lua/script/script_config.hpp"
 #include "bindings/lua/script/script_globals.hpp"
 #include "bindings/lua/script/script_ports.hpp"
+#include "bindings/lua/syntax/first_comment.hpp"
 #include "bindings/lua/values/set_plain.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/system/system_spec.hpp"
@@ -49,24 +49,24 @@ Error Script::to_error(const CallError& error) const {
     return plain;
 }
 
-Expected<Chunk> Script::compile(const SourceText& source, ScriptKind kind) const {
+Expected<ScriptCode> Script::compile(const SourceText& source, ScriptKind kind) const {
     if (context_.chunks != nullptr) return context_.chunks->compile(source, kind);
-    auto chunk = compile_script(source, kind);
-    if (!chunk) return Unexpected(chunk.error().front());
-    return std::move(*chunk);
+    auto code = compile_script(source, kind);
+    if (!code) return Unexpected(code.error().front());
+    return std::move(*code);
 }
 
 Expected<void> Script::run_top_level(const SourceText& source) {
     lua_State* L = lua_->lua();
-    auto chunk = compile(source, ScriptKind::component);
-    if (!chunk) return Unexpected(chunk.error());
+    const auto code = compile(source, ScriptKind::component);
+    if (!code) return Unexpected(code.error());
     auto installed = protect(L, context_.budget, [&](lua_State* inside) {
         install_globals(inside, *this);
         if (inheritance_.looks_at_tick == nullptr) set_state_global(inside, inheritance_.state);
         return 0;
     });
     if (!installed) return Unexpected(to_error(installed.error()));
-    if (auto loaded = load_chunk(L, *chunk); !loaded) return Unexpected(to_error(loaded.error()));
+    if (auto loaded = load_chunk(L, code->chunk); !loaded) return Unexpected(to_error(loaded.error()));
     auto ran = protected_call(L, 0, 0, context_.budget);
     if (!ran) {
         // A module that does not compile is to be told with its own place, not with the line that requires it.
@@ -78,9 +78,26 @@ Expected<void> Script::run_top_level(const SourceText& source) {
         std::all_of(hooks_.begin(), hooks_.end(), [](int function) { return function == LUA_NOREF; })) {
         return failure("the file declares nothing: no port, parameter, command, task or callback", {file_.shown});
     }
+    if (auto ok = check_parameters(code->parameters); !ok) return ok;
     lua_gc(L, LUA_GCCOLLECT);  // what loading left behind; nothing of the script runs in it
     seen_parameters_ = parameters_.version();
     phase_ = Phase::bound;
+    return {};
+}
+
+Expected<void> Script::check_parameters(const std::vector<ParameterUse>& uses) const {
+    std::vector<Error>* const diagnostics = context_.diagnostics;
+    // A declaration that is wrong declares nothing.
+    if (diagnostics != nullptr && !diagnostics->empty()) return {};
+    std::vector<std::string_view> names;
+    for (const auto& parameter : parameters_.all()) names.push_back(parameter.spec.name);
+    for (const ParameterUse& use : uses) {
+        if (parameters_.find(use.name) != nullptr) continue;
+        Error error{fmt::format("config: unknown parameter '{}'{}", shown(use.name), did_you_mean(use.name, names)),
+                    {file_.shown, use.line, use.column}};
+        if (diagnostics == nullptr) return Unexpected(std::move(error));
+        diagnostics->push_back(std::move(error));
+    }
     return {};
 }
 
@@ -108,14 +125,14 @@ Expected<void> Script::begin_module(std::string_view name) {
     auto source = context_.find_module(name, loading_modules_.empty() ? file_.path : loading_modules_.back().path);
     if (!source) return failure(fmt::format("require '{}': {}", shown(name), source.error().message));
     if (inheritance_.required != nullptr) inheritance_.required->emplace_back(*source);
-    auto chunk = compile(*source, ScriptKind::module);
-    if (!chunk) {
-        module_error_ = chunk.error();
+    auto code = compile(*source, ScriptKind::module);
+    if (!code) {
+        module_error_ = code.error();
         return failure(module_error_->message);
     }
     loading_modules_.push_back({std::string(name), source->path});
     modules_.emplace_back(*source);
-    module_chunk_ = std::move(*chunk);
+    module_chunk_ = std::move(code->chunk);
     return {};
 }
 

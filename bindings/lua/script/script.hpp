@@ -218,7 +218,9 @@ private:
     static int call_with_tasks(lua_State* L);
     /// Takes back what waits in out-ports that have a safe value.
     void discard_unsafe();
-    Expected<Chunk> compile(const SourceText& source, ScriptKind kind) const;
+    Expected<ScriptCode> compile(const SourceText& source, ScriptKind kind) const;
+    // Each parameter that the file reads and did not declare: it would fail when that line runs for the first time.
+    Expected<void> check_parameters(const std::vector<ParameterUse>& uses) const;
     Error to_error(const CallError& error) const;
     std::string hint(const Error& error) const;
 

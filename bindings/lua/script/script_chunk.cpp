@@ -6,64 +6,21 @@
 #include <string>
 #include <string_view>
 
-#include "bindings/lua/sandbox/lexer.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/script_globals.hpp"
+#include "bindings/lua/syntax/globals.hpp"
 
 namespace nezumi {
 namespace {
 
-const KnownGlobals& known_globals(ScriptKind kind) {
-    static const KnownGlobals components = [] {
-        KnownGlobals known{script_globals(), hook_names()};
-        known.readable.insert(known.readable.end(), sandbox_names().begin(), sandbox_names().end());
-        return known;
-    }();
-    static const KnownGlobals modules = [] {
-        KnownGlobals known = components;
-        known.callbacks.clear();
-        return known;
-    }();
-    return kind == ScriptKind::component ? components : modules;
-}
-
-// `local function on_execute` and `local on_execute =` are Lua, and nobody would ever call it.
-void find_local_callbacks(const SourceText& source, std::vector<Error>& errors) {
-    const auto& names = hook_names();
-    Lexer lexer(source.text);
-    bool after_local = false;
-    for (Token token = lexer.next(); token.kind != Token::Kind::end; token = lexer.next()) {
-        if (after_local && token.is("function")) continue;
-        if (after_local && token.kind == Token::Kind::name &&
-            std::find(names.begin(), names.end(), token.text) != names.end()) {
-            errors.push_back(
-                {"'" + std::string(token.text) + "' is local, so it would never be called: leave out `local`",
-                 {source.shown, token.line, token.column}});
-        }
-        after_local = token.is("local");
-    }
-}
-
-// Globals that a person may expect here, and what there is instead.
-struct Instead {
-    std::string_view name;
-    std::string_view hint;
-};
+// Globals that a person may expect in a behaviour, beside those of Lua, and what there is instead.
 constexpr std::string_view of_system_files = "it is of system files, and this is to be a behaviour";
-constexpr std::string_view no_loading = "code comes from files, by `require`";
 constexpr std::array instead{
     Instead{"os", "the time is now(); there are no files and no processes"},
     Instead{"io", "`log` writes lines, and `nezumi run --record` what ports carry"},
     Instead{"debug", "`print` and the console show values"},
     Instead{"sleep", "`wait(seconds)` waits, in a task: task(\"name\", function() ... end)"},
     Instead{"self", "a behaviour is its file: parameters are in `config`, what is kept in `state` and locals"},
-    Instead{"load", no_loading},
-    Instead{"loadfile", no_loading},
-    Instead{"dofile", no_loading},
-    Instead{"loadstring", no_loading},
-    Instead{"package", no_loading},
-    Instead{"unpack", "it is table.unpack in Lua 5.4"},
-    Instead{"collectgarbage", "memory is collected by itself"},
     Instead{"arena", of_system_files},
     Instead{"robot", of_system_files},
     Instead{"behavior", of_system_files},
@@ -71,48 +28,71 @@ constexpr std::array instead{
     Instead{"connect", of_system_files},
 };
 
-void explain_unknown_globals(std::vector<Error>& errors, ScriptKind kind) {
-    for (Error& error : errors) {
-        constexpr std::string_view begin = "unknown global '";
-        if (!error.message.starts_with(begin)) continue;
-        const std::string name =
-            error.message.substr(begin.size(), error.message.find('\'', begin.size()) - begin.size());
-        const auto& hooks = hook_names();
-        if (kind == ScriptKind::module && std::find(hooks.begin(), hooks.end(), name) != hooks.end()) {
-            error.message = "'" + name + "' can't be used in a module: callbacks belong into the component's own file";
-        }
-        const auto* found =
-            std::find_if(instead.begin(), instead.end(), [&](const Instead& i) { return i.name == name; });
-        if (found != instead.end()) error.message = std::string(begin) + name + "': " + std::string(found->hint);
+const KnownGlobals& known_globals(ScriptKind kind) {
+    static const KnownGlobals components = [] {
+        KnownGlobals known = sandbox_globals();
+        known.readable.insert(known.readable.end(), script_globals().begin(), script_globals().end());
+        known.callbacks = hook_names();
+        known.instead.insert(known.instead.end(), instead.begin(), instead.end());
+        return known;
+    }();
+    static const KnownGlobals modules = [] {
+        KnownGlobals known = components;
+        known.is_module = true;
+        return known;
+    }();
+    return kind == ScriptKind::component ? components : modules;
+}
+
+// `local function on_execute` and `local on_execute =` are Lua, and nobody would ever call it.
+void find_local_callbacks(const SyntaxTree& tree, const std::string& file, std::vector<Error>& errors) {
+    using Kind = SyntaxNode::Kind;
+    const auto& names = hook_names();
+    for (const SyntaxNode& node : tree.nodes()) {
+        const bool is_local = node.is(Kind::declaration) &&
+                              (node.parent->is(Kind::local_function) || node.parent->parent->is(Kind::local));
+        if (!is_local || std::find(names.begin(), names.end(), node.word_text()) == names.end()) continue;
+        errors.push_back(
+            {"'" + std::string(node.word_text()) + "' is local, so it would never be called: leave out `local`",
+             {file, node.word->line, node.word->column}});
     }
+}
+
+// Each `config.NAME` that the text reads or sets.
+std::vector<ParameterUse> parameter_uses(const SyntaxTree& tree) {
+    std::vector<ParameterUse> uses;
+    for (const GlobalUse& use : global_uses(tree)) {
+        const auto field = use.name() == "config" ? field_of(*use.node) : std::nullopt;
+        if (field) uses.push_back({std::string(field->name), field->place->line, field->place->column});
+    }
+    return uses;
 }
 
 }  // namespace
 
-tl::expected<Chunk, std::vector<Error>> compile_script(const SourceText& source, ScriptKind kind) {
-    auto chunk = compile_checked(source.text, source.shown, known_globals(kind));
-    std::vector<Error> errors;
-    if (!chunk) errors = std::move(chunk.error());
-    const bool compiles = chunk || errors.size() != 1 || errors.front().place.column > 0;
-    if (compiles && kind == ScriptKind::component) {
-        find_local_callbacks(source, errors);
+tl::expected<ScriptCode, std::vector<Error>> compile_script(const SourceText& source, ScriptKind kind) {
+    auto chunk = compile(source.text, source.shown);
+    if (!chunk) return tl::unexpected(std::vector<Error>{chunk.error()});
+    const SyntaxTree tree(without_preamble(source.text));
+    std::vector<Error> errors = check_globals(tree, source.shown, known_globals(kind));
+    if (kind == ScriptKind::component) {
+        find_local_callbacks(tree, source.shown, errors);
         std::stable_sort(errors.begin(), errors.end(), [](const Error& a, const Error& b) {
             return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
         });
     }
-    explain_unknown_globals(errors, kind);
     if (!errors.empty()) return tl::unexpected(std::move(errors));
-    return chunk;
+    return ScriptCode{std::move(*chunk), parameter_uses(tree)};
 }
 
-Expected<Chunk> ChunkCache::compile(const SourceText& source, ScriptKind kind) {
+Expected<ScriptCode> ChunkCache::compile(const SourceText& source, ScriptKind kind) {
     const std::lock_guard lock(mutex_);
     Entry& entry = entries_[source.path + '\n' + source.shown + (kind == ScriptKind::module ? "\nmodule" : "\n")];
-    if (!entry.chunk.bytecode.empty() && entry.text == source.text) return entry.chunk;
-    auto chunk = compile_script(source, kind);
-    if (!chunk) return Unexpected(chunk.error().front());
-    entry = {source.text, *chunk};
-    return std::move(*chunk);
+    if (!entry.code.chunk.bytecode.empty() && entry.text == source.text) return entry.code;
+    auto code = compile_script(source, kind);
+    if (!code) return Unexpected(code.error().front());
+    entry = {source.text, *code};
+    return std::move(*code);
 }
 
 void ChunkCache::take(ChunkCache& other) {

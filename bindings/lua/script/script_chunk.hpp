@@ -15,14 +15,27 @@ namespace nezumi {
 /// What a text is for: modules can't define callbacks.
 enum class ScriptKind { component, module };
 
+/// `config.NAME` in a text. Whether there is such a parameter is known when the text has declared its own.
+struct ParameterUse {
+    std::string name;
+    int line = 0;
+    int column = 0;
+};
+
+/// A text as code.
+struct ScriptCode {
+    Chunk chunk;
+    std::vector<ParameterUse> parameters;  ///< in order of place
+};
+
 /// Compiles a text; or all that is wrong with it, in order of place.
-tl::expected<Chunk, std::vector<Error>> compile_script(const SourceText& source, ScriptKind kind);
+tl::expected<ScriptCode, std::vector<Error>> compile_script(const SourceText& source, ScriptKind kind);
 
 /// Remembers the newest code of every file. May be used from several threads.
 class ChunkCache {
 public:
     /// The code of this text, or the first thing that is wrong with it.
-    Expected<Chunk> compile(const SourceText& source, ScriptKind kind);
+    Expected<ScriptCode> compile(const SourceText& source, ScriptKind kind);
     /// Takes all that another one remembers.
     void take(ChunkCache& other);
     /// The text of this file, "" when it is another one by now.
@@ -31,7 +44,7 @@ public:
 private:
     struct Entry {
         std::string text;
-        Chunk chunk;
+        ScriptCode code;
     };
 
     mutable Mutex mutex_;

@@ -163,7 +163,8 @@ connect("mouse.ir_sensor_out", "mouse.target_velocity_in")
 TEST_CASE("a system is told what is wrong with the scripts that it names, each once", "[cli][check]") {
     Checked project("behaviors/systems/s.lua",
                     "behavior 'a' { script = 'slip' }\nbehavior 'b' { script = 'slip' }\n"
-                    "behavior 'c' { script = 'wrong' }\nconnect('a.ou', 'b.in')");
+                    "behavior 'c' { script = 'wrong' }\nbehavior 'd' { script = 'good' }\nconnect('d.ou', 'd.in')");
+    project.with("behaviors/good.lua", "output('out', 'TimedLong')");
     project.with("behaviors/slip.lua",
                  "local out = output('out', 'TimedLong')\nlocal function never() return config.q end\n"
                  "function on_execute() out:write(1) end");
@@ -174,7 +175,7 @@ TEST_CASE("a system is told what is wrong with the scripts that it names, each o
     REQUIRE(of_wrong.size() == 2);
     CHECK(project.check("behaviors/systems/s.lua") ==
           Lines{of_slip[0], of_wrong[0], of_wrong[1],
-                "behaviors/systems/s.lua:4: a has no out-port 'ou' (did you mean 'out'?)"});
+                "behaviors/systems/s.lua:5: d has no out-port 'ou' (did you mean 'out'?)"});
 }
 
 TEST_CASE("the scripts of a system are checked with the values that it gives them", "[cli][check]") {
@@ -235,6 +236,14 @@ TEST_CASE("robot files, modules of systems and scenarios are checked", "[cli][ch
     CHECK(wrong("tests/a_test.lua", "scenaro('x', function(s) end)") ==
           Lines{"tests/a_test.lua:1:1: unknown global 'scenaro' (did you mean 'scenario'?)"});
     CHECK(wrong("tests/a_test.lua", "scenario('x', function(s) error('never run') end)") == Lines{});
+    const std::string flor = ": unknown field 'math.flor' (did you mean 'math.floor'?)";
+    CHECK(wrong("tests/a_test.lua", "scenario('x', function(s) s:run(math.flor(1.5)) end)") ==
+          Lines{"tests/a_test.lua:1:38" + flor});
+    CHECK(wrong("behaviors/lib/m.lua", "return { f = function(x) return math.flor(x) end }") ==
+          Lines{"behaviors/lib/m.lua:1:38" + flor});
+    CHECK(wrong("behaviors/systems/s.lua", "rate(math.flor(50.5))") == Lines{"behaviors/systems/s.lua:1:11" + flor});
+    CHECK(wrong("behaviors/r.lua", "return robot_model { mass = math.flor(1) }") ==
+          Lines{"behaviors/r.lua:1:34" + flor});
     CHECK(wrong("tests/a_test.lua", "scenario('x', { timout = 3 }, function(s) end)").size() == 1);
 }
 

@@ -148,9 +148,9 @@ TEST_CASE("what plot is given is meant by its name, not by its value", "[console
     CHECK(text("plot(a.probes, a.truth, a.collided)") ==
           "plot({ a, \".probes\" }, { a, \".truth\" }, { a, \".collided\" })");
     CHECK(text("for i = 1, 2 do plot(a . \n b.c) end") == "for i = 1, 2 do plot({ a, \".b.c\" }\n) end");
-    for (const std::string same :
-         {"plot(a.out, 5)", "plot 'a.out.vx'", "x.plot(a.b.c)", "x:plot(a.b.c)", "'plot(a.b.c)' -- plot(a.b.c)",
-          "plot(f(a.b.c))", "plot(a.b.c + 1)", "plot(a.b[i])", "plot(", "plot(a.b.c", "plot(a.b.", "plot"}) {
+    for (const std::string same : {"plot(a.out, 5)", "plot 'a.out.vx'", "x.plot(a.b.c)", "x:plot(a.b.c)",
+                                   "'plot(a.b.c)' -- plot(a.b.c)", "plot(f(a.b.c))", "plot(a.b.c + 1)", "plot(a.b[i])",
+                                   "plot(", "plot(a.b.c", "plot(a.b.", "plot(a.b.)", "plot"}) {
         CHECK(text(same) == same);
     }
 }

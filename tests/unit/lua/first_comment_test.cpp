@@ -1,7 +1,7 @@
 // What a file says of itself.
 #include <catch2/catch.hpp>
 
-#include "bindings/lua/script/first_comment.hpp"
+#include "bindings/lua/syntax/first_comment.hpp"
 #include "tests/unit/lua/rig.hpp"
 
 using namespace nezumi;

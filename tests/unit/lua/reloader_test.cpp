@@ -56,6 +56,18 @@ TEST_CASE("a state of a hundred thousand links is carried over", "[lua][reload]"
                                            "l.next end assert(n == 100000) end") == "");
 }
 
+TEST_CASE("a reload refuses what a load refuses, and the version before goes on", "[lua][reload]") {
+    ReloadRig world;
+    world.add_text("c", "param('speed', 1)\n" + counter("1"));
+    world.tick();
+    CHECK(world.change("c.lua", "param('speed', 1)\n" + counter("config.sped"))
+              .find("c.lua:7:45: config: unknown parameter 'sped' (did you mean 'speed'?)") != Text::npos);
+    CHECK(world.change("c.lua", counter("math.flor(1)"))
+              .find("c.lua:6:43: unknown field 'math.flor' (did you mean 'math.floor'?)") != Text::npos);
+    world.tick();
+    CHECK(world.out<Longs>("c.out") == Longs{2, 2});
+}
+
 TEST_CASE("of many values that a reload kept five are named", "[lua][reload]") {
     ReloadRig world;
     Text text;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "bindings/lua/sandbox/missing_names.hpp"
 #include "machine_speed.hpp"
 #include "sandbox_support.hpp"
 
@@ -28,6 +29,20 @@ TEST_CASE("a script has the safe part of Lua's library and nothing else", "[lua]
     CHECK(sorted_names(box, "string") ==
           "byte char find format gmatch gsub len lower match pack packsize rep reverse sub unpack upper");
     CHECK(sorted_names(box, "table") == "concat insert move pack remove sort unpack");
+    INFO("the fields that a text is checked by are those that there are");
+    REQUIRE(sandbox_globals().libraries.size() == 5);
+    for (const KnownLibrary& library : sandbox_globals().libraries) {
+        std::string fields;
+        for (const std::string& field : library.fields) fields += (fields.empty() ? "" : " ") + field;
+        CHECK(fields == sorted_names(box, library.name));
+        for (const Instead& instead : missing_names()) {
+            const bool is_field = instead.name.starts_with(library.name + ".");
+            if (is_field)
+                CHECK(
+                    (" " + fields + " ").find(" " + std::string(instead.name.substr(library.name.size() + 1)) + " ") ==
+                    std::string::npos);
+        }
+    }
     CHECK(sorted_names(box, "math") ==
           "abs acos asin atan ceil cos deg exp floor fmod huge log max maxinteger min mininteger modf pi rad random "
           "randomseed "

@@ -75,11 +75,23 @@ TEST_CASE("config.x = v in a script holds from the next tick in every state and 
     CHECK(value(broken) == ParameterValue(std::int64_t{5}));
 }
 
+TEST_CASE("a file that names a parameter it does not declare is refused, also in code that never runs",
+          "[lua][parameters]") {
+    const std::string head = "param('speed_x', 0.0)\nfunction on_execute() if now() > 1e9 then ";
+    const std::string says = "robot_controller.lua:2:56: config: unknown parameter 'sped_x' (did you mean 'speed_x'?)";
+    CHECK(refusal(head + "print(config.sped_x) end end") == says);
+    CHECK(refusal(head + "      config.sped_x = 1 end end") == says);
+    CHECK(refusal(head + "print(config.speed_x) end end").empty());
+    CHECK(refusal(head + "local config = {} print(config.sped_x) end end").empty());
+    INFO("what is declared in any way is known");
+    CHECK(refusal("for i = 1, 2 do param('p' .. i, i) end function on_execute() print(config.p2) end").empty());
+}
+
 TEST_CASE("an unknown parameter is an error with the nearest name, read or set", "[lua][parameters]") {
     const std::string head = "param('speed_x', 0.0)";
-    CHECK(failure_of(head, "return config.sped_x") ==
+    CHECK(failure_of(head, "return config['sped' .. '_x']") ==
           "robot_controller.lua:3: unknown parameter 'sped_x' (did you mean 'speed_x'?)");
-    CHECK(failure_of(head, "config.sped_x = 1") ==
+    CHECK(failure_of(head, "config['sped' .. '_x'] = 1") ==
           "robot_controller.lua:3: unknown parameter 'sped_x' (did you mean 'speed_x'?)");
     CHECK(failure_of(head, "return config[1]") == "robot_controller.lua:3: unknown parameter '1'");
     CHECK(failure_of(head, "config.speed_x = {}") ==

@@ -63,6 +63,64 @@ TEST_CASE("a library that behaviours don't have is refused with what there is in
     CHECK(refusal("unpack({})") == "robot_controller.lua:1:1: unknown global 'unpack': it is table.unpack in Lua 5.4");
 }
 
+TEST_CASE("a field that a library does not have is refused with the nearest or with what there is in Lua 5.4",
+          "[lua][refusals]") {
+    const auto says = [](const std::string& code) {
+        return refusal("function on_execute() if now() > 9e9 then " + code + " end end");
+    };
+    const std::string at = "robot_controller.lua:1:54: unknown field '";
+    CHECK(says("print(math.flor(1.5))") == at + "math.flor' (did you mean 'math.floor'?)");
+    CHECK(says("print(math.qqqqq)") == at + "math.qqqqq'");
+    CHECK(says("print(math['flor'])") == at + "math.flor' (did you mean 'math.floor'?)");
+    for (const auto& [name, hint] : std::vector<std::pair<std::string, std::string>>{
+             {"math.atan2", "it is math.atan(y, x) in Lua 5.4"},
+             {"math.pow", "it is x ^ y in Lua 5.4"},
+             {"math.log10", "it is math.log(x, 10) in Lua 5.4"},
+             {"string.gfind", "it is string.gmatch in Lua 5.4"},
+             {"string.dump", "code comes from files, by `require`"},
+             {"table.getn", "it is #t in Lua 5.4"},
+             {"table.foreachi", "it is `for i, value in ipairs(t) do` in Lua 5.4"}}) {
+        const std::string column = std::to_string(43 + 6 + name.find('.') + 1);
+        CHECK(says("print(" + name + "(1))") ==
+              "robot_controller.lua:1:" + column + ": unknown field '" + name + "': " + hint);
+    }
+    CHECK(refusal("print(bit32.band(1, 2))") ==
+          "robot_controller.lua:1:7: unknown global 'bit32': Lua 5.4 has operators for bits: & | ~ << >>");
+    CHECK(refusal("print(None)") == "robot_controller.lua:1:7: unknown global 'None': it is nil in Lua");
+}
+
+TEST_CASE("a library's name that means something else, and a field that there is, are left alone", "[lua][refusals]") {
+    CHECK(refusal("local math = { flor = print } function on_execute() math.flor(1) end").empty());
+    CHECK(refusal("local function f(table) return table.getn end function on_execute() f {} end").empty());
+    CHECK(refusal("local t = {} function t:f() return self.math.flor end function on_execute() end").empty());
+    CHECK(refusal("function on_execute() print(math.pi, math.huge, utf8.charpattern, string.format, table.pack, "
+                  "coroutine.wrap, math['floor'], math['fl' .. 'or']) end")
+              .empty());
+    CHECK(failure_of("", "math.flor = print") == "robot_controller.lua:3: can't set 'math.flor': 'math' is read-only");
+}
+
+TEST_CASE("what another language would say is refused with what Lua says", "[lua][refusals]") {
+    const std::pair<const char*, const char*> slips[] = {
+        {"if a != b then end", "'then' expected near '!': it is ~= in Lua"},
+        {"x += 1", "syntax error near '+': Lua has no such assignment: write x = x + 1"},
+        {"x++", "syntax error near '+': Lua has no such assignment: write x = x + 1"},
+        {"if x = 3 then end", "'then' expected near '=': == compares in Lua, and = assigns"},
+        {"while f(x) = 3 do end", "'do' expected near '=': == compares in Lua, and = assigns"},
+        {"if a && b then end", "unexpected symbol near '&': it is `and` in Lua"},
+        {"if a || b then end", "unexpected symbol near '|': it is `or` in Lua"},
+        {"if !a then end", "unexpected symbol near '!': it is `not` in Lua"},
+        {"if a then f() elif b then end", "syntax error near 'b': it is `elseif` in Lua"},
+        {"def f() end", "syntax error near 'f': it is `function` in Lua"},
+        {"let x = 3", "syntax error near 'x': it is `local` in Lua"},
+        {"// first", "unexpected symbol near '//': a comment begins with -- in Lua"},
+        {"x = = 1", "unexpected symbol near '='"},
+    };
+    for (const auto& [text, says] : slips) {
+        INFO(text);
+        CHECK(refusal(text) == at1 + says);
+    }
+}
+
 TEST_CASE("a system file in the place of a behaviour is told as such", "[lua][refusals]") {
     for (const std::string word : {"arena", "robot", "behavior", "component", "connect"}) {
         CHECK(refusal(word + " 'x'") == "robot_controller.lua:1:1: unknown global '" + word +

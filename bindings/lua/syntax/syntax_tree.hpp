@@ -1,0 +1,176 @@
+// The one reader of Lua's syntax: what a source text says, as a tree, with the local variable that each name means.
+// Questions about a text are functions over the tree.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/lua/syntax/lexer.hpp"
+
+namespace nezumi {
+
+/// A local variable, a parameter, or the `self` of a method.
+struct LocalName {
+    std::string_view name;
+    const Token* place = nullptr;  ///< its name where it is declared; of `self` the method's bracket
+    const Token* from = nullptr;   ///< the first token that sees it
+    const Token* to = nullptr;     ///< behind the last one
+    bool constant = false;         ///< <const> or <close>
+};
+
+/// A statement, an expression, or a list of them.
+struct SyntaxNode {
+    enum class Kind : unsigned char {
+        // Lists.
+        block,         ///< its statements
+        expressions,   ///< of a call with its brackets; its expressions
+        declarations,  ///< of a function with its brackets; what it declares
+        // Statements.
+        assignment,          ///< expressions that are assigned, expressions
+        call_statement,      ///< call
+        local,               ///< declarations, and expressions if there are any
+        local_function,      ///< declaration, function
+        function_statement,  ///< name or members of one, function
+        do_block,            ///< block
+        while_loop,          ///< expression, block
+        repeat_loop,         ///< block, expression
+        for_loop,            ///< declarations, expressions, block
+        branches,            ///< expression, block, expression, block, ..., and the block of `else`
+        return_statement,    ///< expressions
+        break_statement,
+        goto_statement,
+        label,
+        // Expressions.
+        literal,      ///< a number, string, nil, true, false or ...
+        name,         ///< a variable
+        function,     ///< declarations, block
+        table,        ///< its elements and fields
+        parenthesis,  ///< expression
+        unary,        ///< expression
+        binary,       ///< expression, expression
+        member,       ///< `a.b`: a; also `a:b` where a method is defined
+        subscript,    ///< `a[b]`: a, b
+        call,         ///< `a(b)`: a, expressions
+        method_call,  ///< `a:b(c)`: a, expressions
+        missing,      ///< nothing where an expression is expected
+        // Within lists.
+        declaration,  ///< a variable that is declared
+        element,      ///< of a table: expression
+        field,        ///< `a = b`: b
+        keyed_field,  ///< `[a] = b`: a, b
+    };
+
+    Kind kind = Kind::missing;
+    const Token* first = nullptr;         ///< its first token
+    const Token* end = nullptr;           ///< behind its last one
+    const Token* word = nullptr;          ///< name, declaration, member, method_call, field, goto, label: the name;
+                                          ///< unary, binary: the operator; null where the text lacks it
+    const LocalName* variable = nullptr;  ///< name, declaration: the local variable; null: it is a global
+    SyntaxNode* parent = nullptr;
+    SyntaxNode* child = nullptr;  ///< the first one
+    SyntaxNode* last = nullptr;   ///< the last one
+    SyntaxNode* next = nullptr;   ///< of the same parent
+
+    bool is(Kind which) const { return kind == which; }
+    /// The source from its first token to its last.
+    std::string_view text() const;
+    std::string_view word_text() const { return word != nullptr ? word->text : std::string_view(); }
+    /// Null when there are fewer.
+    const SyntaxNode* at(std::size_t index) const;
+    std::size_t count() const;
+    /// What a string literal holds, as it is written; nothing for any other node.
+    std::optional<std::string_view> string() const;
+    /// A name that means this global.
+    bool is_global(std::string_view name) const;
+    /// The outermost expression that has this one as an operand: of `b` in `f(a or (b))` that is `a or (b)`.
+    const SyntaxNode& operand_of() const;
+
+    /// For `for (const SyntaxNode& child : node)`.
+    struct Children {
+        using iterator_category = std::forward_iterator_tag;
+        using value_type = SyntaxNode;
+        using difference_type = std::ptrdiff_t;
+        using pointer = const SyntaxNode*;
+        using reference = const SyntaxNode&;
+        const SyntaxNode* node = nullptr;
+        reference operator*() const { return *node; }
+        pointer operator->() const { return node; }
+        Children& operator++() {
+            node = node->next;
+            return *this;
+        }
+        bool operator==(const Children&) const = default;
+    };
+};
+
+inline SyntaxNode::Children begin(const SyntaxNode& node) { return {node.child}; }
+inline SyntaxNode::Children end(const SyntaxNode& /*node*/) { return {}; }
+
+/// Reads a text of Lua 5.4. A text that Lua refuses has a tree as well, as far as it makes sense; one that ends too
+/// early has the nodes that are open there.
+class SyntaxTree {
+public:
+    enum class Dialect {
+        lua,
+        console,  ///< a keyword after a dot is a name: `controller.in`
+    };
+
+    /// The text must outlive the tree; of a file it is that without its preamble.
+    explicit SyntaxTree(std::string_view source, Dialect dialect = Dialect::lua);
+    SyntaxTree(const SyntaxTree&) = delete;  // nodes point at each other
+    SyntaxTree& operator=(const SyntaxTree&) = delete;
+
+    std::string_view source() const { return source_; }
+    /// All but comments; the last one is Kind::end.
+    const std::vector<Token>& tokens() const { return tokens_; }
+    /// The block of the text.
+    const SyntaxNode& root() const { return nodes_.front(); }
+    /// All nodes; those that are one token, in the order of the text.
+    const std::deque<SyntaxNode>& nodes() const { return nodes_; }
+    const std::deque<LocalName>& locals() const { return locals_; }
+
+    /// Where Lua refuses the text first; null when it takes it. Lua's limits (200 local variables, levels of nesting)
+    /// are not looked at.
+    const Token* error() const { return error_; }
+    /// Whether that is because more is to come.
+    bool ends_early() const;
+    /// The text ends in a comment.
+    bool ends_in_comment() const { return ends_in_comment_; }
+
+    /// [bytes] where a token begins.
+    std::size_t offset(const Token& token) const {
+        return static_cast<std::size_t>(token.text.data() - source_.data());
+    }
+
+private:
+    friend class LuaParser;
+
+    std::string_view source_;
+    std::vector<Token> tokens_;
+    std::deque<SyntaxNode> nodes_;
+    std::deque<LocalName> locals_;
+    const Token* error_ = nullptr;
+    bool ends_in_comment_ = false;
+};
+
+/// The names of `controller.out`, or of `controller["out"].x`; nothing when the expression is anything else.
+std::optional<std::vector<std::string>> name_chain(const SyntaxNode& expression);
+
+/// A field by its name.
+struct FieldName {
+    std::string_view name;
+    const Token* place;
+};
+
+/// `b` of `a.b` and `a["b"]`, for the expression `a`; nothing where it is no such part.
+std::optional<FieldName> field_of(const SyntaxNode& expression);
+
+/// Whether the expression stands left of an `=`, or is what a `function a.b()` defines.
+bool is_assigned(const SyntaxNode& expression);
+
+}  // namespace nezumi
