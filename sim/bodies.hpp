@@ -80,6 +80,8 @@ struct SimRobot {
     void leave_to_ode(bool solved_by_ode);
     /// Whether nothing but how it moves keeps it from rolling freely.
     bool may_roll() const { return !kept_by_ode && !meets && !coasting && !constraint; }
+    /// Whether its wheels are held where they are.
+    bool is_held() const { return !coasting && speeds.left == 0 && speeds.right == 0; }
     /// Turns its driven wheels as in so many steps of `step` [s].
     void turn_wheels(double step, int steps = 1);
 
@@ -93,8 +95,9 @@ struct SimRobot {
     bool by_ode = true;        // ODE's solver moves it; otherwise it rolls freely
     bool kept_by_ode = false;  // always: for tests that compare the two
     bool coasting = false;
-    Wheels speeds;  // [m/s]
-    Wheels angles;  // [rad]
+    bool on_slope = false;  // a wheel or skid stands on a slope, in this step
+    Wheels speeds;          // [m/s]
+    Wheels angles;          // [rad]
     ConstraintMotors constraint;
     std::unique_ptr<RayFan> turned_fan;  // once a servo that carries a sensor has moved
     Motion rolling{};                    // of one that rolls freely, after the step

@@ -15,6 +15,9 @@ void set_touch(dContact& contact, const Touch& touch) {
     contact.geom.depth = touch.depth;
 }
 
+// Steeper than 0.1 degrees: gravity would make a standing robot creep by more than 0.4 mm a minute.
+bool is_slope(const Vec3& normal) { return normal.z() < 0.999998; }
+
 }  // namespace
 
 Contacts::Contacts(dWorldID world, double step, const Scene& scene, Movers& movers, Islands& islands)
@@ -40,6 +43,7 @@ void Contacts::find(std::span<SimRobot* const> robots) {
         if (free) continue;
         any_by_ode_ = true;
         touch_floor(*robot);
+        robot->on_slope = false;
     }
 }
 
@@ -93,7 +97,9 @@ void Contacts::add_contact(dBodyID a, dBodyID b, const Touch& touch, const Sprin
 // The motor turns the wheel: its rim moves backwards under the axle, so the robot is driven along the friction's first
 // direction.
 void Contacts::add_wheel_contact(SimRobot& robot, int side, const Touch& touch, const Vec3& forward, dBodyID other) {
-    dContact& contact = robot.coasting ? robot.model->coasting_contact : robot.model->wheel_contact;
+    RobotModel& model = *robot.model;
+    const bool is_held = robot.on_slope && robot.is_held();
+    dContact& contact = robot.coasting ? model.coasting_contact : is_held ? model.held_contact : model.wheel_contact;
     contact.surface.motion1 = side == 0 ? robot.speeds.left : robot.speeds.right;
     set_touch(contact, touch);
     Eigen::Map<Vec3>(contact.fdir1) = forward;
@@ -230,6 +236,7 @@ bool Contacts::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
         const Vec3 axle = centre + rotate(rotation, model.wheels[static_cast<std::size_t>(side)]);
         if (top >= axle.z()) continue;
         if (const auto touch = touch_wheel(shape, axle, rotation.col(1), model.wheel_radius)) {
+            robot.on_slope = robot.on_slope || is_slope(touch->normal);
             add_wheel_contact(robot, side, *touch, rotation.col(1).cross(touch->normal).normalized(), other);
             touches = true;
         }
@@ -241,6 +248,7 @@ bool Contacts::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
         Vec3 normal;
         const double distance = cast_ray(shape, from, -rotation.col(2), model.clearance, &normal);
         if (distance == nothing || distance == 0 || normal.z() < 0.5) continue;
+        robot.on_slope = robot.on_slope || is_slope(normal);
         add_skid_contact(robot, {lowest, normal, (model.clearance - distance) * normal.z()}, other);
         touches = true;
     }

@@ -76,6 +76,11 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     wheel_contact.surface.soft_erp = firm.erp;
     wheel_contact.surface.soft_cfm = firm.cfm;
     coasting_contact = wheel_contact;
+    // Creep keeps a driven wheel calm, but would let a robot that stands glide down any slope. With what the skids
+    // carry, which have no friction, the wheels hold to the angle of friction.
+    held_contact = wheel_contact;
+    held_contact.surface.mu = robot.friction / (1 - front - rear);
+    held_contact.surface.slip1 = held_contact.surface.slip2 = per_kilogram::held_creep / mass;
     wheel_contact.surface.mode |= dContactMotion1;
     coasting_contact.surface.mode |= dContactMu2;  // free along, firm across
     coasting_contact.surface.mu = rolling_friction;

@@ -39,6 +39,7 @@ namespace per_kilogram {
 inline constexpr double firm = 18'750, firm_damping = 437.5;  ///< wheels, hulls, things
 inline constexpr double skid = 940, skid_damping = 41.9;      ///< soft: rigid skids high-centre on a ramp of 5 degrees
 inline constexpr double slip = 8e-4;                          ///< [m/s for each N, times kg] creep of a loaded wheel
+inline constexpr double held_creep = 8e-8;                    ///< the same of one that stands on a slope
 }  // namespace per_kilogram
 
 /// What the surfaces of all contacts have in common.
@@ -74,6 +75,7 @@ struct RobotModel {
     Spring firm;
     // Contacts in which everything is set that does not change from step to step.
     dContact wheel_contact{};     ///< of a driven wheel: lacks its place, direction and speed
+    dContact held_contact{};      ///< of a wheel that is held on a slope: lacks its place and direction
     dContact coasting_contact{};  ///< of a wheel that rolls freely: lacks its place and direction
     dContact skid_contact{};      ///< lacks its place
     // The same of a robot that rolls freely.

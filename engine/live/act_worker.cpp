@@ -2,7 +2,6 @@
 #include "engine/live/act_worker.hpp"
 
 #include <cassert>
-#include <chrono>
 #include <utility>
 
 #include "engine/base/thread.hpp"
@@ -25,8 +24,8 @@ void ActWorker::start(Preparation prepare) {
     thread_ = start_thread(std::move(task));
 }
 
-std::optional<PreparedAct> ActWorker::take() {
-    if (is_idle() || prepared_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+std::optional<PreparedAct> ActWorker::take(std::chrono::microseconds patience) {
+    if (is_idle() || prepared_.wait_for(patience) != std::future_status::ready) return std::nullopt;
     thread_.join();
     return prepared_.get();
 }

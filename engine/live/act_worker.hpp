@@ -1,6 +1,7 @@
 // A thread in which an act is prepared, for who has none that may wait.
 #pragma once
 
+#include <chrono>
 #include <future>
 #include <optional>
 #include <thread>
@@ -23,8 +24,8 @@ public:
     /// Begins with an act, while idle.
     /// @throws std::system_error  where the system gives no further thread
     void start(Preparation prepare);
-    /// The act, once it is prepared.
-    std::optional<PreparedAct> take();
+    /// The act, once it is prepared: waits so long for it.
+    std::optional<PreparedAct> take(std::chrono::microseconds patience = {});
 
 private:
     std::future<PreparedAct> prepared_;

@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
+
+#include "engine/live/running_system.hpp"
 
 namespace nezumi {
 
-LiveReload::LiveReload(const System& system, Reloads& reloads, const std::vector<std::string>& other_files, Act act)
-    : system_(system), reloads_(reloads), act_(std::move(act)) {
+LiveReload::LiveReload(RunningSystem& live, Reloads& reloads, const std::vector<std::string>& other_files)
+    : live_(live), reloads_(reloads) {
     for (const std::string& path : other_files) {
         if (const auto text = read_source(path)) other_files_.try_emplace(path, ScriptFile(*text).hash);
     }
@@ -29,7 +32,7 @@ void LiveReload::take_changes() {
     std::vector<std::string> scripts;
     for (const FileWatcher::Change& change : watcher_.take_changes()) {
         if (other_files_.contains(change.path)) {
-            system_.log(LogLevel::warn, fmt::format("{} has changed: restart() to use it", change.path));
+            live_.system().log(LogLevel::warn, fmt::format("{} has changed: restart() to use it", change.path));
         } else if (!runs_already(change)) {
             scripts.push_back(change.path);
         }
@@ -39,7 +42,7 @@ void LiveReload::take_changes() {
         const auto file =
             std::find_if(files.begin(), files.end(), [&](const auto& each) { return each.path == loss.path; });
         const std::string& shown = file != files.end() ? file->shown : loss.path;
-        system_.log(LogLevel::warn, fmt::format("{}: {}: what was loaded from it goes on", shown, loss.why));
+        live_.system().log(LogLevel::warn, fmt::format("{}: {}: what was loaded from it goes on", shown, loss.why));
     }
     // A module that was missing or wrong may have come: what failed without it is tried again.
     if (watcher_.take_others() || !scripts.empty()) scripts.insert(scripts.end(), failed_.begin(), failed_.end());
@@ -57,16 +60,18 @@ bool LiveReload::runs_already(const FileWatcher::Change& change) const {
 }
 
 void LiveReload::reload(std::vector<std::string> paths) {
-    worker_.start(act_.prepare(paths));
+    // A small file is loaded by then, and runs in the tick that comes.
+    constexpr std::chrono::milliseconds patience{2};
+    worker_.start(live_.prepare(Reload{.files = paths}));
     loading_ = std::move(paths);
     failed_.clear();
+    if (auto prepared = worker_.take(patience)) finish(std::move(*prepared));
 }
 
 void LiveReload::finish(PreparedAct prepared) {
-    const auto done = act_.commit(std::move(prepared));
-    if (!done) return reload(std::exchange(loading_, {}));
-    if (!*done) {
-        system_.log(LogLevel::error, describe(done->error()));
+    if (!live_.fits(prepared)) return reload(std::exchange(loading_, {}));
+    if (const auto done = live_.commit(std::move(prepared), {Actor::Kind::file_watcher}); !done) {
+        live_.system().log(LogLevel::error, describe(done.error()));
         failed_ = std::exchange(loading_, {});
     }
     watch_again();

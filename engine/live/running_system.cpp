@@ -78,15 +78,7 @@ std::unique_ptr<RunningSystem::Running> RunningSystem::take(std::unique_ptr<Runn
     endings_.clear();
     running_->system->observe(running_->hash);
     trace_.start(*running_->system);
-    if (options_.watch) {
-        running_->live_reload.emplace(
-            *running_->system, *running_->reloads, running_->spec.files,
-            LiveReload::Act{.prepare = [this](const auto& files) { return prepare(Reload{.files = files}); },
-                            .commit = [this](PreparedAct prepared) -> std::optional<Expected<ActResult>> {
-                                if (!fits(prepared)) return std::nullopt;
-                                return commit(std::move(prepared), {Actor::Kind::file_watcher});
-                            }});
-    }
+    if (options_.watch) running_->live_reload.emplace(*this, *running_->reloads, running_->spec.files);
     ++starts_;
     if (!foreseen_.empty()) take_foreseen();
     if (running != nullptr && running->system->is_stopped()) {
