@@ -58,8 +58,7 @@ bool decode(const std::uint8_t* bytes, std::size_t size, Picture& picture, std::
 
 extern "C" __attribute__((visibility("default"))) nezumi::sim::DecodeInModule nezumi_decode_image;
 
-bool nezumi_decode_image(const std::uint8_t* bytes, std::size_t size, nezumi::sim::Picture& picture,
-                         std::string& problem) {
+bool nezumi_decode_image(const std::uint8_t* bytes, std::size_t size, nezumi::Picture& picture, std::string& problem) {
     try {
         return nezumi::sim::decode(bytes, size, picture, problem);
     } catch (const cv::Exception& thrown) {  // an assertion of its has several lines

@@ -10,7 +10,6 @@
 #include <cmath>
 
 #include "engine/base/whole_file.hpp"
-#include "sim/picture.hpp"
 
 namespace nezumi::draw {
 cairo_status_t append_to_string(void* text, const unsigned char* data, unsigned int length) {
@@ -75,13 +74,11 @@ void Canvas::text(double x, double y, const std::string& words, double size, con
     cairo_show_text(context(), words.c_str());
 }
 
-void Canvas::image(const std::string& file, double x, double y, double width, double height) {
-    auto picture = sim::read_picture(file);
-    if (!picture) return;
+void Canvas::image(Picture picture, double x, double y, double width, double height) {
     // Both have a pixel as 0x00rrggbb.
     const std::unique_ptr<cairo_surface_t, Release> surface(
-        cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(picture->pixels.data()),
-                                            CAIRO_FORMAT_RGB24, picture->width, picture->height, 4 * picture->width));
+        cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(picture.pixels.data()), CAIRO_FORMAT_RGB24,
+                                            picture.width, picture.height, 4 * picture.width));
     if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) return;
     const double scale = width / cairo_image_surface_get_width(surface.get());
     cairo_save(context());

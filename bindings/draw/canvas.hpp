@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "engine/base/error.hpp"
-#include "engine/ports/messages.hpp"
+#include "engine/world/picture.hpp"
 
 namespace nezumi::draw {
 
@@ -50,8 +50,8 @@ public:
     /// Text in the present units' pixels; `anchor` 0 begins at x, 0.5 is centred on it, 1 ends there.
     void text(double x, double y, const std::string& words, double size, const Colour& colour, double anchor = 0,
               bool bold = false);
-    /// A picture's file, as large as this, its pixels sharp; nothing when it can't be read.
-    void image(const std::string& file, double x, double y, double width, double height);
+    /// A picture, as large as this, its pixels sharp.
+    void image(Picture picture, double x, double y, double width, double height);
     double text_width(const std::string& words, double size, bool bold = false);
 
     /// Completes the drawing and writes the file, or says why not and leaves none.

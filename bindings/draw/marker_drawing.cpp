@@ -5,8 +5,6 @@
 
 #include <string>
 
-#include "sim/picture.hpp"
-
 namespace nezumi::draw {
 namespace {
 
@@ -22,26 +20,26 @@ void draw_text(cairo_t* context, double middle, double y, const std::string& tex
 
 }  // namespace
 
-void draw_marker(cairo_t* context, const Paper& paper, int id, double size) {
-    const sim::Picture tag = sim::paint_tag(id);
-    const double cell = size / sim::tag_border_cells;
-    const double left = (paper.width - cell * tag.width) / 2;
-    const double top = (paper.height - cell * tag.height) / 2;
+void draw_marker(cairo_t* context, const Paper& paper, const PrintedTag& tag, double size) {
+    const Picture& cells = tag.cells;
+    const double cell = size / tag_border_cells;
+    const double left = (paper.width - cell * cells.width) / 2;
+    const double top = (paper.height - cell * cells.height) / 2;
     cairo_set_source_rgb(context, 0, 0, 0);
     // One path, filled at once: between cells that are filled one by one, viewers show hairlines.
-    for (int row = 0; row < tag.height; ++row) {
-        for (int column = 0; column < tag.width; ++column) {
-            const bool is_black = (tag.pixels[static_cast<std::size_t>(row * tag.width + column)] & 0xff) < 0x80;
+    for (int row = 0; row < cells.height; ++row) {
+        for (int column = 0; column < cells.width; ++column) {
+            const bool is_black = (cells.pixels[static_cast<std::size_t>(row * cells.width + column)] & 0xff) < 0x80;
             if (is_black) cairo_rectangle(context, left + column * cell, top + row * cell, cell, cell);
         }
     }
     cairo_fill(context);
 
     const double middle = paper.width / 2;
-    const double below = top + cell * tag.height + 1.5 * letter_size;
+    const double below = top + cell * cells.height + 1.5 * letter_size;
     cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(context, letter_size);
-    draw_text(context, middle, below, fmt::format("AprilTag 36h11, id = {}, size = {}", id, size));
+    draw_text(context, middle, below, fmt::format("AprilTag 36h11, id = {}, size = {}", tag.id, size));
     draw_text(context, middle, below + 1.5 * letter_size,
               fmt::format("print without scaling: this line is {:.0f} mm long", ruler * 1000));
     cairo_set_line_width(context, 0.0003);

@@ -16,7 +16,7 @@ constexpr double points_per_metre = 72 / 0.0254;
 
 }  // namespace
 
-Expected<std::string> marker_pdf(const Paper& paper, const std::vector<int>& ids, double size) {
+Expected<std::string> marker_pdf(const Paper& paper, const std::vector<PrintedTag>& tags, double size) {
     std::string bytes;
     const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
         cairo_pdf_surface_create_for_stream(append_to_string, &bytes, paper.width * points_per_metre,
@@ -25,8 +25,8 @@ Expected<std::string> marker_pdf(const Paper& paper, const std::vector<int>& ids
     cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);  // which every printer reads
     const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context(cairo_create(surface.get()), cairo_destroy);
     cairo_scale(context.get(), points_per_metre, points_per_metre);
-    for (const int id : ids) {
-        draw_marker(context.get(), paper, id, size);
+    for (const PrintedTag& tag : tags) {
+        draw_marker(context.get(), paper, tag, size);
         cairo_show_page(context.get());
     }
     cairo_surface_finish(surface.get());

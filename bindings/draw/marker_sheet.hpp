@@ -9,7 +9,7 @@
 
 namespace nezumi::draw {
 
-/// A PDF with a page for each marker; `size` [m] is the edge of the black border, at most `largest_marker`.
-Expected<std::string> marker_pdf(const Paper& paper, const std::vector<int>& ids, double size);
+/// A PDF with a page for each tag; `size` [m] is the edge of the black border, at most `largest_marker`.
+Expected<std::string> marker_pdf(const Paper& paper, const std::vector<PrintedTag>& tags, double size);
 
 }  // namespace nezumi::draw

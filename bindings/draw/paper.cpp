@@ -3,15 +3,13 @@
 
 #include <algorithm>
 
-#include "sim/picture.hpp"
-
 namespace nezumi::draw {
 namespace {
 
 constexpr double unprintable = 0.005;   // [m] at the edges of a sheet, for most printers
 constexpr double lines_height = 0.020;  // [m] of what stands below a marker
 
-constexpr double cells_across = static_cast<double>(sim::tag_cells) / sim::tag_border_cells;
+constexpr double cells_across = static_cast<double>(tag_cells) / tag_border_cells;
 
 }  // namespace
 

@@ -37,8 +37,8 @@ std::string metres(double length) {
 
 class PicturePainter {
 public:
-    PicturePainter(PictureOf picture, const std::string& file)
-        : picture_(only_finite(std::move(picture))), canvas_(layout(file)) {}
+    PicturePainter(PictureOf picture, const std::string& file, const PictureReader& read)
+        : picture_(only_finite(std::move(picture))), read_(read), canvas_(layout(file)) {}
 
     Expected<void> paint() {
         cairo_save(context());
@@ -105,8 +105,9 @@ private:
             cairo_stroke(context());
         }
         if (picture_.floor) {
-            const auto& [image, size, place] = *picture_.floor;
-            canvas_.image(image, x(-size.x / 2), y(size.y / 2), size.x * scale_, size.y * scale_);
+            const Point2D size = picture_.floor->size;
+            if (auto image = read_(picture_.floor->image))
+                canvas_.image(std::move(*image), x(-size.x / 2), y(size.y / 2), size.x * scale_, size.y * scale_);
         }
         for (const LineSpec& line : picture_.lines) draw(line);
     }
@@ -289,6 +290,7 @@ private:
     }
 
     PictureOf picture_;
+    const PictureReader& read_;
     double scale_ = 1;  // [px/m]
     double floor_width_ = 0, floor_height_ = 0;
     Point2D centre_;
@@ -315,8 +317,8 @@ PictureOf look_at(const RunningSystem& live, const Trajectories& trajectories, s
     return picture;
 }
 
-Expected<void> draw_picture(PictureOf picture, const std::string& file) {
-    return PicturePainter(std::move(picture), file).paint();
+Expected<void> draw_picture(PictureOf picture, const std::string& file, const PictureReader& read) {
+    return PicturePainter(std::move(picture), file, read).paint();
 }
 
 }  // namespace nezumi::draw

@@ -8,6 +8,7 @@
 #include "bindings/draw/trajectories.hpp"
 #include "engine/base/error.hpp"
 #include "engine/live/running_system.hpp"
+#include "engine/world/picture.hpp"
 #include "engine/world/robot_spec.hpp"
 #include "engine/world/world.hpp"
 
@@ -35,8 +36,8 @@ struct PictureOf {
 /// Takes what there is to be seen now.
 PictureOf look_at(const RunningSystem& live, const Trajectories& trajectories, std::string title);
 
-/// Draws it to a file that ends in .png or .svg; what lies at no finite place is left out. An error says why it can't
-/// be written; then there is no file.
-Expected<void> draw_picture(PictureOf picture, const std::string& file);
+/// Draws it to a file that ends in .png or .svg; what lies at no finite place is left out, and a floor's image that
+/// `read` can't read. An error says why it can't be written; then there is no file.
+Expected<void> draw_picture(PictureOf picture, const std::string& file, const PictureReader& read);
 
 }  // namespace nezumi::draw

@@ -13,6 +13,10 @@ Expected<void*> load_function(const Module& module) {
     std::error_code none;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
     const std::filesystem::path file = (program.parent_path() / NEZUMI_MODULES / module.file).lexically_normal();
+    // A static program, which can load nothing, has none.
+    if (!std::filesystem::exists(file, none))
+        return failure(
+            fmt::format("this nezumi was built without the part for {}: there is no {}", module.part, file.string()));
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr)
         return failure(

@@ -16,7 +16,8 @@ struct Module {
     std::string_view needs;     ///< the package without which it can't be loaded
 };
 
-/// Loads a module and finds its function; it stays until the program ends. An error says what to install.
+/// Loads a module and finds its function; it stays until the program ends. An error says what to install, or that this
+/// program was built without the module.
 Expected<void*> load_function(const Module& module);
 
 }  // namespace nezumi

@@ -4,13 +4,14 @@
 #include "engine/ports/setting.hpp"
 #include "engine/world/arena_spec.hpp"
 #include "engine/world/maze.hpp"
+#include "engine/world/picture.hpp"
 
 namespace nezumi {
 
 inline constexpr double least_length = 1e-4;  ///< [m] thinner things have no physics
 inline constexpr double least_line = 1e-3;    ///< [m] no sensor sees a thinner line
 inline constexpr double least_mass = 1e-3;    ///< [kg] what is lighter is thrown about by rounding
-inline constexpr int last_tag = 586;          ///< AprilTag family 36h11 has 587 tags
+inline constexpr int last_tag = tag_count - 1;
 
 /// The names of colours that a file may use for "#rrggbb".
 struct NamedColor {

@@ -175,8 +175,8 @@ namespace {
 
 class WorkedCamera final : public CameraSource {
 public:
-    WorkedCamera(std::shared_ptr<VideoCamera> camera, CameraSettings settings)
-        : settings_(std::move(settings)), camera_(std::move(camera)), worker_(camera_) {}
+    WorkedCamera(std::unique_ptr<VideoCamera> camera, CameraSettings settings)
+        : settings_(std::move(settings)), camera_(std::move(camera)) {}
 
     CameraIntrinsics intrinsics() const override { return settings_.intrinsics(); }
     bool is_device() const override { return true; }
@@ -197,14 +197,13 @@ public:
 private:
     const CameraSettings settings_;
     TickClock clock_;
-    std::shared_ptr<VideoCamera> camera_;
-    DeviceWorker worker_;
+    RunningJob<VideoCamera> camera_;
 };
 
 }  // namespace
 
 std::unique_ptr<CameraSource> open_camera(const std::string& dev, const CameraSettings& settings, OpenCapture open) {
-    return std::make_unique<WorkedCamera>(std::make_shared<VideoCamera>(dev, settings, std::move(open)), settings);
+    return std::make_unique<WorkedCamera>(std::make_unique<VideoCamera>(dev, settings, std::move(open)), settings);
 }
 
 }  // namespace nezumi::hw

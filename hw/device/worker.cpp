@@ -9,7 +9,7 @@
 
 namespace nezumi::hw {
 
-DeviceWorker::DeviceWorker(std::shared_ptr<DeviceJob> job) : state_(std::make_shared<State>()) {
+DeviceWorker::DeviceWorker(std::unique_ptr<DeviceJob> job) : state_(std::make_shared<State>()) {
     state_->job = std::move(job);
     // Detached, as a thread that hangs in the kernel can't be joined; the state is its own as well.
     std::thread([state = state_] { work(*state); }).detach();
@@ -34,7 +34,7 @@ void DeviceWorker::work(State& state) {
         if (!should_end()) state.bell.wait(seconds, state.job->watched_file());
     }
     state.job->end();
-    state.job.reset();  // who waits has the last of it: with that goes what it holds, as a lease
+    state.job.reset();  // before who waits goes on: with it goes what it holds, as a lease
     const std::lock_guard lock(state.mutex);
     state.has_ended = true;
     state.ended.notify_all();

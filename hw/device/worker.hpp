@@ -4,14 +4,15 @@
 #include <atomic>
 #include <condition_variable>
 #include <memory>
+#include <utility>
 
 #include "engine/base/mutex.hpp"
 #include "hw/device/wake.hpp"
 
 namespace nezumi::hw {
 
-/// What a worker does, again and again. It outlives its worker where its thread hangs in the kernel: it must own all
-/// that it uses.
+/// What a worker does, again and again. Where its thread hangs in the kernel it outlives its worker: it must own all
+/// that it uses, or share it with jobs of other threads.
 class DeviceJob {
 public:
     virtual ~DeviceJob() = default;
@@ -41,7 +42,7 @@ public:
     static constexpr double patience = 1.0;
 
     /// Begins at once. Throws std::system_error when there can be no more threads.
-    explicit DeviceWorker(std::shared_ptr<DeviceJob> job);
+    explicit DeviceWorker(std::unique_ptr<DeviceJob> job);
     ~DeviceWorker();
     DeviceWorker(const DeviceWorker&) = delete;
     DeviceWorker& operator=(const DeviceWorker&) = delete;
@@ -51,7 +52,7 @@ public:
 
 private:
     struct State {
-        std::shared_ptr<DeviceJob> job;
+        std::unique_ptr<DeviceJob> job;
         Wake bell;
         Mutex mutex;
         std::condition_variable ended;
@@ -60,7 +61,22 @@ private:
     };
     static void work(State& state);
 
-    std::shared_ptr<State> state_;
+    std::shared_ptr<State> state_;  // shared with the thread, which may be left behind
+};
+
+/// A job and the thread that runs it, from now on until this goes.
+template <class Job>
+class RunningJob {
+public:
+    explicit RunningJob(std::unique_ptr<Job> job) : job_(*job), worker_(std::move(job)) {}
+
+    Job* operator->() const { return &job_; }
+    /// Makes the job run now, or again when it runs. Never waits.
+    void wake() const { worker_.wake(); }
+
+private:
+    Job& job_;
+    DeviceWorker worker_;
 };
 
 }  // namespace nezumi::hw

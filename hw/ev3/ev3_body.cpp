@@ -127,40 +127,32 @@ Expected<std::unique_ptr<RobotBody>> Ev3Body::make(const RobotSpec& spec, const 
     auto wheels = WheelMotors::make(motors, ports, rim_acceleration(spec.drive) / metres_per_pulse(spec.drive).left);
     if (!wheels) return Unexpected(wheels.error());
     const auto index = servo_of(spec);
-    std::shared_ptr<ServoMotor> servo;
+    std::unique_ptr<ServoMotor> servo;
     if (index) {
         const ActuatorSpec& actuator = spec.actuators[*index];
-        servo = std::make_shared<ServoMotor>(motors, actuator.port.empty() ? "outA" : actuator.port,
+        servo = std::make_unique<ServoMotor>(motors, actuator.port.empty() ? "outA" : actuator.port,
                                              fmt::format("motor '{}'", actuator.name), (*wheels)->guard());
     }
     return std::unique_ptr<RobotBody>(
         new Ev3Body(spec, roots, std::move(*wheels), std::move(servo), index.value_or(spec.actuators.size())));
 }
 
-Ev3Body::Ev3Body(const RobotSpec& spec, const DeviceRoots& roots, std::shared_ptr<WheelMotors> wheels,
-                 std::shared_ptr<ServoMotor> servo, std::size_t servo_index)
+Ev3Body::Ev3Body(const RobotSpec& spec, const DeviceRoots& roots, std::unique_ptr<WheelMotors> wheels,
+                 std::unique_ptr<ServoMotor> servo, std::size_t servo_index)
     : spec_(spec),
       readings_(spec.sensors.size()),
       channel_of_(spec.sensors.size(), nullptr),
       servo_index_(servo_index),
-      wheels_(std::move(wheels)),
-      servo_(std::move(servo)),
-      lights_(std::make_shared<Lights>(led_nodes(roots.in_sys()), "255", with_ev3_advice)),
-      screen_(std::make_shared<BrickScreen>(roots.in_dev() + "/fb0", roots.in_sys() + "/class/graphics/fb0")),
-      battery_(std::make_shared<Battery>(roots.in_sys() + "/class/power_supply")),
       loudspeaker_(spec),
-      wheels_worker_(wheels_),
-      lights_worker_(lights_),
-      screen_worker_(screen_),
-      battery_worker_(battery_) {
-    if (servo_) servo_worker_.emplace(servo_);
+      wheels_(std::move(wheels)),
+      lights_(std::make_unique<Lights>(led_nodes(roots.in_sys()), "255", with_ev3_advice)),
+      screen_(std::make_unique<BrickScreen>(roots.in_dev() + "/fb0", roots.in_sys() + "/class/graphics/fb0")),
+      battery_(std::make_unique<Battery>(roots.in_sys() + "/class/power_supply")) {
+    if (servo) servo_.emplace(std::move(servo));
     for (std::size_t i = 0; i < spec.sensors.size(); ++i) {
         if (const auto key = key_of(spec.sensors[i])) keys_of_.emplace_back(i, *key);
     }
-    if (!keys_of_.empty()) {
-        keys_ = std::make_shared<BrickKeys>(roots.in_dev());
-        keys_worker_.emplace(keys_);
-    }
+    if (!keys_of_.empty()) keys_.emplace(std::make_unique<BrickKeys>(roots.in_dev()));
     add_sensors(roots.in_sys() + "/class/lego-sensor");
 }
 
@@ -172,8 +164,8 @@ void Ev3Body::add_sensors(const DevicePath& folder) {
         // The room's light is another mode of the sensor that tells colours.
         if (!mode || (sensor.kind == SensorKind::ambient && has_color(spec_))) continue;
         if (devices[i] == i) {
-            channels_.push_back(std::make_unique<Channel>(
-                std::make_shared<ModeSensor>(fmt::format("sensor '{}'", sensor.name), folder, *mode, sensor.port)));
+            channels_.push_back(std::make_unique<RunningJob<ModeSensor>>(
+                std::make_unique<ModeSensor>(fmt::format("sensor '{}'", sensor.name), folder, *mode, sensor.port)));
             channel_of_[i] = channels_.back().get();
         } else {
             channel_of_[i] = channel_of_[devices[i]];
@@ -189,8 +181,7 @@ WheelReading Ev3Body::read_wheels(const Time& now, double /*period*/) {
 // Whether another touch sensor has been there: the robot has one, and this is the one that it lacks.
 bool Ev3Body::is_touch_elsewhere(std::size_t sensor) const {
     for (std::size_t i = 0; i < channel_of_.size(); ++i) {
-        if (i != sensor && spec_.sensors[i].kind == SensorKind::touch && channel_of_[i]->device->was_there())
-            return true;
+        if (i != sensor && spec_.sensors[i].kind == SensorKind::touch && (*channel_of_[i])->was_there()) return true;
     }
     return false;
 }
@@ -232,12 +223,12 @@ std::span<const SensorReading> Ev3Body::read_sensors(const Time& now, double /*p
         SensorReading& reading = readings_[i];
         reading.is_there = false;
         if (channel_of_[i] == nullptr) continue;
-        ModeSensor& device = *channel_of_[i]->device;
-        if (const auto sample = device.newest(clock)) {
+        const RunningJob<ModeSensor>& device = *channel_of_[i];
+        if (const auto sample = device->newest(clock)) {
             reading.is_there = true;
             reading.tm = clock_.system_time(now, sample->tm);
             read(i, sample->value);
-        } else if (spec_.sensors[i].kind == SensorKind::touch && !device.was_there() && is_touch_elsewhere(i)) {
+        } else if (spec_.sensors[i].kind == SensorKind::touch && !device->was_there() && is_touch_elsewhere(i)) {
             reading = {.is_there = true, .tm = now.seconds};
         }
     }
@@ -246,7 +237,7 @@ std::span<const SensorReading> Ev3Body::read_sensors(const Time& now, double /*p
 }
 
 void Ev3Body::read_keys(const Time& now, double clock) {
-    const auto sample = keys_->newest(clock);
+    const auto sample = (*keys_)->newest(clock);
     for (const auto& [sensor, key] : keys_of_) {
         SensorReading& reading = readings_[sensor];
         reading.is_there = sample.has_value();
@@ -256,16 +247,18 @@ void Ev3Body::read_keys(const Time& now, double clock) {
     }
 }
 
-double Ev3Body::servo_angle(std::size_t index) const { return servo_ && index == servo_index_ ? servo_->angle() : 0; }
+double Ev3Body::servo_angle(std::size_t index) const {
+    return servo_ && index == servo_index_ ? (*servo_)->angle() : 0;
+}
 
 std::vector<std::string> Ev3Body::take_faults() {
     std::vector<std::string> all = wheels_->take_faults();
-    if (servo_) append(all, servo_->take_faults());
-    for (const auto& channel : channels_) append(all, channel->device->take_faults());
+    if (servo_) append(all, (*servo_)->take_faults());
+    for (const auto& channel : channels_) append(all, (*channel)->take_faults());
     append(all, lights_->take_faults());
     append(all, screen_->take_faults());
     append(all, battery_->take_faults());
-    if (keys_) append(all, keys_->take_faults());
+    if (keys_) append(all, (*keys_)->take_faults());
     append(all, loudspeaker_.take_faults());
     return all;
 }
@@ -274,12 +267,12 @@ void Ev3Body::set_wheel_speeds(Wheels speeds) {
     const Wheels metres = metres_per_pulse(spec_.drive);
     wheels_->command({.drives = may_have_power_,
                       .rates = {.left = speeds.left / metres.left, .right = speeds.right / metres.right}});
-    wheels_worker_.wake();
+    wheels_.wake();
 }
 
 void Ev3Body::coast() {
     wheels_->command({});
-    wheels_worker_.wake();
+    wheels_.wake();
 }
 
 void Ev3Body::set_motor_power(bool on) {
@@ -289,18 +282,18 @@ void Ev3Body::set_motor_power(bool on) {
 
 void Ev3Body::aim_servo(std::size_t index, double angle, double speed) {
     if (!servo_ || index != servo_index_) return;
-    servo_->aim(angle, speed);
-    servo_worker_->wake();
+    (*servo_)->aim(angle, speed);
+    servo_->wake();
 }
 
 void Ev3Body::set_leds(const std::vector<bool>& on) {
     lights_->set(on);
-    lights_worker_.wake();
+    lights_.wake();
 }
 
 void Ev3Body::show(std::size_t /*index*/, const CameraImage& picture) {
     screen_->show(picture);
-    screen_worker_.wake();
+    screen_.wake();
 }
 
 }  // namespace nezumi::hw

@@ -65,14 +65,8 @@ public:
     void show(std::size_t index, const CameraImage& picture) override;
 
 private:
-    // A sensor's device; colour and reflected light share one.
-    struct Channel {
-        Channel(std::shared_ptr<ModeSensor> its_device) : device(std::move(its_device)), worker(device) {}
-        std::shared_ptr<ModeSensor> device;
-        DeviceWorker worker;
-    };
-    Ev3Body(const RobotSpec& spec, const DeviceRoots& roots, std::shared_ptr<WheelMotors> wheels,
-            std::shared_ptr<ServoMotor> servo, std::size_t servo_index);
+    Ev3Body(const RobotSpec& spec, const DeviceRoots& roots, std::unique_ptr<WheelMotors> wheels,
+            std::unique_ptr<ServoMotor> servo, std::size_t servo_index);
     void add_sensors(const DevicePath& folder);
     void read(std::size_t sensor, const SensorValues& values);
     bool is_touch_elsewhere(std::size_t sensor) const;
@@ -80,7 +74,7 @@ private:
 
     const RobotSpec& spec_;
     std::vector<SensorReading> readings_;
-    std::vector<Channel*> channel_of_;  // a sensor's; null: none
+    std::vector<const RunningJob<ModeSensor>*> channel_of_;  // a sensor's device; null: none
     std::vector<std::pair<std::size_t, std::size_t>>
         keys_of_;  // sensors that are keys: their indices in the spec, and in `brick_keys`
     TickClock clock_;
@@ -88,17 +82,14 @@ private:
     std::size_t servo_index_;
     GyroAngle gyro_;
 
-    std::shared_ptr<WheelMotors> wheels_;
-    std::shared_ptr<ServoMotor> servo_;  // null: the robot has none
-    std::shared_ptr<Lights> lights_;
-    std::shared_ptr<BrickScreen> screen_;
-    std::shared_ptr<Battery> battery_;
-    std::shared_ptr<BrickKeys> keys_;  // null: the robot has none
     Loudspeaker loudspeaker_;
-    // Last: they end before what they work on.
-    DeviceWorker wheels_worker_, lights_worker_, screen_worker_, battery_worker_;
-    std::optional<DeviceWorker> servo_worker_, keys_worker_;
-    std::vector<std::unique_ptr<Channel>> channels_;
+    RunningJob<WheelMotors> wheels_;
+    RunningJob<Lights> lights_;
+    RunningJob<BrickScreen> screen_;
+    RunningJob<Battery> battery_;
+    std::optional<RunningJob<ServoMotor>> servo_;
+    std::optional<RunningJob<BrickKeys>> keys_;
+    std::vector<std::unique_ptr<RunningJob<ModeSensor>>> channels_;  // colour and reflected light share one
 };
 
 }  // namespace nezumi::hw

@@ -15,10 +15,10 @@ constexpr double tell_again = TachoMotor::dead_man / 2;  // [s]
 
 }  // namespace
 
-Expected<std::shared_ptr<WheelMotors>> WheelMotors::make(const DevicePath& folder,
+Expected<std::unique_ptr<WheelMotors>> WheelMotors::make(const DevicePath& folder,
                                                          const std::array<std::string, count>& ports,
                                                          double acceleration) {
-    std::shared_ptr<WheelMotors> motors(new WheelMotors(folder, ports, acceleration));
+    std::unique_ptr<WheelMotors> motors(new WheelMotors(folder, ports, acceleration));
     // Both are looked for before any is written: where one is missing, nothing is touched.
     for (Wheel& wheel : motors->wheels_) {
         if (auto ok = wheel.motor.find(); !ok) return failure("motors: " + ok.error());

@@ -36,7 +36,7 @@ public:
     /// Takes the brick's lease and starts the guard. `folder` is the class's; `ports` of the left motor and the right;
     /// `acceleration` [pulses/s^2] that the limits allow a wheel. An error, with what to do, when a motor is missing,
     /// and nothing has been written, or when another program drives them.
-    static Expected<std::shared_ptr<WheelMotors>> make(const DevicePath& folder,
+    static Expected<std::unique_ptr<WheelMotors>> make(const DevicePath& folder,
                                                        const std::array<std::string, count>& ports,
                                                        double acceleration);
     /// Which stops other motors of the brick as well: nodes from the index `count` on.

@@ -203,19 +203,18 @@ namespace {
 
 class WorkedGamepad final : public Gamepad {
 public:
-    explicit WorkedGamepad(std::shared_ptr<EvdevGamepad> gamepad) : gamepad_(std::move(gamepad)), worker_(gamepad_) {}
+    explicit WorkedGamepad(std::unique_ptr<EvdevGamepad> gamepad) : gamepad_(std::move(gamepad)) {}
     std::optional<GamepadState> state() override { return gamepad_->state(); }
     std::vector<std::string> take_faults() override { return gamepad_->take_faults(); }
 
 private:
-    std::shared_ptr<EvdevGamepad> gamepad_;
-    DeviceWorker worker_;
+    RunningJob<EvdevGamepad> gamepad_;
 };
 
 }  // namespace
 
 std::unique_ptr<Gamepad> open_gamepad(const std::string& dev, const GamepadSettings& settings) {
-    return std::make_unique<WorkedGamepad>(std::make_shared<EvdevGamepad>(dev, settings));
+    return std::make_unique<WorkedGamepad>(std::make_unique<EvdevGamepad>(dev, settings));
 }
 
 }  // namespace nezumi::hw

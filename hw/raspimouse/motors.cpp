@@ -30,7 +30,7 @@ Motors::Motors(const DevicePath& folder, std::unique_ptr<Guard> guard, Wheels me
       right_rate_(metres_per_pulse.right, acceleration),
       standing_power_(standing_power) {}
 
-Expected<std::shared_ptr<Motors>> Motors::make(const DevicePath& folder, Wheels metres_per_pulse, double acceleration,
+Expected<std::unique_ptr<Motors>> Motors::make(const DevicePath& folder, Wheels metres_per_pulse, double acceleration,
                                                double standing_power) {
     const DevicePath power = folder + "/rtmotoren0", left = folder + "/rtmotor_raw_l0",
                      right = folder + "/rtmotor_raw_r0";
@@ -40,7 +40,7 @@ Expected<std::shared_ptr<Motors>> Motors::make(const DevicePath& folder, Wheels 
     }
     auto guard = Guard::start("raspimouse", power);
     if (!guard) return Unexpected(guard.error());
-    std::shared_ptr<Motors> motors(
+    std::unique_ptr<Motors> motors(
         new Motors(folder, std::move(*guard), metres_per_pulse, acceleration, standing_power));
     auto ok = motors->be_guarded();
     if (ok) ok = motors->stop_all();

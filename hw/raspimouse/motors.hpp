@@ -42,7 +42,7 @@ public:
     /// `metres_per_pulse` of the wheels' rims, `acceleration` [m/s^2] that the limits allow it, `standing_power` [s] of
     /// standstill after which the motors' power goes off, until they are to turn again. An error, with what to do, when
     /// another program drives the motors, or when motors or their power can't be written.
-    static Expected<std::shared_ptr<Motors>> make(const DevicePath& folder, Wheels metres_per_pulse,
+    static Expected<std::unique_ptr<Motors>> make(const DevicePath& folder, Wheels metres_per_pulse,
                                                   double acceleration, double standing_power = 30);
 
     /// From the control loop, once a tick at least: whoever falls silent is stopped by the guard.
@@ -72,6 +72,7 @@ private:
     Node power_, left_, right_, buzzer_;
     StepRate left_rate_, right_rate_;
     const double standing_power_;  // [s]
+    // Shared with the counters, whose thread may be left behind.
     std::shared_ptr<CommandedWheels> commanded_ = std::make_shared<CommandedWheels>();
     Health health_{"motors"}, buzzer_health_{"buzzer"};
 

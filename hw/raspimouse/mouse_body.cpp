@@ -74,25 +74,19 @@ Expected<std::unique_ptr<RobotBody>> MouseBody::make(const RobotSpec& spec, cons
         new MouseBody(spec, roots, std::move(*motors), std::move(*ranges), std::move(*buttons)));
 }
 
-MouseBody::MouseBody(const RobotSpec& spec, const DeviceRoots& roots, std::shared_ptr<Motors> motors,
+MouseBody::MouseBody(const RobotSpec& spec, const DeviceRoots& roots, std::unique_ptr<Motors> motors,
                      std::vector<Wired> ranges, std::vector<Wired> buttons)
     : spec_(spec),
       ranges_(std::move(ranges)),
       buttons_(std::move(buttons)),
       readings_(spec.sensors.size()),
-      motors_(std::move(motors)),
-      counters_(std::make_shared<WheelCounters>(roots.in_dev(), motors_->commanded())),
-      light_sensors_(std::make_shared<LightSensors>(roots.in_dev())),
-      switches_(std::make_shared<Switches>(roots.in_dev())),
-      lights_(std::make_shared<Lights>(led_nodes(roots.in_dev()), encode_switch(true), with_advice)),
-      supply_(std::make_shared<Supply>(roots.in_sys() + "/class/hwmon")),
       loudspeaker_(spec),
-      motors_worker_(motors_),
-      counters_worker_(counters_),
-      light_sensors_worker_(light_sensors_),
-      switches_worker_(switches_),
-      lights_worker_(lights_),
-      supply_worker_(supply_) {}
+      motors_(std::move(motors)),
+      counters_(std::make_unique<WheelCounters>(roots.in_dev(), motors_->commanded())),
+      light_sensors_(std::make_unique<LightSensors>(roots.in_dev())),
+      switches_(std::make_unique<Switches>(roots.in_dev())),
+      lights_(std::make_unique<Lights>(led_nodes(roots.in_dev()), encode_switch(true), with_advice)),
+      supply_(std::make_unique<Supply>(roots.in_sys() + "/class/hwmon")) {}
 
 WheelReading MouseBody::read_wheels(const Time& now, double /*period*/) {
     const auto sample = counters_->newest(clock_.look(now));
@@ -138,7 +132,7 @@ std::vector<std::string> MouseBody::take_faults() {
 
 void MouseBody::send() {
     motors_->command(command_);
-    motors_worker_.wake();
+    motors_.wake();
 }
 
 void MouseBody::set_wheel_speeds(Wheels speeds) {
@@ -162,7 +156,7 @@ void MouseBody::set_motor_power(bool on) {
 
 void MouseBody::set_leds(const std::vector<bool>& on) {
     lights_->set(on);
-    lights_worker_.wake();
+    lights_.wake();
 }
 
 void MouseBody::set_buzzer(int hertz) {

@@ -52,7 +52,7 @@ private:
     };
     static Expected<std::vector<Wired>> wire(const RobotSpec& spec, SensorSpec::Kind kind, std::string_view port_begin,
                                              std::size_t devices);
-    MouseBody(const RobotSpec& spec, const DeviceRoots& roots, std::shared_ptr<Motors> motors,
+    MouseBody(const RobotSpec& spec, const DeviceRoots& roots, std::unique_ptr<Motors> motors,
               std::vector<Wired> ranges, std::vector<Wired> buttons);
     void send();
 
@@ -63,16 +63,13 @@ private:
     MotorCommand command_;
     bool may_have_power_ = false;
 
-    std::shared_ptr<Motors> motors_;
-    std::shared_ptr<WheelCounters> counters_;
-    std::shared_ptr<LightSensors> light_sensors_;
-    std::shared_ptr<Switches> switches_;
-    std::shared_ptr<Lights> lights_;
-    std::shared_ptr<Supply> supply_;
     Loudspeaker loudspeaker_;
-    // Last: they end before what they work on.
-    DeviceWorker motors_worker_, counters_worker_, light_sensors_worker_, switches_worker_, lights_worker_,
-        supply_worker_;
+    RunningJob<Motors> motors_;
+    RunningJob<WheelCounters> counters_;
+    RunningJob<LightSensors> light_sensors_;
+    RunningJob<Switches> switches_;
+    RunningJob<Lights> lights_;
+    RunningJob<Supply> supply_;
 };
 
 }  // namespace nezumi::hw

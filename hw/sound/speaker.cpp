@@ -117,15 +117,24 @@ double Speaker::run() {
     return 0;
 }
 
-Loudspeaker::Loudspeaker(const RobotSpec& spec) : speaker_(std::make_shared<Speaker>(device_of(spec))) {}
+Loudspeaker::Loudspeaker(const RobotSpec& spec) : device_(device_of(spec)) {}
+
+Loudspeaker::~Loudspeaker() {
+    if (speaker_) (*speaker_)->silence_for_good();
+}
 
 void Loudspeaker::play(const Sound& sound) {
-    speaker_->play(sound);
-    if (worker_) {
-        worker_->wake();
-    } else {
-        worker_.emplace(speaker_);
-    }
+    if (!speaker_) speaker_.emplace(std::make_unique<Speaker>(device_));
+    (*speaker_)->play(sound);
+    speaker_->wake();
+}
+
+void Loudspeaker::silence() {
+    if (speaker_) (*speaker_)->silence();
+}
+
+std::vector<std::string> Loudspeaker::take_faults() {
+    return speaker_ ? (*speaker_)->take_faults() : std::vector<std::string>{};
 }
 
 }  // namespace nezumi::hw

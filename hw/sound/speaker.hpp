@@ -54,18 +54,18 @@ public:
     /// Its device is the `port` of the spec's first speaker.
     explicit Loudspeaker(const RobotSpec& spec);
     /// What plays ends.
-    ~Loudspeaker() { speaker_->silence_for_good(); }
+    ~Loudspeaker();
     Loudspeaker(const Loudspeaker&) = delete;
     Loudspeaker& operator=(const Loudspeaker&) = delete;
 
     void play(const Sound& sound);
     /// What plays ends, and what waits is left out.
-    void silence() { speaker_->silence(); }
-    std::vector<std::string> take_faults() { return speaker_->take_faults(); }
+    void silence();
+    std::vector<std::string> take_faults();
 
 private:
-    std::shared_ptr<Speaker> speaker_;
-    std::optional<DeviceWorker> worker_;
+    const std::string device_;
+    std::optional<RunningJob<Speaker>> speaker_;  // none before the first sound
 };
 
 }  // namespace nezumi::hw

@@ -13,7 +13,6 @@
 #include "bindings/cli/base/stop_signals.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/cli/files/named_files.hpp"
-#include "bindings/cli/guided/guided_camera.hpp"
 #include "bindings/cli/guided/person.hpp"
 #include "bindings/cli/guided/setup.hpp"
 #include "bindings/lua/files/calibration_file.hpp"
@@ -101,8 +100,8 @@ public:
         if (auto there = person_.is_there(); !there) return Unexpected(there.error());
         const Hardware hardware = roots();
         const hw::BoardCourse course{.board = board_of(options_.board)};
-        auto camera = GuidedCamera::make(
-            {.file = options_.file, .camera = options_.camera, .simulated = options_.simulated, .hardware = hardware},
+        auto camera = guided_camera(
+            {.file = options_.file, .name = options_.camera, .simulated = options_.simulated, .hardware = hardware},
             signals_.received());
         if (!camera) return Unexpected(camera.error());
         auto asked = person_.confirm(fmt::format(
@@ -128,7 +127,7 @@ private:
     Expected<void> begin() {
         if (auto there = person_.is_there(); !there) return there;
         const GuidedSetup setup{
-            .file = options_.file, .robot = options_.robot, .simulated = options_.simulated, .hardware = roots()};
+            .file = options_.file, .name = options_.robot, .simulated = options_.simulated, .hardware = roots()};
         auto robot = guided_by_file(setup, signals_.received());
         if (!robot) return Unexpected(robot.error());
         robot_ = std::move(*robot);

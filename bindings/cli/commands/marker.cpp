@@ -16,6 +16,7 @@
 #include "bindings/draw/marker_sheet.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/world/arena_fields.hpp"
+#include "sim/picture.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -62,7 +63,9 @@ int write_markers(const MarkerOptions& options) {
     }
     if (options.file.empty() && isatty(STDOUT_FILENO) != 0)
         return refuse("marker: a PDF is nothing for a terminal: write `> tag.pdf`, or `-o tag.pdf`");
-    const auto pdf = draw::marker_pdf(*paper, *ids, options.size);
+    std::vector<draw::PrintedTag> tags;
+    for (const int id : *ids) tags.push_back({id, sim::paint_tag(id)});
+    const auto pdf = draw::marker_pdf(*paper, tags, options.size);
     if (!pdf) return refuse(pdf.error());
     if (options.file.empty()) {
         put_text(stdout, *pdf);

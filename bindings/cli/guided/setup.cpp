@@ -17,10 +17,10 @@
 namespace nezumi::cli {
 namespace {
 
+void say(const LogLine& line) { put_text(stderr, visible(fmt::format("{}: {}", line.component, line.text)) + "\n"); }
+
 hw::GuidedRobot::Options options(bool real_time, const volatile std::sig_atomic_t& end) {
-    return {.real_time = real_time, .end = &end, .log = [](const LogLine& line) {
-                put_text(stderr, visible(fmt::format("{}: {}", line.component, line.text)) + "\n");
-            }};
+    return {.real_time = real_time, .end = &end, .log = say};
 }
 
 Makers makers(const Hardware& hardware) {
@@ -30,17 +30,7 @@ Makers makers(const Hardware& hardware) {
     return all;
 }
 
-// The name of the robot that is meant.
-Expected<std::string> chosen(const SystemSpec& spec, const std::string& wanted) {
-    std::vector<std::string_view> names;
-    for (const Entry& entry : spec.entries) {
-        if (std::holds_alternative<RobotEntry>(entry)) names.push_back(name_of(entry));
-    }
-    return the_one(names, wanted, "robot", spec.file);
-}
-
-}  // namespace
-
+// Which of these a person means: the only one, or the one that they want. An option `--KIND` says which one is wanted.
 Expected<std::string> the_one(const std::vector<std::string_view>& names, const std::string& wanted,
                               std::string_view kind, const std::string& file) {
     for (const std::string_view name : names) {
@@ -54,13 +44,19 @@ Expected<std::string> the_one(const std::vector<std::string_view>& names, const 
         fmt::format("{} has several {}s: say by --{} which one, of {}", file, kind, kind, fmt::join(names, ", ")));
 }
 
+}  // namespace
+
 Expected<std::unique_ptr<hw::GuidedRobot>> guided_by_file(const GuidedSetup& setup,
                                                           const volatile std::sig_atomic_t& end) {
     const LiveOptions live = simulated_systems();
     const Project project = Project::of(setup.file, live.installed);
     auto spec = read_system_file(setup.file, project);
     if (!spec) return Unexpected(spec.error());
-    const auto name = chosen(*spec, setup.robot);
+    std::vector<std::string_view> names;
+    for (const Entry& entry : spec->entries) {
+        if (std::holds_alternative<RobotEntry>(entry)) names.push_back(name_of(entry));
+    }
+    const auto name = the_one(names, setup.name, "robot", spec->file);
     if (!name) return Unexpected(name.error());
     if (!setup.simulated) {
         if (auto ok = choose_drivers(
@@ -71,6 +67,29 @@ Expected<std::unique_ptr<hw::GuidedRobot>> guided_by_file(const GuidedSetup& set
             return Unexpected(ok.error());
     }
     return hw::GuidedRobot::make(std::move(*spec), *name, makers(setup.hardware), options(!setup.simulated, end));
+}
+
+Expected<std::unique_ptr<hw::GuidedCamera>> guided_camera(const GuidedSetup& setup,
+                                                          const volatile std::sig_atomic_t& end) {
+    const LiveOptions live = simulated_systems();
+    auto spec = read_system_file(setup.file, Project::of(setup.file, live.installed));
+    if (!spec) return Unexpected(spec.error());
+    std::vector<std::string_view> names;
+    for (const Entry& entry : spec->entries) {
+        const auto* component = std::get_if<ComponentEntry>(&entry);
+        if (component != nullptr && component->type == "Camera") names.push_back(component->name);
+    }
+    const auto name = the_one(names, setup.name, "camera", spec->file);
+    if (!name) return Unexpected(name.error());
+    Makers makers;
+    if (setup.simulated) {
+        makers.world = live.world;
+        makers.components = live.components;
+    } else {
+        makers.components = hw::device_drivers({.dev = setup.hardware.dev_root, .sys = setup.hardware.sys_root});
+    }
+    return hw::GuidedCamera::make(std::move(*spec), *name, makers,
+                                  {.simulated = setup.simulated, .end = &end, .log = say});
 }
 
 Expected<std::unique_ptr<hw::GuidedRobot>> guided_by_model(const std::string& model, const Hardware& hardware,

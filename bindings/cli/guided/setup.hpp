@@ -1,32 +1,31 @@
-// From a file, or a model's name, to a robot that a sub-command drives.
+// From a file, or a model's name, to a robot that a sub-command drives, or a camera that it looks through.
 #pragma once
 
 #include <csignal>
 #include <memory>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "bindings/cli/run/hardware.hpp"
+#include "hw/calibrate/guided_camera.hpp"
 #include "hw/calibrate/guided_robot.hpp"
 
 namespace nezumi::cli {
 
-/// Which robot is driven, and how it is reached.
+/// Which robot or camera, and how it is reached.
 struct GuidedSetup {
     std::string file;        ///< a system file
-    std::string robot;       ///< its name there; "": the only one
-    bool simulated = false;  ///< in the system's arena, as fast as can be
+    std::string name;        ///< its name there; "": the only one
+    bool simulated = false;  ///< as fast as can be: a robot in the system's arena, a camera over a chessboard
     Hardware hardware;       ///< of a real one; `robots` does not count
 };
 
-/// Which of these a person means: the only one, or the one that they want. An error says what there is in `file`; an
-/// option `--KIND` says which one is wanted.
-Expected<std::string> the_one(const std::vector<std::string_view>& names, const std::string& wanted,
-                              std::string_view kind, const std::string& file);
-
 /// The robot of a system file, as its calibration says where it has one. What it logs goes to standard error.
 Expected<std::unique_ptr<hw::GuidedRobot>> guided_by_file(const GuidedSetup& setup,
+                                                          const volatile std::sig_atomic_t& end);
+
+/// The camera of a system file, alone. Errors are those of the file, of the camera's parameters, or say which cameras
+/// there are.
+Expected<std::unique_ptr<hw::GuidedCamera>> guided_camera(const GuidedSetup& setup,
                                                           const volatile std::sig_atomic_t& end);
 
 /// The real robot of an installed model; it drives without the sensors that it needs otherwise.

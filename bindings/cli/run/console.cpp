@@ -16,6 +16,7 @@
 #include "bindings/terminal/input_history.hpp"
 #include "bindings/terminal/terminal.hpp"
 #include "engine/base/visible.hpp"
+#include "sim/picture.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -37,8 +38,9 @@ RunConsole::RunConsole(RunLoop& loop, const std::string& name)
                 return draw::draw_wiring(wiring, file);
             };
         }
-        return
-            [seen = draw::look_at(live, {}, title)](const std::string& file) { return draw::draw_picture(seen, file); };
+        return [seen = draw::look_at(live, {}, title)](const std::string& file) {
+            return draw::draw_picture(seen, file, sim::read_picture);
+        };
     });
     server_->write_by(write_new_behavior);
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bindings/cli/files/output_files.hpp"
+#include "sim/picture.hpp"
 
 namespace nezumi::cli {
 
@@ -48,7 +49,7 @@ Expected<void> RunResults::write() {
     if (recorder_) {
         if (auto ok = recorder_->finish(); !ok) return ok;
     }
-    if (picture_) return draw::draw_picture(std::move(*picture_), picture_file_);
+    if (picture_) return draw::draw_picture(std::move(*picture_), picture_file_, sim::read_picture);
     return {};
 }
 

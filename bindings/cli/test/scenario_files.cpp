@@ -11,6 +11,7 @@
 #include "bindings/cli/run/recorder.hpp"
 #include "bindings/draw/picture.hpp"
 #include "bindings/draw/trajectories.hpp"
+#include "sim/picture.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -56,7 +57,7 @@ public:
             const System& system = world.live.system();
             if (!world.begun || system.world() == nullptr || system.robots().empty()) continue;
             take(world.picture, draw::draw_picture(draw::look_at(world.live, world.trajectories, title),
-                                                   (folder_ / world.picture).string()));
+                                                   (folder_ / world.picture).string(), sim::read_picture));
         }
         return kept;
     }

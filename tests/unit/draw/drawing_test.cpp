@@ -10,6 +10,7 @@
 #include "bindings/draw/canvas.hpp"
 #include "bindings/draw/picture.hpp"
 #include "bindings/draw/plot.hpp"
+#include "sim/picture.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
@@ -34,7 +35,7 @@ TEST_CASE("a picture's scale follows what there is to be seen", "[draw][picture]
     const Scratch scratch;
     const std::string file = scratch.path("a.png").string();
     PictureOf picture{.title = "nothing"};
-    REQUIRE(draw_picture(picture, file));
+    REQUIRE(draw_picture(picture, file, sim::read_picture));
     const auto [width, height] = size_of_png(text_of_file(file));
     CHECK(width >= 560);
     CHECK(height >= 240);
@@ -43,7 +44,7 @@ TEST_CASE("a picture's scale follows what there is to be seen", "[draw][picture]
     picture.things.push_back({.size = {1e5, 0.1, 0.1}, .color = "#ff0000"});
     const double nan = std::numeric_limits<double>::quiet_NaN();
     picture.robots.push_back({.name = "lost", .pose = {{nan, nan}, nan}, .path = {{nan, 0}}});
-    REQUIRE(draw_picture(picture, file));
+    REQUIRE(draw_picture(picture, file, sim::read_picture));
     CHECK(size_of_png(text_of_file(file)).first < 2000);
     CHECK(size_of_png(text_of_file(file)).second < 2000);
 }
@@ -61,7 +62,7 @@ TEST_CASE("a picture shows the floor's image, its top where y is largest", "[dra
     REQUIRE(cairo_surface_write_to_png(floor.get(), image.c_str()) == CAIRO_STATUS_SUCCESS);
 
     const std::string file = scratch.path("a.png").string();
-    REQUIRE(draw_picture({.title = "floor", .floor = FloorSpec{image, {1, 1}, {}}}, file));
+    REQUIRE(draw_picture({.title = "floor", .floor = FloorSpec{image, {1, 1}, {}}}, file, sim::read_picture));
     const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> drawn(
         cairo_image_surface_create_from_png(file.c_str()), cairo_surface_destroy);
     const int width = cairo_image_surface_get_width(drawn.get()), height = cairo_image_surface_get_height(drawn.get());
@@ -95,7 +96,7 @@ TEST_CASE("a plot is drawn whatever its values", "[draw][plot]") {
 TEST_CASE("what can't be written is said and leaves no file", "[draw][picture]") {
     const Scratch scratch;
     const std::string file = scratch.path("none/a.png").string();
-    const auto drawn = draw_picture({.title = "x"}, file);
+    const auto drawn = draw_picture({.title = "x"}, file, sim::read_picture);
     REQUIRE_FALSE(drawn);
     CHECK(describe(drawn.error()) == file + ": can't be written: No such file or directory");
 }

@@ -10,6 +10,7 @@
 #include "bindings/draw/marker_drawing.hpp"
 #include "bindings/draw/marker_sheet.hpp"
 #include "engine/vision/tag_finder.hpp"
+#include "sim/picture.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
@@ -31,7 +32,7 @@ GrayImage printed(const Paper& paper, int id, double size) {
     cairo_set_source_rgb(context.get(), 1, 1, 1);
     cairo_paint(context.get());
     cairo_scale(context.get(), pixels_per_metre, pixels_per_metre);
-    draw_marker(context.get(), paper, id, size);
+    draw_marker(context.get(), paper, {id, sim::paint_tag(id)}, size);
     cairo_surface_flush(surface.get());
     GrayImage image{width, height, {}};
     const unsigned char* row = cairo_image_surface_get_data(surface.get());

@@ -12,15 +12,15 @@ TEST_CASE("motors that have stood for long have no power until they are to turn 
     constexpr double standing_power = 0.5;  // [s]
     constexpr double metres_per_pulse = 2 * 3.14159265 * 0.024 / 400;
     FakeMouse fake;
-    auto motors = Motors::make(fake.dev(), {.left = metres_per_pulse, .right = metres_per_pulse}, 0.52, standing_power);
-    REQUIRE(motors);
-    const DeviceWorker worker(*motors);
+    auto made = Motors::make(fake.dev(), {.left = metres_per_pulse, .right = metres_per_pulse}, 0.52, standing_power);
+    REQUIRE(made);
+    const RunningJob motors(std::move(*made));
     // As a control loop does, for some seconds or until something is so; returns after how many it was.
     const auto command = [&](double speed, double seconds, const std::function<bool(FakeMouse::Motion)>& until) {
         const double begin = clock_seconds();
         while (clock_seconds() - begin < seconds) {
-            (*motors)->command({.power = true, .speeds = {.left = speed, .right = speed}});
-            worker.wake();
+            motors->command({.power = true, .speeds = {.left = speed, .right = speed}});
+            motors.wake();
             sleep_for(0.01);
             if (until && until(fake.motion())) return clock_seconds() - begin;
         }
@@ -42,7 +42,7 @@ TEST_CASE("motors that have stood for long have no power until they are to turn 
     CHECK(fake.motion().power);
     CHECK(command(0, 3, has_none) > standing_power - 0.2);
     CHECK(command(-0.1, 2, [](const auto& is) { return is.left < -150 && is.power; }) < 2);
-    CHECK((*motors)->take_faults().empty());
+    CHECK(motors->take_faults().empty());
 }
 
 TEST_CASE("motors whose power can't be cut stand, and nothing else is told of them until they are well again",

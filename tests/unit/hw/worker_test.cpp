@@ -21,14 +21,19 @@ bool soon(const std::function<bool()>& is_so) {
 
 // Counts how often it was called, and hangs when it is told to.
 struct CountingJob final : DeviceJob {
+    struct Seen {
+        std::atomic<int> runs = 0;
+        std::atomic<bool> hang = false, ended = false, gone = false;
+    };
+    explicit CountingJob(Seen& its_seen) : seen(its_seen) {}
+    ~CountingJob() override { seen.gone = true; }
     double run() override {
-        ++runs;
-        while (hang) pause_for(0.001);
+        ++seen.runs;
+        while (seen.hang) pause_for(0.001);
         return 1000;
     }
-    void end() override { ended = true; }
-    std::atomic<int> runs = 0;
-    std::atomic<bool> hang = false, ended = false;
+    void end() override { seen.ended = true; }
+    Seen& seen;
 };
 
 // Answers with a number that grows, or not.
@@ -46,35 +51,39 @@ struct Thermometer final : Sampler<int> {
 }  // namespace
 
 TEST_CASE("a device's thread works when it is woken, and once more at the end", "[hw][device]") {
-    const auto job = std::make_shared<CountingJob>();
+    CountingJob::Seen seen;
     {
-        const DeviceWorker worker(job);
-        CHECK(soon([&] { return job->runs == 1; }));
-        worker.wake();
-        CHECK(soon([&] { return job->runs == 2; }));
-        CHECK_FALSE(job->ended);
+        const RunningJob job(std::make_unique<CountingJob>(seen));
+        CHECK(soon([&] { return seen.runs == 1; }));
+        job.wake();
+        CHECK(soon([&] { return seen.runs == 2; }));
+        CHECK_FALSE(seen.ended);
     }
-    CHECK(job->ended);
+    CHECK(seen.ended);
+    CHECK(seen.gone);
 }
 
 TEST_CASE("a device's thread that hangs is left behind with all that it uses", "[hw][device][threads][wallclock]") {
-    auto job = std::make_shared<CountingJob>();
-    job->hang = true;
+    CountingJob::Seen seen;
+    seen.hang = true;
     const double before = clock_seconds();
+    const CountingJob* left_behind = nullptr;
     {
-        const DeviceWorker worker(job);
-        REQUIRE(soon([&] { return job->runs == 1; }));
+        const RunningJob job(std::make_unique<CountingJob>(seen));
+        left_behind = job.operator->();
+        REQUIRE(soon([&] { return seen.runs == 1; }));
     }
     CHECK(clock_seconds() - before < DeviceWorker::patience + 0.5);
-    CHECK(job->hangs(clock_seconds()));
-    CHECK_FALSE(job->ended);
-    job->hang = false;
-    CHECK(soon([&] { return job.use_count() == 1; }));
+    CHECK(left_behind->hangs(clock_seconds()));
+    CHECK_FALSE(seen.ended);
+    CHECK_FALSE(seen.gone);
+    seen.hang = false;
+    CHECK(soon([&] { return seen.gone.load(); }));
+    CHECK(seen.ended);
 }
 
 TEST_CASE("the loop gets a device's newest sample, and none that is old", "[hw][device][wallclock]") {
-    const auto device = std::make_shared<Thermometer>();
-    const DeviceWorker worker(device);
+    const RunningJob device(std::make_unique<Thermometer>());
     REQUIRE(soon([&] { return device->newest(clock_seconds()) && device->newest(clock_seconds())->value > 3; }));
     const auto sample = device->newest(clock_seconds());
     REQUIRE(sample);
@@ -84,8 +93,7 @@ TEST_CASE("the loop gets a device's newest sample, and none that is old", "[hw][
 }
 
 TEST_CASE("a device that fails or hangs is told once, and taken up again", "[hw][device][threads][wallclock]") {
-    const auto device = std::make_shared<Thermometer>();
-    const DeviceWorker worker(device);
+    const RunningJob device(std::make_unique<Thermometer>());
     device->broken = true;
     std::vector<std::string> told;
     const auto listen = [&] {
@@ -111,7 +119,7 @@ TEST_CASE("a device that fails or hangs is told once, and taken up again", "[hw]
     CHECK(told == std::vector<std::string>{"thermometer: back again"});
 }
 
-TEST_CASE("what a job holds is free when its owner and its worker have gone", "[hw][worker]") {
+TEST_CASE("what a job holds is free when its worker has gone", "[hw][worker]") {
     struct Holder final : DeviceJob {
         explicit Holder(bool& its_flag) : is_held(its_flag) { is_held = true; }
         ~Holder() override { is_held = false; }
@@ -120,10 +128,7 @@ TEST_CASE("what a job holds is free when its owner and its worker have gone", "[
     };
     for (int i = 0; i < 200; ++i) {
         bool is_held = false;
-        {
-            const auto job = std::make_shared<Holder>(is_held);
-            const DeviceWorker worker(job);
-        }
+        { const RunningJob job(std::make_unique<Holder>(is_held)); }
         REQUIRE_FALSE(is_held);
     }
 }

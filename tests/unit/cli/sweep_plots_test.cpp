@@ -1,5 +1,5 @@
 // Measures over the parameters of a sweep: which plots there are, what they group, what they draw.
-#include "bindings/draw/sweep_plots.hpp"
+#include "bindings/cli/test/sweep_plots.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdio>
@@ -12,7 +12,8 @@
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
-using namespace nezumi::draw;
+using namespace nezumi::cli;
+using draw::SweepPlot;
 
 namespace {
 
@@ -27,7 +28,7 @@ MeasuredRun run(const std::string& speed, const std::string& kind, double time) 
 
 }  // namespace
 
-TEST_CASE("there is a plot for each measure over each parameter that has several values", "[draw][plot]") {
+TEST_CASE("there is a plot for each measure over each parameter that has several values", "[cli][plot]") {
     const auto plots = sweep_plots({run("0.2", "a", 5), run("0.1", "a", 7), run("0.1", "a", 1), run("0.1", "a", 3)});
     REQUIRE(plots.size() == 1);  // kind is always the same
     const SweepPlot& plot = plots.front();
@@ -39,11 +40,14 @@ TEST_CASE("there is a plot for each measure over each parameter that has several
     REQUIRE(plot.groups.size() == 2);
     CHECK(plot.groups[0].at == 0.1);
     CHECK(plot.groups[0].sorted == std::vector<double>{1, 3, 7});
+    CHECK(plot.groups[0].lower == 2);
+    CHECK(plot.groups[0].median == 3);
+    CHECK(plot.groups[0].upper == 5);
     CHECK(plot.groups[1].sorted == std::vector<double>{5});
     CHECK(sweep_plots({}).empty());
 }
 
-TEST_CASE("values that are no numbers stand side by side", "[draw][plot]") {
+TEST_CASE("values that are no numbers stand side by side", "[cli][plot]") {
     const auto plots = sweep_plots({run("1", "slow", 1), run("1", "fast", 2), run("1", "slow", 0)});
     REQUIRE(plots.size() == 1);
     CHECK_FALSE(plots[0].is_numeric);
@@ -53,7 +57,7 @@ TEST_CASE("values that are no numbers stand side by side", "[draw][plot]") {
     CHECK(plots[0].groups[1].at == 1);
 }
 
-TEST_CASE("many different numbers are put together in ranges", "[draw][plot]") {
+TEST_CASE("many different numbers are put together in ranges", "[cli][plot]") {
     std::vector<MeasuredRun> runs;
     for (int i = 0; i <= 100; ++i) runs.push_back(run(std::to_string(i), "a", i));
     const auto plots = sweep_plots(runs);
@@ -65,22 +69,22 @@ TEST_CASE("many different numbers are put together in ranges", "[draw][plot]") {
     CHECK(plots[0].points.size() == 101);
 }
 
-TEST_CASE("a plot is SVG, or an error and no file", "[draw][plot]") {
+TEST_CASE("a plot is SVG, or an error and no file", "[cli][plot]") {
     const Scratch scratch;
     for (const auto& runs : {std::vector<MeasuredRun>{run("1", "a", 2), run("2", "a", 2)},
                              std::vector<MeasuredRun>{run("1", "a", 1e300), run("1", "b", -1e300), run("1", "b", 0)}}) {
         const auto plots = sweep_plots(runs);
         REQUIRE(plots.size() == 1);
-        REQUIRE(draw_sweep_plot(plots[0], scratch.path("")));
+        REQUIRE(draw::draw_sweep_plot(plots[0], scratch.path("")));
         const std::string svg = text_of_file(scratch.path(plots[0].file));
         CHECK(svg.starts_with("<?xml"));
         CHECK(svg.find("nan") == std::string::npos);
         CHECK(svg.find("inf") == std::string::npos);
-        CHECK_FALSE(draw_sweep_plot(plots[0], scratch.path("none")));
+        CHECK_FALSE(draw::draw_sweep_plot(plots[0], scratch.path("none")));
     }
 }
 
-TEST_CASE("nezumi test --plots draws what was measured over what was swept", "[draw][test][plot]") {
+TEST_CASE("nezumi test --plots draws what was measured over what was swept", "[cli][test][plot]") {
     const Scratch scratch;
     scratch.write("it_test.lua",
                   "scenario('it', { sweep = { x = { 1, 2, 3 } } }, function(s, p) s:measure('square', p.x * p.x) end)\n"

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "bindings/scenario/measures.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi::draw {
@@ -16,7 +15,8 @@ struct SweepPlot {
     struct Group {
         double at = 0;  ///< the value, the middle of the range, or the place among values that are no numbers
         std::string label;
-        std::vector<double> sorted;  ///< what was measured, in ascending order; at least one
+        std::vector<double> sorted;               ///< what was measured, in ascending order; at least one
+        double lower = 0, median = 0, upper = 0;  ///< quartiles of it
     };
     struct Point {
         double at;
@@ -31,9 +31,6 @@ struct SweepPlot {
     std::vector<Point> points;
     std::string file;  ///< its name, without the folder
 };
-
-/// One for each scenario, measure and parameter that has more than one value, of the runs that count.
-std::vector<SweepPlot> sweep_plots(const std::vector<MeasuredRun>& runs);
 
 /// Draws one as SVG. An error says why it can't be written; then there is no file.
 Expected<void> draw_sweep_plot(const SweepPlot& plot, const std::filesystem::path& folder);

@@ -1,0 +1,11 @@
+// One run of a system, from the options to the exit status.
+#pragma once
+
+#include "bindings/cli/run/options.hpp"
+
+namespace nezumi::cli {
+
+/// Runs it until its end or Ctrl-C. Returns the exit status; what kept it from running has been told on standard error.
+int run_system(RunOptions options);
+
+}  // namespace nezumi::cli

@@ -1,0 +1,255 @@
+// What was asked for is checked before anything runs, and written when all have run.
+#include "bindings/cli/test/test.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "bindings/cli/base/environment.hpp"
+#include "bindings/cli/base/status.hpp"
+#include "bindings/cli/base/version.hpp"
+#include "bindings/cli/files/output_files.hpp"
+#include "bindings/cli/run/hardware.hpp"
+#include "bindings/cli/test/parts.hpp"
+#include "bindings/cli/test/progress.hpp"
+#include "bindings/cli/test/scenario_files.hpp"
+#include "bindings/cli/test/sweep_plots.hpp"
+#include "bindings/scenario/measures.hpp"
+#include "bindings/scenario/reporter.hpp"
+#include "bindings/scenario/test_session.hpp"
+#include "engine/base/whole_file.hpp"
+#include "hw/rig/rig_world.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+constexpr std::uint64_t usual_seed = 124;
+
+// Sockets by robot, of "mouse=a.socket,ev3=b.socket".
+Expected<std::map<std::string, std::string>> read_rig(const std::string& words) {
+    std::map<std::string, std::string> sockets;
+    std::istringstream parts(words);
+    for (std::string part; std::getline(parts, part, ',');) {
+        const auto equals = part.find('=');
+        if (equals == std::string::npos || equals == 0 || equals + 1 == part.size() ||
+            !sockets.try_emplace(part.substr(0, equals), part.substr(equals + 1)).second)
+            return failure(fmt::format("--rig: expected a socket for each robot as in mouse=mouse.socket, got '{}'",
+                                       shown(words)));
+    }
+    return sockets;
+}
+
+// Has scenarios run with real robots, or says why they can't be.
+Expected<void> choose_robots(const TestOptions& command, TestSessionOptions& options) {
+    if (!command.hw) {
+        for (const auto& [option, given] : {std::pair{"--rig", !command.rig.empty()},
+                                            {"--dev-root", !command.dev_root.empty()},
+                                            {"--sys-root", !command.sys_root.empty()}}) {
+            if (given) return failure(fmt::format("{} is for real robots: give --hw as well", option));
+        }
+        return {};
+    }
+    auto fits = refuse_given({{"--repeat", command.repeat.value_or(1) > 1},
+                              {"--update-goldens", command.update_goldens},
+                              {"--shard", !command.shard.empty()},
+                              {"--resume", command.resume}},
+                             "--hw: a real robot is never the same twice");
+    if (!fits) return fits;
+    auto sockets = read_rig(command.rig);
+    if (!sockets) return Unexpected(sockets.error());
+    Hardware hardware;
+    if (!command.dev_root.empty()) hardware.dev_root = command.dev_root;
+    if (!command.sys_root.empty()) hardware.sys_root = command.sys_root;
+    options.is_real = true;
+    options.jobs = 1;
+    options.words = " --hw";
+    for (const auto& [option, given] :
+         {std::pair{"--rig", command.rig}, {"--dev-root", command.dev_root}, {"--sys-root", command.sys_root}}) {
+        if (!given.empty()) options.words += fmt::format(" {} {}", option, shell_text(given));
+    }
+    options.systems = [hardware, sockets = std::move(*sockets)] {
+        LiveOptions live = simulated_systems();
+        use_hardware(live, hardware, {.dev = hardware.dev_root, .sys = hardware.sys_root});
+        live.rig = [sockets](const SystemSpec& spec) { return hw::open_rig(spec, sockets); };
+        return live;
+    };
+    return {};
+}
+
+// Nobody but a rig puts real robots back to where the next run begins.
+Expected<void> check_is_one(const TestOptions& command, const TestPlan& plan) {
+    if (!command.hw || !command.rig.empty() || plan.runs.size() <= 1) return {};
+    return failure(fmt::format(
+        "--hw: these are {} runs, and nobody puts the robots back between them: choose one by --filter (--list shows "
+        "their names), or give --rig",
+        plan.runs.size()));
+}
+
+void write_out(std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fflush(stdout);
+}
+
+void write_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+int list(const TestPlan& plan, const Shard& shard) {
+    int status = exit_done;
+    for (const PlannedFile& file : plan.files) {
+        for (const Error& error : file.errors) status = refuse(error);
+    }
+    for (std::size_t i = 0; i < plan.runs.size(); ++i) {
+        if (!shard.has(i)) continue;
+        const PlannedRun& run = plan.runs[i];
+        const Place& place = plan.files[run.file].scenarios[run.scenario].place;
+        fmt::print("{}  {}:{}\n", run.name, place.file, place.line);
+    }
+    return status;
+}
+
+// Whether the options go together.
+Expected<void> check_options(const TestOptions& command) {
+    const GivenOptions parts{{"--shard", !command.shard.empty()}, {"--resume", command.resume}};
+    auto ok = refuse_given({{"--quiet", command.tap && command.quiet}}, "--tap tells of every run");
+    if (ok && command.update_goldens) ok = refuse_given(parts, "--update-goldens: every run has to be made");
+    if (!ok || !command.merge) return ok;
+    ok = refuse_given(parts, "--merge tells of runs that others have made");
+    if (ok) {
+        ok = refuse_given({{"--filter", !command.filter.empty()},
+                           {"--list", command.list},
+                           {"--seed", command.seed.has_value()},
+                           {"--seeds", !command.seeds.empty()},
+                           {"--paired", !command.paired.empty()},
+                           {"--repeat", command.repeat.has_value()},
+                           {"--jobs", command.jobs.has_value()},
+                           {"-o", command.folder != TestOptions{}.folder},
+                           {"--hw", command.hw},
+                           {"--update-goldens", command.update_goldens}},
+                          "--merge tells of runs that others have made");
+    }
+    if (ok && command.paths.empty())
+        return failure("--merge: expected the folders of the parts, as in nezumi test --merge part-*");
+    return ok;
+}
+
+// Runs what was planned.
+Expected<SessionEnd> run_plan(const TestOptions& command, const TestPlan& plan, TestSessionOptions& options,
+                              Reporter& reporter) {
+    options.made_with = fingerprint(plan, options.seed, version(), options.installed);
+    if (!command.shard.empty()) {
+        const KeptPlan kept{.plan = plan,
+                            .made_with = options.made_with,
+                            .seed = options.seed,
+                            .repeat = options.repeat,
+                            .shards = options.shard.count,
+                            .words = options.words};
+        if (auto ok = keep_plan(options.folder, options.shard, kept); !ok) return Unexpected(ok.error());
+    }
+    return run_tests(plan, options, reporter);
+}
+
+// Tells what the session came to, and writes what was asked for.
+int finish(const TestOptions& command, const SessionEnd& end) {
+    if (!command.junit.empty()) {
+        if (auto ok = write_whole(command.junit, junit_text(end.reports, end.summary)); !ok) return refuse(ok.error());
+    }
+    if (!command.measures.empty()) {
+        if (auto ok = write_whole(command.measures, measures_csv(end.measured)); !ok) return refuse(ok.error());
+    }
+    if (!command.plots.empty()) {
+        const auto plots = sweep_plots(end.measured);
+        for (const draw::SweepPlot& plot : plots) {
+            if (auto ok = draw::draw_sweep_plot(plot, command.plots); !ok) return refuse(ok.error());
+        }
+        if (plots.empty()) fmt::print(stderr, "nezumi: --plots: nothing was measured over a swept parameter\n");
+    }
+    if (end.interrupted)
+        return refuse(end.can_resume ? "interrupted: not all scenarios have run; --resume goes on with the others"
+                                     : "interrupted: not all scenarios have run");
+    return end.status();
+}
+
+}  // namespace
+
+int test(const TestOptions& command) {
+    if (auto ok = check_options(command); !ok) return refuse(ok.error());
+    std::error_code gone;
+    static_cast<void>(std::filesystem::current_path(gone));
+    if (gone) return refuse("test: the folder that this is run in has been deleted: change to one that is there");
+    if (auto ok = need_simulation({{"test without --hw", !command.hw && !command.list && !command.merge},
+                                   {"--plots", !command.plots.empty()}});
+        !ok)
+        return refuse(ok.error());
+    TestSessionOptions options;
+    options.seed = command.seed.value_or(usual_seed);
+    options.repeat = static_cast<std::size_t>(command.repeat.value_or(1));
+    options.jobs = static_cast<std::size_t>(command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
+    options.folder = command.folder;
+    options.update_goldens = command.update_goldens;
+    options.installed = installed_folders();
+    options.resume = command.resume;
+    options.keep = command.resume || !command.shard.empty();
+    options.systems = simulated_systems;
+    options.files = scenario_files;
+    if (auto ready = choose_robots(command, options); !ready) return refuse(ready.error());
+    if (!command.paired.empty()) options.words += " --paired " + shell_text(command.paired);
+    const auto seeds = read_seeds(command.seeds);
+    if (!seeds) return refuse(seeds.error());
+    const auto shard = read_shard(command.shard);
+    if (!shard) return refuse(shard.error());
+    options.shard = *shard;
+    const std::vector<std::filesystem::path> paths(command.paths.begin(), command.paths.end());
+    std::function<Expected<SessionEnd>(Reporter&)> session;
+    if (command.merge) {
+        auto kept = find_plan(paths);
+        if (!kept) return refuse(kept.error());
+        session = [&paths, kept = std::move(*kept)](Reporter& reporter) { return merge_tests(kept, paths, reporter); };
+    } else {
+        auto plan = plan_tests({.paths = paths,
+                                .filter = command.filter,
+                                .seed = options.seed,
+                                .installed = options.installed,
+                                .seeds = *seeds,
+                                .paired = command.paired});
+        if (!plan) return refuse(plan.error());
+        if (command.list) return list(*plan, options.shard);
+        if (auto one = check_is_one(command, *plan); !one) return refuse(one.error());
+        session = [&, plan = std::move(*plan)](Reporter& reporter) {
+            return run_plan(command, plan, options, reporter);
+        };
+    }
+
+    for (const std::string& file : {command.junit, command.measures}) {
+        if (file.empty()) continue;
+        // Found out before hours of tests have run.
+        if (auto ok = check_can_write(file); !ok) return refuse(ok.error());
+    }
+    if (!command.plots.empty()) {
+        std::error_code problem;
+        std::filesystem::create_directories(command.plots, problem);
+        if (problem) return refuse(Error{fmt::format("can't be made: {}", problem.message()), {command.plots}});
+    }
+    const bool colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
+    SweepProgress progress(write_error, isatty(STDERR_FILENO) == 1);
+    options.progress = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
+    const auto write = [&](std::string_view text) {
+        progress.clear();
+        write_out(text);
+    };
+    const auto reporter = command.tap ? tap_reporter(write) : console_reporter(write, colour, command.quiet);
+    const auto end = session(*reporter);
+    progress.clear();
+    return end ? finish(command, *end) : refuse(end.error());
+}
+
+}  // namespace nezumi::cli

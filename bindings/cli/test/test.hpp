@@ -1,0 +1,35 @@
+// A session of `nezumi test`, from the options to the exit status.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nezumi::cli {
+
+/// As the command line has them.
+struct TestOptions {
+    std::vector<std::string> paths;
+    std::string filter;
+    bool list = false;
+    std::optional<std::uint64_t> seed, repeat, jobs;
+    std::string junit;
+    std::string seeds, paired;
+    std::string measures;
+    std::string plots;
+    bool tap = false;
+    bool quiet = false;
+    std::string shard;
+    bool resume = false;
+    bool merge = false;
+    bool update_goldens = false;
+    std::string folder = "nezumi-test";
+    bool hw = false;
+    std::string rig, dev_root, sys_root;
+};
+
+/// Runs scenarios, each in a process of its own, or tells what was kept of them. Returns the exit status.
+int test(const TestOptions& command);
+
+}  // namespace nezumi::cli

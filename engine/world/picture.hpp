@@ -1,0 +1,27 @@
+// Pictures that lie on surfaces: a file's on the floor, a marker's.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/world/floor_color.hpp"
+
+namespace nezumi {
+
+struct Picture {
+    int width = 0;            ///< [px]
+    int height = 0;           ///< [px]
+    std::vector<Rgb> pixels;  ///< row by row from the top left
+};
+
+/// Reads a picture's file. An error says what the matter with the file is.
+using PictureReader = std::function<Expected<Picture>(const std::string& file)>;
+
+/// A marker, a tag of AprilTag's family 36h11, is 10 x 10 cells with its white margin, of which the black border's
+/// outer edges enclose 8 x 8.
+inline constexpr int tag_cells = 10, tag_border_cells = 8;
+inline constexpr int tag_count = 587;  ///< of the family
+
+}  // namespace nezumi

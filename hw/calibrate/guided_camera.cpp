@@ -1,0 +1,91 @@
+// The system of the file, of which only the camera is left.
+#include "hw/calibrate/guided_camera.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "engine/devices/camera.hpp"
+#include "engine/world/chessboard.hpp"
+
+namespace nezumi::hw {
+namespace {
+
+constexpr double picture_patience = 30;  // [s] for a picture
+
+template <class AnEntry>
+const AnEntry* find_entry(const SystemSpec& spec, const std::string& name) {
+    for (const Entry& entry : spec.entries) {
+        const auto* found = std::get_if<AnEntry>(&entry);
+        if (found != nullptr && found->name == name) return found;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<GuidedCamera>> GuidedCamera::make(SystemSpec spec, const std::string& name,
+                                                           const Makers& makers, Options options) {
+    std::unique_ptr<GuidedCamera> camera(new GuidedCamera(std::move(spec), std::move(options)));
+    camera->entry_ = *find_entry<ComponentEntry>(camera->spec_, name);
+    const RobotEntry* robot = find_entry<RobotEntry>(camera->spec_, camera->entry_.on);
+    if (robot == nullptr)
+        return failure(fmt::format("camera '{}' is on no robot, whose calibration would have it: give it one by on = "
+                                   "\"NAME\"",
+                                   name),
+                       camera->entry_.place);
+    camera->robot_ = *robot;
+    if (auto built = camera->build(makers); !built) return Unexpected(built.error());
+    return camera;
+}
+
+Expected<void> GuidedCamera::build(const Makers& makers) {
+    // By itself: what was measured of it before would be a robot's.
+    entry_.on.clear();
+    entry_.active = true;
+    entry_.config["undistort"] = false;
+    entry_.backend = options_.simulated ? "" : makers.components.at("Camera").begin()->first;
+    if (options_.simulated) {
+        spec_.arena = {};
+        spec_.arena.boxes = chessboard({});
+    }
+    spec_.connections.clear();
+    spec_.entries = {entry_};
+    auto system = build_system(spec_, makers, {.real_time = !options_.simulated, .log = options_.log});
+    if (!system) return Unexpected(system.error());
+    system_ = std::move(*system);
+    Component& camera = *system_->find(entry_.name);
+    if (auto active = camera.activate(system_->now()); !active) return active;
+    out_ = static_cast<const OutPort<CameraImage>*>(std::as_const(camera).find_out_port("out"));
+    pacer_ = std::make_unique<Pacer>(spec_.rate, 1);
+    return {};
+}
+
+Expected<TimedPicture> GuidedCamera::next() {
+    if (options_.simulated) return rehearse();
+    const double since = system_->now().seconds;
+    do {
+        if (options_.end != nullptr && *options_.end != 0)
+            return failure("ended before it was done: nothing was written");
+        if (system_->now().seconds - since > picture_patience)
+            return failure(fmt::format("no picture came for {} s", picture_patience));
+        pacer_->wait();
+        system_->tick();
+    } while (out_->count() == count_);
+    count_ = out_->count();
+    return TimedPicture{out_->read(), system_->now().seconds};
+}
+
+// Each view twice, as of a board that is held still.
+Expected<TimedPicture> GuidedCamera::rehearse() {
+    const auto& camera = dynamic_cast<const Camera&>(*system_->find(entry_.name));
+    auto source =
+        system_->world()->open_camera(view_of_chessboard({}, static_cast<int>(count_++ / 2)), camera.settings());
+    if (!source) return Unexpected(source.error());
+    TimedPicture picture;
+    (*source)->expose(system_->now());
+    (*source)->develop(picture.image);
+    return picture;
+}
+
+}  // namespace nezumi::hw
