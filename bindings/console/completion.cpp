@@ -12,7 +12,6 @@
 #include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
-#include "bindings/lua/stubs/message_shape.hpp"
 #include "engine/base/names.hpp"
 
 namespace nezumi {
@@ -49,19 +48,16 @@ Names without(Names all, const Names& some) {
 
 // The fields of what lies at this path in a value of a message type.
 Names value_fields(std::size_t type, std::span<const std::string> path) {
-    const std::vector<MessageShape> messages = message_shapes();
-    const ValueShape* shape = &messages[type].shape;
+    const Type* value = message_infos()[type].payload;
     for (const std::string& name : path) {
-        if (shape->sequence) return {};
-        const auto& fields = shape->fields;
+        const auto& fields = value->fields;
         const auto found =
             std::find_if(fields.begin(), fields.end(), [&](const auto& each) { return each.name == name; });
         if (found == fields.end()) return {};
-        shape = &found->shape;
+        value = found->type;
     }
     Names names;
-    if (shape->sequence) return names;
-    for (const FieldShape& field : shape->fields) names.emplace_back(field.name);
+    for (const Type::Field& field : value->fields) names.push_back(field.name);
     return names;
 }
 
@@ -71,7 +67,7 @@ Names data_fields(const Component& component, std::string_view member, std::span
     std::string prefix;
     for (const std::string& name : path) prefix += name + ".";
     Names names;
-    component.visit_member(member, [&](const LeafPath& leaf, const Leaf&) {
+    component.visit_member(member, [&](const LeafPath& leaf, const ValueView&) {
         const std::string text = leaf.text();
         if (!text.starts_with(prefix)) return;
         const std::string rest = text.substr(prefix.size());

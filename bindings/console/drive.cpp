@@ -12,12 +12,12 @@ namespace nezumi {
 namespace {
 
 // What a port of this type is sent for the stick's place; nothing when the type is none to drive with.
-std::optional<AnyPayload> payload(std::size_t type, double x, double y) {
+std::optional<Value> payload(std::size_t type, double x, double y) {
     if (type == type_index<std::vector<float>>())
-        return AnyPayload{std::vector<float>{static_cast<float>(x), static_cast<float>(y)}};
-    if (type == type_index<std::vector<double>>()) return AnyPayload{std::vector<double>{x, y}};
+        return Value{std::vector<float>{static_cast<float>(x), static_cast<float>(y)}};
+    if (type == type_index<std::vector<double>>()) return Value{std::vector<double>{x, y}};
     if (type == type_index<Velocity2D>())
-        return AnyPayload{Velocity2D{.vx = y * Drive::speed_of_px, .va = 0.0 + x * Drive::turn_of_px}};
+        return Value{Velocity2D{.vx = y * Drive::speed_of_px, .va = 0.0 + x * Drive::turn_of_px}};
     return std::nullopt;
 }
 

@@ -10,8 +10,6 @@
 namespace nezumi::dds {
 namespace {
 
-using Value = PlainData::Value;
-
 // Begins a table; what is added to it must come in the order of its keys.
 std::size_t add_table(PlainData& data) {
     data.tables.emplace_back();
@@ -19,19 +17,19 @@ std::size_t add_table(PlainData& data) {
 }
 
 template <class Sequence>
-Value add_list(PlainData& data, const Sequence& elements) {
+PlainData::Value add_list(PlainData& data, const Sequence& elements) {
     const std::size_t list = add_table(data);
     std::int64_t place = 0;
     for (const auto& element : elements) {
         using Element = typename Sequence::value_type;
-        data.tables[list].emplace_back(Value{++place}, Value{static_cast<Element>(element)});
+        data.tables[list].emplace_back(PlainData::Value{++place}, PlainData::Value{static_cast<Element>(element)});
     }
     return PlainData::TableRef{list};
 }
 
-Value add(PlainData& data, const ParameterValue& value) {
+PlainData::Value add(PlainData& data, const ParameterValue& value) {
     return std::visit(
-        [&]<class T>(const T& each) -> Value {
+        [&]<class T>(const T& each) -> PlainData::Value {
             if constexpr (requires { typename T::iterator; } && !std::is_same_v<T, std::string>) {
                 return add_list(data, each);
             } else {
@@ -74,7 +72,7 @@ Expected<ParameterValue> array_of(const PlainData::Table& table) {
 // The one value as a parameter's.
 Expected<ParameterValue> parameter_of(const PlainData& data, const ParameterValue* present) {
     if (data.values.size() != 1) return failure("expected one value");
-    const Value& value = data.values.front();
+    const PlainData::Value& value = data.values.front();
     if (const auto* is = std::get_if<bool>(&value)) return ParameterValue{*is};
     if (const auto* is = std::get_if<std::int64_t>(&value)) return ParameterValue{*is};
     if (const auto* is = std::get_if<double>(&value)) return ParameterValue{*is};
@@ -98,7 +96,7 @@ Expected<ParameterValue> parameter_of(const PlainData& data, const ParameterValu
 PlainData look_at(const Component& component, const System& system) {
     PlainData data;
     data.values.emplace_back(PlainData::TableRef{add_table(data)});
-    const auto set = [&](std::string_view key, Value value) {
+    const auto set = [&](std::string_view key, PlainData::Value value) {
         data.tables[0].emplace_back(std::string(key), std::move(value));
     };
     std::vector<const Parameters::Parameter*> parameters;
@@ -107,7 +105,7 @@ PlainData look_at(const Component& component, const System& system) {
               [](const auto* a, const auto* b) { return a->spec.name < b->spec.name; });
     const std::size_t config = add_table(data);
     for (const auto* each : parameters) {
-        Value value = add(data, each->value);
+        PlainData::Value value = add(data, each->value);
         data.tables[config].emplace_back(each->spec.name, std::move(value));
     }
     set("config", PlainData::TableRef{config});
@@ -116,7 +114,7 @@ PlainData look_at(const Component& component, const System& system) {
     if (!component.set_in_use().empty()) set("set", component.set_in_use());
     std::vector<std::string> sets;
     for (const auto& [name, values] : component.sets) sets.push_back(name);
-    Value list = add_list(data, sets);
+    PlainData::Value list = add_list(data, sets);
     set("sets", std::move(list));
     set("status", std::string(to_text(component.state())));
     set("type", component.type());

@@ -12,7 +12,7 @@
 #include "bindings/dds/wire.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/visible.hpp"
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 
 namespace nezumi::dds {
 namespace {

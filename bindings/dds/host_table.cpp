@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "engine/base/names.hpp"
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 
 namespace nezumi::dds {
 namespace {

@@ -248,7 +248,7 @@ void Lockstep::publish() {
     }
     std::vector<StepMessage> all;
     for (auto& [path, port] : published_) {
-        port.take([&, &path = path](const auto& message) {
+        port.take([&, &path = path](const MessageView& message) {
             write_cdr(all.emplace_back(StepMessage{path, {}}).payload, on_the_wire, message.data);
         });
     }

@@ -31,7 +31,7 @@ Topic topic_of(std::string_view host, std::string_view port, std::size_t type) {
 }
 
 void Outlet::send(const Time& now, std::uint64_t run, double clock) {
-    take([&](const auto& message) {
+    take([&](const MessageView& message) {
         const MessageHead head{
             .run = run, .number = ++number_, .stamp = message.tm, .tick = now.tick, .offset = clock - now.seconds};
         write_cdr(bytes_, on_the_wire, head, message.data);

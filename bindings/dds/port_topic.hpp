@@ -15,11 +15,11 @@
 #include "bindings/dds/message_age.hpp"
 #include "bindings/dds/transport.hpp"
 #include "bindings/dds/wire.hpp"
-#include "engine/ports/cdr.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/ports/port.hpp"
 #include "engine/system/published.hpp"
 #include "engine/system/system.hpp"
+#include "engine/values/cdr.hpp"
 
 namespace nezumi::dds {
 
@@ -61,14 +61,11 @@ private:
 /// Reads a message of a type, CDR with its header behind what stands before it, which is described. Nothing when it is
 /// none, or a number of it is not finite.
 template <class... Head>
-std::optional<AnyPayload> read_message(std::size_t type, std::span<const std::uint8_t> bytes, Head&... head) {
-    AnyPayload value = with_payload_type(type, []<class T>() { return AnyPayload(T{}); });
-    const bool read = std::visit(
-        [&](auto& payload) {
-            return read_cdr(bytes, {.order = std::endian::little, .header = true}, head..., payload).has_value();
-        },
-        value);
-    return read && is_finite(value) ? std::optional(std::move(value)) : std::nullopt;
+std::optional<Value> read_message(std::size_t type, std::span<const std::uint8_t> bytes, Head&... head) {
+    Value value = make_payload(type);
+    const CdrFormat format{.order = std::endian::little, .header = true};
+    if (!read_cdr(bytes, format, head..., value) || !is_finite(value)) return std::nullopt;
+    return value;
 }
 
 /// What became of the messages that came.
@@ -88,7 +85,7 @@ struct Progress {
 /// Takes what comes from another host for an out-port of this one.
 class Inlet {
 public:
-    using Give = std::function<void(AnyPayload value)>;
+    using Give = std::function<void(Value value)>;
 
     /// `type`: of the port. `progress` goes on where another inlet has ended, and must outlive it.
     Inlet(std::size_t type, std::unique_ptr<Reader> reader, Progress& progress);

@@ -34,7 +34,7 @@ void RemoteComponent::receive(const ActDoor& act) {
     for (const auto& port : out_ports_) {
         const auto inlet = inlets_.find(port.get());
         if (inlet == inlets_.end()) continue;
-        inlet->second.receive(run_, clock, [&](AnyPayload value) {
+        inlet->second.receive(run_, clock, [&](Value value) {
             if (state() != LifeState::active) return;
             static_cast<void>(act(Write{path(*this, *port), std::move(value)}, {Actor::Kind::network, host_}));
         });

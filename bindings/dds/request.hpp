@@ -9,7 +9,7 @@
 #include "bindings/dds/transport.hpp"
 #include "engine/base/error.hpp"
 #include "engine/components/plain_data.hpp"
-#include "engine/ports/describe.hpp"
+#include "engine/values/describe.hpp"
 
 namespace nezumi::dds {
 
@@ -20,7 +20,6 @@ struct WireValue {
     double number = 0;
     std::string text{};
 
-    static constexpr std::string_view type_name = "WireValue";
     static constexpr std::tuple fields{
         Field{"kind", &WireValue::kind, "", "nothing, truth value, integer, number, text, table"},
         Field{"integer", &WireValue::integer, "", ""},
@@ -32,7 +31,6 @@ struct WireValue {
 struct WireTable {
     std::vector<WireValue> entries{};  ///< a key, its value, a key, ...
 
-    static constexpr std::string_view type_name = "WireTable";
     static constexpr std::tuple fields{Field{"entries", &dds::WireTable::entries, "", "keys and values by turns"}};
 };
 
@@ -40,7 +38,6 @@ struct WireData {
     std::vector<WireValue> values{};
     std::vector<WireTable> tables{};
 
-    static constexpr std::string_view type_name = "WireData";
     static constexpr std::tuple fields{
         Field{"values", &dds::WireData::values, "", ""},
         Field{"tables", &dds::WireData::tables, "", "that values refer to"},
@@ -75,7 +72,6 @@ struct Reply {
     std::string problem{};  ///< when not
     WireData values{};
 
-    static constexpr std::string_view type_name = "Reply";
     static constexpr std::tuple fields{
         Field{"to", &Reply::to, "", "run of who asked"},
         Field{"number", &Reply::number, "", "of the request"},

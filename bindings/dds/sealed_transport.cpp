@@ -11,7 +11,7 @@
 
 #include "bindings/dds/wire.hpp"
 #include "engine/base/whole_file.hpp"
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 
 namespace nezumi::dds {
 namespace {

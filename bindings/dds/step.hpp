@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bindings/dds/transport.hpp"
-#include "engine/ports/describe.hpp"
+#include "engine/values/describe.hpp"
 
 namespace nezumi::dds {
 
@@ -16,7 +16,6 @@ struct StepMessage {
     std::string port{};  ///< "name.port" of the sender
     Octets payload{};    ///< CDR with its header
 
-    static constexpr std::string_view type_name = "StepMessage";
     static constexpr std::tuple fields{
         Field{"port", &StepMessage::port, "", "name.port"},
         Field{"payload", &StepMessage::payload, "", "CDR with its header"},
@@ -39,7 +38,6 @@ struct Step {
     std::string waits_for{};  ///< the host for which the sender waits
     std::vector<StepMessage> messages{};
 
-    static constexpr std::string_view type_name = "Step";
     static constexpr std::tuple fields{
         Field{"run", &Step::run, "", "of the sender"},
         Field{"to", &Step::to, "", "run of the receiver"},

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/ports/cdr.hpp"
-#include "engine/ports/describe.hpp"
+#include "engine/values/cdr.hpp"
+#include "engine/values/describe.hpp"
 
 namespace nezumi::dds {
 
@@ -29,7 +29,6 @@ struct AnnouncementHead {
     std::string version;
     bool operator==(const AnnouncementHead&) const = default;
 
-    static constexpr std::string_view type_name = "AnnouncementHead";
     static constexpr std::tuple fields{
         Field{"protocol", &AnnouncementHead::protocol, "", "what the rest is to be understood by"},
         Field{"host", &AnnouncementHead::host, "", "its name"},
@@ -43,7 +42,6 @@ struct AnnouncedPort {
     bool in = false;
     bool operator==(const AnnouncedPort&) const = default;
 
-    static constexpr std::string_view type_name = "AnnouncedPort";
     static constexpr std::tuple fields{
         Field{"name", &AnnouncedPort::name, "", "name.port"},
         Field{"type", &AnnouncedPort::type, "", "of its messages"},
@@ -58,7 +56,6 @@ struct AnnouncedConnection {
     std::string why{};
     bool operator==(const AnnouncedConnection&) const = default;
 
-    static constexpr std::string_view type_name = "AnnouncedConnection";
     static constexpr std::tuple fields{
         Field{"from", &AnnouncedConnection::from, "", "host/name.port of an out-port"},
         Field{"to", &AnnouncedConnection::to, "", "host/name.port of an in-port"},
@@ -79,7 +76,6 @@ struct Announcement {
     std::vector<std::string> partners;          ///< hosts with which it is to keep in step, sorted
     bool operator==(const Announcement&) const = default;
 
-    static constexpr std::string_view type_name = "Announcement";
     static constexpr std::tuple fields{
         Field{"head", &Announcement::head, "", "who says this"},
         Field{"run", &Announcement::run, "", "since its start"},
@@ -101,7 +97,6 @@ struct MessageHead {
     std::int64_t tick = 0;
     double offset = 0;
 
-    static constexpr std::string_view type_name = "MessageHead";
     static constexpr std::tuple fields{
         Field{"run", &MessageHead::run, "", "of the sender"},
         Field{"number", &MessageHead::number, "", "in its topic, from 1 on"},

@@ -9,7 +9,7 @@ namespace {
 Point2D latest_of(const Channel& position) {
     double coordinates[2] = {};
     std::size_t count = 0;
-    position.visit_latest([&](const LeafPath&, const Leaf& leaf) { coordinates[count++] = std::get<double>(leaf); });
+    position.visit_latest([&](const LeafPath&, const ValueView& leaf) { coordinates[count++] = leaf.as<double>(); });
     return {coordinates[0], coordinates[1]};
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <type_traits>
@@ -16,11 +17,6 @@ namespace nezumi {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <class T>
-struct IsOptional : std::false_type {};
-template <class T>
-struct IsOptional<std::optional<T>> : std::true_type {};
 
 // Each kind of array has its name: an empty one must keep its type.
 template <class T>
@@ -37,42 +33,51 @@ Json write_parameter(const ParameterValue& value, const ScriptHost& scripts);
 Json write_entry(const Entry& entry, const ScriptHost& scripts);
 Json write_marker(const MarkerSpec& marker, const ScriptHost& scripts);
 
-template <class T>
-Json write(const T& value, const ScriptHost& scripts) {
-    if constexpr (std::is_same_v<T, Entry>) {
-        return write_entry(value, scripts);
-    } else if constexpr (std::is_same_v<T, MarkerSpec>) {
-        return write_marker(value, scripts);
-    } else if constexpr (std::is_same_v<T, AnyPayload>) {
-        return Json{{message_type_names[value.index()],
-                     std::visit([&](const auto& each) { return write(each, scripts); }, value)}};
-    } else if constexpr (std::is_same_v<T, ParameterValue>) {
-        return write_parameter(value, scripts);
-    } else if constexpr (std::is_same_v<T, PlainData>) {
-        return plain_to_json(value);
-    } else if constexpr (Described<T>) {
-        Json fields = Json::object();
-        for_each_field(value, [&](const auto& field, const auto& member) {
-            if constexpr (IsOptional<std::remove_cvref_t<decltype(member)>>::value) {
-                if (member) fields[std::string(field.name)] = write(*member, scripts);
-            } else {
-                fields[std::string(field.name)] = write(member, scripts);
+Json write(const ValueView& value, const ScriptHost& scripts);
+
+// What describes itself to nobody has a form of its own.
+Json write_other(const ValueView& value, const ScriptHost& scripts) {
+    if (value.type == &type_of<Entry>()) return write_entry(value.as<Entry>(), scripts);
+    if (value.type == &type_of<MarkerSpec>()) return write_marker(value.as<MarkerSpec>(), scripts);
+    if (value.type == &type_of<ParameterValue>()) return write_parameter(value.as<ParameterValue>(), scripts);
+    if (value.type == &type_of<PlainData>()) return plain_to_json(value.as<PlainData>());
+    assert(value.type == &type_of<Value>());
+    const auto& payload = value.as<Value>();
+    return Json{{message_type_names[message_index(payload.type())], write(payload, scripts)}};
+}
+
+Json write(const ValueView& value, const ScriptHost& scripts) {
+    switch (value.type->kind) {
+        case Type::Kind::structure: {
+            Json fields = Json::object();
+            for (const Type::Field& field : value.type->fields) {
+                const ValueView member = value.field(field);
+                if (field.type->kind != Type::Kind::optional || member.count() > 0)
+                    fields[field.name] = write(member, scripts);
             }
-        });
-        return fields;
-    } else if constexpr (std::is_same_v<T, Octets>) {
-        return text_to_json(std::string(value.begin(), value.end()));
-    } else if constexpr (Sequence<T>) {
-        Json elements = Json::array();
-        for (const auto& element : value)
-            elements.push_back(write(static_cast<typename T::value_type>(element), scripts));
-        return elements;
-    } else if constexpr (std::is_same_v<T, std::string>) {
-        return text_to_json(value);
-    } else if constexpr (std::is_floating_point_v<T>) {
-        return number_to_json(static_cast<double>(value));
-    } else {
-        return value;
+            return fields;
+        }
+        case Type::Kind::optional: return write({*value.type->element, value.first()}, scripts);
+        case Type::Kind::array:
+        case Type::Kind::sequence: {
+            Json elements = Json::array();
+            for_each_element(value, [&](const ValueView& element) {
+                elements.push_back(write(element, scripts));
+                return true;
+            });
+            return elements;
+        }
+        case Type::Kind::octets: {
+            const auto& octets = value.as<Octets>();
+            return text_to_json(std::string(octets.begin(), octets.end()));
+        }
+        case Type::Kind::text: return text_to_json(value.as<std::string>());
+        case Type::Kind::other: return write_other(value, scripts);
+        default:
+            return visit_number(value, []<class T>(const T& number) -> Json {
+                if constexpr (std::is_floating_point_v<T>) return number_to_json(static_cast<double>(number));
+                return number;
+            });
     }
 }
 
@@ -105,8 +110,7 @@ Json write_marker(const MarkerSpec& marker, const ScriptHost& scripts) {
 
 // Reading. Each returns what is wrong, "" for nothing.
 
-template <class T>
-std::string read(const Json& json, T& out, const PartReader& parts);
+std::string read(const Json& json, const ValuePlace& out, const PartReader& parts);
 
 template <class T>
 bool read_array(const Json& json, ParameterValue& out, const PartReader& parts, std::string& wrong) {
@@ -130,18 +134,12 @@ std::string read_parameter(const Json& json, ParameterValue& out, const PartRead
     return read(json, out.emplace<std::string>(), parts);
 }
 
-std::string read_payload(const Json& json, AnyPayload& out, const PartReader& parts) {
+std::string read_payload(const Json& json, Value& out, const PartReader& parts) {
     if (!json.is_object() || json.size() != 1) return expected_in_json("a message by its type's name", json);
     const auto type = find_message_type(json.begin().key());
     if (!type) return type.error().message;
-    std::string wrong;
-    const auto read_as = [&]<std::size_t index>() {
-        if (index != *type) return;
-        wrong = read(json.begin().value(), out.emplace<index>(), parts);
-    };
-    [&]<std::size_t... index>(std::index_sequence<index...>) { (read_as.template operator()<index>(), ...); }
-    (std::make_index_sequence<std::variant_size_v<AnyPayload>>());
-    return wrong;
+    out = make_payload(*type);
+    return read(json.begin().value(), out, parts);
 }
 
 // A part of a system, as `write_entry` and `write_marker` have written it; `part` gives what there is of its kind.
@@ -161,81 +159,87 @@ std::string read_part(const Json& json, T& out, const PartReader& parts, std::st
     return "";
 }
 
-template <class T>
-std::string read_fields(const Json& json, T& out, const PartReader& parts) {
+std::string read_fields(const Json& json, const ValuePlace& out, const PartReader& parts) {
     if (!json.is_object()) return expected_in_json("fields", json);
-    std::string wrong;
     std::size_t known = 0;
-    for_each_field(out, [&](const auto& field, auto& member) {
-        const auto found = json.find(std::string(field.name));
+    for (const Type::Field& field : out.type->fields) {
+        const auto found = json.find(field.name);
         if (found == json.end()) {
-            if constexpr (!IsOptional<std::remove_cvref_t<decltype(member)>>::value) {
-                if (wrong.empty()) wrong = fmt::format("'{}' is missing", field.name);
-            }
-            return;
+            if (field.type->kind == Type::Kind::optional) continue;
+            return fmt::format("'{}' is missing", field.name);
         }
         ++known;
-        std::string inner;
-        if constexpr (IsOptional<std::remove_cvref_t<decltype(member)>>::value) {
-            inner = read(*found, member.emplace(), parts);
-        } else {
-            inner = read(*found, member, parts);
-        }
-        if (!inner.empty() && wrong.empty()) wrong = fmt::format("'{}': {}", field.name, inner);
+        const std::string wrong = read(*found, out.field(field), parts);
+        if (!wrong.empty()) return fmt::format("'{}': {}", field.name, wrong);
+    }
+    return known == json.size() ? "" : "there is a field that it does not have";
+}
+
+std::string read_sequence(const Json& json, const ValuePlace& out, const PartReader& parts) {
+    if (!json.is_array()) return expected_in_json("a list", json);
+    out.resize(json.size());
+    std::string wrong;
+    auto each = json.begin();
+    for_each_element(out, [&](const ValuePlace& element) {
+        wrong = read(*each++, element, parts);
+        return wrong.empty();
     });
-    if (wrong.empty() && known != json.size()) wrong = "there is a field that it does not have";
     return wrong;
 }
 
-template <class T>
-std::string read(const Json& json, T& out, const PartReader& parts) {
-    if constexpr (std::is_same_v<T, Entry>) {
+std::string read_other(const Json& json, const ValuePlace& out, const PartReader& parts) {
+    if (out.type == &type_of<Entry>()) {
         return read_part(
-            json, out, parts, "an entry", [](SystemSpec & spec) -> auto& { return spec.entries; });
-    } else if constexpr (std::is_same_v<T, MarkerSpec>) {
+            json, out.as<Entry>(), parts, "an entry", [](SystemSpec & spec) -> auto& { return spec.entries; });
+    }
+    if (out.type == &type_of<MarkerSpec>()) {
         return read_part(
-            json, out, parts, "a marker", [](SystemSpec & spec) -> auto& { return spec.arena.markers; });
-    } else if constexpr (std::is_same_v<T, AnyPayload>) {
-        return read_payload(json, out, parts);
-    } else if constexpr (std::is_same_v<T, ParameterValue>) {
-        return read_parameter(json, out, parts);
-    } else if constexpr (std::is_same_v<T, PlainData>) {
-        return read_plain(json, out);
-    } else if constexpr (Described<T>) {
-        return read_fields(json, out, parts);
-    } else if constexpr (std::is_same_v<T, Octets>) {
-        auto bytes = text_from_json(json);
-        if (!bytes) return bytes.error().message;
-        out.assign(bytes->begin(), bytes->end());
-        return "";
-    } else if constexpr (Sequence<T>) {
-        if (!json.is_array()) return expected_in_json("a list", json);
-        for (const Json& element : json) {
-            typename T::value_type value{};
-            if (std::string wrong = read(element, value, parts); !wrong.empty()) return wrong;
-            out.push_back(std::move(value));
+            json, out.as<MarkerSpec>(), parts, "a marker",
+            [](SystemSpec & spec) -> auto& { return spec.arena.markers; });
+    }
+    if (out.type == &type_of<ParameterValue>()) return read_parameter(json, out.as<ParameterValue>(), parts);
+    if (out.type == &type_of<PlainData>()) return read_plain(json, out.as<PlainData>());
+    assert(out.type == &type_of<Value>());
+    return read_payload(json, out.as<Value>(), parts);
+}
+
+std::string read(const Json& json, const ValuePlace& out, const PartReader& parts) {
+    switch (out.type->kind) {
+        case Type::Kind::structure: return read_fields(json, out, parts);
+        case Type::Kind::optional: out.resize(1); return read(json, {*out.type->element, out.first()}, parts);
+        case Type::Kind::sequence: return read_sequence(json, out, parts);
+        case Type::Kind::octets: {
+            auto bytes = text_from_json(json);
+            if (!bytes) return bytes.error().message;
+            out.as<Octets>().assign(bytes->begin(), bytes->end());
+            return "";
         }
-        return "";
-    } else if constexpr (std::is_same_v<T, std::string>) {
-        auto text = text_from_json(json);
-        if (!text) return text.error().message;
-        out = std::move(*text);
-        return "";
-    } else if constexpr (std::is_same_v<T, bool>) {
-        if (!json.is_boolean()) return expected_in_json("true or false", json);
-        out = json.get<bool>();
-        return "";
-    } else if constexpr (std::is_floating_point_v<T>) {
-        double value = 0;
-        std::string wrong = read_number(json, value);
-        out = static_cast<T>(value);
-        return wrong;
-    } else {
-        if (!json.is_number_integer() ||
-            static_cast<std::int64_t>(static_cast<T>(json.get<std::int64_t>())) != json.get<std::int64_t>())
-            return expected_in_json("a whole number of its range", json);
-        out = static_cast<T>(json.get<std::int64_t>());
-        return "";
+        case Type::Kind::text: {
+            auto text = text_from_json(json);
+            if (!text) return text.error().message;
+            out.as<std::string>() = std::move(*text);
+            return "";
+        }
+        case Type::Kind::boolean:
+            if (!json.is_boolean()) return expected_in_json("true or false", json);
+            out.as<bool>() = json.get<bool>();
+            return "";
+        case Type::Kind::other: return read_other(json, out, parts);
+        default:
+            return visit_number(out, [&]<class T>(T& number) -> std::string {
+                if constexpr (std::is_floating_point_v<T>) {
+                    double value = 0;
+                    std::string wrong = read_number(json, value);
+                    number = static_cast<T>(value);
+                    return wrong;
+                } else {
+                    if (!json.is_number_integer() ||
+                        static_cast<std::int64_t>(static_cast<T>(json.get<std::int64_t>())) != json.get<std::int64_t>())
+                        return expected_in_json("a whole number of its range", json);
+                    number = static_cast<T>(json.get<std::int64_t>());
+                    return "";
+                }
+            });
     }
 }
 

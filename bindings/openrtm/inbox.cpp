@@ -5,20 +5,19 @@
 #include <utility>
 #include <variant>
 
-#include "engine/ports/cdr.hpp"
 #include "engine/ports/payload.hpp"
+#include "engine/values/cdr.hpp"
 
 namespace nezumi::openrtm {
 namespace {
 
 std::size_t bytes_of(const Arrival& arrival) {
-    return sizeof(Arrival) + arrival.path.size() + arrival.from.size() +
-           std::visit([](const auto& payload) { return heap_bytes(payload); }, arrival.value);
+    return sizeof(Arrival) + arrival.path.size() + arrival.from.size() + heap_bytes(arrival.value);
 }
 
 // A stop does not grow old.
 bool is_outdated(const Arrival& arrival, Inbox::Clock::time_point now) {
-    const auto* velocity = std::get_if<Velocity2D>(&arrival.value);
+    const auto* velocity = arrival.value.get_if<Velocity2D>();
     return velocity != nullptr && *velocity != Velocity2D{} && now - arrival.came > Inbox::longest_wait;
 }
 
@@ -44,8 +43,7 @@ PutAnswer Inbox::put(std::string_view path, std::string_view from, std::span<con
         if (port == ports_.end()) return PutAnswer::unknown;
         type = port->second.type;
     }
-    Arrival arrival{std::string(path), std::string(from),
-                    with_payload_type(type, []<class T>() { return AnyPayload(T{}); })};
+    Arrival arrival{std::string(path), std::string(from), make_payload(type)};
     double tm = 0;
     const auto read = read_cdr_message(bytes, arrival.value, tm, {.order = order});
     const bool is_fit = read && is_finite(arrival.value);

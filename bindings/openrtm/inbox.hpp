@@ -14,14 +14,14 @@
 
 #include "bindings/openrtm/orb.hpp"
 #include "engine/base/mutex.hpp"
-#include "engine/ports/messages.hpp"
+#include "engine/values/value.hpp"
 
 namespace nezumi::openrtm {
 
 struct Arrival {
     std::string path{};  ///< of an in-port
     std::string from{};  ///< the connection's name
-    AnyPayload value{};
+    Value value{};
     std::chrono::steady_clock::time_point came{};
 };
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bindings/openrtm/peer_text.hpp"
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 
 namespace nezumi::openrtm {
 namespace {
@@ -122,7 +122,7 @@ void RtmServer::after_tick() {
     follow_changes();
     follow_stop();
     for (Outlet& outlet : outlets_) {
-        outlet.published.take([&](const auto& message) {
+        outlet.published.take([&](const MessageView& message) {
             const WantedOrders wanted = orb_->wanted(outlet.path);
             for (const auto& [is_wanted, order] :
                  {std::pair{wanted.little, std::endian::little}, std::pair{wanted.big, std::endian::big}}) {

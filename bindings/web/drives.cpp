@@ -6,14 +6,10 @@
 
 namespace nezumi::web {
 
-AnyPayload resting(const AnyPayload& value) {
-    return std::visit(
-        []<class T>(const T& each) -> AnyPayload {
-            T rest{};
-            if constexpr (Sequence<T>) rest.resize(each.size());
-            return rest;
-        },
-        value);
+Value resting(const Value& value) {
+    Value rest(value.type());
+    if (value.type().kind == Type::Kind::sequence) ValuePlace(rest).resize(ValueView(value).count());
+    return rest;
 }
 
 bool Drives::has_it(const Drive& drive) const {

@@ -36,7 +36,7 @@ private:
         ClientId client = 0;
         Actor who;
         std::string port;
-        AnyPayload value;
+        Value value;
         Clock::time_point heard;
         std::int64_t rests_since = -1;  // the tick in which it came to rest; -1: it drives
         int start = 0;                  // of the system
@@ -51,6 +51,6 @@ private:
 };
 
 /// What stands still, of the same type: zero, and so many zeros for so many numbers.
-AnyPayload resting(const AnyPayload& value);
+Value resting(const Value& value);
 
 }  // namespace nezumi::web

@@ -11,7 +11,7 @@
 
 #include "bindings/web/page_directory.hpp"
 #include "engine/base/whole_file.hpp"
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 
 namespace nezumi::web {
 namespace {

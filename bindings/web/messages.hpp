@@ -27,7 +27,7 @@ struct TimeMessage {
 /// Holds a port for as long as it comes again.
 struct DriveMessage {
     std::string port;
-    std::optional<AnyPayload> value{};  ///< none: lets go
+    std::optional<Value> value{};  ///< none: lets go
     bool take = false;
 };
 /// A request of the console's protocol.

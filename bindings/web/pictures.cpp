@@ -8,7 +8,7 @@
 #include "bindings/web/jpeg.hpp"
 #include "bindings/web/web_frame.hpp"
 #include "engine/base/thread.hpp"
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 
 namespace nezumi::web {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <variant>
 
-#include "engine/ports/cdr.hpp"
 #include "engine/trace/channel.hpp"
+#include "engine/values/cdr.hpp"
 
 namespace nezumi::web {
 namespace {
@@ -65,12 +65,9 @@ constexpr std::size_t most_leaves = 128;
 
 bool is_member(std::string_view name) { return name == "truth" || name == "probes" || name == "state"; }
 
-std::optional<double> number_of(const Leaf& leaf) {
-    if (const auto* number = std::get_if<double>(&leaf)) return *number;
-    if (const auto* single = std::get_if<float>(&leaf)) return *single;
-    if (const auto* whole = std::get_if<std::int64_t>(&leaf)) return static_cast<double>(*whole);
-    if (const auto* is_on = std::get_if<bool>(&leaf)) return *is_on ? 1 : 0;
-    return std::nullopt;
+std::optional<double> number_of(const ValueView& leaf) {
+    if (leaf.type->kind == Type::Kind::text) return std::nullopt;
+    return visit_number(leaf, [](const auto& number) { return static_cast<double>(number); });
 }
 
 }  // namespace
@@ -116,7 +113,7 @@ void StateReader::add_members(State& state, const Watch& wanted) const {
         if (!channel) continue;
         channel->latch(live_.system(), live_.system().now().tick);
         WebMember member{.name = name};
-        channel->visit(0, [&](const LeafPath& path, const Leaf& leaf) {
+        channel->visit(0, [&](const LeafPath& path, const ValueView& leaf) {
             if (member.leaves.size() >= most_leaves) return;
             if (const auto value = number_of(leaf)) member.leaves.push_back({path.text(), *value});
         });

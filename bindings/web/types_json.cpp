@@ -1,84 +1,64 @@
 // Follows each type to those of its fields.
 #include "bindings/web/types_json.hpp"
 
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <type_traits>
-#include <vector>
 
 #include "bindings/web/web_frame.hpp"
-#include "engine/ports/cdr.hpp"
-#include "engine/ports/messages.hpp"
 #include "engine/ports/payload.hpp"
+#include "engine/values/cdr.hpp"
 
 namespace nezumi::web {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class T>
-constexpr bool is_vector = false;
-template <class T>
-constexpr bool is_vector<std::vector<T>> = true;
-
-template <class T>
-std::string type_name() {
-    if constexpr (is_vector<T>) {
-        return "sequence<" + type_name<typename T::value_type>() + ">";
-    } else if constexpr (Described<T>) {
-        return std::string(Describe<T>::name);
-    } else if constexpr (std::is_same_v<T, std::string>) {
-        return "string";
-    } else if constexpr (std::is_same_v<T, bool>) {
-        return "bool";
-    } else if constexpr (std::is_floating_point_v<T>) {
-        return sizeof(T) == sizeof(float) ? "float" : "double";
-    } else {
-        return (std::is_signed_v<T> ? "int" : "uint") + std::to_string(8 * sizeof(T));
+std::string name_of(const Type& type) {
+    switch (type.kind) {
+        case Type::Kind::structure: return type.name;
+        case Type::Kind::sequence: return "sequence<" + name_of(*type.element) + ">";
+        case Type::Kind::octets: return "sequence<uint8>";
+        case Type::Kind::text: return "string";
+        case Type::Kind::boolean: return "bool";
+        case Type::Kind::float32: return "float";
+        case Type::Kind::float64: return "double";
+        default: return (type.kind <= Type::Kind::int64 ? "int" : "uint") + std::to_string(8 * type.size);
     }
 }
 
-template <class T>
-void add(Json& types) {
-    if constexpr (is_vector<T>) {
-        add<typename T::value_type>(types);
-    } else if constexpr (Described<T>) {
-        const std::string name(Describe<T>::name);
-        if (types.contains(name)) return;
-        Json fields = Json::array();
-        T value{};
-        for_each_field(value, [&](const auto& field, const auto& member) {
-            using Member = std::remove_cvref_t<decltype(member)>;
-            fields.push_back(
-                {{"name", field.name}, {"type", type_name<Member>()}, {"unit", field.unit}, {"doc", field.doc}});
-            add<Member>(types);
-        });
-        types[name] = std::move(fields);
+void add(Json& types, const Type& type) {
+    if (type.kind == Type::Kind::sequence) return add(types, *type.element);
+    if (type.kind != Type::Kind::structure || types.contains(type.name)) return;
+    Json fields = Json::array();
+    for (const Type::Field& field : type.fields) {
+        fields.push_back(
+            {{"name", field.name}, {"type", name_of(*field.type)}, {"unit", field.unit}, {"doc", field.doc}});
+        add(types, *field.type);
     }
+    types[type.name] = std::move(fields);
 }
 
 }  // namespace
 
 Json types_to_json() {
     Json types = Json::object();
-    add<CdrTime>(types);
-    const auto add_message = [&]<class T>(const MessageType<T>& type) {
-        add<T>(types);
-        const std::string name(type.name);
+    add(types, type_of<CdrTime>());
+    for (const MessageInfo& message : message_infos()) {
+        add(types, *message.payload);
+        const std::string name(message.name);
         Json fields = Json::array();
-        fields.push_back({{"name", "tm"}, {"type", type_name<CdrTime>()}, {"unit", ""}, {"doc", "its stamp"}});
+        fields.push_back({{"name", "tm"}, {"type", name_of(type_of<CdrTime>())}, {"unit", ""}, {"doc", "its stamp"}});
         if (types.contains(name)) {
             // The payload is called as its message: its fields follow the stamp.
             for (const Json& field : types[name]) fields.push_back(field);
         } else {
-            fields.push_back({{"name", "data"}, {"type", type_name<T>()}, {"unit", ""}, {"doc", type.doc}});
+            fields.push_back(
+                {{"name", "data"}, {"type", name_of(*message.payload)}, {"unit", ""}, {"doc", message.doc}});
         }
         types[name] = std::move(fields);
-    };
-    std::apply([&](const auto&... type) { (add_message(type), ...); }, message_types);
-    add<WebFrame>(types);
-    add<WebPicture>(types);
+    }
+    add(types, type_of<WebFrame>());
+    add(types, type_of<WebPicture>());
     return types;
 }
 

@@ -6,8 +6,8 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/ports/describe.hpp"
 #include "engine/ports/messages.hpp"
+#include "engine/values/describe.hpp"
 
 namespace nezumi::web {
 
@@ -21,7 +21,6 @@ struct WebRobot {
     std::vector<Point3D> contacts{};
     bool operator==(const WebRobot&) const = default;
 
-    static constexpr std::string_view type_name = "WebRobot";
     static constexpr std::tuple fields{
         Field{"index", &WebRobot::index, "", "its place in the system's robots"},
         Field{"x", &WebRobot::x, "m", ""},
@@ -41,7 +40,6 @@ struct WebThing {
     Pose3D pose{};
     bool operator==(const WebThing&) const = default;
 
-    static constexpr std::string_view type_name = "WebThing";
     static constexpr std::tuple fields{Field{"index", &WebThing::index, "", "its place in the arena's things"},
                                        Field{"pose", &WebThing::pose, "", "of its centre"}};
 };
@@ -50,7 +48,6 @@ struct WebMarker {
     Pose3D pose{};
     bool operator==(const WebMarker&) const = default;
 
-    static constexpr std::string_view type_name = "WebMarker";
     static constexpr std::tuple fields{Field{"index", &WebMarker::index, "", "its place in the system's markers"},
                                        Field{"pose", &WebMarker::pose, "", "of its centre"}};
 };
@@ -62,7 +59,6 @@ struct WebRay {
     std::uint32_t distance = 0;
     bool operator==(const WebRay&) const = default;
 
-    static constexpr std::string_view type_name = "WebRay";
     static constexpr std::tuple fields{
         Field{"robot", &WebRay::robot, "", "its place in the system's robots"},
         Field{"from", &WebRay::from, "m", ""},
@@ -76,7 +72,6 @@ struct WebPort {
     std::uint32_t count = 0;
     Octets payload{};
 
-    static constexpr std::string_view type_name = "WebPort";
     static constexpr std::tuple fields{
         Field{"index", &WebPort::index, "", "its place in what is watched"},
         Field{"count", &WebPort::count, "", "messages since the last one that was shown"},
@@ -88,7 +83,6 @@ struct WebLeaf {
     double value = 0;
     bool operator==(const WebLeaf&) const = default;
 
-    static constexpr std::string_view type_name = "WebLeaf";
     static constexpr std::tuple fields{Field{"name", &WebLeaf::name, "", "as in pose.position.x"},
                                        Field{"value", &WebLeaf::value, "", "a truth value is 0 or 1"}};
 };
@@ -97,7 +91,6 @@ struct WebMember {
     std::vector<WebLeaf> leaves{};
     bool operator==(const WebMember&) const = default;
 
-    static constexpr std::string_view type_name = "WebMember";
     static constexpr std::tuple fields{Field{"name", &WebMember::name, "", "as in mouse.truth"},
                                        Field{"leaves", &WebMember::leaves, "", "its numbers"}};
 };
@@ -114,7 +107,6 @@ struct WebFrame {
     std::vector<WebPort> ports{};
     std::vector<WebMember> members{};
 
-    static constexpr std::string_view type_name = "WebFrame";
     static constexpr std::tuple fields{
         Field{"time", &WebFrame::time, "s", "of the system"},
         Field{"tick", &WebFrame::tick, "", ""},
@@ -136,7 +128,6 @@ struct WebPicture {
     std::uint32_t height = 0;
     Octets jpeg{};
 
-    static constexpr std::string_view type_name = "WebPicture";
     static constexpr std::tuple fields{
         Field{"port", &WebPicture::port, "", ""},
         Field{"tm", &WebPicture::tm, "s", ""},

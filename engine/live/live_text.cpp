@@ -15,34 +15,45 @@
 namespace nezumi {
 namespace {
 
-template <class T>
-void append(std::string& out, const T& value, std::size_t most) {
+void append(std::string& out, const ValueView& value, std::size_t most) {
     if (out.size() >= most) return;
-    if constexpr (std::is_same_v<T, Octets>) {
-        out += fmt::format("<{} bytes>", value.size());
-    } else if constexpr (Described<T>) {
-        out += "{";
-        bool first = true;
-        for_each_field(value, [&](const auto& field, const auto& member) {
-            if (out.size() >= most) return;
-            out += fmt::format("{}{} = ", first ? " " : ", ", field.name);
-            first = false;
-            append(out, member, most);
-        });
-        out += out.size() >= most ? " ..." : " }";
-    } else if constexpr (Sequence<T>) {
-        out += "{";
-        for (std::size_t i = 0; i < value.size() && out.size() < most; ++i) {
-            out += i > 0 ? ", " : " ";
-            append(out, static_cast<typename T::value_type>(value[i]), most);
+    const auto end = [&](bool is_empty) { out += out.size() >= most ? " ..." : is_empty ? "}" : " }"; };
+    switch (value.type->kind) {
+        case Type::Kind::octets: out += fmt::format("<{} bytes>", value.as<Octets>().size()); return;
+        case Type::Kind::structure:
+            out += "{";
+            for (const Type::Field& field : value.type->fields) {
+                if (out.size() >= most) break;
+                out += fmt::format("{}{} = ", &field == value.type->fields.data() ? " " : ", ", field.name);
+                append(out, value.field(field), most);
+            }
+            return end(false);
+        case Type::Kind::array:
+        case Type::Kind::sequence:
+        case Type::Kind::optional: {
+            out += "{";
+            std::size_t index = 0;
+            for_each_element(value, [&](const ValueView& element) {
+                if (out.size() >= most) return false;
+                out += index++ > 0 ? ", " : " ";
+                append(out, element, most);
+                return true;
+            });
+            return end(value.count() == 0);
         }
-        out += out.size() >= most ? " ..." : value.empty() ? "}" : " }";
-    } else if constexpr (std::is_same_v<T, std::string>) {
-        out += value.size() > most ? lua_quoted(value.substr(0, most)) + "..." : lua_quoted(value);
-    } else if constexpr (std::is_floating_point_v<T>) {
-        out += fmt::format("{:.6g}", value == 0 ? T{0} : value);
-    } else {
-        out += fmt::format("{}", value);
+        case Type::Kind::text: {
+            const auto& text = value.as<std::string>();
+            out += text.size() > most ? lua_quoted(text.substr(0, most)) + "..." : lua_quoted(text);
+            return;
+        }
+        default:
+            visit_number(value, [&]<class T>(const T& number) {
+                if constexpr (std::is_floating_point_v<T>) {
+                    out += fmt::format("{:.6g}", number == 0 ? T{0} : number);
+                } else {
+                    out += fmt::format("{}", number);
+                }
+            });
     }
 }
 
@@ -133,9 +144,9 @@ std::string_view to_text(Override override) {
     return names[static_cast<int>(override)];
 }
 
-std::string payload_text(const AnyPayload& value, std::size_t width) {
+std::string payload_text(const Value& value, std::size_t width) {
     std::string text;
-    std::visit([&](const auto& v) { append(text, v, width); }, value);
+    append(text, value, width);
     return text;
 }
 

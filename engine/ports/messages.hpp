@@ -6,10 +6,9 @@
 #include <string>
 #include <string_view>
 #include <tuple>
-#include <variant>
 #include <vector>
 
-#include "engine/ports/describe.hpp"
+#include "engine/values/type.hpp"
 
 namespace nezumi {
 
@@ -18,7 +17,6 @@ struct Point2D {
     double y = 0;
     bool operator==(const Point2D&) const = default;
 
-    static constexpr std::string_view type_name = "Point2D";
     static constexpr std::tuple fields{Field{"x", &Point2D::x, "m", ""}, Field{"y", &Point2D::y, "m", ""}};
 };
 
@@ -28,7 +26,6 @@ struct Point3D {
     double z = 0;
     bool operator==(const Point3D&) const = default;
 
-    static constexpr std::string_view type_name = "Point3D";
     static constexpr std::tuple fields{Field{"x", &Point3D::x, "m", ""}, Field{"y", &Point3D::y, "m", ""},
                                        Field{"z", &Point3D::z, "m", ""}};
 };
@@ -39,7 +36,6 @@ struct Orientation3D {
     double y = 0;
     bool operator==(const Orientation3D&) const = default;
 
-    static constexpr std::string_view type_name = "Orientation3D";
     static constexpr std::tuple fields{
         Field{"r", &Orientation3D::r, "rad", "roll about x"},
         Field{"p", &Orientation3D::p, "rad", "pitch about y"},
@@ -53,7 +49,6 @@ struct Size3D {
     double h = 0;
     bool operator==(const Size3D&) const = default;
 
-    static constexpr std::string_view type_name = "Size3D";
     static constexpr std::tuple fields{Field{"l", &Size3D::l, "m", "along x"}, Field{"w", &Size3D::w, "m", "along y"},
                                        Field{"h", &Size3D::h, "m", "along z"}};
 };
@@ -65,7 +60,6 @@ struct Velocity2D {
     double va = 0;
     bool operator==(const Velocity2D&) const = default;
 
-    static constexpr std::string_view type_name = "Velocity2D";
     static constexpr std::tuple fields{
         Field{"vx", &Velocity2D::vx, "m/s", "speed along the robot's x axis (forward)"},
         Field{"vy", &Velocity2D::vy, "m/s", "speed along the robot's y axis (left); 0 for two wheels that don't skid"},
@@ -78,7 +72,6 @@ struct Pose2D {
     double heading = 0;
     bool operator==(const Pose2D&) const = default;
 
-    static constexpr std::string_view type_name = "Pose2D";
     static constexpr std::tuple fields{
         Field{"position", &Pose2D::position, "", "where"},
         Field{"heading", &Pose2D::heading, "rad", "which way, counter-clockwise from the x axis"},
@@ -90,7 +83,6 @@ struct Pose3D {
     Orientation3D orientation;
     bool operator==(const Pose3D&) const = default;
 
-    static constexpr std::string_view type_name = "Pose3D";
     static constexpr std::tuple fields{
         Field{"position", &Pose3D::position, "", "where"},
         Field{"orientation", &Pose3D::orientation, "", "roll, pitch and yaw"},
@@ -102,7 +94,6 @@ struct RangerElement {
     Size3D size;
     bool operator==(const RangerElement&) const = default;
 
-    static constexpr std::string_view type_name = "RangerElement";
     static constexpr std::tuple fields{
         Field{"pose", &RangerElement::pose, "", "relative to the ranger"},
         Field{"size", &RangerElement::size, "", "extent of the element"},
@@ -115,7 +106,6 @@ struct RangerGeometry {
     std::vector<RangerElement> elements;
     bool operator==(const RangerGeometry&) const = default;
 
-    static constexpr std::string_view type_name = "RangerGeometry";
     static constexpr std::tuple fields{
         Field{"pose", &RangerGeometry::pose, "", "in the robot's frame"},
         Field{"size", &RangerGeometry::size, "", "extent of the device"},
@@ -133,7 +123,6 @@ struct RangerConfig {
     double frequency = 0;
     bool operator==(const RangerConfig&) const = default;
 
-    static constexpr std::string_view type_name = "RangerConfig";
     static constexpr std::tuple fields{
         Field{"minAngle", &RangerConfig::minAngle, "rad", "first scan angle"},
         Field{"maxAngle", &RangerConfig::maxAngle, "rad", "last scan angle"},
@@ -151,16 +140,12 @@ struct RangeData {
     RangerConfig config;
     bool operator==(const RangeData&) const = default;
 
-    static constexpr std::string_view type_name = "RangeData";
     static constexpr std::tuple fields{
         Field{"ranges", &RangeData::ranges, "m", "distances, one per scan angle"},
         Field{"geometry", &RangeData::geometry, "", "where the ranger sits"},
         Field{"config", &RangeData::config, "", "what it can measure"},
     };
 };
-
-/// Raw bytes; a string in Lua.
-using Octets = std::vector<std::uint8_t>;
 
 struct CameraImage {
     std::uint16_t width = 0;
@@ -171,7 +156,6 @@ struct CameraImage {
     Octets pixels;
     bool operator==(const CameraImage&) const = default;
 
-    static constexpr std::string_view type_name = "CameraImage";
     static constexpr std::tuple fields{
         Field{"width", &CameraImage::width, "px", ""},
         Field{"height", &CameraImage::height, "px", ""},
@@ -201,7 +185,6 @@ struct CameraIntrinsics {
     double k3 = 0;
     bool operator==(const CameraIntrinsics&) const = default;
 
-    static constexpr std::string_view type_name = "CameraIntrinsics";
     static constexpr std::tuple fields{
         Field{"width", &CameraIntrinsics::width, "px", "of the pictures that they are for"},
         Field{"height", &CameraIntrinsics::height, "px", ""},
@@ -223,7 +206,6 @@ struct SeenMarker {
     Pose3D pose;
     bool operator==(const SeenMarker&) const = default;
 
-    static constexpr std::string_view type_name = "SeenMarker";
     static constexpr std::tuple fields{
         Field{"id", &SeenMarker::id, "", "its number"},
         Field{"pose", &SeenMarker::pose, "", "from the camera: x forward, y left, z up"},
@@ -263,24 +245,16 @@ inline constexpr std::tuple message_types{
 
 inline constexpr std::size_t message_type_count = std::tuple_size_v<decltype(message_types)>;
 
-namespace detail {
-template <class Types>
-struct VariantOf;
-template <class... T>
-struct VariantOf<const std::tuple<MessageType<T>...>> {
-    using type = std::variant<T...>;
-};
-}  // namespace detail
-
-/// A payload of any message type; `index()` is its place in `message_types`.
-using AnyPayload = detail::VariantOf<decltype(message_types)>::type;
+/// The payload type at this place in `message_types`.
+template <std::size_t I>
+using PayloadAt = typename std::tuple_element_t<I, decltype(message_types)>::Payload;
 
 /// The place of payload T in `message_types`.
 template <class T>
 constexpr std::size_t type_index() {
     return []<std::size_t... I>(std::index_sequence<I...>) {
         std::size_t found = message_type_count;
-        ((std::is_same_v<std::variant_alternative_t<I, AnyPayload>, T> ? (found = I, 0) : 0), ...);
+        ((std::is_same_v<PayloadAt<I>, T> ? (found = I, 0) : 0), ...);
         return found;
     }
     (std::make_index_sequence<message_type_count>{});
@@ -302,7 +276,7 @@ decltype(auto) with_payload_type(std::size_t index, Make&& make) {
     using Entry = Result (*)(Make&);
     static constexpr auto table = []<std::size_t... I>(std::index_sequence<I...>) {
         return std::array<Entry, message_type_count>{
-            [](Make& m) -> Result { return m.template operator()<std::variant_alternative_t<I, AnyPayload>>(); }...};
+            [](Make& m) -> Result { return m.template operator()<PayloadAt<I>>(); }...};
     }
     (std::make_index_sequence<message_type_count>{});
     return table[index](make);

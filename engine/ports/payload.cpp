@@ -1,32 +1,24 @@
-// Names of leaves, hashing of bytes, and payloads whose type is only known at run time.
+// The tables of the payloads, by the place of their message type.
 #include "engine/ports/payload.hpp"
 
-#include <cstring>
+#include <algorithm>
 
 namespace nezumi {
 
-std::string LeafPath::text() const {
-    if (parent_ == nullptr) return "";
-    std::string text = parent_->text();
-    if (index_ > 0) return text + "[" + std::to_string(index_) + "]";
-    if (!text.empty() && !name_.starts_with('[')) text += '.';
-    return text.append(name_);
+std::span<const MessageInfo> message_infos() {
+    static const auto all = std::apply(
+        []<class... T>(const MessageType<T>&... type) {
+            return std::array{MessageInfo{type.name, type.doc, &type_of<T>()}...};
+        },
+        message_types);
+    return all;
 }
 
-std::uint64_t mix(std::uint64_t seed, std::string_view bytes) {
-    seed = mix(seed, bytes.size());
-    while (!bytes.empty()) {
-        std::uint64_t word = 0;
-        const std::size_t n = bytes.size() < sizeof word ? bytes.size() : sizeof word;
-        std::memcpy(&word, bytes.data(), n);
-        seed = mix(seed, word);
-        bytes.remove_prefix(n);
-    }
-    return seed;
-}
-
-bool is_finite(const AnyPayload& value) {
-    return std::visit([](const auto& payload) { return is_finite(payload); }, value);
+std::size_t message_index(const Type& payload) {
+    const auto all = message_infos();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const MessageInfo& each) { return each.payload == &payload; });
+    return static_cast<std::size_t>(found - all.begin());
 }
 
 }  // namespace nezumi

@@ -10,10 +10,10 @@ std::unique_ptr<InPortBase> make_in_port(std::size_t type, std::string name, std
 }
 
 std::unique_ptr<OutPortBase> make_out_port(std::size_t type, std::string name, std::string doc,
-                                           std::optional<AnyPayload> safe) {
+                                           std::optional<Value> safe) {
     return with_payload_type(type, [&]<class T>() -> std::unique_ptr<OutPortBase> {
         auto port = std::make_unique<OutPort<T>>(std::move(name), std::move(doc));
-        if (safe) port->set_safe(std::get<T>(std::move(*safe)));
+        if (safe) port->set_safe(std::move(*safe).get<T>());
         return port;
     });
 }

@@ -25,6 +25,8 @@ template <class T>
 struct Message {
     T data{};
     double tm = 0;  ///< [s]
+
+    MessageView view() const { return {data, tm}; }
 };
 
 template <Payload T>
@@ -91,10 +93,10 @@ public:
         if (found != readers_.end()) readers_.erase(found);
     }
     void discard() override { pending_ = 0; }
-    void write_any(const AnyPayload& value) override { write(std::get<T>(value)); }
+    void write_any(const Value& value) override { write(value.get<T>()); }
     bool has_safe() const override { return safe_.has_value(); }
-    void set_safe_any(const AnyPayload* safe) override {
-        safe_ = safe != nullptr ? std::optional<T>(std::get<T>(*safe)) : default_safe();
+    void set_safe_any(const Value* safe) override {
+        safe_ = safe != nullptr ? std::optional<T>(safe->get<T>()) : default_safe();
     }
     void write_safe() override {
         if (safe_) write(*safe_);
@@ -102,16 +104,18 @@ public:
     /// Replaces the value that is safe when its component stops.
     void set_safe(std::optional<T> safe) { safe_ = std::move(safe); }
 
-    AnyPayload value() const override { return read(); }
-    void hold(AnyPayload value) override {
-        held_ = std::make_unique<T>(std::get<T>(std::move(value)));
+    std::size_t message_count() const override { return latched_; }
+    MessageView message(std::size_t index) const override { return messages()[index].view(); }
+    Value value() const override { return read(); }
+    void hold(Value value) override {
+        held_ = std::make_unique<T>(std::move(value).get<T>());
         override_ = Override::held;
     }
     void freeze() override {
         held_ = std::make_unique<T>(read());
         override_ = Override::frozen;
     }
-    AnyPayload override_value() const override { return *held_; }
+    Value override_value() const override { return *held_; }
     std::uint64_t hash_latched(std::uint64_t seed) const override {
         for (const Message<T>& message : messages()) seed = mix_payload(seed, message.data);
         return seed;
@@ -199,7 +203,7 @@ public:
         arrival_tick_ = -1;
         arrived_at_ = 0;
     }
-    void inject(const AnyPayload& value) override { injected_.push_back({std::get<T>(value), 0.0}); }
+    void inject(const Value& value) override { injected_.push_back({value.get<T>(), 0.0}); }
     std::vector<AnyMessage> set_queue(std::size_t queue) override {
         if (queue == capacity_) return {};
         std::vector<Message<T>> unread = take_unread();
@@ -211,22 +215,24 @@ public:
         if (capacity_ == 0) return;
         std::vector<Message<T>> unread;
         unread.reserve(dropped.size() + unread_);
-        for (AnyMessage& each : dropped) unread.push_back({std::get<T>(std::move(each.data)), each.tm});
+        for (AnyMessage& each : dropped) unread.push_back({std::move(each.data).get<T>(), each.tm});
         overflow_ -= unread.size();
         for (Message<T>& each : take_unread()) unread.push_back(std::move(each));
         set_unread(std::move(unread));
     }
 
-    AnyPayload value() const override { return latest_->data; }
-    void hold(AnyPayload value) override {
-        held_ = std::make_unique<T>(std::get<T>(std::move(value)));
+    std::size_t message_count() const override { return arrived_.size(); }
+    MessageView message(std::size_t index) const override { return arrived_[index].view(); }
+    Value value() const override { return latest_->data; }
+    void hold(Value value) override {
+        held_ = std::make_unique<T>(std::move(value).get<T>());
         override_ = Override::held;
     }
     void freeze() override {
         held_ = std::make_unique<T>(latest_->data);
         override_ = Override::frozen;
     }
-    AnyPayload override_value() const override { return *held_; }
+    Value override_value() const override { return *held_; }
 
     std::vector<const OutPortBase*> sources() const override {
         std::vector<const OutPortBase*> all;
@@ -362,7 +368,7 @@ private:
         const auto first = unread.end() - static_cast<std::ptrdiff_t>(kept);
         std::vector<AnyMessage> dropped;
         for (auto each = unread.begin(); each != first; ++each)
-            dropped.push_back({AnyPayload(std::in_place_type<T>, std::move(each->data)), each->tm});
+            dropped.push_back({Value(std::move(each->data)), each->tm});
         unread.erase(unread.begin(), first);
         overflow_ += dropped.size();
         head_ = 0;

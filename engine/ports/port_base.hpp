@@ -39,6 +39,12 @@ enum class Override : unsigned char {
     frozen,   ///< the value it had is sent every tick and nothing else gets through
 };
 
+/// A message where it lies in a port, of whatever type.
+struct MessageView {
+    ValueView data;
+    double tm;  ///< [s]
+};
+
 class Component;
 
 /// What all ports share, whatever they carry.
@@ -60,22 +66,26 @@ public:
     const std::string& note() const { return texts_->note; }
     void set_note(std::string note) { texts_->note = std::move(note); }
 
+    /// The messages that passed last, oldest first: of an out-port its last publication, of an in-port, while somebody
+    /// follows it, all that came in the tick `arrival_tick()`.
+    virtual std::size_t message_count() const = 0;
+    virtual MessageView message(std::size_t index) const = 0;
     /// A copy of the value a look shows: of an in-port the latest that arrived, of an out-port the latest that was
     /// latched; the type's zero value before.
-    virtual AnyPayload value() const = 0;
+    virtual Value value() const = 0;
     /// The stamp [s] of that value, 0 before any.
     double tm() const { return tm_; }
     /// Messages that passed since the start.
     std::uint64_t count() const { return count_; }
 
     /// Sends this value once a tick from now on, and nothing else. It must be of the port's type.
-    virtual void hold(AnyPayload value) = 0;
+    virtual void hold(Value value) = 0;
     /// From now on nothing gets through.
     void drop() { override_ = Override::dropped; }
     /// Sends the present value once a tick from now on, and nothing else.
     virtual void freeze() = 0;
     /// The value that `hold` or `freeze` sends; the port must be held or frozen.
-    virtual AnyPayload override_value() const = 0;
+    virtual Value override_value() const = 0;
     /// Ends `hold`, `drop` and `freeze`.
     void release() { override_ = Override::none; }
 
@@ -122,7 +132,7 @@ public:
     /// Writes the value that is safe when its component stops, if it has one.
     virtual void write_safe() = 0;
     /// Writes a value of the port's type.
-    virtual void write_any(const AnyPayload& value) = 0;
+    virtual void write_any(const Value& value) = 0;
     /// Whether something was written that is not published yet.
     bool written() const { return pending_ > 0; }
     /// How many messages were written that are not published yet.
@@ -132,7 +142,7 @@ public:
     /// Whether a stop of its component writes a safe value.
     virtual bool has_safe() const = 0;
     /// Replaces the value that is safe when its component stops; for null it is the type's own, if that has one.
-    virtual void set_safe_any(const AnyPayload* safe) = 0;
+    virtual void set_safe_any(const Value* safe) = 0;
     /// The tick in which it published last, -1 before.
     std::int64_t latched_tick() const { return latched_tick_; }
     /// How often [Hz] its owner declares to publish; 0: it does not say.
@@ -164,7 +174,7 @@ protected:
 
 /// A message of any type.
 struct AnyMessage {
-    AnyPayload data;
+    Value data;
     double tm = 0;  ///< [s]
 };
 
@@ -176,7 +186,7 @@ public:
     /// Forgets everything that has arrived: the port is as it was before anything came.
     virtual void clear() = 0;
     /// Sends one value as if it came from a connection; it arrives at the next latch, after what its sources published.
-    virtual void inject(const AnyPayload& value) = 0;
+    virtual void inject(const Value& value) = 0;
     /// Gives it a queue of another length (0: the latest value only). What is unread stays, the newest of it if it is
     /// too much. Gives what is dropped, oldest first, and counts it.
     virtual std::vector<AnyMessage> set_queue(std::size_t queue) = 0;
@@ -269,7 +279,7 @@ private:
 /// Makes a port of the message type at this index of `message_types`.
 std::unique_ptr<InPortBase> make_in_port(std::size_t type, std::string name, std::string doc, std::size_t queue);
 std::unique_ptr<OutPortBase> make_out_port(std::size_t type, std::string name, std::string doc,
-                                           std::optional<AnyPayload> safe = std::nullopt);
+                                           std::optional<Value> safe = std::nullopt);
 
 /// The index of a message type by name, or an error that names the nearest.
 Expected<std::size_t> find_message_type(std::string_view name);

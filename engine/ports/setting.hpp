@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "engine/base/error.hpp"
-#include "engine/ports/describe.hpp"
 #include "engine/ports/messages.hpp"
+#include "engine/values/describe.hpp"
 
 namespace nezumi {
 

@@ -11,10 +11,10 @@
 
 #include "engine/components/parameter.hpp"
 #include "engine/components/plain_data.hpp"
-#include "engine/ports/describe.hpp"
 #include "engine/ports/messages.hpp"
 #include "engine/system/actor.hpp"
 #include "engine/system/system_spec.hpp"
+#include "engine/values/value.hpp"
 #include "engine/world/arena_spec.hpp"
 
 namespace nezumi {
@@ -26,7 +26,6 @@ struct SetParameter {
     std::string parameter;
     ParameterValue value;
 
-    static constexpr std::string_view type_name = "SetParameter";
     static constexpr std::tuple fields{
         Field{"component", &SetParameter::component, "", "whose parameter"},
         Field{"parameter", &SetParameter::parameter, "", "its name"},
@@ -35,9 +34,8 @@ struct SetParameter {
 };
 struct Write {
     std::string port;
-    AnyPayload value;
+    Value value;
 
-    static constexpr std::string_view type_name = "Write";
     static constexpr std::tuple fields{
         Field{"port", &Write::port, "", "an out-port; an in-port is injected"},
         Field{"value", &Write::value, "", "published as if its component had written it"},
@@ -45,9 +43,8 @@ struct Write {
 };
 struct Inject {
     std::string port;
-    AnyPayload value;
+    Value value;
 
-    static constexpr std::string_view type_name = "Inject";
     static constexpr std::tuple fields{
         Field{"port", &Inject::port, "", "an in-port; an out-port is written"},
         Field{"value", &Inject::value, "", "one message as from a connection"},
@@ -55,10 +52,9 @@ struct Inject {
 };
 struct Hold {
     std::string port;
-    AnyPayload value;
+    Value value;
     bool take = false;
 
-    static constexpr std::string_view type_name = "Hold";
     static constexpr std::tuple fields{
         Field{"port", &Hold::port, "", ""},
         Field{"value", &Hold::value, "", "sent every tick; nothing else gets through"},
@@ -68,44 +64,37 @@ struct Hold {
 struct Release {
     std::string port;
 
-    static constexpr std::string_view type_name = "Release";
     static constexpr std::tuple fields{Field{"port", &Release::port, "", "whose hold, drop or freeze ends"}};
 };
 struct Drop {
     std::string port;
 
-    static constexpr std::string_view type_name = "Drop";
     static constexpr std::tuple fields{Field{"port", &Drop::port, "", "that nothing gets through any more"}};
 };
 struct Freeze {
     std::string port;
 
-    static constexpr std::string_view type_name = "Freeze";
     static constexpr std::tuple fields{Field{"port", &Freeze::port, "", "that is held at its present value"}};
 };
 struct Activate {
     std::string component;
 
-    static constexpr std::string_view type_name = "Activate";
     static constexpr std::tuple fields{Field{"component", &Activate::component, "", "INACTIVE to ACTIVE"}};
 };
 struct Deactivate {
     std::string component;
 
-    static constexpr std::string_view type_name = "Deactivate";
     static constexpr std::tuple fields{Field{"component", &Deactivate::component, "", "ACTIVE to INACTIVE"}};
 };
 struct Reset {
     std::string component;
 
-    static constexpr std::string_view type_name = "Reset";
     static constexpr std::tuple fields{Field{"component", &Reset::component, "", "ERROR to INACTIVE"}};
 };
 struct Use {
     std::string component;
     std::string set;
 
-    static constexpr std::string_view type_name = "Use";
     static constexpr std::tuple fields{
         Field{"component", &Use::component, "", ""},
         Field{"set", &Use::set, "", "one of its named sets of parameters"},
@@ -115,7 +104,6 @@ struct Connect {
     std::string from;
     std::string to;
 
-    static constexpr std::string_view type_name = "Connect";
     static constexpr std::tuple fields{
         Field{"from", &Connect::from, "", "an out-port"},
         Field{"to", &Connect::to, "", "an in-port of the same type"},
@@ -125,7 +113,6 @@ struct Disconnect {
     std::string from;
     std::string to;  ///< "": whatever `from`, an out-port or an in-port, is connected to
 
-    static constexpr std::string_view type_name = "Disconnect";
     static constexpr std::tuple fields{
         Field{"from", &Disconnect::from, "", "an out-port"},
         Field{"to", &Disconnect::to, "", "an in-port; empty: whatever the first is connected to"},
@@ -135,7 +122,6 @@ struct Teleport {
     std::string robot;
     Pose2D pose;
 
-    static constexpr std::string_view type_name = "Teleport";
     static constexpr std::tuple fields{
         Field{"robot", &Teleport::robot, "", ""},
         Field{"pose", &Teleport::pose, "", "where it stands from now on, at rest"},
@@ -145,7 +131,6 @@ struct MoveMarker {
     std::string marker;
     Pose3D pose;
 
-    static constexpr std::string_view type_name = "MoveMarker";
     static constexpr std::tuple fields{
         Field{"marker", &MoveMarker::marker, "", ""},
         Field{"pose", &MoveMarker::pose, "", "where it hangs from now on"},
@@ -155,7 +140,6 @@ struct MoveThing {
     std::string thing;
     Pose2D pose;
 
-    static constexpr std::string_view type_name = "MoveThing";
     static constexpr std::tuple fields{
         Field{"thing", &MoveThing::thing, "", "of the arena, as in \"box 2\""},
         Field{"pose", &MoveThing::pose, "", "of its centre from now on, at rest; its height and tilt stay"},
@@ -164,13 +148,11 @@ struct MoveThing {
 struct AddMarker {
     MarkerSpec marker;
 
-    static constexpr std::string_view type_name = "AddMarker";
     static constexpr std::tuple fields{Field{"marker", &AddMarker::marker, "", "as an arena gives it"}};
 };
 struct RemoveMarker {
     std::string marker;
 
-    static constexpr std::string_view type_name = "RemoveMarker";
     static constexpr std::tuple fields{Field{"marker", &RemoveMarker::marker, "", ""}};
 };
 struct Disturb {
@@ -179,7 +161,6 @@ struct Disturb {
     std::optional<double> vy{};
     std::optional<double> va{};
 
-    static constexpr std::string_view type_name = "Disturb";
     static constexpr std::tuple fields{
         Field{"robot", &Disturb::robot, "", ""},
         Field{"vx", &Disturb::vx, "m/s", "speeds that a hand forces on it, in its frame; free when left out;"},
@@ -192,7 +173,6 @@ struct Press {
     std::string sensor;
     bool pressed = true;
 
-    static constexpr std::string_view type_name = "Press";
     static constexpr std::tuple fields{
         Field{"robot", &Press::robot, "", ""},
         Field{"sensor", &Press::sensor, "", "a button or touch sensor"},
@@ -204,7 +184,6 @@ struct Command {
     std::string command;
     PlainData arguments;
 
-    static constexpr std::string_view type_name = "Command";
     static constexpr std::tuple fields{
         Field{"component", &Command::component, "", ""},
         Field{"command", &Command::command, "", ""},
@@ -217,7 +196,6 @@ struct Reload {
     std::string shown;               ///< from a text called so
     std::string text;
 
-    static constexpr std::string_view type_name = "Reload";
     static constexpr std::tuple fields{
         Field{"files", &Reload::files, "", "scripts and modules that were saved"},
         Field{"component", &Reload::component, "", "or one whose file is replaced by a text"},
@@ -228,31 +206,25 @@ struct Reload {
 struct Rollback {
     std::string component;
 
-    static constexpr std::string_view type_name = "Rollback";
     static constexpr std::tuple fields{Field{"component", &Rollback::component, "", "to the version before"}};
 };
 struct Add {
     Entry entry;
 
-    static constexpr std::string_view type_name = "Add";
     static constexpr std::tuple fields{Field{"entry", &Add::entry, "", "as a system file gives it"}};
 };
 struct Remove {
     std::string component;
 
-    static constexpr std::string_view type_name = "Remove";
     static constexpr std::tuple fields{Field{"component", &Remove::component, "", ""}};
 };
 struct Restart {
-    static constexpr std::string_view type_name = "Restart";
     static constexpr std::tuple<> fields{};
 };
 struct Stop {
-    static constexpr std::string_view type_name = "Stop";
     static constexpr std::tuple<> fields{};
 };
 struct Rearm {
-    static constexpr std::string_view type_name = "Rearm";
     static constexpr std::tuple<> fields{};
 };
 

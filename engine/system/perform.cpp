@@ -31,18 +31,18 @@ Expected<Port*> port_here(System& system, const std::string& path) {
 }
 
 // The port, if its type fits the value.
-Expected<Port*> port_for(System& system, const std::string& path, const AnyPayload& value) {
+Expected<Port*> port_for(System& system, const std::string& path, const Value& value) {
     auto port = port_here(system, path);
     if (!port) return port;
-    if ((*port)->type() != value.index()) {
+    if ((*port)->type() != message_index(value.type())) {
         return failure(fmt::format("types differ: {} is {}, the value is {}", path, (*port)->type_name(),
-                                   message_type_names[value.index()]));
+                                   message_type_names[message_index(value.type())]));
     }
     if (!is_finite(value)) return failure(fmt::format("{}: a number of the value is not finite", path));
     return port;
 }
 
-Expected<ActResult> send(System& system, const std::string& path, const AnyPayload& value) {
+Expected<ActResult> send(System& system, const std::string& path, const Value& value) {
     const auto port = port_for(system, path, value);
     if (!port) return Unexpected(port.error());
     if ((*port)->direction() == Direction::in) {

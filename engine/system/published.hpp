@@ -24,17 +24,15 @@ public:
           seen_(port.sequence()),
           commands_(commands_robots(system, port)) {}
 
-    /// Gives each `Message<T>` that was published since the last call. While the system is stopped a velocity that may
-    /// drive robots is zero, once each call, whatever was published.
+    /// Gives each message (`MessageView`) that was published since the last call. While the system is stopped a
+    /// velocity that may drive robots is zero, once each call, whatever was published.
     template <class Give>
     void take(const Give& give) {
         const bool is_new = port_->sequence() != seen_;
         seen_ = port_->sequence();
-        if (commands_ && system_->is_stopped()) return give(Message<Velocity2D>{{}, system_->now().seconds});
+        if (commands_ && system_->is_stopped()) return give(Message<Velocity2D>{{}, system_->now().seconds}.view());
         if (!is_new) return;
-        with_payload_type(type_, [&]<class T>() {
-            for (const Message<T>& message : static_cast<const OutPort<T>&>(*port_).messages()) give(message);
-        });
+        for (std::size_t i = 0; i < port_->message_count(); ++i) give(port_->message(i));
     }
     std::size_t type() const { return type_; }
     bool commands() const { return commands_; }

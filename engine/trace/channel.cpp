@@ -7,23 +7,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <optional>
 #include <vector>
 
+#include "engine/ports/payload.hpp"
 #include "engine/trace/series.hpp"
 
 namespace nezumi {
-
-template <>
-struct Describe<Truth> {
-    static constexpr std::string_view name = "Truth";
-    static constexpr std::tuple fields{
-        Field{"pose", &Truth::pose, "", "where it is"},
-        Field{"velocity", &Truth::velocity, "", "in the robot's frame"},
-        Field{"height", &Truth::height, "m", "of the body frame's origin over the floor"},
-        Field{"tilt", &Truth::tilt, "rad", "between the body's z axis and the vertical"},
-    };
-};
 
 namespace {
 
@@ -33,35 +22,28 @@ constexpr double dust = 1e-9;  // [m], [rad], [m/s], [rad/s]
 // Where the first name of a path ends.
 std::size_t end_of_name(std::string_view path) { return std::min(path.find_first_of(".["), path.size()); }
 
-// Why values of type T, called `whole`, have no part ".name", "[2]" or "[2].name"; "" when they have.
-template <class T>
-std::string no_such_part(std::string_view part, const std::string& whole) {
+// Why values of a type, called `whole`, have no part ".name", "[2]" or "[2].name"; "" when they have.
+std::string no_such_part(const Type& type, std::string_view part, const std::string& whole) {
     if (part.empty()) return "";
-    if constexpr (Described<T>) {
-        if (part.front() == '.') part.remove_prefix(1);
-        const std::string_view head = part.substr(0, end_of_name(part));
-        std::vector<std::string_view> names;
-        std::optional<std::string> answer;
-        const T value{};
-        for_each_field(value, [&](const auto& field, const auto& member) {
-            names.push_back(field.name);
-            if (field.name != head) return;
-            using Member = std::remove_cvref_t<decltype(member)>;
-            answer = no_such_part<Member>(part.substr(head.size()), fmt::format("{}.{}", whole, head));
-        });
-        return answer ? *answer : fmt::format("{} has no '{}'{}", whole, shown(head), did_you_mean(head, names));
-    } else if constexpr (Sequence<T>) {
+    if (type.kind == Type::Kind::sequence) {
         const std::size_t close = part.find(']');
         std::size_t index = 0;
         if (part.front() == '[' && close != std::string_view::npos)
             std::from_chars(part.data() + 1, part.data() + close, index);
         if (index == 0) return fmt::format("{} is a list: {}[1] is its first element", whole, whole);
-        return no_such_part<typename T::value_type>(part.substr(close + 1),
-                                                    whole + std::string(part.substr(0, close + 1)));
-    } else {
-        if (part.front() == '.') part.remove_prefix(1);
-        return fmt::format("{} is a single value: it has no '{}'", whole, shown(part));
+        return no_such_part(*type.element, part.substr(close + 1), whole + std::string(part.substr(0, close + 1)));
     }
+    if (part.front() == '.') part.remove_prefix(1);
+    if (type.kind != Type::Kind::structure)
+        return fmt::format("{} is a single value: it has no '{}'", whole, shown(part));
+    const std::string_view head = part.substr(0, end_of_name(part));
+    std::vector<std::string_view> names;
+    for (const Type::Field& field : type.fields) {
+        if (field.name == head)
+            return no_such_part(*field.type, part.substr(head.size()), fmt::format("{}.{}", whole, head));
+        names.push_back(field.name);
+    }
+    return fmt::format("{} has no '{}'{}", whole, shown(head), did_you_mean(head, names));
 }
 
 void visit_parameters(const Parameters& parameters, const LeafVisitor& visit) {
@@ -69,13 +51,6 @@ void visit_parameters(const Parameters& parameters, const LeafVisitor& visit) {
         const LeafPath root, path = root.field(parameter.spec.name);
         std::visit([&](const auto& value) { visit_leaves(value, visit, path); }, parameter.value);
     }
-}
-
-// The messages of the tick in which it carried something last.
-template <class T>
-std::span<const Message<T>> messages_of(const Port& port) {
-    return port.direction() == Direction::out ? static_cast<const OutPort<T>&>(port).messages()
-                                              : static_cast<const InPort<T>&>(port).messages();
 }
 
 }  // namespace
@@ -120,20 +95,15 @@ Expected<Channel> Channel::find(const System& system, std::string_view name) {
 Expected<void> Channel::check(const System& system, const Component& owner) const {
     const std::string whole = owner_ + "." + member_;
     const std::string part = part_.empty() || part_.front() == '[' ? part_ : "." + part_;
+    const auto checked = [&](const Type& type) -> Expected<void> {
+        std::string why = no_such_part(type, part, whole);
+        return why.empty() ? Expected<void>() : failure(std::move(why));
+    };
     switch (kind_) {
         case Kind::out_port:
-        case Kind::in_port: {
-            std::string why = with_payload_type(port_->type(), [&]<class T>() { return no_such_part<T>(part, whole); });
-            return why.empty() ? Expected<void>() : failure(std::move(why));
-        }
-        case Kind::truth: {
-            std::string why = no_such_part<Truth>(part, whole);
-            return why.empty() ? Expected<void>() : failure(std::move(why));
-        }
-        case Kind::collided: {
-            std::string why = no_such_part<bool>(part, whole);
-            return why.empty() ? Expected<void>() : failure(std::move(why));
-        }
+        case Kind::in_port: return checked(*message_infos()[port_->type()].payload);
+        case Kind::truth: return checked(type_of<Truth>());
+        case Kind::collided: return checked(type_of<bool>());
         case Kind::config: {
             const std::string_view parameter = std::string_view(part_).substr(0, end_of_name(part_));
             std::vector<std::string_view> names;
@@ -184,7 +154,7 @@ void Channel::resolve(const System& system) {
             kind_ = member_ == "truth" ? Kind::truth : Kind::collided;
     } else if (member_ == "config") {
         kind_ = Kind::config;
-    } else if (component_->visit_member(member_, [](const LeafPath&, const Leaf&) {})) {
+    } else if (component_->visit_member(member_, [](const LeafPath&, const ValueView&) {})) {
         kind_ = Kind::member;
     }
 }
@@ -198,7 +168,7 @@ void Channel::latch(const System& system, std::int64_t tick) {
             const std::int64_t latest = kind_ == Kind::out_port ? static_cast<const OutPortBase*>(port_)->latched_tick()
                                                                 : static_cast<const InPortBase*>(port_)->arrival_tick();
             if (latest != tick) return;
-            fresh_ = with_payload_type(port_->type(), [&]<class T>() { return messages_of<T>(*port_).size(); });
+            fresh_ = port_->message_count();
             break;
         }
         case Kind::truth:
@@ -222,16 +192,14 @@ void Channel::latch(const System& system, std::int64_t tick) {
 }
 
 void Channel::visit(std::size_t message, const LeafVisitor& given) const {
-    const LeafVisitor within = [&](const LeafPath& path, const Leaf& leaf) {
+    const LeafVisitor within = [&](const LeafPath& path, const ValueView& leaf) {
         if (is_within(path.text(), part_)) given(path, leaf);
     };
     const LeafVisitor& visit = part_.empty() ? given : within;
     switch (kind_) {
         case Kind::none: return;
         case Kind::out_port:
-        case Kind::in_port:
-            return with_payload_type(port_->type(),
-                                     [&]<class T>() { visit_leaves(messages_of<T>(*port_)[message].data, visit); });
+        case Kind::in_port: return visit_leaves(port_->message(message).data, visit);
         case Kind::truth: return visit_leaves(truth_, visit);
         case Kind::collided: return visit_leaves(collided_, visit);
         case Kind::config: return visit_parameters(component_->parameters(), visit);
@@ -241,13 +209,10 @@ void Channel::visit(std::size_t message, const LeafVisitor& given) const {
 
 void Channel::visit_latest(const LeafVisitor& given) const {
     if (port_ == nullptr || fresh_ > 0) return visit(fresh_ > 0 ? fresh_ - 1 : 0, given);
-    std::visit(
-        [&](const auto& payload) {
-            visit_leaves(payload, [&](const LeafPath& path, const Leaf& leaf) {
-                if (part_.empty() || is_within(path.text(), part_)) given(path, leaf);
-            });
-        },
-        port_->value());
+    const Value value = port_->value();
+    visit_leaves(value, [&](const LeafPath& path, const ValueView& leaf) {
+        if (part_.empty() || is_within(path.text(), part_)) given(path, leaf);
+    });
 }
 
 bool Channel::has_pictures() const { return port_ != nullptr && port_->type() == type_index<CameraImage>(); }
@@ -258,39 +223,30 @@ void Channel::append_to(Series& series, double seconds) const {
     if (messages_now == 0) return;
     std::array<double, Series::most_values> values;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled below
     std::size_t count = 0;
-    const auto take = [&](const auto& leaf) {
-        if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(leaf)>>) {
-            if (count < values.size()) values[count++] = static_cast<double>(leaf);
-        } else if constexpr (std::is_convertible_v<decltype(leaf), std::string_view>) {
-            if (count < values.size()) values[count++] = static_cast<double>(series.place_of(leaf));
-        }
+    const auto is_text = [](const ValueView& leaf) { return leaf.type->kind == Type::Kind::text; };
+    const auto number_of = [&](const ValueView& leaf) {
+        if (is_text(leaf)) return static_cast<double>(series.place_of(leaf.as<std::string>()));
+        return visit_number(leaf, [](const auto& number) { return static_cast<double>(number); });
     };
     const auto add = [&](std::size_t message, double at) {
         if (count > series.labels().size()) {
             std::vector<std::string> labels;
             std::vector<bool> are_texts;
-            visit(message, [&](const LeafPath& path, const Leaf& leaf) {
+            visit(message, [&](const LeafPath& path, const ValueView& leaf) {
                 if (labels.size() == values.size()) return;
                 labels.push_back(path.text());
-                are_texts.push_back(std::holds_alternative<std::string_view>(leaf));
+                are_texts.push_back(is_text(leaf));
             });
             series.set_labels(std::move(labels), std::move(are_texts));
         }
         series.add(at, {values.data(), count});
         count = 0;
     };
-    if (port_ != nullptr && part_.empty()) {
-        return with_payload_type(port_->type(), [&]<class T>() {
-            const auto messages = messages_of<T>(*port_);
-            for (std::size_t i = 0; i < messages.size(); ++i) {
-                for_each_leaf(messages[i].data, [&](const LeafPath&, const auto& leaf) { take(leaf); });
-                add(i, messages[i].tm);
-            }
-        });
-    }
     for (std::size_t i = 0; i < messages_now; ++i) {
-        visit(i, [&](const LeafPath&, const Leaf& leaf) { std::visit(take, leaf); });
-        add(i, seconds);
+        visit(i, [&](const LeafPath&, const ValueView& leaf) {
+            if (count < values.size()) values[count++] = number_of(leaf);
+        });
+        add(i, port_ != nullptr && part_.empty() ? port_->message(i).tm : seconds);
     }
 }
 

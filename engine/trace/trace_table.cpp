@@ -10,19 +10,12 @@
 namespace nezumi {
 namespace {
 
-std::string cell_of(const Leaf& leaf) {
-    return std::visit(
-        [](const auto& value) {
-            using Type = std::remove_cvref_t<decltype(value)>;
-            if constexpr (std::is_same_v<Type, std::string_view>) {
-                return csv_quoted(value);
-            } else if constexpr (std::is_same_v<Type, bool>) {
-                return std::string(value ? "1" : "0");
-            } else {
-                return fmt::format("{}", value);
-            }
-        },
-        leaf);
+std::string cell_of(const ValueView& leaf) {
+    if (leaf.type->kind == Type::Kind::text) return csv_quoted(leaf.as<std::string>());
+    return visit_number(leaf, []<class T>(const T& number) {
+        if constexpr (std::is_same_v<T, bool>) return std::string(number ? "1" : "0");
+        return fmt::format("{}", number);
+    });
 }
 
 }  // namespace
@@ -35,7 +28,7 @@ void TraceTable::follow(const Channel& channel) {
     Source& source = sources_.emplace_back(Source{&channel});
     // Columns are there before anything was carried.
     std::size_t at = 0;
-    channel.visit_latest([&](const LeafPath& path, const Leaf&) { set_cell(source, at, path, ""); });
+    channel.visit_latest([&](const LeafPath& path, const ValueView&) { set_cell(source, at, path, ""); });
 }
 
 void TraceTable::set_cell(Source& source, std::size_t& at, const LeafPath& path, std::string text) {
@@ -58,7 +51,7 @@ void TraceTable::set_cell(Source& source, std::size_t& at, const LeafPath& path,
 void TraceTable::fill(Source& source, std::optional<std::size_t> message) {
     for (const Column& column : source.columns) cells_[column.id].clear();
     std::size_t at = 0;
-    const LeafVisitor set = [&](const LeafPath& path, const Leaf& leaf) {
+    const LeafVisitor set = [&](const LeafPath& path, const ValueView& leaf) {
         set_cell(source, at, path, source.has_value ? cell_of(leaf) : "");
     };
     if (message) return source.channel->visit(*message, set);

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "engine/base/error.hpp"
@@ -116,6 +117,13 @@ struct Truth {
     Velocity2D velocity;  ///< in the robot's frame
     double height = 0;    ///< [m] of the body frame's origin over the floor
     double tilt = 0;      ///< [rad] between the body's z axis and the vertical
+
+    static constexpr std::tuple fields{
+        Field{"pose", &Truth::pose, "", "where it is"},
+        Field{"velocity", &Truth::velocity, "", "in the robot's frame"},
+        Field{"height", &Truth::height, "m", "of the body frame's origin over the floor"},
+        Field{"tilt", &Truth::tilt, "rad", "between the body's z axis and the vertical"},
+    };
 };
 
 /// A thing of the arena where it is now: for pictures and cameras.

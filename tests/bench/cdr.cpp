@@ -3,7 +3,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "engine/ports/cdr.hpp"
+#include "engine/ports/messages.hpp"
+#include "engine/values/cdr.hpp"
 #include "tests/bench/report.hpp"
 
 using namespace nezumi;

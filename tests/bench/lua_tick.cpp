@@ -104,7 +104,7 @@ void measure(const char* name, Component& component, double limit) {
         component.execute(now);
         component.find_out_port("out")->discard();
     });
-    const bool drives = std::get<Velocity2D>(component.find_out_port("out")->value()).vx > 0;
+    const bool drives = component.find_out_port("out")->value().get<Velocity2D>().vx > 0;
     std::printf("%-34s execute %6.1f ns, with ports %6.1f ns (limit %.0f: %s)%s\n", name, alone, whole, limit,
                 bench::verdict(alone, limit), drives ? "" : " (does not drive!)");
 }

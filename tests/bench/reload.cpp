@@ -71,7 +71,7 @@ int main() {
             std::ofstream(file + ".new") << script(++value);
             fs::rename(file + ".new", file);
             saved = Clock::now();
-        } else if (wait < 0 && std::get<std::int32_t>(out.value()) == value) {
+        } else if (wait < 0 && out.value().get<std::int32_t>() == value) {
             latencies.push_back(std::chrono::duration<double, std::milli>(begin - saved).count());
             wait = 5 + static_cast<int>(random() % 10);
         }

@@ -2,8 +2,8 @@
 // where.
 #include <cstdint>
 
-#include "engine/ports/cdr.hpp"
 #include "engine/ports/payload.hpp"
+#include "engine/values/cdr.hpp"
 #include "tests/fuzz/require.hpp"
 
 using namespace nezumi;

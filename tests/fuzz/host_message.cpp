@@ -12,9 +12,9 @@
 #include "bindings/dds/ros/mapping.hpp"
 #include "bindings/dds/sealed_transport.hpp"
 #include "bindings/dds/step.hpp"
-#include "engine/ports/cdr.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/ports/port.hpp"
+#include "engine/values/cdr.hpp"
 #include "tests/fuzz/require.hpp"
 
 using namespace nezumi;
@@ -49,7 +49,7 @@ void step(std::span<const std::uint8_t> bytes) {
     for (const dds::StepMessage& message : read.messages) {
         for (std::size_t type = 0; type < message_type_count; ++type) {
             const auto value = dds::read_message(type, message.payload);
-            require(!value || (value->index() == type && is_finite(*value)));
+            require(!value || (message_index(value->type()) == type && is_finite(*value)));
         }
     }
 }
@@ -70,13 +70,13 @@ void request(std::span<const std::uint8_t> bytes) {
 void receive(std::size_t type, std::span<const std::uint8_t> bytes) {
     dds::Progress progress;
     dds::Inlet inlet(type, std::make_unique<OneMessage>(bytes), progress);
-    inlet.receive(1, 1, [&](const AnyPayload& value) { require(value.index() == type && is_finite(value)); });
+    inlet.receive(1, 1, [&](const Value& value) { require(message_index(value.type()) == type && is_finite(value)); });
 }
 
 void subscribe(const ros::Mapping& mapping, std::span<const std::uint8_t> bytes) {
     if (mapping.subscribe == nullptr) return;
-    mapping.subscribe(std::make_unique<OneMessage>(bytes))->receive(1, [&](const AnyPayload& value) {
-        require(value.index() == mapping.port_type && is_finite(value));
+    mapping.subscribe(std::make_unique<OneMessage>(bytes))->receive(1, [&](const Value& value) {
+        require(message_index(value.type()) == mapping.port_type && is_finite(value));
     });
 }
 

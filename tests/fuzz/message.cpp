@@ -26,7 +26,7 @@ void check(lua_State* lua, std::size_t type) {
         require_line(read.error().message);
         return;
     }
-    require(read->index() == type && is_finite(*read));
+    require(message_index(read->type()) == type && is_finite(*read));
     const auto pushed = protect(lua, budget, [&](lua_State* inside) {
         push_payload(inside, *read);
         return 1;

@@ -16,7 +16,6 @@
 #include "bindings/cli/base/json_text.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/console/socket_directory.hpp"
-#include "bindings/lua/stubs/message_shape.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -34,31 +33,25 @@ struct CalcOptions {
 };
 
 // Every number, truth value, text and picture of a type as [name, unit, kind, is a sequence].
-void add_fields(const ValueShape& shape, const std::string& name, std::string_view unit,
-                std::vector<std::string>& fields) {
-    switch (shape.kind) {
-        case ValueShape::Kind::structure:
-            if (shape.sequence) return;
-            for (const FieldShape& field : shape.fields)
-                add_fields(field.shape, name + (name.empty() ? "" : ".") + std::string(field.name), field.unit, fields);
-            return;
-        case ValueShape::Kind::boolean:
-        case ValueShape::Kind::integer:
-        case ValueShape::Kind::number:
-        case ValueShape::Kind::text:
-        case ValueShape::Kind::octets: break;
-    }
-    // In the order of their enumerators.
-    constexpr std::string_view kinds[] = {"boolean", "integer", "number", "text", "octets"};
-    fields.push_back(fmt::format("[{},{},{},{}]", json_text(name), json_text(unit),
-                                 json_text(kinds[static_cast<std::size_t>(shape.kind)]), shape.sequence));
+void add_fields(const Type& type, const std::string& name, std::string_view unit, std::vector<std::string>& fields) {
+    for (const Type::Field& field : type.fields)
+        add_fields(*field.type, name + (name.empty() ? "" : ".") + field.name, field.unit, fields);
+    const Type& single = type.single();
+    if (!single.is_single()) return;
+    const std::string_view kind = single.is_integer()                  ? "integer"
+                                  : single.is_floating()               ? "number"
+                                  : single.kind == Type::Kind::boolean ? "boolean"
+                                  : single.kind == Type::Kind::text    ? "text"
+                                                                       : "octets";
+    fields.push_back(fmt::format("[{},{},{},{}]", json_text(name), json_text(unit), json_text(kind),
+                                 type.kind == Type::Kind::sequence));
 }
 
 std::string types_as_json() {
     std::vector<std::string> types;
-    for (const MessageShape& message : message_shapes()) {
+    for (const MessageInfo& message : message_infos()) {
         std::vector<std::string> fields;
-        add_fields(message.shape, "", "", fields);
+        add_fields(*message.payload, "", "", fields);
         types.push_back(fmt::format("{}:[{}]", json_text(message.name), fmt::join(fields, ",")));
     }
     return fmt::format("{{{}}}", fmt::join(types, ","));

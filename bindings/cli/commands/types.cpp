@@ -30,11 +30,11 @@ int show_types(const TypesOptions& options) {
         fmt::print("{}", type_table());
         return exit_done;
     }
-    const std::vector<MessageShape> messages = message_shapes();
+    const std::span<const MessageInfo> messages = message_infos();
     std::string text;
     for (const std::string& name : options.names) {
         const auto found = std::find_if(messages.begin(), messages.end(),
-                                        [&](const MessageShape& message) { return message.name == name; });
+                                        [&](const MessageInfo& message) { return message.name == name; });
         if (found == messages.end()) {
             return refuse(fmt::format("types: there is no message type '{}'{}; `nezumi types` shows all", shown(name),
                                       did_you_mean(name, {message_type_names.begin(), message_type_names.end()})));

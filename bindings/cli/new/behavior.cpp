@@ -12,9 +12,9 @@
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/check_script.hpp"
 #include "bindings/lua/script/script_globals.hpp"
-#include "bindings/lua/stubs/message_shape.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
+#include "engine/ports/payload.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi::cli {
@@ -22,8 +22,8 @@ namespace {
 
 struct NewPort {
     std::string name;
-    MessageShape message;
-    std::string local;  // the variable that holds it
+    std::size_t type = 0;  // of its messages
+    std::string local;     // the variable that holds it
     std::string doc;
 };
 
@@ -35,7 +35,6 @@ bool is_taken_word(const std::string& name) {
 
 Expected<std::vector<NewPort>> read_ports(std::string_view option, const std::vector<std::string>& given,
                                           std::vector<std::string>& taken) {
-    const std::vector<MessageShape> messages = message_shapes();
     std::vector<NewPort> ports;
     for (const std::string& text : given) {
         const std::size_t colon = text.find(':');
@@ -43,19 +42,18 @@ Expected<std::vector<NewPort>> read_ports(std::string_view option, const std::ve
             return failure(fmt::format("{0} '{1}': expected name:Type, for example {0} distance:TimedShortSeq", option,
                                        shown(text)));
         }
-        NewPort port{text.substr(0, colon), {}, text.substr(0, colon), ""};
+        NewPort port{text.substr(0, colon), 0, text.substr(0, colon), ""};
         const std::size_t second = text.find(':', colon + 1);
         const std::string type = text.substr(colon + 1, second == std::string::npos ? second : second - colon - 1);
         if (auto ok = take_new_name(option, port.name, taken); !ok) return Unexpected(ok.error());
-        const auto found = std::find_if(messages.begin(), messages.end(),
-                                        [&](const MessageShape& message) { return message.name == type; });
-        if (found == messages.end()) {
+        const auto found = std::find(message_type_names.begin(), message_type_names.end(), type);
+        if (found == message_type_names.end()) {
             return failure(fmt::format("{} '{}': unknown type '{}'{}; `nezumi types` lists them all", option, port.name,
                                        shown(type),
                                        did_you_mean(type, {message_type_names.begin(), message_type_names.end()})));
         }
-        port.message = *found;
-        port.doc = second == std::string::npos ? std::string(found->doc) : text.substr(second + 1);
+        port.type = static_cast<std::size_t>(found - message_type_names.begin());
+        port.doc = second == std::string::npos ? std::string(message_infos()[port.type].doc) : text.substr(second + 1);
         if (is_taken_word(port.name)) port.local += "_port";
         ports.push_back(std::move(port));
     }
@@ -63,23 +61,18 @@ Expected<std::vector<NewPort>> read_ports(std::string_view option, const std::ve
 }
 
 // A value of the type as Lua writes it: what a new behaviour writes, and what its scenario sends it.
-std::string sample(const ValueShape& shape) {
-    std::string text;
-    switch (shape.kind) {
-        case ValueShape::Kind::boolean: text = "false"; break;
-        case ValueShape::Kind::integer: text = "0"; break;
-        case ValueShape::Kind::number: text = shape.sequence ? "0.0" : "0"; break;
-        case ValueShape::Kind::text:
-        case ValueShape::Kind::octets: text = "\"\""; break;
-        case ValueShape::Kind::structure: {
-            for (const FieldShape& field : shape.fields) {
-                text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", field.name, sample(field.shape));
-            }
-            text = text.size() > 80 ? "{}" : "{ " + text + " }";  // what is left out is zero
-            break;
-        }
+std::string sample(const Type& type) {
+    if (type.kind == Type::Kind::sequence) {
+        const std::string element = type.element->is_floating() ? "0.0" : sample(*type.element);
+        return "{ " + element + ", " + element + " }";
     }
-    return shape.sequence ? "{ " + text + ", " + text + " }" : text;
+    if (type.is_number()) return "0";
+    if (type.kind == Type::Kind::boolean) return "false";
+    if (type.kind != Type::Kind::structure) return "\"\"";
+    std::string text;
+    for (const Type::Field& field : type.fields)
+        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", field.name, sample(*field.type));
+    return text.size() > 80 ? "{}" : "{ " + text + " }";  // what is left out is zero
 }
 
 // `world.ports["in"]` where `world.in` is no Lua.
@@ -90,7 +83,7 @@ std::string member(const std::string& name) {
 void add_declarations(std::string& text, std::string_view word, const std::vector<NewPort>& ports, std::size_t width) {
     for (const NewPort& port : ports) {
         text += fmt::format("local {:{}} = {}(\"{}\", \"{}\", {})\n", port.local, width, word, port.name,
-                            port.message.name, lua_quoted(port.doc));
+                            message_type_names[port.type], lua_quoted(port.doc));
     }
 }
 
@@ -129,7 +122,7 @@ std::string execution_text(const std::vector<NewPort>& inputs, const std::vector
     }
     if (outputs.empty() && inputs.empty()) text += "  -- What it does, 100 times a second.\n";
     for (const NewPort& port : outputs) {
-        const std::string value = sample(port.message.shape);
+        const std::string value = sample(*message_infos()[port.type].payload);
         text += value.starts_with('{') ? fmt::format("  {}:write {}\n", port.local, value)
                                        : fmt::format("  {}:write({})\n", port.local, value);
     }
@@ -185,7 +178,8 @@ std::string behavior_scenario_text(const std::string& name, const std::vector<Ne
         "  s:always(\"is well\", function() return {1}.status == \"ACTIVE\" end)\n",
         name, variable, component);
     for (const NewPort& port : inputs) {
-        text += fmt::format("  s:inject(\"{}.{}\", {})\n", component, port.name, sample(port.message.shape));
+        text += fmt::format("  s:inject(\"{}.{}\", {})\n", component, port.name,
+                            sample(*message_infos()[port.type].payload));
     }
     text += "  s:run(1)\n";
     for (const NewPort& port : outputs) {

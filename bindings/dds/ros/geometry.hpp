@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/ports/describe.hpp"
+#include "engine/values/describe.hpp"
 
 namespace nezumi::ros {
 

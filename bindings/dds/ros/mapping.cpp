@@ -11,9 +11,9 @@
 #include "bindings/dds/message_age.hpp"
 #include "bindings/dds/ros/convert.hpp"
 #include "bindings/dds/ros/type_hash.hpp"
-#include "engine/ports/cdr.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/ports/port.hpp"
+#include "engine/values/cdr.hpp"
 
 namespace nezumi::ros {
 namespace {
@@ -114,7 +114,7 @@ constexpr Mapping pair(std::string_view frame, bool sensor_data) {
     made.type = Describe<Message>::name;
     made.frame = frame;
     made.sensor_data = sensor_data;
-    made.type_hash = type_hash<Message>;
+    made.definition = type_of<Message>;
     made.publish = [](InPortBase& port, std::unique_ptr<dds::Writer> writer,
                       std::string its_frame) -> std::unique_ptr<Publication> {
         return std::make_unique<Sender<T, Message>>(static_cast<InPort<T>&>(port), std::move(writer),
@@ -185,7 +185,7 @@ dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes) 
             .depth = velocity && !writes   ? 1
                      : mapping.sensor_data ? sensor_depth
                                            : usual_depth,
-            .user_data = fmt::format("typehash={};", mapping.type_hash())};
+            .user_data = fmt::format("typehash={};", type_hash(mapping.definition()))};
 }
 
 std::string mapping_table() {

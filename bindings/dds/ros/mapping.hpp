@@ -29,7 +29,7 @@ public:
 /// Takes messages of a topic for an out-port of the node.
 class Subscription {
 public:
-    using Give = std::function<void(AnyPayload value)>;
+    using Give = std::function<void(Value value)>;
 
     virtual ~Subscription() = default;
     /// Gives what has come. `clock` [s]: monotonic. Returns what was wrong with a message, "" when nothing was.
@@ -41,7 +41,7 @@ struct Mapping {
     std::string_view type;      ///< of ROS: "geometry_msgs/msg/Twist"
     std::string_view frame;     ///< of its header, unless the system says another; "" for none
     bool sensor_data = false;   ///< best effort, as what sensors measure is in ROS
-    std::string (*type_hash)() = nullptr;
+    const Type& (*definition)() = nullptr;
     std::unique_ptr<Publication> (*publish)(InPortBase& port, std::unique_ptr<dds::Writer> writer,
                                             std::string frame) = nullptr;
     /// None where nothing of this type can be taken.

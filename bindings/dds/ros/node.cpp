@@ -8,8 +8,8 @@
 
 #include "bindings/dds/ros/convert.hpp"
 #include "bindings/dds/ros/type_hash.hpp"
-#include "engine/ports/cdr.hpp"
 #include "engine/system/published.hpp"
+#include "engine/values/cdr.hpp"
 
 namespace nezumi::dds {
 namespace {
@@ -106,7 +106,7 @@ void RosNode::open() {
     clock_ = transport_.write({.name = "rt/clock",
                                .type = ros::dds_type_name(Describe<ros::Clock>::name),
                                .reliable = false,
-                               .user_data = fmt::format("typehash={};", ros::type_hash<ros::Clock>())});
+                               .user_data = fmt::format("typehash={};", ros::type_hash(type_of<ros::Clock>()))});
 }
 
 // Stamps in a simulation are its own time, which /clock tells; else the time of day.
@@ -127,8 +127,8 @@ void RosNode::before_tick(const ActDoor& act) {
     const bool waited = std::exchange(turns_, 0) > 1 || system_.settings().real_time;
     const bool stood = clock - std::exchange(received_at_, clock) > silence + 2 / system_.settings().rate && waited;
     for (Taken& taken : subscriptions_) {
-        const std::string problem = taken.subscription->receive(clock, [&](AnyPayload value) {
-            if (state() != LifeState::active || (stood && std::holds_alternative<Velocity2D>(value))) return;
+        const std::string problem = taken.subscription->receive(clock, [&](Value value) {
+            if (state() != LifeState::active || (stood && value.is<Velocity2D>())) return;
             static_cast<void>(act(Write{path(*this, *taken.port), std::move(value)}, {Actor::Kind::network, "ros"}));
         });
         if (problem.empty() || problem == taken.told) continue;

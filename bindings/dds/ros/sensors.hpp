@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "bindings/dds/ros/geometry.hpp"
-#include "engine/ports/describe.hpp"
 #include "engine/ports/messages.hpp"
+#include "engine/values/describe.hpp"
 
 namespace nezumi::ros {
 

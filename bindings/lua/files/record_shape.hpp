@@ -42,19 +42,9 @@ std::string class_of(std::string_view record);
 
 namespace detail {
 
-template <class T>
-struct IsOptional : std::false_type {};
-template <class T>
-struct IsOptional<std::optional<T>> : std::true_type {};
-
 /// A structure that is there or not: a table with its fields, true for all as it is by itself, or false.
 template <class T>
 concept SwitchedRecord = IsOptional<T>::value && Recorded<typename T::value_type>;
-
-template <class T>
-struct IsVector : std::false_type {};
-template <class T>
-struct IsVector<std::vector<T>> : std::true_type {};
 
 using Sets = std::map<std::string, ParameterValues, std::less<>>;
 
@@ -96,7 +86,7 @@ std::string values_of(const Rule& rule) {
 
 /// The same as Lua's type.
 template <class T>
-std::string type_of(const Rule& rule) {
+std::string lua_type_of(const Rule& rule) {
     if constexpr (std::is_same_v<T, bool>) {
         return rule.words[0].empty() ? "boolean" : list_of(rule.words, true, "|");
     } else if constexpr (std::is_same_v<T, double>) {
@@ -118,9 +108,9 @@ std::string type_of(const Rule& rule) {
     } else if constexpr (Recorded<T>) {
         return class_of(Describe<T>::name);
     } else if constexpr (SwitchedRecord<T>) {
-        return "boolean|" + type_of<typename T::value_type>(rule);
+        return "boolean|" + lua_type_of<typename T::value_type>(rule);
     } else if constexpr (IsOptional<T>::value) {
-        return type_of<typename T::value_type>(rule);
+        return lua_type_of<typename T::value_type>(rule);
     } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
         return "string|string[]";
     } else {
@@ -171,7 +161,7 @@ RecordShape shape_of_record() {
         row.kinds = detail::kinds_of<T>(field.rule.of);
         if constexpr (requires { field.member; }) {
             using Member = std::remove_cvref_t<decltype(sample.*(field.member))>;
-            row.type = detail::type_of<Member>(field.rule);
+            row.type = detail::lua_type_of<Member>(field.rule);
             row.values = detail::values_of<Member>(field.rule);
             row.fallback = detail::fallback_of(sample.*(field.member), field.rule);
         } else {

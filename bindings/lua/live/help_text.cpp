@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "bindings/lua/live/objects.hpp"
-#include "bindings/lua/stubs/message_shape.hpp"
 #include "bindings/lua/values/member_names.hpp"
 #include "engine/base/names.hpp"
 #include "engine/live/live_text.hpp"
@@ -33,11 +32,11 @@ std::string_view first_line(std::string_view text) { return text.substr(0, text.
 // "  text", or nothing.
 std::string behind(std::string_view text) { return text.empty() ? "" : "  " + std::string(text); }
 
-void add_fields(std::string& text, const ValueShape& shape, const std::string& path) {
-    for (const FieldShape& field : shape.fields) {
+void add_fields(std::string& text, const Type& type, const std::string& path) {
+    for (const Type::Field& field : type.fields) {
         const std::string name = fmt::format("{}.{}", path, field.name);
-        if (!field.shape.fields.empty() && !field.shape.sequence) {
-            add_fields(text, field.shape, name);
+        if (field.type->kind == Type::Kind::structure) {
+            add_fields(text, *field.type, name);
         } else {
             text += fmt::format("\n  {}{}{}", name, behind(field.unit), behind(field.doc));
         }
@@ -45,12 +44,11 @@ void add_fields(std::string& text, const ValueShape& shape, const std::string& p
 }
 
 std::string port_help(const Component& component, const Port& port) {
-    const std::vector<MessageShape> messages = message_shapes();
-    const MessageShape& message = messages[port.type()];
+    const MessageInfo& message = message_infos()[port.type()];
     std::string text = fmt::format("{}.{}  {} {}: {}", component.name(), port.name(),
                                    port.direction() == Direction::in ? "in" : "out", message.name, message.doc);
     text += indented(port.doc());
-    if (!message.shape.sequence) add_fields(text, message.shape, "value");
+    add_fields(text, *message.payload, "value");
     return text + fmt::format("\n  it has {}", fmt::join(Objects::port_members(), ", "));
 }
 

@@ -63,8 +63,8 @@ struct MethodName {
 
 /// All that a member of an object can be.
 using Answer = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<std::string>,
-                            std::map<std::string, double>, AnyPayload, ParameterValue, PlainData, PlainSnapshot,
-                            ObjectName, MethodName>;
+                            std::map<std::string, double>, Value, ParameterValue, PlainData, PlainSnapshot, ObjectName,
+                            MethodName>;
 
 /// Whose the tables of an answer are: the caller's, or a copy that can't be written.
 enum class Tables : bool { own, locked };

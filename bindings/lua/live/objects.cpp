@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstring>
 #include <new>
@@ -11,6 +12,7 @@
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "engine/ports/payload.hpp"
 
 namespace nezumi {
 namespace {
@@ -87,21 +89,12 @@ void push_numbers(lua_State* L, const std::map<std::string, double>& numbers) {
     }
 }
 
-template <class T>
-constexpr bool is_table = Described<T> || Sequence<T>;
-
 // Whether a payload's table has no tables in it.
-template <class T>
-constexpr bool is_flat() {
-    if constexpr (Described<T>) {
-        return std::apply(
-            [](const auto&... field) { return (!is_table<std::remove_cvref_t<decltype(T{}.*(field.member))>> && ...); },
-            Describe<T>::fields);
-    } else if constexpr (Sequence<T>) {
-        return !is_table<typename T::value_type>;
-    } else {
-        return true;
-    }
+bool is_flat(const Type& type) {
+    const auto has_table = [](const Type& each) { return !each.is_single(); };
+    if (type.kind == Type::Kind::sequence) return !has_table(*type.element);
+    return std::none_of(type.fields.begin(), type.fields.end(),
+                        [&](const Type::Field& field) { return has_table(*field.type); });
 }
 
 }  // namespace
@@ -195,10 +188,9 @@ int push_answer(lua_State* L, Objects& objects, Tables tables) {
         int operator()(const std::string& text) const { return lua_pushlstring(lua, text.data(), text.size()), 1; }
         int operator()(const std::vector<std::string>& names) const { return push_names(lua, names), one(); }
         int operator()(const std::map<std::string, double>& all) const { return push_numbers(lua, all), one(); }
-        int operator()(const AnyPayload& value) const {
+        int operator()(const Value& value) const {
             push_payload(lua, value);
-            return one(
-                std::visit([]<class T>(const T&) { return is_flat<T>() ? Within::nothing : Within::tree; }, value));
+            return one(is_flat(value.type()) ? Within::nothing : Within::tree);
         }
         int operator()(const ParameterValue& value) const { return push_parameter(lua, value), one(); }
         int operator()(const PlainSnapshot& snapshot) const { return push_plain(lua, snapshot), one(Within::anything); }

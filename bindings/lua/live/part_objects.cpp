@@ -137,8 +137,8 @@ int truth_index(lua_State* L) {
         const auto name = key_of(L, "truth");
         if (!name) return Unexpected(name.error());
         const Truth truth = seen_truth(*robot->world, robot->id);
-        if (*name == "pose") return Answer{AnyPayload{truth.pose}};
-        if (*name == "velocity") return Answer{AnyPayload{truth.velocity}};
+        if (*name == "pose") return Answer{Value{truth.pose}};
+        if (*name == "velocity") return Answer{Value{truth.velocity}};
         if (*name == "height") return Answer{truth.height};
         if (*name == "tilt") return Answer{truth.tilt};
         return failure(unknown(at->component->name() + ".truth has no", *name, Objects::truth_members()));

@@ -64,7 +64,7 @@ PortToRead to_read(const PortAt& at) {
 }
 
 // The value that a method puts into a port. `value` is its index.
-Expected<AnyPayload> value_for(lua_State* L, int value, const PortToRead& port) {
+Expected<Value> value_for(lua_State* L, int value, const PortToRead& port) {
     if (lua_type(L, value) == LUA_TNONE) return failure(fmt::format("expected a value for {}", port.path));
     if (lua_checkstack(L, 30) == 0) return failure("stack overflow");
     auto payload = read_payload(L, lua_absindex(L, value), port.type);

@@ -50,8 +50,8 @@ struct PortDeclaration {
     std::string name;
     std::size_t type = 0;  ///< in `message_types`
     std::string doc;
-    std::size_t queue = 0;         ///< of an in-port
-    std::vector<AnyPayload> safe;  ///< of an out-port, if it has one: a payload is large
+    std::size_t queue = 0;    ///< of an in-port
+    std::vector<Value> safe;  ///< of an out-port, if it has one: a payload is large
     Place place;
 
     /// A port that fits this declaration.

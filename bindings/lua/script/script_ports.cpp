@@ -115,7 +115,7 @@ int port_write(lua_State* L) {
     auto& port = *static_cast<OutPort<T>*>(slot.port);
     const std::size_t before = port.pending();
     T& value = port.next_pending();
-    const bool fits = read_value(L, 2, value, nullptr);
+    const bool fits = read_value(L, 2, value);
     if (fits && slot.script->may_write(sizeof(Message<T>) + heap_bytes(value))) return 0;
     port.discard_after(before);
     if (fits) {
@@ -144,8 +144,7 @@ struct PortFunctions {
 const PortFunctions& functions_of(std::size_t type) {
     static constexpr auto table = []<std::size_t... I>(std::index_sequence<I...>) {
         return std::array<PortFunctions, message_type_count>{PortFunctions{
-            port_read<std::variant_alternative_t<I, AnyPayload>>, port_write<std::variant_alternative_t<I, AnyPayload>>,
-            stamp<std::variant_alternative_t<I, AnyPayload>>, Sequence<std::variant_alternative_t<I, AnyPayload>>}...};
+            port_read<PayloadAt<I>>, port_write<PayloadAt<I>>, stamp<PayloadAt<I>>, Sequence<PayloadAt<I>>}...};
     }
     (std::make_index_sequence<message_type_count>{});
     return table[type];

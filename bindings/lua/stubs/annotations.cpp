@@ -9,8 +9,8 @@
 
 #include "bindings/lua/script/declaration_fields.hpp"
 #include "bindings/lua/stubs/member_table.hpp"
-#include "bindings/lua/stubs/message_shape.hpp"
 #include "bindings/lua/stubs/record_annotations.hpp"
+#include "engine/ports/payload.hpp"
 #include "engine/world/robot_fields.hpp"
 
 namespace nezumi {
@@ -19,49 +19,49 @@ namespace {
 // What scripts read is whole; in what they write, fields may be left out.
 enum class Use { read, write };
 
-std::string type_of(const ValueShape& shape, Use use) {
-    std::string type;
-    switch (shape.kind) {
-        case ValueShape::Kind::boolean: type = "boolean"; break;
-        case ValueShape::Kind::integer: type = "integer"; break;
-        case ValueShape::Kind::number: type = "number"; break;
-        case ValueShape::Kind::text:
-        case ValueShape::Kind::octets: type = "string"; break;
-        case ValueShape::Kind::structure:
-            type = fmt::format("{}{}", shape.name, use == Use::write ? ".Written" : "");
-            break;
+std::string lua_type_of(const Type& type, Use use) {
+    if (type.kind == Type::Kind::sequence) return lua_type_of(*type.element, use) + "[]";
+    if (type.is_integer()) return "integer";
+    switch (type.kind) {
+        case Type::Kind::boolean: return "boolean";
+        case Type::Kind::text:
+        case Type::Kind::octets: return "string";
+        case Type::Kind::structure: return fmt::format("{}{}", type.name, use == Use::write ? ".Written" : "");
+        default: return "number";
     }
-    return shape.sequence ? type + "[]" : type;
 }
 
 // "[m/s] speed along the robot's x axis", as far as there is something to say.
-std::string remark(const FieldShape& field) {
+std::string remark(const Type::Field& field) {
     std::string text;
     if (!field.unit.empty()) text = fmt::format(" [{}]", field.unit);
     if (!field.doc.empty()) text += fmt::format(" {}", field.doc);
-    if (field.shape.kind == ValueShape::Kind::integer) text += fmt::format(" {}..{}", field.shape.min, field.shape.max);
-    return text;
+    if (!field.type->single().is_integer()) return text;
+    const auto [min, max] = field.type->single().integer_range();
+    return text + fmt::format(" {}..{}", min, max);
 }
 
 // A structure after those that it is made of, each once.
-void add_structure(std::string& text, const ValueShape& shape, std::set<std::string_view>& done) {
-    if (shape.kind != ValueShape::Kind::structure || !done.insert(shape.name).second) return;
-    for (const FieldShape& field : shape.fields) add_structure(text, field.shape, done);
+void add_structure(std::string& text, const Type& type, std::set<std::string_view>& done) {
+    if (type.kind != Type::Kind::structure || !done.insert(type.name).second) return;
+    for (const Type::Field& field : type.fields) add_structure(text, field.type->single(), done);
     for (const Use use : {Use::read, Use::write}) {
-        text += fmt::format("---@class (exact) {}{}\n", shape.name, use == Use::write ? ".Written" : "");
-        for (const FieldShape& field : shape.fields) {
+        text += fmt::format("---@class (exact) {}{}\n", type.name, use == Use::write ? ".Written" : "");
+        for (const Type::Field& field : type.fields) {
             text += fmt::format("---@field {}{} {}{}\n", field.name, use == Use::write ? "?" : "",
-                                type_of(field.shape, use), remark(field));
+                                lua_type_of(*field.type, use), remark(field));
         }
         text += "\n";
     }
 }
 
-std::string limits(const ValueShape& shape) {
-    return shape.kind == ValueShape::Kind::integer ? fmt::format(" from {} to {}", shape.min, shape.max) : "";
+std::string limits(const Type& type) {
+    if (!type.is_integer()) return "";
+    const auto [min, max] = type.integer_range();
+    return fmt::format(" from {} to {}", min, max);
 }
 
-void add_ports(std::string& text, const MessageShape& message) {
+void add_ports(std::string& text, const MessageInfo& message) {
     text += fmt::format(
         "---An in-port of {0}: {1}{2}.\n"
         "---@class {0}.In : InPort\n"
@@ -69,15 +69,14 @@ void add_ports(std::string& text, const MessageShape& message) {
         "---An out-port of {0}: {1}{2}.\n"
         "---@class {0}.Out : OutPort\n"
         "---@field write fun(self: {0}.Out, value: {4})\n\n",
-        message.name, message.doc, limits(message.shape), type_of(message.shape, Use::read),
-        type_of(message.shape, Use::write));
+        message.name, message.doc, limits(message.payload->single()), lua_type_of(*message.payload, Use::read),
+        lua_type_of(*message.payload, Use::write));
 }
 
 // `input` or `output` with an overload for each type, so that the port has its type's class.
-void add_word(std::string& text, std::string_view word, std::string_view suffix, std::string_view doc,
-              const std::vector<MessageShape>& messages) {
+void add_word(std::string& text, std::string_view word, std::string_view suffix, std::string_view doc) {
     text += fmt::format("---{}\n", doc);
-    for (const MessageShape& message : messages) {
+    for (const MessageInfo& message : message_infos()) {
         text += fmt::format(
             "---@overload fun(name: string, type: \"{0}\", doc?: string, options?: {0}.{1}Options): {0}.{1}\n",
             message.name, suffix);
@@ -88,17 +87,16 @@ void add_word(std::string& text, std::string_view word, std::string_view suffix,
 }  // namespace
 
 std::string annotations(const std::vector<RecordShape>& more) {
-    const std::vector<MessageShape> messages = message_shapes();
     std::string text =
         "---@meta\n"
         "--- What behaviours, systems and scenarios of nezumi are made of, for the Lua language server.\n"
         "--- Written by `nezumi types --lua`; do not edit.\n\n"
         "---@alias MessageType";
-    for (std::size_t i = 0; i < messages.size(); ++i)
-        text += fmt::format("{}\"{}\"", i == 0 ? " " : "|", messages[i].name);
+    for (const std::string_view name : message_type_names)
+        text += fmt::format("{}\"{}\"", name == message_type_names.front() ? " " : "|", name);
     text += "\n\n";
     std::set<std::string_view> done;
-    for (const MessageShape& message : messages) add_structure(text, message.shape, done);
+    for (const MessageInfo& message : message_infos()) add_structure(text, message.payload->single(), done);
     text +=
         "---@class InPort\n"
         "---@field is_new boolean something unread waits\n"
@@ -107,11 +105,11 @@ std::string annotations(const std::vector<RecordShape>& more) {
         "---@field connected boolean\n"
         "---@field stale boolean nothing came for three periods of its sender, or nothing can come\n\n"
         "---@class OutPort\n\n";
-    for (const MessageShape& message : messages) {
+    for (const MessageInfo& message : message_infos()) {
         add_ports(text, message);
         RecordShape options = shape_of_record<PortDeclaration>();
         for (FieldRow& row : options.rows) {
-            if (row.name == "safe") row.type = type_of(message.shape, Use::write);
+            if (row.name == "safe") row.type = lua_type_of(*message.payload, Use::write);
         }
         for (const std::string_view kind : Describe<PortDeclaration>::kinds) {
             text +=
@@ -119,10 +117,9 @@ std::string annotations(const std::vector<RecordShape>& more) {
         }
     }
     add_word(text, "input", "In",
-             "Declares an in-port: `local range = input(\"range\", \"TimedShortSeq\", \"what it is\")`.", messages);
+             "Declares an in-port: `local range = input(\"range\", \"TimedShortSeq\", \"what it is\")`.");
     add_word(text, "output", "Out",
-             "Declares an out-port: `local target = output(\"target\", \"TimedVelocity2D\", \"what it is\")`.",
-             messages);
+             "Declares an out-port: `local target = output(\"target\", \"TimedVelocity2D\", \"what it is\")`.");
     text += "---@alias ParameterValue boolean|integer|number|string|boolean[]|integer[]|number[]|string[]\n\n";
     for (const auto* records : {&file_records(), &more}) {
         for (const RecordShape& record : *records) text += annotation(record);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace nezumi {
 namespace {
@@ -13,45 +14,46 @@ struct Row {
     std::string path, values, unit, doc;
 };
 
-std::string values_of(const ValueShape& shape) {
-    const std::string_view many = shape.sequence ? "s" : "";
-    switch (shape.kind) {
-        case ValueShape::Kind::boolean: return shape.sequence ? "array of booleans" : "true or false";
-        case ValueShape::Kind::integer:
-            return fmt::format("{}integer{} from {} to {}", shape.sequence ? "array of " : "", many, shape.min,
-                               shape.max);
-        case ValueShape::Kind::number:
-            return fmt::format(
-                "{}finite number{}{}", shape.sequence ? "array of " : "", many,
-                shape.limit < 1e100 ? fmt::format(" from {:.4g} to {:.4g}", -shape.limit, shape.limit) : "");
-        case ValueShape::Kind::text: return shape.sequence ? "array of strings" : "string";
-        case ValueShape::Kind::octets: return "string of bytes";
-        case ValueShape::Kind::structure: break;
+std::string values_of(const Type& type) {
+    const bool many = type.kind == Type::Kind::sequence;
+    const Type& single = type.single();
+    const std::string_view array = many ? "array of " : "";
+    const std::string_view plural = many ? "s" : "";
+    if (single.is_integer()) {
+        const auto [min, max] = single.integer_range();
+        return fmt::format("{}integer{} from {} to {}", array, plural, min, max);
     }
-    return fmt::format("{}{}", shape.sequence ? "array of " : "", shape.name);
+    switch (single.kind) {
+        case Type::Kind::boolean: return many ? "array of booleans" : "true or false";
+        case Type::Kind::float32: {
+            constexpr float limit = std::numeric_limits<float>::max();
+            return fmt::format("{}finite number{} from {:.4g} to {:.4g}", array, plural, -limit, limit);
+        }
+        case Type::Kind::float64: return fmt::format("{}finite number{}", array, plural);
+        case Type::Kind::text: return many ? "array of strings" : "string";
+        case Type::Kind::octets: return "string of bytes";
+        default: return fmt::format("{}{}", array, single.name);
+    }
 }
 
-void add_rows(std::vector<Row>& rows, const std::string& path, const ValueShape& shape) {
-    for (const FieldShape& field : shape.fields) {
-        const std::string name = path + std::string(field.name);
-        const bool is_structure = field.shape.kind == ValueShape::Kind::structure;
-        if (!is_structure || field.shape.sequence || !field.doc.empty()) {
-            rows.push_back({name, values_of(field.shape), std::string(field.unit), std::string(field.doc)});
-        }
-        if (is_structure) add_rows(rows, name + (field.shape.sequence ? "[i]." : "."), field.shape);
+void add_rows(std::vector<Row>& rows, const std::string& path, const Type& type) {
+    for (const Type::Field& field : type.fields) {
+        const std::string name = path + field.name;
+        const bool many = field.type->kind == Type::Kind::sequence;
+        const Type& single = field.type->single();
+        if (many || single.fields.empty() || !field.doc.empty())
+            rows.push_back({name, values_of(*field.type), field.unit, field.doc});
+        add_rows(rows, name + (many ? "[i]." : "."), single);
     }
 }
 
 }  // namespace
 
-std::string type_table(const MessageShape& message) {
+std::string type_table(const MessageInfo& message) {
     std::string text = fmt::format("{}: {}\n", message.name, message.doc);
     std::vector<Row> rows;
-    if (message.shape.kind == ValueShape::Kind::structure) {
-        add_rows(rows, "", message.shape);
-    } else {
-        rows.push_back({"value", values_of(message.shape), "", ""});
-    }
+    add_rows(rows, "", message.payload->single());
+    if (rows.empty()) rows.push_back({"value", values_of(*message.payload), "", ""});
     std::array<std::size_t, 3> widths{};
     for (const Row& row : rows) {
         widths = {std::max(widths[0], row.path.size()), std::max(widths[1], row.values.size()),
@@ -68,7 +70,7 @@ std::string type_table(const MessageShape& message) {
 
 std::string type_table() {
     std::string text;
-    for (const MessageShape& message : message_shapes()) text += type_table(message) + "\n";
+    for (const MessageInfo& message : message_infos()) text += type_table(message) + "\n";
     return text +
            "Every message carries its stamp tm [s], set by the engine. A single value and a sequence are plain Lua\n"
            "values, the others tables with these fields. In what a script writes a field left out is 0, an unknown "

@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "bindings/lua/stubs/message_shape.hpp"
+#include "engine/ports/payload.hpp"
 
 namespace nezumi {
 
 /// One message type: a line with its name and meaning, then a line for each field.
-std::string type_table(const MessageShape& message);
+std::string type_table(const MessageInfo& message);
 
 /// All message types, and what holds for all of them.
 std::string type_table();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -128,20 +129,17 @@ std::string describe(const Mismatch& why) {
     return fmt::format("field '{}' {}", why.path, why.text);
 }
 
-void push_payload(lua_State* L, const AnyPayload& value) {
+void push_payload(lua_State* L, const ValueView& value) {
     luaL_checkstack(L, stack_needed, "a message");
-    std::visit([L](const auto& payload) { push_value(L, payload); }, value);
+    detail::push_any(L, value);
 }
 
-Expected<AnyPayload> read_payload(lua_State* L, int index, std::size_t type) {
+Expected<Value> read_payload(lua_State* L, int index, std::size_t type) {
     if (lua_checkstack(L, stack_needed) == 0) return failure("not enough memory");
-    index = lua_absindex(L, index);
-    return with_payload_type(type, [&]<class T>() -> Expected<AnyPayload> {
-        T value{};
-        Mismatch why;
-        if (!read_value(L, index, value, &why)) return failure(describe(why));
-        return AnyPayload(std::move(value));
-    });
+    Value value = make_payload(type);
+    Mismatch why;
+    if (!detail::read_any(L, lua_absindex(L, index), value, &why)) return failure(describe(why));
+    return value;
 }
 
 void push_parameter(lua_State* L, const ParameterValue& value) {
@@ -195,6 +193,69 @@ std::ptrdiff_t read_array_size(lua_State* L, int index, Mismatch* why) {
 }
 
 namespace detail {
+namespace {
+
+// Puts "name" or "[3]" before the path.
+void prepend(Mismatch* why, std::string_view place) {
+    const bool dot = !why->path.empty() && why->path.front() != '[';
+    why->path = std::string(place) + (dot ? "." : "") + why->path;
+}
+
+// Whether the table at `index` has no key but these names. Else describes the first one, in a fixed order.
+bool check_names(lua_State* L, int index, const std::vector<std::string_view>& names, Mismatch* why) {
+    std::string unknown;
+    bool found = false;
+    lua_pushnil(L);
+    while (lua_next(L, index) != 0) {
+        lua_pop(L, 1);
+        std::string name = key_name(L, -1);
+        const bool known = lua_type(L, -1) == LUA_TSTRING && std::find(names.begin(), names.end(), name) != names.end();
+        if (known || (found && name >= unknown)) continue;
+        unknown = std::move(name);
+        found = true;
+    }
+    if (!found) return true;
+    std::string hint = did_you_mean(unknown, names);
+    *why = {.path = unknown, .text = hint.empty() ? list_of(names) : std::move(hint), .unknown = true};
+    return false;
+}
+
+bool read_any_fields(lua_State* L, int index, const ValuePlace& out, Mismatch* why) {
+    if (lua_type(L, index) != LUA_TTABLE) return refuse_type(L, index, "a table", why);
+    const UnlockedTable table(L, index);
+    std::vector<std::string_view> names;
+    for (const Type::Field& field : out.type->fields) {
+        names.push_back(field.name);
+        if (!push_raw_field(L, table.index(), field.name)) continue;
+        const bool fits = read_any(L, lua_gettop(L), out.field(field), why);
+        lua_pop(L, 1);
+        if (fits) continue;
+        prepend(why, field.name);
+        return false;
+    }
+    return check_names(L, table.index(), names, why);
+}
+
+bool read_any_elements(lua_State* L, int index, const ValuePlace& out, Mismatch* why) {
+    if (lua_type(L, index) != LUA_TTABLE) return refuse_type(L, index, "an array", why);
+    const UnlockedTable table(L, index);
+    const std::ptrdiff_t size = read_array_size(L, table.index(), why);
+    if (size < 0) return false;
+    out.resize(0);
+    out.resize(static_cast<std::size_t>(size));
+    lua_Integer at = 0;
+    bool fits = true;
+    for_each_element(out, [&](const ValuePlace& element) {
+        lua_rawgeti(L, table.index(), ++at);
+        fits = read_any(L, lua_gettop(L), element, why);
+        lua_pop(L, 1);
+        return fits;
+    });
+    if (!fits) prepend(why, fmt::format("[{}]", at));
+    return fits;
+}
+
+}  // namespace
 
 bool read_boolean(lua_State* L, int index, bool& out, Mismatch* why) {
     if (lua_type(L, index) != LUA_TBOOLEAN) return refuse_type(L, index, "a boolean", why);
@@ -240,36 +301,62 @@ bool read_text(lua_State* L, int index, std::string_view& out, Mismatch* why) {
     return true;
 }
 
-bool is_table(lua_State* L, int index, std::string_view expected, Mismatch* why) {
-    return lua_type(L, index) == LUA_TTABLE || refuse_type(L, index, expected, why);
-}
-
-void prepend(Mismatch* why, std::string_view field) {
-    if (why == nullptr) return;
-    const bool dot = !why->path.empty() && why->path.front() != '[';
-    why->path = std::string(field) + (dot ? "." : "") + why->path;
-}
-
-void prepend(Mismatch* why, std::size_t element) {
-    if (why == nullptr) return;
-    const bool dot = !why->path.empty() && why->path.front() != '[';
-    why->path = fmt::format("[{}]{}{}", element, dot ? "." : "", why->path);
-}
-
-void explain_unknown(lua_State* L, int index, const std::vector<std::string_view>& names, Mismatch* why) {
-    std::string unknown;
-    bool found = false;
-    lua_pushnil(L);
-    while (lua_next(L, index) != 0) {
-        lua_pop(L, 1);
-        std::string name = key_name(L, -1);
-        const bool known = lua_type(L, -1) == LUA_TSTRING && std::find(names.begin(), names.end(), name) != names.end();
-        if (known || (found && name >= unknown)) continue;
-        unknown = std::move(name);
-        found = true;
+void push_any(lua_State* L, const ValueView& value) {
+    switch (value.type->kind) {
+        case Type::Kind::structure:
+            lua_createtable(L, 0, static_cast<int>(value.type->fields.size()));
+            for (const Type::Field& field : value.type->fields) {
+                lua_pushlstring(L, field.name.data(), field.name.size());
+                push_any(L, value.field(field));
+                lua_rawset(L, -3);
+            }
+            return;
+        case Type::Kind::sequence: {
+            lua_createtable(L, static_cast<int>(value.count()), 0);
+            lua_Integer index = 0;
+            for_each_element(value, [&](const ValueView& element) {
+                push_any(L, element);
+                lua_rawseti(L, -2, ++index);
+                return true;
+            });
+            return;
+        }
+        case Type::Kind::text: return push_value(L, value.as<std::string>());
+        case Type::Kind::octets: return push_value(L, value.as<Octets>());
+        default: return visit_number(value, [L](const auto& number) { push_value(L, number); });
     }
-    std::string hint = did_you_mean(unknown, names);
-    *why = {.path = unknown, .text = hint.empty() ? list_of(names) : std::move(hint), .unknown = true};
+}
+
+bool read_any(lua_State* L, int index, const ValuePlace& out, Mismatch* why) {
+    switch (out.type->kind) {
+        case Type::Kind::structure: return read_any_fields(L, index, out, why);
+        case Type::Kind::sequence: return read_any_elements(L, index, out, why);
+        case Type::Kind::boolean: return read_boolean(L, index, out.as<bool>(), why);
+        case Type::Kind::text:
+        case Type::Kind::octets: {
+            std::string_view text;
+            if (!read_text(L, index, text, why)) return false;
+            if (out.type->kind == Type::Kind::text) {
+                out.as<std::string>() = text;
+            } else {
+                out.as<Octets>().assign(text.begin(), text.end());
+            }
+            return true;
+        }
+        default:
+            return visit_number(out, [&]<class T>(T& number) {
+                using Wide = std::conditional_t<std::is_floating_point_v<T>, double, std::int64_t>;
+                Wide wide = 0;
+                if constexpr (std::is_floating_point_v<T>) {
+                    if (!read_number(L, index, std::numeric_limits<T>::max(), wide, why)) return false;
+                } else {
+                    const auto [min, max] = out.type->integer_range();
+                    if (!read_integer(L, index, min, max, wide, why)) return false;
+                }
+                number = static_cast<T>(wide);
+                return true;
+            });
+    }
 }
 
 bool push_raw_field(lua_State* L, int index, std::string_view name) {

@@ -35,10 +35,10 @@ struct Mismatch {
 std::string describe(const Mismatch& why);
 
 /// A fresh value of the script's own on top of the stack.
-void push_payload(lua_State* L, const AnyPayload& value);
+void push_payload(lua_State* L, const ValueView& value);
 /// The value at `index` as a payload of the message type at this index of `message_types`, or why it is none (the text
 /// of `describe(Mismatch)`).
-Expected<AnyPayload> read_payload(lua_State* L, int index, std::size_t type);
+Expected<Value> read_payload(lua_State* L, int index, std::size_t type);
 
 /// A fresh value of the script's own on top of the stack; arrays as plain tables.
 void push_parameter(lua_State* L, const ParameterValue& value);
@@ -74,12 +74,10 @@ bool read_boolean(lua_State* L, int index, bool& out, Mismatch* why);
 bool read_integer(lua_State* L, int index, std::int64_t min, std::int64_t max, std::int64_t& out, Mismatch* why);
 bool read_number(lua_State* L, int index, double max, double& out, Mismatch* why);
 bool read_text(lua_State* L, int index, std::string_view& out, Mismatch* why);
-bool is_table(lua_State* L, int index, std::string_view expected, Mismatch* why);
-// Puts "name" or "[3]" before the path.
-void prepend(Mismatch* why, std::string_view field);
-void prepend(Mismatch* why, std::size_t element);
-// Describes the first key (in a fixed order) of the table at `index` that is none of these names.
-void explain_unknown(lua_State* L, int index, const std::vector<std::string_view>& names, Mismatch* why);
+// `push_value` and `read_value` by a type's table. Fields are read in the order of the description, so that what is
+// wrong does not depend on the order of a table's keys. What is left out stays as it is in `out`.
+void push_any(lua_State* L, const ValueView& value);
+bool read_any(lua_State* L, int index, const ValuePlace& out, Mismatch* why);
 // Pushes the value of a raw field found without making a string; returns whether there is one, else pushes nothing.
 bool push_raw_field(lua_State* L, int index, std::string_view name);
 // The string at the top of the stack minus one (a key during lua_next).
@@ -114,23 +112,22 @@ void push_value(lua_State* L, const T& value) {
     }
 }
 
-/// Reads the value at `index` (absolute) into `out`. Returns false and says why when it does not fit; then `out` is of
-/// no use.
+/// Reads the value at `index` (absolute) into `out`. Returns false when it does not fit; then `out` is of no use.
 template <class T>
-bool read_value(lua_State* L, int index, T& out, Mismatch* why);
+bool read_value(lua_State* L, int index, T& out);
 
 namespace detail {
 
 // One pass over the keys, with no regard to which of several faults is met first.
 template <class T>
-bool read_fields_fast(lua_State* L, int index, T& out) {
+bool read_fields(lua_State* L, int index, T& out) {
     lua_pushnil(L);
     while (lua_next(L, index) != 0) {
         bool fits = false;
         if (lua_type(L, -2) == LUA_TSTRING) {
             const std::string_view key = key_text(L);
             for_each_field(out, [&](const auto& field, auto& member) {
-                if (!fits && field.name == key) fits = read_value(L, lua_gettop(L), member, nullptr);
+                if (!fits && field.name == key) fits = read_value(L, lua_gettop(L), member);
             });
         }
         if (!fits) {
@@ -142,48 +139,27 @@ bool read_fields_fast(lua_State* L, int index, T& out) {
     return true;
 }
 
-// The same in the order of the description, so that the message does not depend on the order of a table's keys.
 template <class T>
-void explain_fields(lua_State* L, int index, T& out, Mismatch* why) {
-    bool found = false;
-    std::vector<std::string_view> names;
-    for_each_field(out, [&](const auto& field, auto& member) {
-        names.push_back(field.name);
-        if (found || !push_raw_field(L, index, field.name)) return;
-        if (!read_value(L, lua_gettop(L), member, why)) {
-            prepend(why, field.name);
-            found = true;
-        }
-        lua_pop(L, 1);
-    });
-    if (!found) explain_unknown(L, index, names, why);
-}
-
-template <class T>
-bool read_sequence(lua_State* L, int index, T& out, Mismatch* why) {
+bool read_sequence(lua_State* L, int index, T& out) {
     out.clear();
     // Elements come in order from a table's array part. Anything else takes the slower way.
     lua_pushnil(L);
     while (lua_next(L, index) != 0) {
         typename T::value_type element{};
         const bool in_order = lua_isinteger(L, -2) && lua_tointeger(L, -2) == static_cast<lua_Integer>(out.size() + 1);
-        if (!in_order || !read_value(L, lua_gettop(L), element, nullptr)) {
+        if (!in_order || !read_value(L, lua_gettop(L), element)) {
             lua_pop(L, 2);
-            const std::ptrdiff_t size = read_array_size(L, index, why);
-            if (size < 0) return false;
+            const std::ptrdiff_t size = read_array_size(L, index, nullptr);
             out.clear();
             for (std::ptrdiff_t i = 1; i <= size; ++i) {
                 lua_rawgeti(L, index, i);
                 typename T::value_type each{};
-                const bool fits = read_value(L, lua_gettop(L), each, why);
+                const bool fits = read_value(L, lua_gettop(L), each);
                 lua_pop(L, 1);
-                if (!fits) {
-                    prepend(why, static_cast<std::size_t>(i));
-                    return false;
-                }
+                if (!fits) return false;
                 out.push_back(std::move(each));
             }
-            return true;
+            return size >= 0;
         }
         out.push_back(std::move(element));
         lua_pop(L, 1);
@@ -194,40 +170,43 @@ bool read_sequence(lua_State* L, int index, T& out, Mismatch* why) {
 }  // namespace detail
 
 template <class T>
-bool read_value(lua_State* L, int index, T& out, Mismatch* why) {
+bool read_value(lua_State* L, int index, T& out) {
     if constexpr (Described<T>) {
-        if (!detail::is_table(L, index, "a table", why)) return false;
-        const UnlockedTable table(L, index);
+        if (lua_type(L, index) != LUA_TTABLE) return false;
         out = T{};
-        if (detail::read_fields_fast(L, table.index(), out)) return true;
-        if (why != nullptr) detail::explain_fields(L, table.index(), out, why);
-        return false;
+        return detail::read_fields(L, UnlockedTable(L, index).index(), out);
     } else if constexpr (Sequence<T>) {
-        if (!detail::is_table(L, index, "an array", why)) return false;
-        const UnlockedTable table(L, index);
-        return detail::read_sequence(L, table.index(), out, why);
+        if (lua_type(L, index) != LUA_TTABLE) return false;
+        return detail::read_sequence(L, UnlockedTable(L, index).index(), out);
     } else if constexpr (std::is_same_v<T, bool>) {
-        return detail::read_boolean(L, index, out, why);
+        return detail::read_boolean(L, index, out, nullptr);
     } else if constexpr (std::is_integral_v<T>) {
         std::int64_t whole = 0;
-        if (!detail::read_integer(L, index, std::numeric_limits<T>::min(), std::numeric_limits<T>::max(), whole, why)) {
-            return false;
-        }
+        constexpr auto min = std::numeric_limits<T>::min(), max = std::numeric_limits<T>::max();
+        if (!detail::read_integer(L, index, min, max, whole, nullptr)) return false;
         out = static_cast<T>(whole);
         return true;
     } else if constexpr (std::is_floating_point_v<T>) {
         double number = 0;
-        if (!detail::read_number(L, index, static_cast<double>(std::numeric_limits<T>::max()), number, why))
-            return false;
+        constexpr auto max = static_cast<double>(std::numeric_limits<T>::max());
+        if (!detail::read_number(L, index, max, number, nullptr)) return false;
         out = static_cast<T>(number);
         return true;
     } else {
         static_assert(std::is_same_v<T, std::string> || std::is_same_v<T, Octets>);
         std::string_view text;
-        if (!detail::read_text(L, index, text, why)) return false;
+        if (!detail::read_text(L, index, text, nullptr)) return false;
         out.assign(text.begin(), text.end());
         return true;
     }
+}
+
+/// The same, and says why it does not fit.
+template <class T>
+bool read_value(lua_State* L, int index, T& out, Mismatch* why) {
+    if (read_value(L, index, out)) return true;
+    out = T{};
+    return detail::read_any(L, index, out, why);
 }
 
 }  // namespace nezumi

@@ -16,11 +16,9 @@
 namespace nezumi {
 namespace {
 
-using Value = PlainData::Value;
-
 // Numbers in ascending order, then strings, then false, then true: the order in which scripts see them.
-bool key_before(const Value& a, const Value& b) {
-    const auto group = [](const Value& v) {
+bool key_before(const PlainData::Value& a, const PlainData::Value& b) {
+    const auto group = [](const PlainData::Value& v) {
         if (std::holds_alternative<std::string>(v)) return 1;
         return std::holds_alternative<bool>(v) ? 2 : 0;
     };
@@ -30,13 +28,13 @@ bool key_before(const Value& a, const Value& b) {
     const auto* whole_a = std::get_if<std::int64_t>(&a);
     const auto* whole_b = std::get_if<std::int64_t>(&b);
     if (whole_a != nullptr && whole_b != nullptr) return *whole_a < *whole_b;
-    const auto number = [](const Value& v) {
+    const auto number = [](const PlainData::Value& v) {
         return std::holds_alternative<double>(v) ? std::get<double>(v) : static_cast<double>(std::get<std::int64_t>(v));
     };
     return number(a) < number(b);
 }
 
-std::string key_text(const Value& key) {
+std::string key_text(const PlainData::Value& key) {
     if (const auto* text = std::get_if<std::string>(&key)) {
         return is_identifier(*text) ? "." + *text : fmt::format("[\"{}\"]", *text);
     }
@@ -61,7 +59,7 @@ std::string type_name(lua_State* L, int index) {
 // square of a list's length.
 struct Origin {
     std::size_t table = no_table;
-    Value key;
+    PlainData::Value key;
     std::size_t value = 0;
 
     static constexpr std::size_t no_table = static_cast<std::size_t>(-1);
@@ -74,7 +72,7 @@ struct Taker {
     PlainData data;
     std::vector<Origin> origins;                           // of data.tables
     std::unordered_map<const void*, std::size_t> indices;  // of data.tables
-    std::vector<Value> keys;                               // of the table at hand
+    std::vector<PlainData::Value> keys;                    // of the table at hand
     Origin origin;                                         // of the value at hand
 
     bool takes_objects = true;  // that stand for plain data
@@ -99,8 +97,8 @@ struct Taker {
     }
 
     // The value on top of the stack, which is popped. An object of ours may have plain data to be taken in its place.
-    Value take(lua_State* L) {
-        Value value;
+    PlainData::Value take(lua_State* L) {
+        PlainData::Value value;
         if (takes_objects && lua_type(L, -1) == LUA_TUSERDATA && luaL_callmeta(L, -1, "__plain") != 0)
             lua_remove(L, -2);
         switch (lua_type(L, -1)) {
@@ -113,7 +111,7 @@ struct Taker {
         return value;
     }
 
-    bool scalar(lua_State* L, int index, Value& out) {
+    bool scalar(lua_State* L, int index, PlainData::Value& out) {
         switch (lua_type(L, index)) {
             case LUA_TBOOLEAN: out = lua_toboolean(L, index) != 0; return true;
             case LUA_TNUMBER:
@@ -137,7 +135,7 @@ struct Taker {
     }
 
     // A reference to the table on top of the stack, which is remembered as work when it is new.
-    Value take_table(lua_State* L) {
+    PlainData::Value take_table(lua_State* L) {
         const auto [known, is_new] = indices.try_emplace(lua_topointer(L, -1), data.tables.size());
         if (!is_new) return PlainData::TableRef{known->second};
         data.tables.emplace_back();
@@ -164,7 +162,7 @@ struct Taker {
             lua_pop(L, 1);
             too_much = too_much || keys.size() >= left.values;
             if (too_much) break;
-            Value key;
+            PlainData::Value key;
             if (scalar(L, -1, key)) {
                 keys.push_back(std::move(key));
             } else {
@@ -175,12 +173,12 @@ struct Taker {
             dropped.push_back({path_of(origins[index]), "a table with a key that is a table, a function or an object"});
         left.values -= keys.size();
         std::sort(keys.begin(), keys.end(), key_before);
-        for (Value& key : keys) {
+        for (PlainData::Value& key : keys) {
             if (too_much) break;
             push_scalar(L, key);
             lua_rawget(L, table);
             origin = {.table = index, .key = key};
-            Value value = take(L);
+            PlainData::Value value = take(L);
             if (!std::holds_alternative<std::monostate>(value))
                 data.tables[index].emplace_back(std::move(key), std::move(value));
         }
@@ -247,7 +245,7 @@ void push_left_out(lua_State* L) {
 
 void push(lua_State* L, const PlainData& data, std::size_t whole) {
     luaL_checkstack(L, static_cast<int>(data.values.size()) + 8, nullptr);
-    const auto push_value = [&](const Value& value, int tables) {
+    const auto push_value = [&](const PlainData::Value& value, int tables) {
         if (const auto* ref = std::get_if<PlainData::TableRef>(&value)) {
             lua_rawgeti(L, tables, static_cast<lua_Integer>(ref->index + 1));
         } else {
@@ -273,7 +271,7 @@ void push(lua_State* L, const PlainData& data, std::size_t whole) {
         }
         lua_pop(L, 1);
     }
-    for (const Value& value : data.values) push_value(value, tables);
+    for (const PlainData::Value& value : data.values) push_value(value, tables);
     lua_remove(L, tables);
 }
 
@@ -323,14 +321,12 @@ void visit_plain(const PlainData& data, const LeafVisitor& visit) {
             const LeafPath at = path.field(name);
             if (const auto* within = std::get_if<PlainData::TableRef>(&value)) {
                 if (depth < deepest) self(self, within->index, at, depth + 1);
-            } else if (const auto* text = std::get_if<std::string>(&value)) {
-                visit(at, std::string_view(*text));
-            } else if (const auto* truth = std::get_if<bool>(&value)) {
-                visit(at, *truth);
-            } else if (const auto* whole = std::get_if<std::int64_t>(&value)) {
-                visit(at, *whole);
-            } else if (const auto* number = std::get_if<double>(&value)) {
-                visit(at, *number);
+            } else {
+                std::visit(
+                    [&]<class T>(const T& single) {
+                        if constexpr (Tabled<T>) visit(at, single);
+                    },
+                    value);
             }
         }
     };

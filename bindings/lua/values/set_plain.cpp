@@ -9,8 +9,6 @@
 namespace nezumi {
 namespace {
 
-using Value = PlainData::Value;
-
 bool is_scalar(int type) { return type == LUA_TBOOLEAN || type == LUA_TNUMBER || type == LUA_TSTRING; }
 
 // Stack indices of Lua tables.
@@ -67,7 +65,8 @@ void push_table(lua_State* L, int before, const Places& places) {
     lua_rawset(L, places.used);
 }
 
-void set_field(lua_State* L, int table, int before, const Value& key, const Value& value, const Places& places) {
+void set_field(lua_State* L, int table, int before, const PlainData::Value& key, const PlainData::Value& value,
+               const Places& places) {
     push_scalar(L, key);
     lua_rawget(L, table);
     const bool is_other = !lua_isnil(L, -1);  // what is no plain data

@@ -26,7 +26,7 @@
 #include "bindings/dds/request.hpp"
 #include "bindings/dds/sealed_transport.hpp"
 #include "engine/base/whole_file.hpp"
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 
 using namespace nezumi;
 using namespace nezumi::dds;

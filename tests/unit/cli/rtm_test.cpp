@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"

@@ -50,7 +50,7 @@ std::vector<std::string> names_of(std::span<const MemberName> members) {
 }  // namespace
 
 TEST_CASE("a message type's fields are shown with unit, limits and meaning", "[cli][types]") {
-    for (const MessageShape& message : message_shapes()) {
+    for (const MessageInfo& message : message_infos()) {
         if (message.name == "TimedVelocity2D") {
             CHECK(
                 type_table(message) ==

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "bindings/dds/host_requests.hpp"
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 #include "tests/unit/dds/host_rig.hpp"
 
 using namespace nezumi;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bindings/dds/ros/node.hpp"
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 #include "tests/unit/dds/host_rig.hpp"
 
 namespace nezumi::dds {

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "bindings/dds/domain_xml.hpp"
-#include "engine/ports/cdr.hpp"
 #include "engine/ports/port.hpp"
+#include "engine/values/cdr.hpp"
 #include "tests/unit/dds/fake_domain.hpp"
 
 using namespace nezumi;
@@ -30,7 +30,7 @@ struct Line {
     }
     // Whether something is published at this time of ours [s].
     bool receive(double clock, std::optional<std::uint64_t> run = 7) {
-        inlet.receive(run, clock, [this](const AnyPayload& value) { port.write_any(value); });
+        inlet.receive(run, clock, [this](const Value& value) { port.write_any(value); });
         return port.latch({.tick = 1, .seconds = 50});
     }
 };
@@ -163,7 +163,7 @@ TEST_CASE("what is opened anew does not take what came before", "[dds]") {
     CHECK(line.receive(1));
     Inlet again(line.port.type(), line.place->read(line.topic), line.progress);
     line.send({.run = 7, .number = 5, .offset = 100}, {});
-    again.receive(7, 2, [&](const AnyPayload& value) { line.port.write_any(value); });
+    again.receive(7, 2, [&](const Value& value) { line.port.write_any(value); });
     CHECK_FALSE(line.port.latch({.tick = 2, .seconds = 51}));
     CHECK(again.counts().wrong == 1);
 }

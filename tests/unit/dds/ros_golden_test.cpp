@@ -1,4 +1,6 @@
 // Every type of ROS 2 that ports become, byte for byte as tests/golden/ros_messages has it.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <map>
@@ -32,9 +34,9 @@ std::map<std::string, Octets> golden_messages() {
 }
 
 // What those messages are here.
-AnyPayload value_of(std::size_t type, std::string_view ros) {
+Value value_of(std::size_t type, std::string_view ros) {
     const RangerConfig range{.angularRes = 0.5, .minRange = 0.125, .maxRange = 4};
-    const std::map<std::size_t, AnyPayload> values{
+    const std::map<std::size_t, Value> values{
         {type_index<Velocity2D>(), Velocity2D{0.25, -0.5, 1.5}},
         {type_index<Pose2D>(), Pose2D{{1.5, -2.25}, 0.5}},
         {type_index<Pose3D>(), Pose3D{{1.5, -2.25, 0.5}, {0.1, -0.2, 0.3}}},
@@ -68,13 +70,13 @@ AnyPayload value_of(std::size_t type, std::string_view ros) {
 }
 
 // Angles are taken out of quaternions.
-bool is_same(const AnyPayload& a, const AnyPayload& b) {
-    if (const auto* pose = std::get_if<Pose2D>(&a)) {
-        const auto& other = std::get<Pose2D>(b);
+bool is_same(const Value& a, const Value& b) {
+    if (const auto* pose = a.get_if<Pose2D>()) {
+        const auto& other = b.get<Pose2D>();
         return pose->position == other.position && pose->heading == Approx(other.heading);
     }
-    if (const auto* pose = std::get_if<Pose3D>(&a)) {
-        const auto& [position, orientation] = std::get<Pose3D>(b);
+    if (const auto* pose = a.get_if<Pose3D>()) {
+        const auto& [position, orientation] = b.get<Pose3D>();
         return pose->position == position && pose->orientation.r == Approx(orientation.r) &&
                pose->orientation.p == Approx(orientation.p) && pose->orientation.y == Approx(orientation.y);
     }
@@ -89,7 +91,7 @@ TEST_CASE("each type of ROS is the bytes on the wire that its definition gives, 
         const auto message = golden.find(fmt::format("{} {}", message_type_names[mapping.port_type], mapping.type));
         CAPTURE(mapping.type, message_type_names[mapping.port_type]);
         REQUIRE(message != golden.end());
-        const AnyPayload value = value_of(mapping.port_type, mapping.type);
+        const Value value = value_of(mapping.port_type, mapping.type);
         FakeDomain domain;
         const auto here = domain.join(), there = domain.join();
         const dds::Topic topic = ros::topic_of("/it", mapping, true);
@@ -107,8 +109,8 @@ TEST_CASE("each type of ROS is the bytes on the wire that its definition gives, 
         if (mapping.subscribe == nullptr) continue;
         const auto subscription = mapping.subscribe(here->read(topic));
         there->write(topic)->write(message->second);
-        std::vector<AnyPayload> taken;
-        CHECK(subscription->receive(0, [&](AnyPayload each) { taken.push_back(std::move(each)); }).empty());
+        std::vector<Value> taken;
+        CHECK(subscription->receive(0, [&](Value each) { taken.push_back(std::move(each)); }).empty());
         REQUIRE(taken.size() == 1);
         CHECK(is_same(taken[0], value));
     }

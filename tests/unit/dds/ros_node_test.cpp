@@ -150,7 +150,7 @@ TEST_CASE("a range of Humble, which has no variance, is taken as well", "[dds][r
     bytes.resize(bytes.size() - 4);
     writer->write(bytes);
     RangeData taken;
-    CHECK(subscription->receive(1, [&](AnyPayload value) { taken = std::get<RangeData>(std::move(value)); }).empty());
+    CHECK(subscription->receive(1, [&](Value value) { taken = std::move(value).get<RangeData>(); }).empty());
     CHECK(taken.ranges == std::vector<double>{0.5});
 }
 

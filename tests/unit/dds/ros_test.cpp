@@ -7,7 +7,7 @@
 #include "bindings/dds/ros/convert.hpp"
 #include "bindings/dds/ros/mapping.hpp"
 #include "bindings/dds/ros/type_hash.hpp"
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 #include "tests/unit/dds/node_rig.hpp"
 #include "tests/unit/source_root.hpp"
 
@@ -37,14 +37,20 @@ T around(const T& value) {
 }  // namespace
 
 TEST_CASE("the hashes of types are those that ROS 2 publishes", "[dds][ros]") {
-    CHECK(ros::type_hash<ros::String>() == "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18");
-    CHECK(ros::type_hash<ros::Twist>() == "RIHS01_9c45bf16fe0983d80e3cfe750d6835843d265a9a6c46bd2e609fcddde6fb8d2a");
-    CHECK(ros::type_hash<ros::Odometry>() == "RIHS01_3cc97dc7fb7502f8714462c526d369e35b603cfc34d946e3f2eda2766dfec6e0");
-    CHECK(ros::type_hash<ros::Image>() == "RIHS01_d31d41a9a4c4bc8eae9be757b0beed306564f7526c88ea6a4588fb9582527d47");
-    CHECK(ros::type_hash<ros::LaserScan>() ==
+    CHECK(ros::type_hash(type_of<ros::String>()) ==
+          "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18");
+    CHECK(ros::type_hash(type_of<ros::Twist>()) ==
+          "RIHS01_9c45bf16fe0983d80e3cfe750d6835843d265a9a6c46bd2e609fcddde6fb8d2a");
+    CHECK(ros::type_hash(type_of<ros::Odometry>()) ==
+          "RIHS01_3cc97dc7fb7502f8714462c526d369e35b603cfc34d946e3f2eda2766dfec6e0");
+    CHECK(ros::type_hash(type_of<ros::Image>()) ==
+          "RIHS01_d31d41a9a4c4bc8eae9be757b0beed306564f7526c88ea6a4588fb9582527d47");
+    CHECK(ros::type_hash(type_of<ros::LaserScan>()) ==
           "RIHS01_64c191398013af96509d518dac71d5164f9382553fce5c1f8cca5be7924bd828");
-    CHECK(ros::type_hash<ros::Range>() == "RIHS01_b42b62562e93cbfe9d42b82fe5994dfa3d63d7d5c90a317981703f7388adff3a");
-    CHECK(ros::type_hash<ros::Float32>() == "RIHS01_7170d3d8f841f7be3172ce5f4f59f3a4d7f63b0447e8b33327601ad64d83d6e2");
+    CHECK(ros::type_hash(type_of<ros::Range>()) ==
+          "RIHS01_b42b62562e93cbfe9d42b82fe5994dfa3d63d7d5c90a317981703f7388adff3a");
+    CHECK(ros::type_hash(type_of<ros::Float32>()) ==
+          "RIHS01_7170d3d8f841f7be3172ce5f4f59f3a4d7f63b0447e8b33327601ad64d83d6e2");
 }
 
 TEST_CASE("topics and types are called as ROS 2 calls them on the wire", "[dds][ros]") {

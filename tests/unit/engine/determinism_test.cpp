@@ -103,7 +103,7 @@ TEST_CASE("what is wired, unwired, added and removed between ticks runs on, with
         rings.ticks(10);
         REQUIRE(rings.system.connect("n8.out", "late.in"));
         rings.ticks(10);
-        CHECK(std::get<std::int32_t>(rings.system.port("late.out").value()->value()) != 1);
+        CHECK(rings.system.port("late.out").value()->value().get<std::int32_t>() != 1);
         traces.push_back(rings.trace.value());
     }
     CHECK(traces[0] == traces[1]);

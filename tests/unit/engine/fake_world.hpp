@@ -228,13 +228,13 @@ struct FakeRun {
         for (int i = 0; i < count; ++i) system.tick();
     }
     /// Sends a value to an in-port of the mouse, then one tick.
-    void send(std::string_view port, const AnyPayload& value) {
+    void send(std::string_view port, const Value& value) {
         robot->find_in_port(port)->inject(value);
         system.tick();
     }
     template <class T>
     T value(std::string_view port) {
-        return std::get<T>(robot->find_out_port(port)->value());
+        return robot->find_out_port(port)->value().template get<T>();
     }
 
     RobotSpec spec;

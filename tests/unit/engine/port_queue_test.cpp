@@ -36,7 +36,7 @@ TEST_CASE("a queue that gets another length keeps the newest of what is unread",
     p.pass(1, {1, 2, 3});
     const auto dropped = p.in.set_queue(2);
     REQUIRE(dropped.size() == 1);
-    CHECK(std::get<std::int32_t>(dropped[0].data) == 1);
+    CHECK(dropped[0].data.get<std::int32_t>() == 1);
     CHECK(dropped[0].tm == Approx(p.in.tm()));
     CHECK(p.in.dropped() == 1);
     CHECK(p.in.queue() == 2);

@@ -53,7 +53,7 @@ TEST_CASE("looking at an in-port consumes nothing", "[engine][port]") {
     for (const std::size_t queue : {0u, 2u}) {
         Pair p(queue);
         p.pass(1, {1, 2});
-        CHECK(p.in.value() == AnyPayload(std::int32_t{2}));
+        CHECK(p.in.value() == Value(std::int32_t{2}));
         CHECK(p.in.latest().data == 2);
         CHECK(p.in.is_new());
         CHECK(p.read_all() == (queue > 0 ? Values{1, 2} : Values{2}));
@@ -196,7 +196,7 @@ TEST_CASE("a velocity is safe at zero, and another value can be declared safe", 
     CHECK(tone.read() == 5);
     tone.set_safe_any(nullptr);
     CHECK_FALSE(tone.has_safe());
-    const AnyPayload slow = Velocity2D{.vx = 0.1};
+    const Value slow = Velocity2D{.vx = 0.1};
     velocity.set_safe_any(&slow);
     velocity.write_safe();
     velocity.latch(at(3));

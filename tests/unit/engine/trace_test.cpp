@@ -9,6 +9,7 @@
 #include "engine/trace/trace_table.hpp"
 #include "tests/unit/engine/fake_world.hpp"
 #include "tests/unit/engine/try_component.hpp"
+#include "tests/unit/leaf_text.hpp"
 
 using namespace nezumi;
 
@@ -51,9 +52,8 @@ Rows fresh(const Channel& channel) {
     Rows texts;
     for (std::size_t i = 0; i < channel.fresh(); ++i) {
         texts.emplace_back();
-        channel.visit(i, [&](const LeafPath& path, const Leaf& leaf) {
-            std::visit([&](const auto& value) { texts.back() += fmt::format("{}={} ", channel.name_of(path), value); },
-                       leaf);
+        channel.visit(i, [&](const LeafPath& path, const ValueView& leaf) {
+            texts.back() += fmt::format("{}={} ", channel.name_of(path), text_of(leaf));
         });
     }
     return texts;

@@ -102,7 +102,7 @@ function on_execute() out:write(whys) end
 )",
                  headless_budget, prepare);
     run.tick(5);
-    const auto whys = std::get<std::string>(run.live->system().port("it.out").value()->value());
+    const auto whys = run.live->system().port("it.out").value()->value().get<std::string>();
     CHECK_THAT(whys, Contains("there is no module 'nothere' (did you mean 'nothera'?)"));
     CHECK_THAT(whys, Contains("is larger than 16 MB"));
     CHECK_THAT(whys, Contains("pipe.lua is a FIFO, expected a file"));
@@ -124,7 +124,7 @@ TEST_CASE("a replay sees a folder empty that had files before", "[journal]") {
         "function on_execute() out:write(why) end\n";
     SmallRun run(script, headless_budget,
                  [](const Scratch& folder) { folder.write("behaviors/lib/nothera.lua", "return 1"); });
-    const auto why = [&] { return std::get<std::string>(run.live->system().port("it.out").value()->value()); };
+    const auto why = [&] { return run.live->system().port("it.out").value()->value().get<std::string>(); };
     run.tick(3);
     CHECK_THAT(why(), Contains("did you mean 'nothera'?"));
     fs::remove(run.folder.path("behaviors/lib/nothera.lua"));
@@ -157,7 +157,7 @@ TEST_CASE("a replay reads no map, robot file or table either", "[journal]") {
     live->activate();
     for (int i = 0; i < 20; ++i) live->tick();
     journal->end(RunEnd::duration, "", live->when(), live->trace_hash());
-    CHECK(std::get<std::int32_t>(live->system().port("it.out").value()->value()) > 400);  // by map and table
+    CHECK(live->system().port("it.out").value()->value().get<std::int32_t>() > 400);  // by map and table
 
     fs::remove_all(project.path(""));
     const Replayed again = replay(other.path("it.journal"));

@@ -94,7 +94,7 @@ end
     it.tick(5);
     CHECK_FALSE(it.live->act(Command{"it", "hang", {}}, {}));
     it.tick(5);
-    const auto written = std::get<std::vector<std::int32_t>>(it.live->system().port("it.out").value()->value());
+    const auto written = it.live->system().port("it.out").value()->value().get<std::vector<std::int32_t>>();
     CHECK(written[0] > 100);
     CHECK(written[4] > 100);
     const std::uint64_t hash = it.end();

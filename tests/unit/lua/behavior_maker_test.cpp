@@ -41,7 +41,7 @@ TEST_CASE("the tutorial's controller drives until something is near", "[lua][beh
     const auto driven = [&](std::int16_t right_front) {
         controller.find_in_port("in")->inject(std::vector<std::int16_t>{right_front, 0, 0, 0});
         (*system)->tick();
-        return std::get<Velocity2D>(controller.find_out_port("out")->value());
+        return controller.find_out_port("out")->value().get<Velocity2D>();
     };
     CHECK(driven(30) == Velocity2D{.vx = 0.1});
     CHECK(driven(31) == Velocity2D{});
@@ -65,7 +65,7 @@ TEST_CASE("modules are found beside the script and in the project", "[lua][behav
     REQUIRE((*component)->activate({}));
     (*component)->execute({});
     (*component)->latch_outputs({});
-    CHECK(std::get<std::int32_t>((*component)->find_out_port("out")->value()) == 42);
+    CHECK((*component)->find_out_port("out")->value().get<std::int32_t>() == 42);
 
     entry.path = folder.path / "behaviors" / "lost.lua";
     const auto lost = make_behavior(entry, {}, settings);
@@ -89,6 +89,6 @@ TEST_CASE("a set of parameters that a system file uses is read at the top level"
     REQUIRE((*component)->activate({}));
     (*component)->execute({});
     (*component)->latch_outputs({});
-    CHECK(std::get<std::vector<std::int32_t>>((*component)->find_out_port("out")->value()) ==
+    CHECK((*component)->find_out_port("out")->value().get<std::vector<std::int32_t>>() ==
           std::vector<std::int32_t>{2, 3});
 }

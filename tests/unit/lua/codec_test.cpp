@@ -27,7 +27,7 @@ Expected<T> read(const std::string& expression) {
     auto payload = read_payload(lua, lua.value(expression), type_index<T>());
     CHECK(lua_gettop(lua) == 1);  // reading leaves the stack as it was
     if (!payload) return Unexpected(payload.error());
-    return std::get<T>(*payload);
+    return payload->template get<T>();
 }
 
 template <class T>
@@ -39,10 +39,10 @@ std::string mismatch(const std::string& expression) {
 template <class T>
 void check_round_trip(const T& value) {
     const Lua lua;
-    push_payload(lua, AnyPayload(std::in_place_type<T>, value));
+    push_payload(lua, Value(value));
     const auto back = read_payload(lua, 1, type_index<T>());
     REQUIRE(back.has_value());
-    CHECK((std::get<T>(*back) == value));
+    CHECK((back->template get<T>() == value));
 }
 
 Expected<ParameterValue> parameter(const std::string& expression) {

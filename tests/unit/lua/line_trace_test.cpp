@@ -128,7 +128,7 @@ end
     rig.tick();
     CHECK(rig.component->latest_trace().is_cut);
     CHECK(rig.component->latest_trace().lines.size() == LineTrace::most_lines);
-    CHECK(std::get<double>(rig.out<double>("out").value()) == 50005000.0);
+    CHECK(rig.out<double>("out").value().get<double>() == 50005000.0);
     CHECK(lua_gethook(rig.component->script().lua()) == nullptr);
 }
 

@@ -14,9 +14,7 @@ namespace {
 
 const Actor gamepad{Actor::Kind::joystick, "pad"};
 
-Velocity2D sent(const LiveRig& it) {
-    return std::get<Velocity2D>((*it.live->system().port("controller.out"))->value());
-}
+Velocity2D sent(const LiveRig& it) { return (*it.live->system().port("controller.out"))->value().get<Velocity2D>(); }
 
 }  // namespace
 

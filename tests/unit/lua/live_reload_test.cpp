@@ -69,7 +69,7 @@ struct Live {
         return false;
     }
     std::int32_t value(const Text& name = "it") const {
-        return std::get<std::int32_t>(live->system().find(name)->find_out_port("out")->value());
+        return live->system().find(name)->find_out_port("out")->value().get<std::int32_t>();
     }
 
     fs::path folder = fs::temp_directory_path() / ("nezumi_live_" + std::to_string(::getpid()));

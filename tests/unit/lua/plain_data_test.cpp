@@ -9,6 +9,7 @@
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/values/set_plain.hpp"
+#include "tests/unit/leaf_text.hpp"
 
 using namespace nezumi;
 
@@ -153,12 +154,12 @@ TEST_CASE("data that does not fit into the other state's memory is an error", "[
 TEST_CASE("the leaves of a table are visited by their paths, and a table within itself ends", "[lua][plain]") {
     std::string told;
     visit_plain(take("local t = { 7, { deep = true }, count = 2, ['a b'] = 'x', [-1] = 0.5, [true] = 1 } return t"),
-                [&](const LeafPath& path, const Leaf& leaf) {
-                    std::visit([&](const auto& value) { told += fmt::format("{}={} ", path.text(), value); }, leaf);
+                [&](const LeafPath& path, const ValueView& leaf) {
+                    told += fmt::format("{}={} ", path.text(), text_of(leaf));
                 });
     CHECK(told == "[-1]=0.5 [1]=7 [2].deep=true a b=x count=2 [true]=1 ");
     int leaves = 0;
-    const auto count = [&](const LeafPath&, const Leaf&) { ++leaves; };
+    const auto count = [&](const LeafPath&, const ValueView&) { ++leaves; };
     visit_plain(take("local t = { 1 } t.own, t.again = t, t return t"), count);
     CHECK(leaves > 1);
     CHECK(leaves < 5000);

@@ -32,7 +32,7 @@ struct TwoPhases : LiveRig {
         return done ? "" : describe(done.error());
     }
     std::vector<double> out() const {
-        return std::get<std::vector<double>>(live->system().port("it.out").value()->value());
+        return live->system().port("it.out").value()->value().get<std::vector<double>>();
     }
 
     std::string path;

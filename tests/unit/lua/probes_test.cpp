@@ -1,6 +1,7 @@
 // Probes: what a script shows of its inside.
 #include <fmt/format.h>
 
+#include "tests/unit/leaf_text.hpp"
 #include "tests/unit/lua/reload_rig.hpp"
 #include "tests/unit/lua/rig.hpp"
 
@@ -11,9 +12,9 @@ namespace {
 // What recordings take of a component's probes: "name=value" joined by blanks.
 Text recorded(const Component& component) {
     Text text;
-    CHECK(component.visit_member("probes", [&](const LeafPath& path, const Leaf& leaf) {
+    CHECK(component.visit_member("probes", [&](const LeafPath& path, const ValueView& leaf) {
         text += (text.empty() ? "" : " ") + path.text() + "=";
-        text += std::visit([](const auto& value) { return fmt::format("{}", value); }, leaf);
+        text += text_of(leaf);
     }));
     return text;
 }

@@ -69,7 +69,7 @@ struct ReloadRig {
     Expected<ActResult> reload_changed() { return reload(changed_files(reloader.loaded_files(), read_source)); }
     template <class T>
     T out(const Text& port) const {
-        return std::get<T>(system.port(port).value()->value());
+        return system.port(port).value()->value().template get<T>();
     }
     bool said(const Text& part) const {
         for (const Text& line : log) {

@@ -47,7 +47,7 @@ struct ScriptRig {
     template <class T>
     void feed(std::string_view port, T value) {
         REQUIRE(component->find_in_port(port) != nullptr);
-        component->find_in_port(port)->inject(AnyPayload(std::in_place_type<T>, std::move(value)));
+        component->find_in_port(port)->inject(Value(std::move(value)));
     }
 
     template <class T>

@@ -337,7 +337,7 @@ TEST_CASE("math.random follows the run's seed, the component's name and the vers
         REQUIRE(component->activate({}));
         component->execute({});
         component->latch_outputs({});
-        return std::get<double>(component->find_out_port("out")->value());
+        return component->find_out_port("out")->value().get<double>();
     };
     CHECK(first("a", 1) == first("a", 1));
     CHECK(first("a", 1) != first("b", 1));

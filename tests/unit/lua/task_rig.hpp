@@ -1,6 +1,7 @@
 // A script with tasks, which writes down what it does and when.
 #pragma once
 
+#include "tests/unit/leaf_text.hpp"
 #include "tests/unit/lua/reload_rig.hpp"
 #include "tests/unit/lua/rig.hpp"
 
@@ -30,9 +31,9 @@ struct TaskRig : ScriptRig {
     // A field of a task as seen from outside; "nil" when it is not there.
     Text seen(const Text& task, const Text& field) {
         Text text = "nil";
-        component->visit_member("tasks", [&](const LeafPath& path, const Leaf& leaf) {
+        component->visit_member("tasks", [&](const LeafPath& path, const ValueView& leaf) {
             if (path.text() != task + "." + field) return;
-            text = std::visit([](const auto& value) { return fmt::format("{}", value); }, leaf);
+            text = text_of(leaf);
         });
         return text;
     }

@@ -14,7 +14,7 @@ constexpr std::int32_t seven = 7;
 
 bool gets(WireRig& rig, Peer& out, std::int32_t number) {
     out.say("send " + hex_of(number, std::endian::little));
-    return rig.until([&] { return rig.arrived() == AnyPayload(number); });
+    return rig.until([&] { return rig.arrived() == Value(number); });
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ TEST_CASE("a connection to an RTC carries what a port publishes", "[openrtm][awa
     REQUIRE(rig.tells_line("connected: relay.out to rtm:In0.in"));  // here as well
     rig.publish(seven);
     rig.turn();
-    CHECK(payload_of(rig.hears(*in, "got "), type_index<std::int32_t>(), std::endian::little) == AnyPayload(seven));
+    CHECK(payload_of(rig.hears(*in, "got "), type_index<std::int32_t>(), std::endian::little) == Value(seven));
 }
 
 TEST_CASE("an RTC whose port does not fit is told, and not connected", "[openrtm][away][wallclock]") {

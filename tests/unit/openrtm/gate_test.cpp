@@ -135,7 +135,7 @@ TEST_CASE("connections that say nothing are few, and short", "[openrtm][gate][wa
     const auto out = rig.rtc("Out0", "out", "TimedLong", "out");
     REQUIRE(rig.answer(*out, "connect relay0 in", "connected ") == "connected 0");
     CHECK(rig.answer(*out, "send " + hex_of(std::int32_t{9}, std::endian::little), "sent ") == "sent 0");
-    CHECK(rig.until([&] { return rig.arrived() == AnyPayload(std::int32_t{9}); }));
+    CHECK(rig.until([&] { return rig.arrived() == Value(std::int32_t{9}); }));
     CHECK(rig.until([&] { return opener.open() == 0; }, 30));
     CHECK(rig.answer(*out, "send " + hex_of(std::int32_t{8}, std::endian::little), "sent ") == "sent 0");
 }

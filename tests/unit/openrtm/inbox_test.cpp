@@ -5,7 +5,8 @@
 #include <thread>
 
 #include "bindings/openrtm/inbox.hpp"
-#include "engine/ports/cdr.hpp"
+#include "engine/ports/payload.hpp"
+#include "engine/values/cdr.hpp"
 #include "tests/unit/openrtm/samples.hpp"
 
 using namespace nezumi;
@@ -15,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-std::vector<std::uint8_t> bytes_of(const AnyPayload& value, std::endian order = std::endian::little) {
+std::vector<std::uint8_t> bytes_of(const Value& value, std::endian order = std::endian::little) {
     std::vector<std::uint8_t> bytes;
     write_cdr_message(bytes, value, 1.5, {.order = order});
     return bytes;
@@ -33,10 +34,10 @@ struct InboxRig {
 }  // namespace
 
 TEST_CASE("a message of every type arrives as it was sent, in both byte orders", "[openrtm][inbox]") {
-    for (const AnyPayload& sample : samples()) {
+    for (const Value& sample : samples()) {
         for (const std::endian order : {std::endian::little, std::endian::big}) {
-            CAPTURE(message_type_names[sample.index()], order == std::endian::little);
-            InboxRig rig(sample.index());
+            CAPTURE(message_type_names[message_index(sample.type())], order == std::endian::little);
+            InboxRig rig(message_index(sample.type()));
             CHECK(rig.put(bytes_of(sample, order), order) == PutAnswer::taken);
             const auto arrivals = rig.inbox.take();
             REQUIRE(arrivals.size() == 1);
@@ -49,9 +50,9 @@ TEST_CASE("a message of every type arrives as it was sent, in both byte orders",
 }
 
 TEST_CASE("a malformed message is refused and counted", "[openrtm][inbox]") {
-    for (const AnyPayload& sample : samples()) {
-        CAPTURE(message_type_names[sample.index()]);
-        InboxRig rig(sample.index());
+    for (const Value& sample : samples()) {
+        CAPTURE(message_type_names[message_index(sample.type())]);
+        InboxRig rig(message_index(sample.type()));
         auto bytes = bytes_of(sample);
         bytes.pop_back();
         CHECK(rig.put(bytes) == PutAnswer::malformed);
@@ -71,8 +72,8 @@ TEST_CASE("of a port that does not read, the latest messages wait, and the oldes
     for (int i = 0; i < sent; ++i) CHECK(rig.put(bytes_of(std::int32_t{i})) == PutAnswer::taken);
     const auto arrivals = rig.inbox.take();
     REQUIRE(arrivals.size() == Inbox::most_waiting);
-    CHECK(arrivals.front().value == AnyPayload(std::int32_t{10}));
-    CHECK(arrivals.back().value == AnyPayload(std::int32_t{sent - 1}));
+    CHECK(arrivals.front().value == Value(std::int32_t{10}));
+    CHECK(arrivals.back().value == Value(std::int32_t{sent - 1}));
     CHECK(rig.inbox.dropped() == 10);
 }
 
@@ -112,7 +113,7 @@ TEST_CASE("who commanded a velocity and is gone leaves a zero behind", "[openrtm
     velocity.inbox.put_zero("c.in", "peer");
     const auto arrivals = velocity.inbox.take();
     REQUIRE(arrivals.size() == 1);
-    CHECK(arrivals[0].value == AnyPayload(Velocity2D{}));
+    CHECK(arrivals[0].value == Value(Velocity2D{}));
     InboxRig other(type_index<double>());
     other.inbox.put_zero("c.in", "peer");
     CHECK(other.inbox.take().empty());
@@ -126,7 +127,7 @@ TEST_CASE("of velocities that wait the latest moves the robot, unless it has gro
     put_two();
     const auto fresh = rig.inbox.take();
     REQUIRE(fresh.size() == 1);
-    CHECK(fresh[0].value == AnyPayload(Velocity2D{.vx = 0.2}));
+    CHECK(fresh[0].value == Value(Velocity2D{.vx = 0.2}));
     put_two();
     const auto later = Inbox::Clock::now() + Inbox::longest_wait + 1ms;
     CHECK(rig.inbox.take(later).empty());

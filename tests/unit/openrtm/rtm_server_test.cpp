@@ -6,7 +6,7 @@
 #include <map>
 #include <thread>
 
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 #include "tests/unit/live_rig.hpp"
 
 using namespace nezumi;
@@ -150,7 +150,7 @@ TEST_CASE("what an RTC sends is injected before a tick, by a network peer", "[op
     CHECK(rig.acts.lines.empty());
     rig.turn();
     CHECK(rig.acts.lines == std::vector<std::string>{"Inject by network Peer0.out_x"});
-    CHECK(rig.component("mouse").find_in_port("target_velocity_in")->value() == AnyPayload(Velocity2D{.vx = 0.2}));
+    CHECK(rig.component("mouse").find_in_port("target_velocity_in")->value() == Value(Velocity2D{.vx = 0.2}));
 }
 
 TEST_CASE("a robot that an RTC drives stops half a second after its last word", "[openrtm][server]") {
@@ -186,10 +186,10 @@ TEST_CASE("what a port publishes is sent in the orders that are wanted, once", "
     for (std::size_t i = 0; i < 2; ++i) {
         const std::endian order = i == 0 ? std::endian::little : std::endian::big;
         CHECK(rig.told.sent[i].first == (i == 0 ? "controller.out little" : "controller.out big"));
-        AnyPayload value{Velocity2D{}};
+        Value value{Velocity2D{}};
         double tm = 0;
         REQUIRE(read_cdr_message(rig.told.sent[i].second, value, tm, {.order = order}));
-        CHECK(value == AnyPayload(Velocity2D{.vx = 0.25}));
+        CHECK(value == Value(Velocity2D{.vx = 0.25}));
     }
     rig.server->after_tick();
     CHECK(rig.told.sent.size() == 2);
@@ -384,10 +384,10 @@ TEST_CASE("an emergency stop sends zero to RTCs in every tick, until rearm", "[o
         std::vector<double> speeds;
         for (const auto& [path, bytes] : rig.told.sent) {
             if (path != "controller.out little") continue;
-            AnyPayload value = Velocity2D{};
+            Value value = Velocity2D{};
             double tm = 0;
             REQUIRE(read_cdr_message(bytes, value, tm, {.order = std::endian::little}));
-            speeds.push_back(std::get<Velocity2D>(value).vx);
+            speeds.push_back(value.get<Velocity2D>().vx);
         }
         return speeds;
     };
@@ -424,8 +424,8 @@ TEST_CASE("an emergency stop leaves what a robot measures as it is", "[openrtm][
     rig.told.sent.clear();
     rig.turn(2);
     REQUIRE(rig.told.sent.size() == 2);
-    AnyPayload measured = Velocity2D{};
+    Value measured = Velocity2D{};
     double tm = 0;
     REQUIRE(read_cdr_message(rig.told.sent[0].second, measured, tm, {.order = std::endian::little}));
-    CHECK(std::get<Velocity2D>(measured).vx > 0.1);
+    CHECK(measured.get<Velocity2D>().vx > 0.1);
 }

@@ -7,7 +7,7 @@
 
 namespace nezumi {
 
-inline std::vector<AnyPayload> samples() {
+inline std::vector<Value> samples() {
     const Pose3D pose{{1, 2, 3}, {0.1, 0.2, 0.3}};
     const Size3D size{0.1, 0.2, 0.3};
     return {true,

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "bindings/openrtm/rtm_server.hpp"
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 #include "tests/unit/live_rig.hpp"
 #include "tests/unit/openrtm/names.hpp"
 #include "tests/unit/openrtm/peer.hpp"
@@ -82,15 +82,15 @@ struct WireRig : Names, LiveRig {
         peer.say(line);
         return hears(peer, begin);
     }
-    void publish(const AnyPayload& value) { REQUIRE(live->act(Write{"relay.out", value}, {Actor::Kind::console})); }
-    AnyPayload arrived() { return component("relay").find_in_port("in")->value(); }
+    void publish(const Value& value) { REQUIRE(live->act(Write{"relay.out", value}, {Actor::Kind::console})); }
+    Value arrived() { return component("relay").find_in_port("in")->value(); }
 
     std::string told = "\n";
     bool is_known = false;  // the name service has us
     std::unique_ptr<openrtm::RtmServer> server;
 };
 
-inline std::string hex_of(const AnyPayload& value, std::endian order) {
+inline std::string hex_of(const Value& value, std::endian order) {
     std::vector<std::uint8_t> bytes;
     write_cdr_message(bytes, value, 1.5, {.order = order});
     std::string text;
@@ -99,11 +99,11 @@ inline std::string hex_of(const AnyPayload& value, std::endian order) {
 }
 
 /// The payload of "got HEX"; the zero of the type where there is none.
-inline AnyPayload payload_of(const std::string& line, std::size_t type, std::endian order) {
+inline Value payload_of(const std::string& line, std::size_t type, std::endian order) {
     std::vector<std::uint8_t> bytes;
     for (std::size_t i = 4; i + 1 < line.size(); i += 2)
         bytes.push_back(static_cast<std::uint8_t>(std::stoi(line.substr(i, 2), nullptr, 16)));
-    auto value = with_payload_type(type, []<class T>() { return AnyPayload(T{}); });
+    auto value = make_payload(type);
     double tm = 0;
     INFO(line);
     CHECK(read_cdr_message(bytes, value, tm, {.order = order}));

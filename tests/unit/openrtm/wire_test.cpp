@@ -16,17 +16,17 @@ std::string endian_of(std::endian order) {
 }
 
 // Publishes until an RTC has got it: what is published before a connection is made is nobody's.
-AnyPayload received(WireRig& rig, Peer& peer, const AnyPayload& value, std::endian order) {
+Value received(WireRig& rig, Peer& peer, const Value& value, std::endian order) {
     rig.publish(value);
     rig.turn();
-    return payload_of(rig.hears(peer, "got "), value.index(), order);
+    return payload_of(rig.hears(peer, "got "), message_index(value.type()), order);
 }
 
 }  // namespace
 
 TEST_CASE("every type goes to an RTC and comes from one, in both byte orders, pushed", "[openrtm][wire][wallclock]") {
-    for (const AnyPayload& sample : samples()) {
-        const std::string_view type = message_type_names[sample.index()];
+    for (const Value& sample : samples()) {
+        const std::string_view type = message_type_names[message_index(sample.type())];
         CAPTURE(type);
         WireRig rig(type);
         const auto in = rig.rtc("In0", "in", type, "in");
@@ -59,11 +59,11 @@ TEST_CASE("messages are fetched from both sides", "[openrtm][wire][wallclock]") 
     rig.turn();
     in->say("fetch");
     CHECK(payload_of(rig.hears(*in, "got "), type_index<std::int32_t>(), std::endian::little) ==
-          AnyPayload(std::int32_t{7}));
+          Value(std::int32_t{7}));
 
     REQUIRE(rig.answer(*out, "connect relay0 in dataflow_type=pull", "connected ") == "connected 0");
     CHECK(rig.answer(*out, "send " + hex_of(std::int32_t{9}, std::endian::little), "kept") == "kept");
-    CHECK(rig.until([&] { return rig.arrived() == AnyPayload(std::int32_t{9}); }));
+    CHECK(rig.until([&] { return rig.arrived() == Value(std::int32_t{9}); }));
 }
 
 TEST_CASE("an out-port has several connections, and none twice", "[openrtm][wire][wallclock]") {
@@ -77,7 +77,7 @@ TEST_CASE("an out-port has several connections, and none twice", "[openrtm][wire
     rig.turn();
     for (const auto& peer : {first.get(), second.get()})
         CHECK(payload_of(rig.hears(*peer, "got "), type_index<std::int32_t>(), std::endian::little) ==
-              AnyPayload(std::int32_t{7}));
+              Value(std::int32_t{7}));
 }
 
 TEST_CASE("of two connections between the same ports that are made at once one is taken",
@@ -128,7 +128,7 @@ TEST_CASE("properties are understood in any case, and the first byte order count
                        "connect relay0 out interface_type=CORBA_CDR dataflow_type=Push subscription_type=New "
                        "serializer.cdr.endian=Big,Little",
                        "connected ") == "connected 0");
-    CHECK(received(rig, *in, std::int32_t{7}, std::endian::big) == AnyPayload(std::int32_t{7}));
+    CHECK(received(rig, *in, std::int32_t{7}, std::endian::big) == Value(std::int32_t{7}));
 }
 
 TEST_CASE("a message that is none is refused, and the connection lives", "[openrtm][wire][wallclock]") {
@@ -138,7 +138,7 @@ TEST_CASE("a message that is none is refused, and the connection lives", "[openr
     CHECK(rig.answer(*out, "send 0102", "sent ") == "sent 1");
     CHECK(rig.tells("rtm: relay.in refuses a malformed message of made by the fake: "));
     CHECK(rig.answer(*out, "send " + hex_of(std::int32_t{9}, std::endian::little), "sent ") == "sent 0");
-    CHECK(rig.until([&] { return rig.arrived() == AnyPayload(std::int32_t{9}); }));
+    CHECK(rig.until([&] { return rig.arrived() == Value(std::int32_t{9}); }));
     CHECK(rig.server->malformed() == 1);
 }
 

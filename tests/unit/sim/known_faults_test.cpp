@@ -53,12 +53,12 @@ struct Run {
             system->tick();
         }
     }
-    void send(std::string_view port, const AnyPayload& value) {
+    void send(std::string_view port, const Value& value) {
         static_cast<InPortBase&>(**system->port(port)).inject(value);
     }
     template <class T>
     T value(std::string_view port) {
-        return std::get<T>((*system->port(port))->value());
+        return (*system->port(port))->value().template get<T>();
     }
     Truth truth(std::string_view robot = "mouse") { return system->world()->truth(system->find_robot(robot)->id()); }
 

@@ -264,7 +264,7 @@ TEST_CASE("on hardware a colour is published as soon as it is known, whatever th
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     CHECK(visible.count() == 1);
-    CHECK(std::get<bool>(visible.value()));
+    CHECK(visible.value().get<bool>());
 }
 
 TEST_CASE("the same run of a detector of colours has the same trace, also with noise", "[vision][color]") {

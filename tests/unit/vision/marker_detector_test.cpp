@@ -28,7 +28,7 @@ TEST_CASE("what a picture shows is published after the camera's and the detector
     CHECK(watch.port("pos").count() == 1);
     for (const char* port : {"pos", "visible", "id", "markers"}) CHECK(watch.port(port).tm() == 0);  // the picture's
     CHECK(watch.visible());
-    CHECK(std::get<std::int32_t>(watch.port("id").value()) == 7);
+    CHECK(watch.port("id").value().get<std::int32_t>() == 7);
     CHECK(watch.pos().position.x == Approx(1).margin(0.005));
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("a picture brings its camera's intrinsics along; otherwise the detecto
     MarkerWatch wide(one_marker({0.6, 0, 0.1}), {}, {{"field_of_view", 1.6}, {"width", std::int64_t{800}}});
     wide.run(20);
     CHECK(wide.pos().position.x == Approx(0.6).margin(0.01));
-    const auto told = std::get<CameraIntrinsics>(wide.detector().find_in_port("intrinsics")->value());
+    const auto told = wide.detector().find_in_port("intrinsics")->value().get<CameraIntrinsics>();
     CHECK(told.width == 800);
     CHECK(told == pinhole(800, 480, 1.6));
 

@@ -130,7 +130,7 @@ struct Watched {
     const Port& port(const char* name) { return *detector().find_out_port(name); }
     template <class T>
     T value(const char* name) {
-        return std::get<T>(port(name).value());
+        return port(name).value().template get<T>();
     }
     bool visible() { return value<bool>("visible"); }
 

@@ -1,7 +1,7 @@
 // What a browser is shown of a running system, and what it does to it.
 #include <catch2/catch.hpp>
 
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 #include "tests/unit/web/web_rig.hpp"
 
 using namespace nezumi;
@@ -130,7 +130,7 @@ TEST_CASE("what a browser held ends with its connection, a velocity by zero", "[
     }
     CHECK(has_gone(rig));
     const auto port = rig.live->system().port("mouse.target_velocity_in");
-    CHECK(std::get<Velocity2D>(port.value()->override_value()) == Velocity2D{});
+    CHECK(port.value()->override_value().get<Velocity2D>() == Velocity2D{});
     rig.tick(2);
     CHECK(port.value()->override() == Override::none);
 }
@@ -146,7 +146,7 @@ TEST_CASE("a browser that shows no sign of life is closed within ten seconds, an
     CHECK(WebRig::answer(browser, hold)["ok"] == true);
     CHECK(browser.is_closed(10));
     CHECK(has_gone(rig));
-    CHECK(std::get<Velocity2D>(rig.live->system().port("mouse.target_velocity_in").value()->override_value()) ==
+    CHECK(rig.live->system().port("mouse.target_velocity_in").value()->override_value().get<Velocity2D>() ==
           Velocity2D{});
 }
 
@@ -205,9 +205,9 @@ TEST_CASE("a drive rests for a tick after half a second of silence, and is let g
     REQUIRE(drives.take(1, message, {Actor::Kind::browser, "1"}, now));
     rig.tick();
     drives.serve(now + std::chrono::milliseconds(500));
-    CHECK(std::get<Velocity2D>(port()->override_value()).vx == 0.1);
+    CHECK(port()->override_value().get<Velocity2D>().vx == 0.1);
     drives.serve(now + std::chrono::milliseconds(501));
-    CHECK(std::get<Velocity2D>(port()->override_value()) == Velocity2D{});
+    CHECK(port()->override_value().get<Velocity2D>() == Velocity2D{});
     rig.tick();
     drives.serve(now + std::chrono::milliseconds(502));
     CHECK(port()->override() == Override::none);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/base/whole_file.hpp"
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 #include "tests/unit/web/web_rig.hpp"
 
 using namespace nezumi;

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "engine/ports/cdr.hpp"
+#include "engine/values/cdr.hpp"
 #include "tests/unit/web/web_rig.hpp"
 
 using namespace nezumi;

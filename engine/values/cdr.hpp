@@ -1,0 +1,128 @@
+// Messages and described structures as plain CDR, the wire format of CORBA and DDS (OMG CORBA 3.4 part 2, 9.3; XTypes
+// 1.3, 7.4.1).
+//
+// A number is aligned to its size, counted from the start of the stream. A truth value is one byte, a text its length
+// (with the final 0), its bytes and a 0, a sequence its length and its elements, an array its elements, a structure its
+// fields in order. What is written is a function of the value alone: padding is 0.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+
+#include "engine/base/error.hpp"
+#include "engine/values/view.hpp"
+
+namespace nezumi {
+
+/// What both sides of a stream must agree on.
+struct CdrFormat {
+    std::endian order = std::endian::little;
+    /// Begins with the 4 bytes of RTPS (0, 1 for little or 0 for big endian, 0, 0). Alignment counts from behind them.
+    /// When reading, they decide the order, and up to 3 bytes of padding may follow: DDS pads to a multiple of 4.
+    bool header = false;
+};
+
+/// A stream that is longer than these bytes is refused before anything of it is read.
+inline constexpr std::size_t most_cdr_bytes = std::size_t{64} << 20;
+
+/// A stamp as it travels: `RTC::Time` of OpenRTM-aist. A peer's `nsec` may be 10^9 or more.
+struct CdrTime {
+    std::uint32_t sec = 0;
+    std::uint32_t nsec = 0;
+    bool operator==(const CdrTime&) const = default;
+
+    static constexpr std::string_view type_name = "Time";
+    static constexpr std::tuple fields{Field{"sec", &CdrTime::sec, "s", "whole seconds"},
+                                       Field{"nsec", &CdrTime::nsec, "ns", "the rest"}};
+};
+
+/// To the nearest nanosecond; what is negative, not a number or too large becomes the nearest end of the range.
+CdrTime to_cdr_time(double seconds);
+/// The inverse: a number of seconds with at most 9 decimals comes back exactly.
+double to_seconds(const CdrTime& time);
+
+namespace detail {
+
+/// Appends values to a stream.
+class CdrWriter {
+public:
+    CdrWriter(Octets& out, const CdrFormat& format);
+
+    void write(const ValueView& value);
+
+private:
+    void write_elements(const ValueView& value);
+    void write_length(std::size_t length);
+    void write_bytes(const void* first, std::size_t size);
+    /// Appends `count` numbers of `each` bytes behind the padding that aligns them.
+    void write_numbers(std::size_t each, const void* first, std::size_t count);
+
+    Octets& out_;
+    std::size_t origin_ = 0;
+    bool swap_;
+};
+
+/// Takes values from a stream. After the first error it takes nothing more.
+class CdrReader {
+public:
+    CdrReader(std::span<const std::uint8_t> bytes, const CdrFormat& format);
+
+    void read(const ValuePlace& value);
+    /// Whether all went well and nothing is left but padding.
+    Expected<void> finish();
+
+private:
+    void read_elements(const ValuePlace& value);
+    void read_sequence(const ValuePlace& value);
+    void read_numbers(std::size_t each, void* first, std::size_t count);
+    /// The next `size` bytes behind the padding that aligns them, or null.
+    const std::uint8_t* take(std::size_t alignment, std::size_t size);
+    /// A sequence's length, 0 if its elements of at least `element_size` bytes can't be in what is left.
+    std::size_t read_length(std::size_t element_size);
+    bool read_truth();
+    void read_text(std::string& text);
+    void read_octets(Octets& octets);
+    void fail(std::size_t at, const std::string& what);
+
+    std::span<const std::uint8_t> bytes_;
+    std::size_t at_ = 0;
+    std::size_t origin_ = 0;
+    std::size_t padding_ = 0;  // how many bytes may be left at the end
+    bool swap_ = false;
+    std::string_view field_;
+    std::optional<Error> error_;
+};
+
+}  // namespace detail
+
+/// Replaces `out` by the stream of these values, one after the other as the fields of a structure.
+template <class... T>
+void write_cdr(Octets& out, const CdrFormat& format, const T&... values) {
+    out.clear();
+    detail::CdrWriter writer(out, format);
+    (writer.write(values), ...);
+}
+
+/// Reads a stream that holds exactly these values. Allocates no more than a small multiple of the stream's size.
+/// Numbers may be not finite. An error tells the byte, from 0, and the field; the values are then of no use.
+template <class... T>
+Expected<void> read_cdr(std::span<const std::uint8_t> bytes, const CdrFormat& format, T&&... values) {
+    detail::CdrReader reader(bytes, format);
+    (reader.read(values), ...);
+    return reader.finish();
+}
+
+/// Replaces `out` by a message: its stamp `tm` [s], then its payload.
+void write_cdr_message(Octets& out, const ValueView& data, double tm, const CdrFormat& format = {});
+
+/// Reads a message as `read_cdr` does; `data` keeps what memory it has.
+Expected<void> read_cdr_message(std::span<const std::uint8_t> bytes, const ValuePlace& data, double& tm,
+                                const CdrFormat& format = {});
+
+}  // namespace nezumi

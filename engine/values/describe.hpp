@@ -1,0 +1,110 @@
+// How a structure describes itself, once, at compile time: fields with their units and what they mean.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace nezumi {
+
+/// One field of a structure: its name as scripts and files see it, where it is, its unit ("" for none) and its meaning.
+template <class S, class T>
+struct Field {
+    std::string_view name;
+    T S::*member;
+    std::string_view unit;
+    std::string_view doc;
+};
+template <class S, class T>
+Field(const char*, T S::*, const char*, const char*) -> Field<S, T>;
+
+/// What a structure says of itself: a tuple `fields`, its own, that lists every member in order, and its name: its
+/// `type_name` where others call it otherwise than C++. What files spell as tables is specialised for it instead,
+/// beside the rules of its fields (engine/ports/setting.hpp).
+template <class T>
+struct Describe;
+
+/// A structure that describes itself.
+template <class T>
+concept Described = requires {
+    std::tuple_size<std::remove_cvref_t<decltype(T::fields)>>::value;
+};
+
+namespace detail {
+
+// "Velocity2D": what C++ calls T, without the namespaces.
+template <class T>
+constexpr std::string_view own_name() {
+    std::string_view name =
+        __PRETTY_FUNCTION__;  // "... [with T = nezumi::Velocity2D; ...]", "... [T = nezumi::Velocity2D]"
+    name.remove_prefix(name.find("T = ") + 4);
+    name = name.substr(0, name.find_first_of(";]"));
+    return name.substr(name.rfind(':') + 1);
+}
+
+template <class T>
+constexpr std::string_view name_of_type() {
+    if constexpr (requires { T::type_name; }) {
+        return T::type_name;
+    } else {
+        return own_name<T>();
+    }
+}
+
+}  // namespace detail
+
+template <Described T>
+struct Describe<T> {
+    static constexpr std::string_view name = detail::name_of_type<T>();
+    static constexpr const auto& fields = T::fields;
+};
+
+namespace detail {
+
+struct AnyValue {
+    template <class T>
+    operator T() const;  // never defined: only asks whether an aggregate takes one more initialiser
+};
+
+template <std::size_t>
+using AnyValueAt = AnyValue;
+
+template <class T, std::size_t... I>
+constexpr bool takes(std::index_sequence<I...>) {
+    return requires { T{AnyValueAt<I>{}...}; };
+}
+
+template <class T, std::size_t N = 0>
+constexpr std::size_t member_count() {
+    if constexpr (takes<T>(std::make_index_sequence<N + 1>{})) {
+        return member_count<T, N + 1>();
+    } else {
+        return N;
+    }
+}
+
+}  // namespace detail
+
+namespace detail {
+template <Described T>
+constexpr void check_fields() {
+    static_assert(member_count<T>() == std::tuple_size_v<std::remove_cvref_t<decltype(T::fields)>>,
+                  "T::fields must list every member of T");
+}
+}  // namespace detail
+
+/// Calls `visit(field, value)` for every field of `object`, in order. A member that `fields` forgets does not compile.
+template <Described T, class Visit>
+constexpr void for_each_field(T&& object, Visit&& visit) = delete;
+
+template <class T, class Visit>
+requires Described<std::remove_const_t<T>>
+constexpr void for_each_field(T& object, Visit&& visit) {
+    using Plain = std::remove_const_t<T>;
+    detail::check_fields<Plain>();
+    std::apply([&](const auto&... field) { (visit(field, object.*(field.member)), ...); }, Plain::fields);
+}
+
+}  // namespace nezumi

@@ -1,0 +1,229 @@
+// What values look like at run time: one table for each type. A walker over values (CDR, JSON, a hash, ...) is an
+// ordinary function over these tables, compiled once. A table is made from a structure's description; whoever reads
+// definitions from files may make others.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "engine/values/describe.hpp"
+
+namespace nezumi {
+
+/// Raw bytes: one value, a string in Lua.
+using Octets = std::vector<std::uint8_t>;
+
+namespace detail {
+template <class T>
+struct IsVector : std::false_type {};
+template <class T>
+struct IsVector<std::vector<T>> : std::true_type {};
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+template <class T>
+struct IsArray : std::false_type {};
+template <class T, std::size_t N>
+struct IsArray<std::array<T, N>> : std::true_type {};
+}  // namespace detail
+
+/// A sequence of elements (`Octets` counts as one value).
+template <class T>
+concept Sequence = detail::IsVector<T>::value && !std::is_same_v<T, Octets>;
+
+/// The table of a type. There is one for each type, so types are equal when their addresses are.
+struct Type {
+    enum class Kind : std::uint8_t {
+        boolean,
+        int8,
+        int16,
+        int32,
+        int64,
+        uint8,
+        uint16,
+        uint32,
+        uint64,
+        float32,
+        float64,
+        text,       ///< std::string
+        octets,     ///< Octets
+        structure,  ///< `fields`
+        array,      ///< `length` of `element`, without their number
+        sequence,   ///< any number of `element`
+        optional,   ///< one `element` or none
+        other,      ///< a value that describes itself to nobody: known by its address alone
+    };
+
+    struct Field {
+        std::string name;
+        std::size_t offset = 0;  ///< [bytes] from the structure's begin
+        const Type* type = nullptr;
+        std::string unit;  ///< "" for none
+        std::string doc;
+    };
+
+    /// The elements of a sequence or an optional in memory.
+    struct Elements {
+        std::size_t (*count)(const void* value) = nullptr;
+        void (*resize)(void* value, std::size_t count) = nullptr;
+        /// The first; the others follow. Null where single bits are truth values.
+        const void* (*first)(const void* value) = nullptr;
+        bool (*bit)(const void* value, std::size_t index) = nullptr;
+        void (*set_bit)(void* value, std::size_t index, bool bit) = nullptr;
+    };
+
+    /// How a value is made in memory of its own, and ended.
+    struct Storage {
+        void* (*make)(const Type& type) = nullptr;
+        void* (*copy)(const Type& type, const void* value) = nullptr;
+        void (*destroy)(const Type& type, void* value) = nullptr;
+    };
+
+    Kind kind = Kind::other;
+    std::string name{};    ///< of a structure
+    std::size_t size = 0;  ///< [bytes] in memory, without what it refers to
+    std::vector<Field> fields{};
+    const Type* element = nullptr;
+    std::size_t length = 0;
+    Elements elements{};
+    Storage storage{};
+
+    /// Of a sequence its elements' type, else itself.
+    const Type& single() const { return kind == Kind::sequence ? *element : *this; }
+    /// Of an integer type: its smallest and its largest value; where that is more than an int64 holds, the largest of
+    /// those.
+    std::pair<std::int64_t, std::int64_t> integer_range() const;
+    bool is_number() const { return kind >= Kind::int8 && kind <= Kind::float64; }
+    bool is_integer() const { return kind >= Kind::int8 && kind <= Kind::uint64; }
+    bool is_floating() const { return kind == Kind::float32 || kind == Kind::float64; }
+    /// Nothing is in it but itself.
+    bool is_single() const { return kind < Kind::structure; }
+};
+
+/// The table of T, made on first use.
+template <class T>
+const Type& type_of();
+
+namespace detail {
+
+template <class T>
+constexpr Type::Kind kind_of() {
+    if constexpr (Described<T>) return Type::Kind::structure;
+    if constexpr (IsArray<T>::value) return Type::Kind::array;
+    if constexpr (Sequence<T>) return Type::Kind::sequence;
+    if constexpr (IsOptional<T>::value) return Type::Kind::optional;
+    if constexpr (std::is_same_v<T, bool>) return Type::Kind::boolean;
+    if constexpr (std::is_same_v<T, std::int8_t>) return Type::Kind::int8;
+    if constexpr (std::is_same_v<T, std::int16_t>) return Type::Kind::int16;
+    if constexpr (std::is_same_v<T, std::int32_t>) return Type::Kind::int32;
+    if constexpr (std::is_same_v<T, std::int64_t>) return Type::Kind::int64;
+    if constexpr (std::is_same_v<T, std::uint8_t>) return Type::Kind::uint8;
+    if constexpr (std::is_same_v<T, std::uint16_t>) return Type::Kind::uint16;
+    if constexpr (std::is_same_v<T, std::uint32_t>) return Type::Kind::uint32;
+    if constexpr (std::is_same_v<T, std::uint64_t>) return Type::Kind::uint64;
+    if constexpr (std::is_same_v<T, float>) return Type::Kind::float32;
+    if constexpr (std::is_same_v<T, double>) return Type::Kind::float64;
+    if constexpr (std::is_same_v<T, std::string>) return Type::Kind::text;
+    if constexpr (std::is_same_v<T, Octets>) return Type::Kind::octets;
+    return Type::Kind::other;
+}
+
+template <class T>
+Type::Elements elements_of() {
+    Type::Elements made;
+    made.count = [](const void* value) -> std::size_t {
+        if constexpr (IsOptional<T>::value) {
+            return static_cast<const T*>(value)->has_value() ? 1 : 0;
+        } else {
+            return static_cast<const T*>(value)->size();
+        }
+    };
+    made.resize = [](void* value, std::size_t count) {
+        T& all = *static_cast<T*>(value);
+        if constexpr (IsOptional<T>::value) {
+            count == 0 ? all.reset() : static_cast<void>(all.emplace());
+        } else {
+            all.resize(count);
+        }
+    };
+    if constexpr (std::is_same_v<T, std::vector<bool>>) {
+        made.bit = [](const void* value, std::size_t index) -> bool { return (*static_cast<const T*>(value))[index]; };
+        made.set_bit = [](void* value, std::size_t index, bool bit) { (*static_cast<T*>(value))[index] = bit; };
+    } else {
+        made.first = [](const void* value) -> const void* {
+            const T& all = *static_cast<const T*>(value);
+            if constexpr (IsOptional<T>::value) {
+                return all ? &*all : nullptr;
+            } else {
+                return all.data();
+            }
+        };
+    }
+    return made;
+}
+
+// A field before its type's table is made: what differs from type to type is little, so that it compiles fast.
+struct FieldSeed {
+    std::string_view name;
+    std::size_t offset;
+    const Type& (*type)();
+    std::string_view unit;
+    std::string_view doc;
+};
+void add_fields(Type& type, std::span<const FieldSeed> fields);
+
+template <class T>
+Type make_type() {
+    Type type{.kind = kind_of<T>(), .size = sizeof(T)};
+    type.storage = {
+        .make = [](const Type&) -> void* { return new T{}; },
+        .copy = [](const Type&, const void* value) -> void* { return new T(*static_cast<const T*>(value)); },
+        .destroy = [](const Type&, void* value) { delete static_cast<T*>(value); }};
+    if constexpr (Described<T>) {
+        type.name = Describe<T>::name;
+        const T sample{};
+        const auto place = [&](const auto& member) {
+            return static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&member) -
+                                            reinterpret_cast<const std::byte*>(&sample));
+        };
+        check_fields<T>();
+        std::apply(
+            [&]<class... M>(const Field<T, M>&... field) {
+                add_fields(type, std::array<FieldSeed, sizeof...(M)>{FieldSeed{
+                                     field.name, place(sample.*(field.member)), type_of<M>, field.unit, field.doc}...});
+            },
+            T::fields);
+    } else if constexpr (IsArray<T>::value) {
+        type.element = &type_of<typename T::value_type>();
+        type.length = std::tuple_size_v<T>;
+    } else if constexpr (Sequence<T> || IsOptional<T>::value) {
+        type.element = &type_of<typename T::value_type>();
+        type.elements = elements_of<T>();
+    }
+    return type;
+}
+
+}  // namespace detail
+
+/// A value that a walker can look into.
+template <class T>
+concept Tabled = detail::kind_of<T>()
+!= Type::Kind::other;
+
+template <class T>
+const Type& type_of() {
+    static const Type type = detail::make_type<T>();
+    return type;
+}
+
+}  // namespace nezumi

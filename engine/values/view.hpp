@@ -1,0 +1,119 @@
+// Values where they lie, of whatever type: what walkers take.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/values/type.hpp"
+
+namespace nezumi {
+
+/// A value that is looked at. It must outlive its view.
+struct ValueView {
+    const Type* type;
+    const void* at;
+
+    ValueView(const Type& its_type, const void* place) : type(&its_type), at(place) {}
+    // NOLINTNEXTLINE(google-explicit-constructor): a walker takes any value
+    template <Tabled T>
+    ValueView(const T& value) : type(&type_of<T>()), at(&value) {}
+
+    /// The value as what it is.
+    template <class T>
+    const T& as() const {
+        return *static_cast<const T*>(at);
+    }
+    /// The value of one of its type's fields.
+    ValueView field(const Type::Field& field) const {
+        return {*field.type, static_cast<const std::byte*>(at) + field.offset};
+    }
+    /// Of an array, a sequence or an optional: how many elements it has.
+    std::size_t count() const { return type->elements.count != nullptr ? type->elements.count(at) : type->length; }
+    /// The first of them, in an array of all. Null where single bits are truth values.
+    const void* first() const {
+        if (type->kind == Type::Kind::array) return at;
+        return type->elements.first != nullptr ? type->elements.first(at) : nullptr;
+    }
+};
+
+/// A value that is changed in place.
+struct ValuePlace {
+    const Type* type;
+    void* at;
+
+    ValuePlace(const Type& its_type, void* place) : type(&its_type), at(place) {}
+    // NOLINTNEXTLINE(google-explicit-constructor): a reader takes any value
+    template <Tabled T>
+    ValuePlace(T& value) : type(&type_of<T>()), at(&value) {}
+
+    ValueView view() const { return {*type, at}; }
+    template <class T>
+    T& as() const {
+        return *static_cast<T*>(at);
+    }
+    ValuePlace field(const Type::Field& field) const {
+        return {*field.type, static_cast<std::byte*>(at) + field.offset};
+    }
+    std::size_t count() const { return view().count(); }
+    void* first() const { return const_cast<void*>(view().first()); }
+    /// Of a sequence or an optional: gives it so many elements.
+    void resize(std::size_t count) const { type->elements.resize(at, count); }
+};
+
+/// Calls `visit(element)` with the element of this index, from 0.
+template <class Visit>
+decltype(auto) with_element(const ValueView& all, std::size_t index, const Visit& visit) {
+    const Type& type = *all.type->element;
+    if (all.type->elements.bit != nullptr) {
+        const bool bit = all.type->elements.bit(all.at, index);
+        return visit(ValueView(type, &bit));
+    }
+    return visit(ValueView(type, static_cast<const std::byte*>(all.first()) + index * type.size));
+}
+
+/// Calls `visit(element)` for each element of an array, a sequence or an optional, in order, until it returns false.
+template <class Visit>
+void for_each_element(const ValueView& all, const Visit& visit) {
+    const std::size_t count = all.count();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!with_element(all, i, visit)) return;
+    }
+}
+/// The same of elements that `visit` may change.
+template <class Visit>
+void for_each_element(const ValuePlace& all, const Visit& visit) {
+    const std::size_t count = all.count();
+    const Type& type = *all.type->element;
+    auto* at = static_cast<std::byte*>(all.first());
+    for (std::size_t i = 0; i < count; ++i) {
+        bool goes_on = true;
+        if (all.type->elements.bit != nullptr) {
+            bool bit = all.type->elements.bit(all.at, i);
+            goes_on = visit(ValuePlace(type, &bit));
+            all.type->elements.set_bit(all.at, i, bit);
+        } else {
+            goes_on = visit(ValuePlace(type, at + i * type.size));
+        }
+        if (!goes_on) return;
+    }
+}
+
+/// Calls `visit(number)` with a truth value or a number; `Any` is a `ValueView` or a `ValuePlace`.
+template <class Any, class Visit>
+decltype(auto) visit_number(const Any& value, const Visit& visit) {
+    switch (value.type->kind) {
+        case Type::Kind::boolean: return visit(value.template as<bool>());
+        case Type::Kind::int8: return visit(value.template as<std::int8_t>());
+        case Type::Kind::int16: return visit(value.template as<std::int16_t>());
+        case Type::Kind::int32: return visit(value.template as<std::int32_t>());
+        case Type::Kind::int64: return visit(value.template as<std::int64_t>());
+        case Type::Kind::uint8: return visit(value.template as<std::uint8_t>());
+        case Type::Kind::uint16: return visit(value.template as<std::uint16_t>());
+        case Type::Kind::uint32: return visit(value.template as<std::uint32_t>());
+        case Type::Kind::uint64: return visit(value.template as<std::uint64_t>());
+        case Type::Kind::float32: return visit(value.template as<float>());
+        default: return visit(value.template as<double>());
+    }
+}
+
+}  // namespace nezumi

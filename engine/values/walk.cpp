@@ -1,0 +1,148 @@
+// One function for each question, over the tables of types.
+#include "engine/values/walk.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace nezumi {
+
+std::string LeafPath::text() const {
+    if (parent_ == nullptr) return "";
+    std::string text = parent_->text();
+    if (index_ > 0) return text + "[" + std::to_string(index_) + "]";
+    if (!text.empty() && !name_.starts_with('[')) text += '.';
+    return text.append(name_);
+}
+
+std::uint64_t mix(std::uint64_t seed, std::string_view bytes) {
+    seed = mix(seed, bytes.size());
+    while (!bytes.empty()) {
+        std::uint64_t word = 0;
+        const std::size_t n = bytes.size() < sizeof word ? bytes.size() : sizeof word;
+        std::memcpy(&word, bytes.data(), n);
+        seed = mix(seed, word);
+        bytes.remove_prefix(n);
+    }
+    return seed;
+}
+
+void visit_leaves(const ValueView& value, const LeafVisitor& visit, const LeafPath& path) {
+    switch (value.type->kind) {
+        case Type::Kind::structure:
+            for (const Type::Field& field : value.type->fields)
+                visit_leaves(value.field(field), visit, path.field(field.name));
+            return;
+        case Type::Kind::array:
+        case Type::Kind::sequence:
+        case Type::Kind::optional: {
+            std::size_t index = 0;
+            return for_each_element(value, [&](const ValueView& element) {
+                visit_leaves(element, visit, path.element(++index));
+                return true;
+            });
+        }
+        case Type::Kind::octets:
+        case Type::Kind::other: return;
+        default: return visit(path, value);
+    }
+}
+
+bool is_equal(const ValueView& a, const ValueView& b) {
+    if (a.type != b.type) return false;
+    switch (a.type->kind) {
+        case Type::Kind::structure:
+            return std::all_of(a.type->fields.begin(), a.type->fields.end(),
+                               [&](const Type::Field& field) { return is_equal(a.field(field), b.field(field)); });
+        case Type::Kind::array:
+        case Type::Kind::sequence:
+        case Type::Kind::optional: {
+            bool equal = a.count() == b.count();
+            for (std::size_t i = 0; equal && i < a.count(); ++i) {
+                with_element(a, i, [&](const ValueView& one) {
+                    with_element(b, i, [&](const ValueView& other) { equal = is_equal(one, other); });
+                });
+            }
+            return equal;
+        }
+        case Type::Kind::text: return a.as<std::string>() == b.as<std::string>();
+        case Type::Kind::octets: return a.as<Octets>() == b.as<Octets>();
+        case Type::Kind::other: return a.at == b.at;
+        default: return visit_number(a, [&]<class T>(const T& number) { return number == b.as<T>(); });
+    }
+}
+
+bool is_finite(const ValueView& value) {
+    switch (value.type->kind) {
+        case Type::Kind::structure:
+            for (const Type::Field& field : value.type->fields) {
+                if (!is_finite(value.field(field))) return false;
+            }
+            return true;
+        case Type::Kind::array:
+        case Type::Kind::sequence:
+        case Type::Kind::optional: {
+            if (value.type->element->is_single() && !value.type->element->is_floating()) return true;
+            bool finite = true;
+            for_each_element(value, [&](const ValueView& element) { return finite = is_finite(element); });
+            return finite;
+        }
+        case Type::Kind::float32: return std::isfinite(value.as<float>());
+        case Type::Kind::float64: return std::isfinite(value.as<double>());
+        default: return true;
+    }
+}
+
+std::size_t heap_bytes(const ValueView& value) {
+    std::size_t bytes = 0;
+    switch (value.type->kind) {
+        case Type::Kind::structure:
+            for (const Type::Field& field : value.type->fields) bytes += heap_bytes(value.field(field));
+            return bytes;
+        case Type::Kind::sequence: bytes = value.count() * value.type->element->size; [[fallthrough]];
+        case Type::Kind::array:
+        case Type::Kind::optional:
+            if (value.type->element->kind < Type::Kind::text) return bytes;
+            for_each_element(value, [&](const ValueView& element) {
+                bytes += heap_bytes(element);
+                return true;
+            });
+            return bytes;
+        case Type::Kind::text: return value.as<std::string>().size();
+        case Type::Kind::octets: return value.as<Octets>().size();
+        default: return bytes;
+    }
+}
+
+std::uint64_t mix_payload(std::uint64_t seed, const ValueView& value) {
+    switch (value.type->kind) {
+        case Type::Kind::structure:
+            for (const Type::Field& field : value.type->fields) seed = mix_payload(seed, value.field(field));
+            return seed;
+        case Type::Kind::sequence:
+        case Type::Kind::optional: seed = mix(seed, value.count()); [[fallthrough]];
+        case Type::Kind::array:
+            for_each_element(value, [&](const ValueView& element) {
+                seed = mix_payload(seed, element);
+                return true;
+            });
+            return seed;
+        case Type::Kind::text: return mix(seed, std::string_view(value.as<std::string>()));
+        case Type::Kind::octets: {
+            const auto& octets = value.as<Octets>();
+            return mix(seed, std::string_view(reinterpret_cast<const char*>(octets.data()), octets.size()));
+        }
+        case Type::Kind::other: return seed;
+        default:
+            return visit_number(value, [&]<class T>(const T& number) {
+                if constexpr (std::is_floating_point_v<T>) {
+                    return mix(seed, std::bit_cast<std::uint64_t>(static_cast<double>(number) + 0.0));
+                } else {
+                    return mix(seed, static_cast<std::uint64_t>(number));
+                }
+            });
+    }
+}
+
+}  // namespace nezumi
