@@ -22,7 +22,9 @@ double brake(double from, double to, double most) {
 
 VelocityGuard::Verdict VelocityGuard::command(const Velocity2D& velocity, double now) {
     commanded_at_ = now;
-    if (!is_finite(velocity)) {
+    bool finite = true;  // each tick asks: not by the type's table
+    for_each_field(velocity, [&](const auto&, double speed) { finite = finite && std::isfinite(speed); });
+    if (!finite) {
         stop();
         return Verdict::not_finite;
     }

@@ -116,7 +116,9 @@ int port_write(lua_State* L) {
     const std::size_t before = port.pending();
     T& value = port.next_pending();
     const bool fits = read_value(L, 2, value);
-    if (fits && slot.script->may_write(sizeof(Message<T>) + heap_bytes(value))) return 0;
+    std::size_t bytes = sizeof(Message<T>);
+    if constexpr (!std::is_trivially_copyable_v<T>) bytes += heap_bytes(value);
+    if (fits && slot.script->may_write(bytes)) return 0;
     port.discard_after(before);
     if (fits) {
         keep_error(L, fmt::format("{} ({}): more than {} MB were written in one execution", title(slot),
