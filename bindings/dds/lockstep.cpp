@@ -207,7 +207,7 @@ bool Lockstep::may_tick() {
     return missing_.empty();
 }
 
-void Lockstep::deliver(const ActDoor& act) {
+void Lockstep::deliver(const MessageDoor& give) {
     if (left_) return;
     for (auto each = partners_.begin(); each != partners_.end();) {
         auto& [name, partner] = *each;
@@ -217,7 +217,7 @@ void Lockstep::deliver(const ActDoor& act) {
             partner.in_use = true;
             const Step step = std::move(due->second);
             partner.heard.erase(partner.heard.begin(), std::next(due));
-            for (const StepMessage& message : step.messages) deliver(name, message, act);
+            for (const StepMessage& message : step.messages) deliver(name, message, give);
         } else if (is_over(partner)) {
             system_.log(LogLevel::info, fmt::format("lockstep: host {} has {}: this one goes on without it", name,
                                                     partner.end == Step::ends ? "ended" : "parted"));
@@ -230,14 +230,14 @@ void Lockstep::deliver(const ActDoor& act) {
 }
 
 // As what comes on the topic of a port: an act of that host.
-void Lockstep::deliver(const std::string& host, const StepMessage& message, const ActDoor& act) {
+void Lockstep::deliver(const std::string& host, const StepMessage& message, const MessageDoor& give) {
     const std::string path = fmt::format("{}/{}", host, message.port);
     const auto port = std::as_const(system_).port(path);
     if (!port || (*port)->direction() != Direction::out || system_.peers(**port).empty()) return;
     const Component* component = system_.find(std::string_view(path).substr(0, path.find('.')));
     if (component == nullptr || component->state() != LifeState::active) return;
     if (auto value = read_message((*port)->type(), message.payload))
-        static_cast<void>(act(Write{path, std::move(*value)}, {Actor::Kind::network, host}));
+        static_cast<void>(give(**port, Write{path, std::move(*value)}, {Actor::Kind::network, host}));
 }
 
 void Lockstep::publish() {

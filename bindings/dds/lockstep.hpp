@@ -64,7 +64,7 @@ public:
     /// Whether all partners have come as far. True for ever once this host has left.
     bool may_tick();
     /// Before a tick: has what partners published in theirs written.
-    void deliver(const ActDoor& act);
+    void deliver(const MessageDoor& give);
     /// All ports have latched for a tick: tells it.
     void publish();
     /// The run is over: the others go on without this host.
@@ -105,7 +105,7 @@ private:
         return partner.their_began && partner.began <= tick() && their_tick(partner) > partner.last;
     }
     void say(Partner& partner, Step& step, Step::End end);
-    void deliver(const std::string& host, const StepMessage& message, const ActDoor& act);
+    void deliver(const std::string& host, const StepMessage& message, const MessageDoor& give);
     void tell();
     std::string why_standing() const;
 

@@ -39,9 +39,9 @@ public:
         if (hosts_ != nullptr) hosts_->between_ticks(act);
         if (RosNode* its = node()) its->between_ticks();
     }
-    void before_tick(const ActDoor& act) override {
-        if (hosts_ != nullptr) hosts_->before_tick(act);
-        if (RosNode* its = node()) its->before_tick(act);
+    void before_tick(const MessageDoor& deliver) override {
+        if (hosts_ != nullptr) hosts_->before_tick(deliver);
+        if (RosNode* its = node()) its->before_tick(deliver);
     }
     bool may_tick() override { return hosts_ == nullptr || hosts_->may_tick(); }
     void add_files(std::vector<int>& files) const override {

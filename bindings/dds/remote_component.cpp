@@ -29,14 +29,15 @@ const Counts* RemoteComponent::counts(const OutPortBase& port) const {
     return found != inlets_.end() ? &found->second.counts() : nullptr;
 }
 
-void RemoteComponent::receive(const ActDoor& act) {
+void RemoteComponent::receive(const MessageDoor& deliver) {
     const double clock = clock_();
     for (const auto& port : out_ports_) {
         const auto inlet = inlets_.find(port.get());
         if (inlet == inlets_.end()) continue;
         inlet->second.receive(run_, clock, [&](Value value) {
             if (state() != LifeState::active) return;
-            static_cast<void>(act(Write{path(*this, *port), std::move(value)}, {Actor::Kind::network, host_}));
+            static_cast<void>(
+                deliver(*port, Write{path(*this, *port), std::move(value)}, {Actor::Kind::network, host_}));
         });
     }
 }

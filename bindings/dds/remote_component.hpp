@@ -33,7 +33,7 @@ public:
     const Counts* counts(const OutPortBase& port) const;
 
     /// Has what came since the last tick written, as acts of the other host; nothing while this is not ACTIVE.
-    void receive(const ActDoor& act);
+    void receive(const MessageDoor& deliver);
 
     /// What comes is there before the tick.
     void sense(const Time& /*now*/) override {}

@@ -87,12 +87,12 @@ void SystemNetwork::look(const ActDoor& act) {
     note_waiting();
 }
 
-void SystemNetwork::before_tick(const ActDoor& act) {
+void SystemNetwork::before_tick(const MessageDoor& deliver) {
     // NOLINTNEXTLINE(modernize-loop-convert): what an act changes may be the list itself
     for (std::size_t i = 0; i < system_.components().size(); ++i) {
-        if (auto* remote = dynamic_cast<RemoteComponent*>(system_.components()[i].get())) remote->receive(act);
+        if (auto* remote = dynamic_cast<RemoteComponent*>(system_.components()[i].get())) remote->receive(deliver);
     }
-    if (lockstep_) lockstep_->deliver(act);
+    if (lockstep_) lockstep_->deliver(deliver);
 }
 
 Expected<std::uint64_t> SystemNetwork::ask(const Question& question) const {

@@ -23,13 +23,14 @@ bool is_outdated(const Arrival& arrival, Inbox::Clock::time_point now) {
 
 }  // namespace
 
-void Inbox::open_to(const std::map<std::string, std::size_t, std::less<>>& ports) {
+void Inbox::open_to(const std::map<std::string, const Port*, std::less<>>& ports) {
     const std::lock_guard lock(mutex_);
     std::map<std::string, Waiting, std::less<>> open;
-    for (const auto& [path, type] : ports) {
+    for (const auto& [path, port] : ports) {
         const auto before = ports_.find(path);
-        const bool stays = before != ports_.end() && before->second.type == type;
-        open.emplace(path, stays ? std::move(before->second) : Waiting{.type = type});
+        const bool stays = before != ports_.end() && before->second.type == port->type();
+        const auto opened = open.emplace(path, stays ? std::move(before->second) : Waiting{.type = port->type()});
+        opened.first->second.port = port;
     }
     ports_ = std::move(open);
 }
@@ -86,8 +87,11 @@ std::vector<Arrival> Inbox::take(Clock::time_point now) {
     const std::lock_guard lock(mutex_);
     std::vector<Arrival> all;
     for (auto& [path, waiting] : ports_) {
-        std::erase_if(waiting.arrivals, [&](const Arrival& arrival) { return is_outdated(arrival, now); });
-        std::move(waiting.arrivals.begin(), waiting.arrivals.end(), std::back_inserter(all));
+        for (Arrival& arrival : waiting.arrivals) {
+            if (is_outdated(arrival, now)) continue;
+            arrival.port = waiting.port;
+            all.push_back(std::move(arrival));
+        }
         waiting.arrivals.clear();
         waiting.bytes = 0;
     }

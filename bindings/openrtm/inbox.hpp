@@ -14,6 +14,7 @@
 
 #include "bindings/openrtm/orb.hpp"
 #include "engine/base/mutex.hpp"
+#include "engine/ports/port_base.hpp"
 #include "engine/values/value.hpp"
 
 namespace nezumi::openrtm {
@@ -22,6 +23,7 @@ struct Arrival {
     std::string path{};  ///< of an in-port
     std::string from{};  ///< the connection's name
     Value value{};
+    const Port* port = nullptr;  ///< that it is for, in what is taken
     std::chrono::steady_clock::time_point came{};
 };
 
@@ -36,9 +38,8 @@ public:
     /// a word.
     static constexpr std::chrono::milliseconds longest_wait{500};
 
-    /// The in-ports that take messages, with the places of their types in `message_types`. What waits for others is
-    /// dropped.
-    void open_to(const std::map<std::string, std::size_t, std::less<>>& ports);
+    /// The in-ports that take messages; must outlive the next call. What waits for others is dropped.
+    void open_to(const std::map<std::string, const Port*, std::less<>>& ports);
 
     /// Decodes a message and keeps it. `problem` says what is wrong with one that is malformed.
     PutAnswer put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes, std::endian order,
@@ -62,6 +63,7 @@ public:
 
 private:
     struct Waiting {
+        const Port* port = nullptr;
         std::size_t type = 0;
         std::deque<Arrival> arrivals{};
         std::size_t bytes = 0;

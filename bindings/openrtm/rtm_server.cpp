@@ -49,7 +49,7 @@ Expected<void> RtmServer::show() {
     const auto& rtm = host_.spec().rtm;
     auto profiles = rtm ? profiles_of(system, *rtm) : Expected<std::vector<RtcProfile>>();
     std::vector<RtcLink> links;
-    std::map<std::string, std::size_t, std::less<>> in_ports;
+    std::map<std::string, const Port*, std::less<>> in_ports;
     if (profiles) {
         for (const RtcProfile& profile : *profiles) {
             exported_.push_back(profile.component);
@@ -57,7 +57,7 @@ Expected<void> RtmServer::show() {
             for (const RtcPort& port : profile.ports) {
                 const std::string name = port.path.substr(profile.component.size() + 1);
                 if (port.is_in) {
-                    in_ports.emplace(port.path, component.find_in_port(name)->type());
+                    in_ports.emplace(port.path, component.find_in_port(name));
                 } else if (const OutPortBase* out = component.find_out_port(name)) {
                     outlets_.push_back({port.path, Published(system, *out)});
                 }
@@ -111,7 +111,7 @@ void RtmServer::before_tick() {
     serve();
     for (Arrival& arrival : inbox_.take()) {
         const Actor who{Actor::Kind::network, shown(arrival.from)};
-        const auto sent = host_.act(Inject{arrival.path, std::move(arrival.value)}, who);
+        const auto sent = host_.deliver(*arrival.port, Inject{arrival.path, std::move(arrival.value)}, who);
         const std::string problem = sent ? "" : sent.error().message;
         if (std::exchange(refused_[arrival.path], problem) == problem || problem.empty()) continue;
         host_.say(true, fmt::format("rtm: {} refuses what {} sends: {}", arrival.path, who.name, problem));

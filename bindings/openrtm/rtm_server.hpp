@@ -18,6 +18,7 @@
 #include "bindings/openrtm/rtc_profiles.hpp"
 #include "engine/base/mutex.hpp"
 #include "engine/system/act.hpp"
+#include "engine/system/network.hpp"
 #include "engine/system/published.hpp"
 #include "engine/system/system.hpp"
 
@@ -29,7 +30,9 @@ struct RtmHost {
     std::function<const SystemSpec&()> spec;
     std::function<int()> starts;  ///< grows when the system is another
     /// The one door.
-    std::function<Expected<ActResult>(const Act& act, const Actor& who)> act;
+    ActDoor act;
+    /// And that for messages.
+    MessageDoor deliver;
     std::function<void(bool is_problem, const std::string& line)> say;
     /// Wakes the thread that ticks, from any thread. May be empty.
     std::function<void()> wake{};

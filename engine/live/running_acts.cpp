@@ -13,9 +13,18 @@
 namespace nezumi {
 
 Expected<ActResult> RunningSystem::act(const Act& act, const Actor& who) {
-    if (!takes_files(act)) return perform_and_tell(act, nullptr, who);
-    settle();
-    return commit(prepare(act)(), who);
+    if (takes_files(act)) {
+        settle();
+        return commit(prepare(act)(), who);
+    }
+    return perform_and_tell(act, who, nullptr, [&] {
+        return std::visit([&](const auto& each) { return perform(each, who, nullptr); }, act);
+    });
+}
+
+Expected<ActResult> RunningSystem::deliver(const Port& port, const Act& act, const Actor& who) {
+    // Who sends may only look at the system, but this is its door.
+    return perform_and_tell(act, who, nullptr, [&] { return nezumi::deliver(const_cast<Port&>(port), act); });
 }
 
 Preparation RunningSystem::prepare(const Act& act, FilesSeen found) const {
@@ -38,7 +47,10 @@ bool RunningSystem::fits(const PreparedAct& prepared) const {
 }
 
 Expected<ActResult> RunningSystem::commit(PreparedAct prepared, const Actor& who) {
-    return perform_and_tell(prepared.act, &prepared, who);
+    return perform_and_tell(prepared.act, who, &prepared.files, [&]() -> Expected<ActResult> {
+        if (auto ok = check(prepared); !ok) return Unexpected(ok.error());
+        return std::visit([&](const auto& each) { return perform(each, who, &prepared); }, prepared.act);
+    });
 }
 
 void RunningSystem::settle() {
@@ -47,15 +59,15 @@ void RunningSystem::settle() {
     if (!foreseen_.empty()) take_foreseen();
 }
 
-Expected<ActResult> RunningSystem::perform_and_tell(const Act& act, PreparedAct* prepared, const Actor& who) {
+template <class Perform>
+Expected<ActResult> RunningSystem::perform_and_tell(const Act& act, const Actor& who, FilesSeen* files,
+                                                    const Perform& perform) {
     settle();
     const ActTime time = when();
-    auto result = prepared != nullptr ? check(*prepared) : Expected<void>();
-    auto done = result ? std::visit([&](const auto& each) { return perform(each, who, prepared); }, act)
-                       : Unexpected(result.error());
+    auto done = perform();
     ++acts_;
     if (act_observer_ != nullptr) {
-        act_observer_->acted(time, act, who, done, prepared != nullptr ? std::move(prepared->files) : FilesSeen());
+        act_observer_->acted(time, act, who, done, files != nullptr ? std::move(*files) : FilesSeen());
         tell_out_of_time(std::holds_alternative<Restart>(act) ? when() : time);
     }
     return done;

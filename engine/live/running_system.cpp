@@ -118,7 +118,10 @@ ActDoor RunningSystem::door() {
 
 void RunningSystem::tick() {
     between_ticks();
-    if (Network* network = running_->system->network()) network->before_tick(door());
+    if (Network* network = running_->system->network()) {
+        network->before_tick(
+            [this](const Port& port, const Act& each, const Actor& who) { return deliver(port, each, who); });
+    }
     if (!endings_.empty()) end_holds();
     if (!foreseen_.empty()) take_foreseen();
     const ActTime time = when();

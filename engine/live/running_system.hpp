@@ -88,6 +88,8 @@ public:
     ///   robot, stays. Its connections and the hands on its ports go with it, its columns of a recording stay empty.
     ///   Reload, Add and Restart read and load here: `prepare` and `commit` at once.
     Expected<ActResult> act(const Act& act, const Actor& who);
+    /// A message for a port that is there, as the act `Write` or `Inject` of its path: who sends many finds it once.
+    Expected<ActResult> deliver(const Port& port, const Act& act, const Actor& who);
     // The same in two phases, for who has a thread that may wait: no tick waits for files or scripts.
     /// Between two ticks: how a Reload, Add or Restart is prepared beside them. `found` is what its maker has found of
     /// files already. A Reload that names neither files nor a component is of all files that have changed.
@@ -147,10 +149,12 @@ private:
     struct Running;
 
     RunningSystem(Project project, LiveOptions options);
-    // `prepared` is null for acts that take nothing of files.
-    Expected<ActResult> perform_and_tell(const Act& act, PreparedAct* prepared, const Actor& who);
+    // Has it performed, and tells; `files`: what it found of files, may be null.
+    template <class Perform>
+    Expected<ActResult> perform_and_tell(const Act& act, const Actor& who, FilesSeen* files, const Perform& perform);
     Expected<void> check(const PreparedAct& prepared) const;
     void settle();
+    // `prepared` is null for acts that take nothing of files.
     template <class EngineAct>
     Expected<ActResult> perform(const EngineAct& act, const Actor& who, PreparedAct* prepared);
     Expected<ActResult> perform(const Reload& act, const Actor& who, PreparedAct* prepared);

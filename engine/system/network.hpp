@@ -39,6 +39,9 @@ struct Host {
 /// Performs an act as `RunningSystem::act` does.
 using ActDoor = std::function<Expected<ActResult>(const Act& act, const Actor& who)>;
 
+/// Has a port take a message, as `RunningSystem::deliver` does.
+using MessageDoor = std::function<Expected<ActResult>(const Port& port, const Act& act, const Actor& who)>;
+
 class Network {
 public:
     virtual ~Network() = default;
@@ -49,7 +52,7 @@ public:
     /// connections that they ask for.
     virtual void between_ticks(const ActDoor& act) = 0;
     /// Once before each tick, after `between_ticks`: has what came for ports written, as acts of who sent it.
-    virtual void before_tick(const ActDoor& act) = 0;
+    virtual void before_tick(const MessageDoor& deliver) = 0;
     /// Hosts that are there or waited for, by name.
     virtual std::vector<Host> hosts() const = 0;
     /// Whether a connection is there because of something else than a `connect` of this system: another host's, or

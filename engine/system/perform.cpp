@@ -30,27 +30,31 @@ Expected<Port*> port_here(System& system, const std::string& path) {
                     path, host_of(path)));
 }
 
-// The port, if its type fits the value.
-Expected<Port*> port_for(System& system, const std::string& path, const Value& value) {
-    auto port = port_here(system, path);
-    if (!port) return port;
-    if ((*port)->type() != message_index(value.type())) {
-        return failure(fmt::format("types differ: {} is {}, the value is {}", path, (*port)->type_name(),
+// Whether the port may have such a value.
+Expected<void> check_fits(const Port& port, const std::string& path, const Value& value) {
+    if (port.type() != message_index(value.type())) {
+        return failure(fmt::format("types differ: {} is {}, the value is {}", path, port.type_name(),
                                    message_type_names[message_index(value.type())]));
     }
     if (!is_finite(value)) return failure(fmt::format("{}: a number of the value is not finite", path));
-    return port;
+    return {};
 }
 
-Expected<ActResult> send(System& system, const std::string& path, const Value& value) {
-    const auto port = port_for(system, path, value);
-    if (!port) return Unexpected(port.error());
-    if ((*port)->direction() == Direction::in) {
-        static_cast<InPortBase&>(**port).inject(value);
+Expected<ActResult> send(Port& port, const std::string& path, const Value& value) {
+    if (auto fits = check_fits(port, path, value); !fits) return Unexpected(fits.error());
+    if (port.direction() == Direction::in) {
+        static_cast<InPortBase&>(port).inject(value);
     } else {
-        static_cast<OutPortBase&>(**port).write_any(value);
+        static_cast<OutPortBase&>(port).write_any(value);
     }
     return ActResult{};
+}
+
+// A `Write` or an `Inject`.
+template <class Message>
+Expected<ActResult> send(System& system, const Message& act) {
+    const auto port = port_here(system, act.port);
+    return port ? send(**port, act.port, act.value) : Unexpected(port.error());
 }
 
 // A hold on a port is that of one alone.
@@ -137,17 +141,20 @@ Expected<ActResult> perform(System& system, const SetParameter& act, const Actor
     });
 }
 
-Expected<ActResult> perform(System& system, const Write& act, const Actor& /*who*/) {
-    return send(system, act.port, act.value);
-}
+Expected<ActResult> perform(System& system, const Write& act, const Actor& /*who*/) { return send(system, act); }
 
-Expected<ActResult> perform(System& system, const Inject& act, const Actor& /*who*/) {
-    return send(system, act.port, act.value);
+Expected<ActResult> perform(System& system, const Inject& act, const Actor& /*who*/) { return send(system, act); }
+
+Expected<ActResult> deliver(Port& port, const Act& act) {
+    if (const auto* inject = std::get_if<Inject>(&act)) return send(port, inject->port, inject->value);
+    const auto& write = std::get<Write>(act);
+    return send(port, write.port, write.value);
 }
 
 Expected<ActResult> perform(System& system, const Hold& act, const Actor& who) {
-    const auto port = port_for(system, act.port, act.value);
+    const auto port = port_here(system, act.port);
     if (!port) return Unexpected(port.error());
+    if (auto fits = check_fits(**port, act.port, act.value); !fits) return Unexpected(fits.error());
     const Actor* holder = system.holder(act.port);
     if (holder != nullptr && *holder != who) {
         if (!act.take) return result_of(check_holder(system, act.port, who));

@@ -13,6 +13,8 @@ namespace nezumi {
 Expected<ActResult> perform(System& system, const SetParameter& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Write& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Inject& act, const Actor& who);
+/// A `Write` or an `Inject` of a port that was found before.
+Expected<ActResult> deliver(Port& port, const Act& act);
 Expected<ActResult> perform(System& system, const Hold& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Release& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Drop& act, const Actor& who);

@@ -22,6 +22,8 @@ Expected<std::unique_ptr<RunRtm>> RunRtm::open(RunLoop& loop, std::function<void
                                   .spec = [&live]() -> const SystemSpec& { return live.spec(); },
                                   .starts = [&live] { return live.starts(); },
                                   .act = [&live](const Act& act, const Actor& who) { return live.act(act, who); },
+                                  .deliver = [&live](const Port& port, const Act& act,
+                                                     const Actor& who) { return live.deliver(port, act, who); },
                                   .say =
                                       [&live, log = std::move(log)](bool is_problem, const std::string& text) {
                                           const LogLevel level = is_problem ? LogLevel::warn : LogLevel::info;

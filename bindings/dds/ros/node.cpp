@@ -116,7 +116,7 @@ double RosNode::offset(const Time& now) const {
 
 double RosNode::stamp() const { return system_.now().seconds + offset(system_.now()); }
 
-void RosNode::before_tick(const ActDoor& act) {
+void RosNode::before_tick(const MessageDoor& deliver) {
     const double clock = settings_.clock();
     if (!opened_) {
         open();
@@ -129,7 +129,8 @@ void RosNode::before_tick(const ActDoor& act) {
     for (Taken& taken : subscriptions_) {
         const std::string problem = taken.subscription->receive(clock, [&](Value value) {
             if (state() != LifeState::active || (stood && value.is<Velocity2D>())) return;
-            static_cast<void>(act(Write{path(*this, *taken.port), std::move(value)}, {Actor::Kind::network, "ros"}));
+            static_cast<void>(
+                deliver(*taken.port, Write{path(*this, *taken.port), std::move(value)}, {Actor::Kind::network, "ros"}));
         });
         if (problem.empty() || problem == taken.told) continue;
         taken.told = problem;

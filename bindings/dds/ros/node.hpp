@@ -32,7 +32,7 @@ public:
     void between_ticks();
     /// Once before each tick: has what came since the last one written, as acts of ROS; nothing while this is not
     /// ACTIVE.
-    void before_tick(const ActDoor& act);
+    void before_tick(const MessageDoor& deliver);
 
     /// What comes is there before the tick.
     void sense(const Time& /*now*/) override {}

@@ -25,7 +25,7 @@ class OneHost final : public Network {
 public:
     Expected<void> reach(std::string_view /*path*/, const Port& /*other*/) override { return failure("not here"); }
     void between_ticks(const ActDoor& /*act*/) override {}
-    void before_tick(const ActDoor& /*act*/) override {}
+    void before_tick(const MessageDoor& /*deliver*/) override {}
     std::vector<Host> hosts() const override {
         return {{.name = "ev3",
                  .here = true,

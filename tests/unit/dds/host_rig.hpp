@@ -87,15 +87,20 @@ struct HostRig {
     }
     ActDoor door() {
         return [this](const Act& each, const Actor& who) {
-            (std::holds_alternative<Write>(each) ? arrivals : acts)
-                .push_back(fmt::format("{} by {}", name_of(each), to_text(who)));
+            acts.push_back(fmt::format("{} by {}", name_of(each), to_text(who)));
             return act(each, who);
+        };
+    }
+    MessageDoor messages() {
+        return [this](const Port& port, const Act& each, const Actor& who) {
+            arrivals.push_back(fmt::format("{} by {}", name_of(each), to_text(who)));
+            return deliver(const_cast<Port&>(port), each);
         };
     }
     void look() { system.network()->between_ticks(door()); }
     void tick() {
         look();
-        system.network()->before_tick(door());
+        system.network()->before_tick(messages());
         system.tick();
     }
     /// What another host answers, asked by this one.

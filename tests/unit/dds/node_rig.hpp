@@ -39,9 +39,9 @@ struct NodeRig {
     RosNode& node() { return dynamic_cast<RosNode&>(*system.find("ros/mouse")); }
     void tick() {
         node().between_ticks();
-        node().before_tick([this](const Act& act, const Actor& who) {
+        node().before_tick([this](const Port& port, const Act& act, const Actor& who) {
             arrivals.push_back(fmt::format("{} by {}", name_of(act), to_text(who)));
-            return perform(system, std::get<Write>(act), who);
+            return deliver(const_cast<Port&>(port), act);
         });
         system.tick();
     }

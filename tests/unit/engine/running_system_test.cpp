@@ -53,3 +53,24 @@ TEST_CASE("what needs scripts is refused where there are none", "[engine][live]"
     CHECK(RunningSystem::load("system.lua", {}).error().message == none);
     CHECK(live->explain_next("it").error().message == "it is no behaviour: it has no lines");
 }
+
+TEST_CASE("a message for a port that is known is the act of its path, and refused as that", "[engine][live]") {
+    struct Acts final : ActObserver {
+        void acted(const ActTime& /*when*/, const Act& act, const Actor& /*who*/, const Expected<ActResult>& /*result*/,
+                   FilesSeen /*files*/) override {
+            ports.push_back(std::get<Inject>(act).port);
+        }
+        void ran_out_of_time(const ActTime& /*when*/, const std::string& /*component*/,
+                             const Component::OutOfTime& /*call*/) override {}
+        std::vector<std::string> ports;
+    } acts;
+    const auto live = run_native();
+    live->observe_acts(&acts);
+    const Port& port = *live->system().port("it.in").value();
+    CHECK(error_of(live->deliver(port, Inject{"it.in", 7}, {})).empty());
+    live->tick();
+    CHECK(port.value().get<std::int32_t>() == 7);
+    const Inject wrong{"it.in", 0.5};
+    CHECK(error_of(live->deliver(port, wrong, {})) == error_of(live->act(wrong, {})));
+    CHECK(acts.ports == std::vector<std::string>(3, "it.in"));
+}

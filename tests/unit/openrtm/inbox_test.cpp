@@ -23,7 +23,13 @@ std::vector<std::uint8_t> bytes_of(const Value& value, std::endian order = std::
 }
 
 struct InboxRig {
-    explicit InboxRig(std::size_t type) { inbox.open_to({{"c.in", type}}); }
+    explicit InboxRig(std::size_t type) { open_to(type); }
+    void open_to(std::size_t type) {
+        auto other = make_in_port(type, "in", "", 0);
+        inbox.open_to({{"c.in", other.get()}});
+        port = std::move(other);
+    }
+    std::unique_ptr<InPortBase> port;
     PutAnswer put(const std::vector<std::uint8_t>& bytes, std::endian order = std::endian::little) {
         return inbox.put("c.in", "peer", bytes, order, problem);
     }
@@ -100,10 +106,10 @@ TEST_CASE("what is not open takes nothing, and loses what waited", "[openrtm][in
     InboxRig rig(type_index<bool>());
     CHECK(rig.inbox.put("c.other", "peer", bytes_of(true), std::endian::little, rig.problem) == PutAnswer::unknown);
     CHECK(rig.put(bytes_of(true)) == PutAnswer::taken);
-    rig.inbox.open_to({{"c.in", type_index<bool>()}});
+    rig.open_to(type_index<bool>());
     CHECK(rig.inbox.take().size() == 1);
     CHECK(rig.put(bytes_of(true)) == PutAnswer::taken);
-    rig.inbox.open_to({{"c.in", type_index<double>()}});
+    rig.open_to(type_index<double>());
     CHECK(rig.inbox.take().empty());
 }
 

@@ -95,6 +95,8 @@ struct ServerRig : LiveRig {
                 .spec = [this]() -> const SystemSpec& { return live->spec(); },
                 .starts = [this] { return live->starts(); },
                 .act = [this](const Act& act, const Actor& who) { return live->act(act, who); },
+                .deliver = [this](const Port& port, const Act& act,
+                                  const Actor& who) { return live->deliver(port, act, who); },
                 .say = [this](bool, const std::string& line) { said_lines.push_back(line); }};
     }
     void turn(int ticks = 1) {

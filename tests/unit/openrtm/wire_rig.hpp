@@ -40,6 +40,8 @@ struct WireRig : Names, LiveRig {
                                       .spec = [this]() -> const SystemSpec& { return live->spec(); },
                                       .starts = [this] { return live->starts(); },
                                       .act = [this](const Act& act, const Actor& who) { return live->act(act, who); },
+                                      .deliver = [this](const Port& port, const Act& act,
+                                                        const Actor& who) { return live->deliver(port, act, who); },
                                       .say = [this](bool, const std::string& line) { told += line + "\n"; }});
         if (!opened) FAIL(describe(opened.error()));
         server = std::move(*opened);
