@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/ports/messages.hpp"
+#include "engine/values/value.hpp"
 
 namespace nezumi {
 
