@@ -87,7 +87,8 @@ TEST_CASE("seeds = N makes each combination N times, each with a seed of its own
     CHECK_THAT(rig.said, Catch::Contains("draw of it: 6 runs, "));
 }
 
-TEST_CASE("the option --seeds A..B makes each combination with each of these, whatever the scenario says", "[scenario][seeds]") {
+TEST_CASE("the option --seeds A..B makes each combination with each of these, whatever the scenario says",
+          "[scenario][seeds]") {
     ScenarioRig rig("scenario('it', { seeds = 9, sweep = { x = { 1, 2 } } }, function(s, p)\n" +
                     std::string(measures_draws));
     const TestPlan plan = planned(rig, {.seed = 124, .seeds = SeedRange{5, 6}});
