@@ -1,4 +1,5 @@
 // The camera's driver against a node that behaves as Video4Linux has it, with OpenCV's capture between the two.
+#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <array>
