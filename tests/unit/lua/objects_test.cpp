@@ -1,6 +1,8 @@
 // The object model of console and scenarios: what a component shows and does, seen from outside.
 #include "bindings/lua/live/objects.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 #include "bindings/lua/values/member_names.hpp"
