@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 
 namespace nezumi {
 namespace {
@@ -40,8 +41,12 @@ bool soon(const Done& done) {
 }  // namespace
 
 WorkerPool::WorkerPool(int threads) {
-    for (std::size_t worker = 1; worker < static_cast<std::size_t>(threads); ++worker) {
-        threads_.emplace_back([this, worker] { serve(worker); });
+    try {
+        for (std::size_t worker = 1; worker < static_cast<std::size_t>(threads); ++worker) {
+            threads_.emplace_back([this, worker] { serve(worker); });
+        }
+    } catch (const std::system_error&) {
+        // The system gives no further thread: those that there are, work.
     }
 }
 

@@ -14,7 +14,7 @@ namespace nezumi {
 
 class WorkerPool {
 public:
-    /// `threads` counts the calling thread too, so a pool of one starts none.
+    /// `threads` counts the calling thread too, so a pool of one starts none. Fewer, where the system gives no more.
     explicit WorkerPool(int threads);
     ~WorkerPool();
     WorkerPool(const WorkerPool&) = delete;

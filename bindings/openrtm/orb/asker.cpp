@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -108,7 +109,11 @@ PeerAnswer Asker::look_at_all() {
         }
     };
     std::vector<std::thread> helpers;
-    for (std::size_t i = 1; i < std::min(all.size(), most_at_once); ++i) helpers.push_back(start_thread(look));
+    try {
+        for (std::size_t i = 1; i < std::min(all.size(), most_at_once); ++i) helpers.push_back(start_thread(look));
+    } catch (const std::system_error&) {
+        // The system gives no further thread: those that there are, look.
+    }
     look();
     for (std::thread& helper : helpers) helper.join();
     return answer;
