@@ -26,15 +26,11 @@ Names joined(Names all, const Names& more) {
 
 Names port_paths(const System& system, bool in, bool out, const Port* like = nullptr) {
     Names paths;
-    const auto add = [&](const Component& component, const Port& port) {
-        if (like == nullptr || like->type() == port.type()) paths.push_back(component.name() + "." + port.name());
-    };
-    for (const auto& component : system.components()) {
-        for (const auto& port : component->in_ports()) {
-            if (in) add(*component, *port);
-        }
-        for (const auto& port : component->out_ports()) {
-            if (out) add(*component, *port);
+    for (const Component* component : system.components()) {
+        for (const Port* port : ports_of(*component)) {
+            const bool fits = like == nullptr || like->type() == port->type();
+            if (fits && (port->direction() == Direction::in ? in : out))
+                paths.push_back(component->name() + "." + port->name());
         }
     }
     return paths;

@@ -5,10 +5,10 @@
 #include <cctype>
 
 #include "bindings/console/console_commands.hpp"
-#include "bindings/lua/live/help_text.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "engine/base/visible.hpp"
+#include "engine/live/help_text.hpp"
 #include "engine/live/live_text.hpp"
 
 namespace nezumi {
@@ -42,13 +42,10 @@ private:
 void find_in(Finder& finder, const Component& component) {
     const std::string& name = component.name();
     finder.offer(name + " " + component.type(), "", fmt::format("{}  {}", name, component_title(component)));
-    const auto offer_port = [&](const Port& port) {
-        finder.offer(name + "." + port.name() + " " + std::string(port.type_name()), port.doc(),
-                     fmt::format("{}.{}  {} {}", name, port.name(), port.direction() == Direction::in ? "in" : "out",
-                                 port.type_name()));
-    };
-    for (const auto& port : component.in_ports()) offer_port(*port);
-    for (const auto& port : component.out_ports()) offer_port(*port);
+    for (const Port* port : ports_of(component))
+        finder.offer(name + "." + port->name() + " " + std::string(port->type_name()), port->doc(),
+                     fmt::format("{}.{}  {} {}", name, port->name(), port->direction() == Direction::in ? "in" : "out",
+                                 port->type_name()));
     for (const auto& parameter : component.parameters().all()) {
         finder.offer(parameter.spec.name, parameter.spec.doc,
                      fmt::format("{}.config.{} = {}", name, parameter.spec.name, to_text(parameter.value)));
@@ -66,27 +63,26 @@ const ConsoleCommand* command_asked(const Arguments& arguments) {
     return find_console_command(text_at(arguments.lua, 1));
 }
 
-// "controller.out": where what is asked for is in the system. The error says what can be asked for.
-Expected<std::string> path_asked(Session::Parts& parts, const Arguments& arguments) {
+// The help about what is asked for. The error says what can be asked for.
+Expected<std::string> help_asked(Session::Parts& parts, const Arguments& arguments) {
+    const auto help_of = [&](const auto& find) {
+        return parts.at_system([&]() -> Expected<std::string> {
+            const Expected<TreeNode> node = find();
+            return node ? Expected<std::string>(help_text(*node)) : Unexpected(node.error());
+        });
+    };
     if (const ObjectRef* ref = to_object(arguments.lua, 1)) {
-        switch (ref->kind) {
-            case ObjectKind::system: return failure("help() explains the words, ls() shows the system");
-            case ObjectKind::component: return std::string(ref->component());
-            case ObjectKind::port: return fmt::format("{}.ports.{}", ref->component(), ref->port());
-            case ObjectKind::ports: return fmt::format("{}.ports", ref->component());
-            case ObjectKind::config: return fmt::format("{}.config", ref->component());
-            case ObjectKind::truth: return fmt::format("{}.truth", ref->component());
-            case ObjectKind::hosts:
-            case ObjectKind::host:
-            case ObjectKind::remote:
-            case ObjectKind::remote_config:
-                return failure("what is of another host is explained there; its name alone shows it here");
-        }
+        if (ref->kind == ObjectKind::system) return failure("help() explains the words, ls() shows the system");
+        if (ref->kind >= ObjectKind::hosts)
+            return failure("what is of another host is explained there; its name alone shows it here");
+        return help_of([&] { return node_of(*ref); });
     }
-    auto name = arguments.text(1, "a word, a component, a port or a name, as in help \"mouse.status\"");
-    if (!name || name->find_first_of(".:") != std::string::npos) return name;
-    std::vector<std::string> components = component_names(parts);
-    if (std::find(components.begin(), components.end(), *name) != components.end()) return name;
+    const auto name = arguments.text(1, "a word, a component, a port or a name, as in help \"mouse.status\"");
+    if (!name) return Unexpected(name.error());
+    const std::vector<std::string> components = component_names(parts);
+    if (name->find_first_of(".:") != std::string::npos ||
+        std::find(components.begin(), components.end(), *name) != components.end())
+        return help_of([&] { return parts.live.tree().find(*name); });
     std::vector<std::string_view> names(components.begin(), components.end());
     for (const ConsoleCommand& command : console_commands()) names.emplace_back(command.name);
     return failure(fmt::format("there is no word '{}'{}", shown(*name), did_you_mean(*name, names)));
@@ -162,10 +158,7 @@ Expected<CommandEnd> command_help(Session::Parts& parts, const Arguments& argume
             parts.show(fmt::format("{}: {}", command->usage, command->help));
             return CommandEnd::done;
         }
-        const auto path = path_asked(parts, arguments);
-        if (!path) return Unexpected(path.error());
-        const auto text =
-            parts.at_system([&]() -> Expected<std::string> { return help_text(parts.live.system(), *path); });
+        const auto text = help_asked(parts, arguments);
         if (!text) return Unexpected(text.error());
         parts.show(*text);
         return CommandEnd::done;

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,25 +29,6 @@ Expected<double> positive(const FileValue& value, std::string_view what) {
     }
     if (!(number > 0)) return failure(fmt::format("expected {}, more than 0, got {}", what, number));
     return number;
-}
-
-// "controller.out.vx" of "controller.ports.out.value.vx", and "controller.probes.error" of
-// "controller.probes.error.value": as a channel is called what the object model says.
-std::string channel_name(std::string_view path) {
-    std::vector<std::string_view> steps;  // "controller", ".out", "[2]"
-    while (!path.empty()) {
-        const std::size_t end = std::min(path.find_first_of(".[", 1), path.size());
-        steps.push_back(path.substr(0, end));
-        path.remove_prefix(end);
-    }
-    const auto is = [&](std::size_t place, std::initializer_list<std::string_view> names) {
-        return place < steps.size() && std::find(names.begin(), names.end(), steps[place]) != names.end();
-    };
-    if (is(1, {".ports"})) steps.erase(steps.begin() + 1);
-    const std::size_t place = is(1, {".probes"}) ? 3 : 2;
-    if (is(place, {".value"}) && !is(1, {".config", ".state", ".tasks", ".truth"}))
-        steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(place));
-    return fmt::format("{}", fmt::join(steps, ""));
 }
 
 // What an argument `m.truth.pose` has become, { m, ".truth.pose" }.
@@ -94,11 +74,11 @@ Expected<PlotRequest> read(const Session::Parts& parts, const Arguments& argumen
             return failure(
                 "expected what to draw, then seconds, then options: plot(port, ..., seconds, { every = 1 })");
         } else if (type == LUA_TSTRING) {
-            plot.names.push_back(channel_name(*value->text()));
+            plot.names.push_back(*value->text());
         } else if (names_a_path) {
             const auto path = read_path(*parts.objects, arguments.lua, index);
             if (!path) return Unexpected(path.error());
-            plot.names.push_back(channel_name(*path));
+            plot.names.push_back(*path);
         } else {
             const auto port = parts.objects->to_port(arguments.lua, index);
             if (!port) return Unexpected(port.error());
@@ -111,8 +91,7 @@ Expected<PlotRequest> read(const Session::Parts& parts, const Arguments& argumen
 
 // "controller.out" with "vx", "[1]" or "value": what a leaf is called.
 std::string full_name(const std::string& whole, const std::string& label) {
-    if (label.empty() || label == "value") return whole;
-    return whole + (label.starts_with('[') ? "" : ".") + label;
+    return label == "value" ? whole : join_path(whole, label);
 }
 
 constexpr std::string_view marks = "*o+x#%@&";
@@ -123,9 +102,10 @@ Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot) 
     PlotCurves looked{.plot = plot, .to = live.system().now().seconds};
     double first = looked.to;
     std::vector<Trace::Remembered> all;
-    for (const std::string& name : plot.names) {
+    for (std::string& name : looked.plot.names) {
         auto found = live.trace().remember_part(name);
         if (!found) return Unexpected(found.error());
+        name = join_path(found->whole, found->part);
         if (found->series->size() > 0) first = std::min(first, found->series->seconds(0));
         const auto& labels = found->series->labels();
         const auto has_part = [&](const std::string& label) { return is_within(label, found->part); };

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <initializer_list>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "bindings/console/command_offers.hpp"
@@ -13,75 +12,15 @@
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "engine/base/names.hpp"
+#include "engine/tree/node.hpp"
 
 namespace nezumi {
 namespace {
 
 using Names = std::vector<std::string>;
 
-// What a chain of names leads to, if it is there.
-struct CursorPlace {
-    // `remote`: a host, or a component of one, "ev3/vehicle".
-    enum class Kind { nothing, system, component, ports, port, config, truth, value, data, table, hosts, remote };
-    Kind kind = Kind::nothing;
-    std::string component;
-    std::string port;  // also of `value`; the member, as "state", of `data`
-    Names fields{};    // below `value`, `truth` and `data`
-};
-
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
     return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-Names port_names(const Component& component) {
-    Names names;
-    for (const auto& port : component.in_ports()) names.push_back(port->name());
-    for (const auto& port : component.out_ports()) names.push_back(port->name());
-    return names;
-}
-
-Names without(Names all, const Names& some) {
-    std::erase_if(all,
-                  [&](const std::string& name) { return std::find(some.begin(), some.end(), name) != some.end(); });
-    return all;
-}
-
-// The fields of what lies at this path in a value of a message type.
-Names value_fields(std::size_t type, std::span<const std::string> path) {
-    const Type* value = message_infos()[type].payload;
-    for (const std::string& name : path) {
-        const auto& fields = value->fields;
-        const auto found =
-            std::find_if(fields.begin(), fields.end(), [&](const auto& each) { return each.name == name; });
-        if (found == fields.end()) return {};
-        value = found->type;
-    }
-    Names names;
-    for (const Type::Field& field : value->fields) names.push_back(field.name);
-    return names;
-}
-
-// What lies at this path in the plain data of a member: "state", "tasks" or "probes".
-Names data_fields(const Component& component, std::string_view member, std::span<const std::string> path) {
-    if (member == "probes" && !path.empty()) return path.size() == 1 ? Names{"age", "tm", "value"} : Names{};
-    std::string prefix;
-    for (const std::string& name : path) prefix += name + ".";
-    Names names;
-    component.visit_member(member, [&](const LeafPath& leaf, const ValueView&) {
-        const std::string text = leaf.text();
-        if (!text.starts_with(prefix)) return;
-        const std::string rest = text.substr(prefix.size());
-        const std::string name = rest.substr(0, rest.find_first_of(".["));
-        if (is_identifier(name)) names.push_back(name);
-    });
-    return names;
-}
-
-Names truth_fields(std::span<const std::string> path) {
-    if (path.empty()) return Objects::truth_members();
-    if (path.front() == "pose") return value_fields(type_index<Pose2D>(), path.subspan(1));
-    if (path.front() == "velocity") return value_fields(type_index<Velocity2D>(), path.subspan(1));
-    return {};
 }
 
 Names table_keys(lua_State* L, int table) {
@@ -95,88 +34,73 @@ Names table_keys(lua_State* L, int table) {
     return names;
 }
 
-// Follows names through what was defined at the prompt and the system, and runs nothing of Lua. The value that it has
-// come to is on top of the stack, where that is a table.
+// Follows names through what was defined at the prompt as far as to an object, and runs nothing of Lua.
 class Walk {
 public:
-    // What is plotted are a port's fields: `plot(controller.out.vx)`.
-    explicit Walk(Session::Parts& parts, bool plotted = false)
-        : parts_(parts), lua_(parts.state->lua()), top_(lua_gettop(lua_)), plotted_(plotted) {}
+    explicit Walk(Session::Parts& parts, const Names& chain)
+        : parts_(parts), lua_(parts.state->lua()), top_(lua_gettop(lua_)), chain_(chain) {
+        if (chain.empty() || lua_checkstack(lua_, 20) == 0 || !begin()) return;
+        while (lua_type(lua_, -1) == LUA_TTABLE && rest_ < chain.size()) {
+            if (!push_raw(chain[rest_++])) return;
+        }
+        found_ = true;
+    }
     ~Walk() { lua_settop(lua_, top_); }
     Walk(const Walk&) = delete;
     Walk& operator=(const Walk&) = delete;
 
-    CursorPlace follow(const Names& chain) {
-        if (chain.empty() || lua_checkstack(lua_, 20) == 0) return {};
-        CursorPlace place = begin(chain.front());
-        for (std::size_t i = 1; i < chain.size(); ++i) place = member(place, chain[i]);
-        return place;
+    /// Of what the chain leads to: what stands behind a dot, or behind a colon where it is called. What is plotted are
+    /// the fields of a port's value, `plot(controller.out.vx)`.
+    Names names(TreeNode::Called called, bool plotted = false) {
+        if (found_ && lua_type(lua_, -1) == LUA_TTABLE) return table_keys(lua_, lua_gettop(lua_));
+        return parts_.at_system([&] {
+            if (const auto host = host_path())
+                return host_members(parts_.live.system(), *host, called == TreeNode::Called::yes);
+            const auto node = this->node(plotted);
+            if (!node) return Names{};
+            if (node->kind() == TreeNode::Kind::system)
+                return called == TreeNode::Called::no ? names_of(node->system()) : Names{};
+            return plotted && node->kind() == TreeNode::Kind::port ? node->step("value")->children()
+                                                                   : node->children(called);
+        });
     }
 
-    Names names(const CursorPlace& place, char separator) {
-        if (place.kind == CursorPlace::Kind::table) return table_keys(lua_, lua_gettop(lua_));
-        return parts_.at_system([&] { return names_in(parts_.live.system(), place, separator == ':'); });
+    /// The node that the chain leads to, where the system may be looked at.
+    std::optional<TreeNode> node(bool plotted = false) const {
+        auto node = start();
+        for (std::size_t i = rest_; node && i < chain_.size(); ++i)
+            node = plotted ? node->step(chain_[i]) : node->child(chain_[i]);
+        return node ? std::make_optional(*node) : std::nullopt;
     }
 
 private:
-    Names names_in(const System& system, const CursorPlace& place, bool called) const {
-        using Kind = CursorPlace::Kind;
-        if (place.kind == Kind::system) return called ? Names{} : names_of(system);
-        if (place.kind == Kind::hosts) return called ? Names{} : host_names(system);
-        if (place.kind == Kind::remote) return host_members(system, place.component, called);
-        const Component* component = system.find(place.component);
-        if (component == nullptr) return {};
-        const Port* port = component->find_port(place.port);
-        switch (place.kind) {
-            case Kind::component:
-                return called ? Objects::methods(*component)
-                              : without(Objects::members(*component), Objects::methods(*component));
-            case Kind::port:
-                if (port == nullptr) return {};
-                if (plotted_) return value_fields(port->type(), {});
-                return called ? Objects::port_methods() : without(Objects::port_members(), Objects::port_methods());
-            case Kind::value: return called || port == nullptr ? Names{} : value_fields(port->type(), place.fields);
-            case Kind::ports: return called ? Names{} : port_names(*component);
-            case Kind::config: return called ? Names{} : parameter_names(*component);
-            case Kind::truth: return called ? Names{} : truth_fields(place.fields);
-            case Kind::data: return called ? Names{} : data_fields(*component, place.port, place.fields);
-            default: return {};
-        }
-    }
-
-    static Names parameter_names(const Component& component) {
-        Names names;
-        for (const auto& parameter : component.parameters().all()) names.push_back(parameter.spec.name);
-        return names;
-    }
-
-    // What the value on top of the stack is.
-    CursorPlace value() const {
-        if (lua_type(lua_, -1) == LUA_TTABLE) return {CursorPlace::Kind::table};
-        const ObjectRef* ref = to_object(lua_, -1);
-        if (ref == nullptr) return {};
-        if (ref->kind == ObjectKind::system) return {CursorPlace::Kind::system};
-        const std::string owner(ref->component());
-        switch (ref->kind) {
-            case ObjectKind::ports: return {CursorPlace::Kind::ports, owner};
-            case ObjectKind::config: return {CursorPlace::Kind::config, owner};
-            case ObjectKind::truth: return {CursorPlace::Kind::truth, owner};
-            case ObjectKind::port: return {CursorPlace::Kind::port, owner, std::string(ref->port())};
-            case ObjectKind::hosts: return {CursorPlace::Kind::hosts};
-            case ObjectKind::host:
-            case ObjectKind::remote: return {CursorPlace::Kind::remote, owner};
-            case ObjectKind::remote_config: return {};
-            default: return {CursorPlace::Kind::component, owner};
-        }
-    }
-
-    CursorPlace begin(const std::string& name) const {
+    // What the first name leads to: on top of the stack, or a component of that name.
+    bool begin() {
+        rest_ = 1;
         lua_pushglobaltable(lua_);
-        if (!push_raw(name)) {
-            push_commands_table(lua_);
-            if (!push_raw(name)) return {CursorPlace::Kind::component, name};
-        }
-        return value();
+        if (push_raw(chain_.front())) return true;
+        push_commands_table(lua_);
+        if (push_raw(chain_.front())) return true;
+        rest_ = 0;
+        return false;
+    }
+
+    const ObjectRef* object() const { return found_ ? to_object(lua_, -1) : nullptr; }
+
+    Expected<TreeNode> start() const {
+        if (rest_ == 0 && !chain_.empty()) return parts_.live.tree();
+        const ObjectRef* ref = object();
+        return ref != nullptr ? node_of(*ref) : failure("");
+    }
+
+    // "" for all hosts, "ev3" for one, "ev3/vehicle" for a component of one.
+    std::optional<std::string> host_path() const {
+        const ObjectRef* ref = object();
+        if (ref == nullptr || ref->kind < ObjectKind::hosts || ref->kind == ObjectKind::remote_config)
+            return std::nullopt;
+        std::string path(ref->component());
+        for (std::size_t i = rest_; i < chain_.size(); ++i) path += (path.empty() ? "" : "/") + chain_[i];
+        return path;
     }
 
     // Replaces the table on top of the stack by its field, if it has one; else takes it off.
@@ -195,40 +119,12 @@ private:
         return false;
     }
 
-    CursorPlace member(const CursorPlace& place, const std::string& name) const {
-        using Kind = CursorPlace::Kind;
-        switch (place.kind) {
-            case Kind::system: return {Kind::component, name};
-            case Kind::hosts: return {Kind::remote, name};
-            case Kind::remote:
-                if (place.component.find('/') != std::string::npos) return {};
-                return {Kind::remote, place.component + "/" + name};
-            case Kind::component:
-                if (name == "ports") return {Kind::ports, place.component};
-                if (name == "config") return {Kind::config, place.component};
-                if (name == "truth") return {Kind::truth, place.component};
-                if (is_one_of(name, {"state", "tasks", "probes"})) return {Kind::data, place.component, name};
-                return {Kind::port, place.component, name};
-            case Kind::ports: return {Kind::port, place.component, name};
-            case Kind::port:
-                if (name == "value") return {Kind::value, place.component, place.port};
-                return plotted_ ? CursorPlace{Kind::value, place.component, place.port, {name}} : CursorPlace{};
-            case Kind::truth:
-            case Kind::data:
-            case Kind::value: {
-                CursorPlace within = place;
-                within.fields.push_back(name);
-                return within;
-            }
-            case Kind::table: return push_raw(name) ? value() : CursorPlace{};
-            default: return {};
-        }
-    }
-
     Session::Parts& parts_;
     lua_State* lua_;
     int top_;
-    bool plotted_;
+    const Names& chain_;
+    std::size_t rest_ = 0;  // the first name that Lua does not know
+    bool found_ = false;    // something is on top of the stack
 };
 
 // The fields that a table has as the value of a port, `port:write { v`, `inject("name.port", { v`, or in a word of
@@ -244,25 +140,24 @@ Names field_names(Session::Parts& parts, const FieldAtCursor& field) {
         const std::size_t dot = call.first.find('.');
         if (chain.empty() && dot != std::string::npos) chain = {call.first.substr(0, dot), call.first.substr(dot + 1)};
     }
-    Walk walk(parts);
-    CursorPlace place = walk.follow(chain);
-    if (place.kind != CursorPlace::Kind::port) return {};
-    place.kind = CursorPlace::Kind::value;
-    place.fields = field.path;
-    return walk.names(place, '.');
+    const Walk walk(parts, chain);
+    return parts.at_system([&] {
+        auto node = walk.node();
+        if (!node || node->kind() != TreeNode::Kind::port) return Names{};
+        Expected<TreeNode> place = node->child("value");
+        for (std::size_t i = 0; place && i < field.path.size(); ++i) place = place->child(field.path[i]);
+        return place ? place->children() : Names{};
+    });
 }
 
 // The sets of the component that a chain of names leads to.
 Names set_names(Session::Parts& parts, const Names& chain) {
-    Walk walk(parts);
-    const CursorPlace place = walk.follow(chain);
+    const Walk walk(parts, chain);
     return parts.at_system([&] {
         Names sets;
-        const System& system = parts.live.system();
-        const Component* component =
-            place.kind == CursorPlace::Kind::component ? system.find(place.component) : nullptr;
-        if (component == nullptr) return sets;
-        for (const auto& [name, values] : component->sets) sets.push_back(name);
+        const auto node = walk.node();
+        if (!node || node->kind() != TreeNode::Kind::component) return sets;
+        for (const auto& [name, values] : node->component()->sets) sets.push_back(name);
         return sets;
     });
 }
@@ -306,8 +201,9 @@ Completion complete(Session::Parts& parts, std::string_view text, std::size_t cu
                 completion.candidates.insert(completion.candidates.end(), lua_keywords().begin(), lua_keywords().end());
         } else if (!name.broken) {
             const TextAtCursor call = at_cursor.call();
-            Walk walk(parts, call.word == "plot" && call.callee.separator == 0);
-            completion.candidates = walk.names(walk.follow(name.chain), name.separator);
+            const auto called = name.separator == ':' ? TreeNode::Called::yes : TreeNode::Called::no;
+            completion.candidates =
+                Walk(parts, name.chain).names(called, call.word == "plot" && call.callee.separator == 0);
         }
     }
     Names& all = completion.candidates;

@@ -17,6 +17,7 @@
 #include "engine/ports/usage.hpp"
 #include "engine/project/writable_folder.hpp"
 #include "engine/robot/robot.hpp"
+#include "engine/tree/member.hpp"
 
 namespace nezumi {
 namespace {

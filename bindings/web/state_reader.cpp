@@ -63,8 +63,6 @@ void add_things(WebFrame& frame, const World& world) {
 // Numbers of a member that are shown.
 constexpr std::size_t most_leaves = 128;
 
-bool is_member(std::string_view name) { return name == "truth" || name == "probes" || name == "state"; }
-
 std::optional<double> number_of(const ValueView& leaf) {
     if (leaf.type->kind == Type::Kind::text) return std::nullopt;
     return visit_number(leaf, [](const auto& number) { return static_cast<double>(number); });
@@ -104,16 +102,11 @@ std::unique_ptr<State> StateReader::at(std::unique_ptr<State> state, const Watch
 void StateReader::add_members(State& state, const Watch& wanted) const {
     state.members.clear();
     for (const std::string& name : wanted.members) {
-        const auto dot = name.find('.');
-        if (dot == std::string::npos) continue;
-        const std::string_view what = std::string_view(name).substr(dot + 1);
-        const Component* const owner = live_.system().find(name.substr(0, dot));
-        if (!is_member(what) || owner == nullptr || owner->find_port(what) != nullptr) continue;
         auto channel = Channel::find(live_.system(), name);
-        if (!channel) continue;
-        channel->latch(live_.system(), live_.system().now().tick);
+        if (!channel || channel->is_port()) continue;
+        channel->latch(live_.system().now().tick);
         WebMember member{.name = name};
-        channel->visit(0, [&](const LeafPath& path, const ValueView& leaf) {
+        channel->visit_latest([&](const LeafPath& path, const ValueView& leaf) {
             if (member.leaves.size() >= most_leaves) return;
             if (const auto value = number_of(leaf)) member.leaves.push_back({path.text(), *value});
         });

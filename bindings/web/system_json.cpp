@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "engine/system/network.hpp"
+#include "engine/trace/channel.hpp"
 
 namespace nezumi::web {
 namespace {
@@ -64,15 +65,15 @@ Json parameter_to_json(const Component& component, const Parameters::Parameter& 
 
 Json ports_to_json(const Component& component) {
     Json ports = Json::array();
-    const auto add = [&](const Port& port, std::string_view way) {
-        ports.push_back({{"name", port.name()}, {"way", way}, {"type", port.type_name()}, {"doc", port.doc()}});
-    };
-    for (const InPortBase* port : component.in_ports()) add(*port, "in");
-    for (const OutPortBase* port : component.out_ports()) add(*port, "out");
+    for (const Port* port : ports_of(component)) {
+        const std::string_view way = port->direction() == Direction::in ? "in" : "out";
+        ports.push_back({{"name", port->name()}, {"way", way}, {"type", port->type_name()}, {"doc", port->doc()}});
+    }
     return ports;
 }
 
-Json component_to_json(const Component& component) {
+Json component_to_json(const TreeNode& node) {
+    const Component& component = *node.component();
     Json json{{"name", component.name()},       {"kind", kind_of(component)},
               {"type", component.type()},       {"state", to_text(component.state())},
               {"version", component.version()}, {"rate", component.rate}};
@@ -86,6 +87,7 @@ Json component_to_json(const Component& component) {
         json["commands"] = std::move(commands);
     }
     json["ports"] = ports_to_json(component);
+    json["members"] = changing_members(node);
     Json parameters = Json::array();
     for (const auto& parameter : component.parameters().all())
         parameters.push_back(parameter_to_json(component, parameter));
@@ -189,8 +191,7 @@ Json arena_to_json(const ArenaSpec& arena, const World* world) {
 template <class Visit>
 void for_each_port(const System& system, const Visit& visit) {
     for (const Component* component : system.components()) {
-        for (const InPortBase* port : component->in_ports()) visit(*component, *port);
-        for (const OutPortBase* port : component->out_ports()) visit(*component, *port);
+        for (const Port* port : ports_of(*component)) visit(*component, *port);
     }
 }
 
@@ -236,7 +237,8 @@ Json system_to_json(const RunningSystem& live) {
               {"stopped", system.is_stopped()},
               {"components", Json::array()},
               {"connections", Json::array()}};
-    for (const Component* component : system.components()) json["components"].push_back(component_to_json(*component));
+    const TreeNode tree = live.tree();
+    for (const std::string& name : tree.children()) json["components"].push_back(component_to_json(*tree.child(name)));
     for (const ConnectionSpec& connection : system.connections())
         json["connections"].push_back({{"from", connection.from}, {"to", connection.to}});
     json["arena"] = arena_to_json(live.spec().arena, system.world());

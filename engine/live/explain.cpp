@@ -9,6 +9,7 @@
 
 #include "engine/live/live_text.hpp"
 #include "engine/robot/robot.hpp"
+#include "engine/tree/member.hpp"
 
 namespace nezumi {
 namespace {

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/live/running_system.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/system/perform_on_spec.hpp"
+#include "engine/tree/member.hpp"
 
 namespace nezumi {
 namespace {
@@ -129,22 +129,7 @@ std::string probe_text(const PlainData& probe) { return plain_text(probe, probe.
 
 }  // namespace
 
-double port_age(const System& system, const Port& port) {
-    return port.count() == 0 ? std::numeric_limits<double>::infinity() : system.now().seconds - port.tm();
-}
-
-bool is_stale(const System& system, const Port& port) {
-    const double now = system.now().seconds;
-    return port.direction() == Direction::in ? static_cast<const InPortBase&>(port).is_stale(now)
-                                             : static_cast<const OutPortBase&>(port).is_stale(now);
-}
-
-std::string_view to_text(Override override) {
-    constexpr std::string_view names[] = {"", "held", "dropped", "frozen"};
-    return names[static_cast<int>(override)];
-}
-
-std::string payload_text(const Value& value, std::size_t width) {
+std::string payload_text(const ValueView& value, std::size_t width) {
     std::string text;
     append(text, value, width);
     return text;
@@ -172,22 +157,19 @@ std::string component_text(const RunningSystem& live, const Component& component
     text += about_text(component);
     std::size_t name_width = 0;
     std::size_t type_width = 0;
-    const auto measure = [&](const Port& port) {
-        name_width = std::max(name_width, port.name().size());
-        type_width = std::max(type_width, port.type_name().size());
-    };
-    for (const auto& port : component.in_ports()) measure(*port);
-    for (const auto& port : component.out_ports()) measure(*port);
-    const auto line = [&](const Port& port) {
-        text += fmt::format("\n  {:3} {:{}}  {:{}}  {}{}", port.direction() == Direction::in ? "in" : "out",
-                            port.name(), name_width, port.type_name(), type_width, peers_text(live, component, port),
-                            override_text(system, component, port));
-        if (port.override() == Override::held || port.override() == Override::frozen)
-            text += " at " + payload_text(port.override_value(), 60);
-        text += note_text(port);
-    };
-    for (const auto& port : component.in_ports()) line(*port);
-    for (const auto& port : component.out_ports()) line(*port);
+    const std::vector<const Port*> ports = ports_of(component);
+    for (const Port* port : ports) {
+        name_width = std::max(name_width, port->name().size());
+        type_width = std::max(type_width, port->type_name().size());
+    }
+    for (const Port* port : ports) {
+        text += fmt::format("\n  {:3} {:{}}  {:{}}  {}{}", port->direction() == Direction::in ? "in" : "out",
+                            port->name(), name_width, port->type_name(), type_width, peers_text(live, component, *port),
+                            override_text(system, component, *port));
+        if (port->override() == Override::held || port->override() == Override::frozen)
+            text += " at " + payload_text(port->override_value(), 60);
+        text += note_text(*port);
+    }
     for (const auto& parameter : component.parameters().all())
         text += fmt::format("\n  config.{} = {}", parameter.spec.name, to_text(parameter.value));
     for (const CommandDeclaration& command : component.commands())
@@ -230,6 +212,32 @@ std::string config_text(const Component& component) {
         text += parameter_text(parameter);
     }
     return text.empty() ? component.name() + " has no parameters" : text;
+}
+
+std::string node_text(const RunningSystem& live, const TreeNode& node) {
+    using Kind = TreeNode::Kind;
+    switch (node.kind()) {
+        case Kind::system: return fmt::format("system of {}", fmt::join(node.children(), ", "));
+        case Kind::component: return component_text(live, *node.component());
+        case Kind::port: return port_text(live, *node.component(), *node.port());
+        case Kind::config: return config_text(*node.component());
+        case Kind::ports: {
+            std::vector<std::string> lines;
+            for (const std::string& name : node.children()) lines.push_back(node_text(live, *node.child(name)));
+            return lines.empty() ? node.component()->name() + " has no ports"
+                                 : fmt::format("{}", fmt::join(lines, "\n"));
+        }
+        default: break;
+    }
+    const auto value = node.value();
+    const auto* held = value ? std::get_if<Value>(&*value) : nullptr;
+    if (held == nullptr) return value ? "nil" : value.error().message;
+    if (node.kind() != Kind::truth) return payload_text(*held);
+    std::string text;
+    for (const Type::Field& field : held->type().fields)
+        text +=
+            fmt::format("{}{} = {}", text.empty() ? "" : "\n", field.name, payload_text(ValueView(*held).field(field)));
+    return text;
 }
 
 }  // namespace nezumi

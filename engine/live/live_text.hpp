@@ -6,23 +6,16 @@
 #include <vector>
 
 #include "engine/system/system.hpp"
+#include "engine/tree/node.hpp"
 #include "engine/values/value.hpp"
 
 namespace nezumi {
 
 class RunningSystem;
 
-/// [s] since the port's message, as of the tick that comes next; infinity before any.
-double port_age(const System& system, const Port& port);
-/// Nothing came through for `OutPortBase::stale_after` of its sender; of an in-port also when nothing is connected.
-bool is_stale(const System& system, const Port& port);
-
-/// "", "held", "dropped", "frozen".
-std::string_view to_text(Override override);
-
 /// "{ vx = 0.1, vy = 0, va = 0 }", "{ 31, 0, 0, 0 }", "true": one line of at most about `width` characters, with
 /// "..." where there is more. Numbers with six digits.
-std::string payload_text(const Value& value, std::size_t width = 80);
+std::string payload_text(const ValueView& value, std::size_t width = 80);
 
 /// "mouse.ir_sensor_out  TimedShortSeq  { 0, 0, 0, 0 }  0.01 s old  -> controller.in", and whether it is held.
 std::string port_text(const RunningSystem& live, const Component& component, const Port& port);
@@ -36,5 +29,8 @@ std::string about_text(const Component& component);
 std::string parameter_text(const Parameters::Parameter& parameter);
 /// A line for each parameter.
 std::string config_text(const Component& component);
+
+/// A component, a port, all ports or parameters, the truth about a robot, a system: what `tostring` gives.
+std::string node_text(const RunningSystem& live, const TreeNode& node);
 
 }  // namespace nezumi

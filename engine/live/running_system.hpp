@@ -18,6 +18,7 @@
 #include "engine/system/build_system.hpp"
 #include "engine/trace/trace.hpp"
 #include "engine/trace/trace_hash.hpp"
+#include "engine/tree/node.hpp"
 
 namespace nezumi {
 
@@ -135,6 +136,8 @@ public:
     const std::filesystem::path& file() const { return file_; }
     const System& system() const;
     const SystemSpec& spec() const;
+    /// All of it by name, as it is now.
+    TreeNode tree() const { return TreeNode(system(), &spec()); }
     const Project& project() const { return project_; }
     const LiveOptions& options() const { return options_; }
     PartReader part_reader() const { return {project_, options_.scripts}; }

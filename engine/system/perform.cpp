@@ -121,6 +121,7 @@ Expected<SeenRobot> seen_robot(const System& system, const Component& component)
     const auto* robot = dynamic_cast<const Robot*>(&component);
     if (robot == nullptr) return failure(fmt::format("{} is no robot", component.name()));
     const std::string& name = robot->name();
+    if (!robot->has_body()) return failure(fmt::format("{} has no body yet", name));
     if (robot->is_real() && system.rig() != nullptr) {
         if (const auto id = system.rig()->find(name)) return SeenRobot{robot, system.rig()->world.get(), *id};
         return failure(fmt::format("{}{}: run this in simulation, or give --rig {}=SOCKET", name, not_seen, name));

@@ -5,45 +5,51 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <vector>
 
 #include "engine/ports/payload.hpp"
 #include "engine/trace/series.hpp"
+#include "engine/tree/member.hpp"
 
 namespace nezumi {
 
 namespace {
 
 constexpr std::uint64_t no_version = ~std::uint64_t{0};
-constexpr double dust = 1e-9;  // [m], [rad], [m/s], [rad/s]
-
-// Where the first name of a path ends.
-std::size_t end_of_name(std::string_view path) { return std::min(path.find_first_of(".["), path.size()); }
-
-// Why values of a type, called `whole`, have no part ".name", "[2]" or "[2].name"; "" when they have.
-std::string no_such_part(const Type& type, std::string_view part, const std::string& whole) {
-    if (part.empty()) return "";
-    if (type.kind == Type::Kind::sequence) {
-        const std::size_t close = part.find(']');
-        std::size_t index = 0;
-        if (part.front() == '[' && close != std::string_view::npos)
-            std::from_chars(part.data() + 1, part.data() + close, index);
-        if (index == 0) return fmt::format("{} is a list: {}[1] is its first element", whole, whole);
-        return no_such_part(*type.element, part.substr(close + 1), whole + std::string(part.substr(0, close + 1)));
+// Which kinds of nodes have numbers, truth values or texts; of plain data, those of scripts.
+bool is_carried(const TreeNode& node) {
+    switch (node.kind()) {
+        case TreeNode::Kind::port:
+        case TreeNode::Kind::config:
+        case TreeNode::Kind::parameter: return true;
+        case TreeNode::Kind::data: return node.component()->script_file() != nullptr;
+        case TreeNode::Kind::truth:
+        case TreeNode::Kind::value: return node.value().has_value();
+        default: return false;
     }
-    if (part.front() == '.') part.remove_prefix(1);
-    if (type.kind != Type::Kind::structure)
-        return fmt::format("{} is a single value: it has no '{}'", whole, shown(part));
-    const std::string_view head = part.substr(0, end_of_name(part));
-    std::vector<std::string_view> names;
-    for (const Type::Field& field : type.fields) {
-        if (field.name == head)
-            return no_such_part(*field.type, part.substr(head.size()), fmt::format("{}.{}", whole, head));
-        names.push_back(field.name);
-    }
-    return fmt::format("{} has no '{}'{}", whole, shown(head), did_you_mean(head, names));
+}
+
+// The part of a node that is carried: probes are carried without their times, so `probes.error.value` is "error".
+std::string carried_part(const TreeNode& node) {
+    const std::string part = node.part();
+    if (node.member() == nullptr || node.member()->name != "probes") return part;
+    std::string_view rest = part;
+    std::string probe(take_step(rest));
+    if (std::string_view behind = rest; take_step(behind) == "value") rest = behind;
+    return join_path(std::move(probe), rest);
+}
+
+// Why a component has nothing to carry of this name.
+Error no_such(const TreeNode& owner, std::string_view name) {
+    const Component& component = *owner.component();
+    const MemberInfo* member = find_member(component_members(), name);
+    if (member != nullptr && member->robot && !member->called && owner.robot() == nullptr)
+        return {fmt::format("{} has no {}: it is no robot", component.name(), name), {}};
+    std::vector<std::string> names = changing_members(owner);
+    for (const Port* port : ports_of(component)) names.push_back(port->name());
+    return {fmt::format("{} has no port '{}'{}", component.name(), shown(name),
+                        did_you_mean(name, {names.begin(), names.end()})),
+            {}};
 }
 
 void visit_parameters(const Parameters& parameters, const LeafVisitor& visit) {
@@ -60,131 +66,89 @@ bool is_within(std::string_view path, std::string_view part) {
                             (path.size() == part.size() || path[part.size()] == '.' || path[part.size()] == '['));
 }
 
-Truth seen_truth(const World& world, RobotId robot) {
-    Truth truth = world.truth(robot);
-    for (double* value : {&truth.pose.position.x, &truth.pose.position.y, &truth.pose.heading, &truth.velocity.vx,
-                          &truth.velocity.vy, &truth.velocity.va, &truth.height, &truth.tilt}) {
-        if (std::abs(*value) < dust) *value = 0;
+std::vector<std::string> changing_members(const TreeNode& component) {
+    std::vector<std::string> names;
+    for (const MemberInfo& each : component_members()) {
+        const bool changes = !each.called && (each.kind != TreeNode::Kind::value || each.robot);
+        const auto child = changes ? component.child(each.name) : failure("");
+        if (child && child->member() == &each && is_carried(*child)) names.emplace_back(each.name);
     }
-    return truth;
-}
-
-Channel::Channel(std::string_view owner, std::string_view member, std::string_view part)
-    : owner_(owner), member_(member), part_(part) {
-    name_ = owner_ + "." + member_;
-    if (!part_.empty()) name_ += part_.front() == '[' ? part_ : "." + part_;
+    return names;
 }
 
 Expected<Channel> Channel::find(const System& system, std::string_view name) {
-    const std::size_t dot = std::min(name.find('.'), name.size());
-    std::string_view rest = name.substr(std::min(dot + 1, name.size()));
-    const std::string_view member = rest.substr(0, end_of_name(rest));
-    rest.remove_prefix(member.size());
-    if (rest.starts_with('.')) rest.remove_prefix(1);
-    if (dot == 0 || member.empty()) return Unexpected(system.port(name).error());
-    const Component* owner = system.find(name.substr(0, dot));
-    if (owner == nullptr) return Unexpected(system.port(name).error());
-    Channel channel(owner->name(), member, rest);
+    std::string_view rest = name;
+    const auto owner = TreeNode(system).child(take_step(rest));
+    if (!owner || rest.empty()) return Unexpected(system.port(name).error());
+    std::string_view below = rest;
+    const std::string_view member = take_step(below);
+    const auto child = owner->child(member);
+    if (!child) return Unexpected(no_such(*owner, member));
+    const auto node = child->find(below);
+    if (!node) return Unexpected(node.error());
+    if (node->kind() == TreeNode::Kind::truth || node->kind() == TreeNode::Kind::value) {
+        if (auto value = node->value(); !value) return Unexpected(value.error());
+    }
+    if (!is_carried(*node)) return Unexpected(no_such(*owner, member));
+    Channel channel(node->whole(), carried_part(*node));
     channel.resolve(system);
-    if (auto ok = channel.check(system, *owner); !ok) return Unexpected(ok.error());
     // What a tick that has passed left can still be read.
-    if (system.now().tick > 0) channel.latch(system, system.now().tick - 1);
+    if (system.now().tick > 0) channel.latch(system.now().tick - 1);
     return channel;
 }
 
-Expected<void> Channel::check(const System& system, const Component& owner) const {
-    const std::string whole = owner_ + "." + member_;
-    const std::string part = part_.empty() || part_.front() == '[' ? part_ : "." + part_;
-    const auto checked = [&](const Type& type) -> Expected<void> {
-        std::string why = no_such_part(type, part, whole);
-        return why.empty() ? Expected<void>() : failure(std::move(why));
-    };
-    switch (kind_) {
-        case Kind::out_port:
-        case Kind::in_port: return checked(*message_infos()[port_->type()].payload);
-        case Kind::truth: return checked(type_of<Truth>());
-        case Kind::collided: return checked(type_of<bool>());
-        case Kind::config: {
-            const std::string_view parameter = std::string_view(part_).substr(0, end_of_name(part_));
-            std::vector<std::string_view> names;
-            for (const auto& each : owner.parameters().all()) names.push_back(each.spec.name);
-            if (parameter.empty() || std::find(names.begin(), names.end(), parameter) != names.end()) return {};
-            return failure(
-                fmt::format("{}: unknown parameter '{}'{}", owner_, shown(parameter), did_you_mean(parameter, names)));
-        }
-        case Kind::member: return {};
-        case Kind::none: break;
-    }
-    if (member_ == "truth" || member_ == "collided") {
-        const bool is_robot = dynamic_cast<const Robot*>(&owner) != nullptr;
-        return failure(fmt::format("{} has no {}: it is {}", owner_, member_, is_robot ? "not simulated" : "no robot"));
-    }
-    std::vector<std::string_view> names;
-    for (const auto& port : owner.in_ports()) names.push_back(port->name());
-    for (const auto& port : owner.out_ports()) names.push_back(port->name());
-    for (const std::string_view other : {"collided", "config", "probes", "state", "tasks", "truth"}) {
-        Channel tried(owner_, other, "");
-        tried.resolve(system);
-        if (tried.kind_ != Kind::none) names.push_back(other);
-    }
-    return failure(fmt::format("{} has no port '{}'{}", owner_, shown(member_), did_you_mean(member_, names)));
-}
-
-std::string Channel::name_of(const LeafPath& path) const {
-    const std::string leaf = path.text();
-    const bool joined = leaf.empty() || leaf.front() == '[';
-    return owner_ + "." + member_ + (joined ? "" : ".") + leaf;
-}
+std::string Channel::name_of(const LeafPath& path) const { return join_path(whole_, path.text()); }
 
 void Channel::resolve(const System& system) {
-    component_ = system.find(owner_);
-    port_ = component_ != nullptr ? component_->find_port(member_) : nullptr;
     kind_ = Kind::none;
     has_value_ = false;
     fresh_ = 0;
     config_version_ = no_version;
-    if (component_ == nullptr) return;
-    if (port_ != nullptr) {
-        kind_ = port_->direction() == Direction::out ? Kind::out_port : Kind::in_port;
-        has_value_ = port_->count() > 0;
-        if (kind_ == Kind::in_port) static_cast<const InPortBase*>(port_)->follow();
-    } else if (member_ == "truth" || member_ == "collided") {
-        const auto* robot = dynamic_cast<const Robot*>(component_);
-        if (robot != nullptr && robot->has_body() && !robot->is_real() && system.world() != nullptr)
-            kind_ = member_ == "truth" ? Kind::truth : Kind::collided;
-    } else if (member_ == "config") {
-        kind_ = Kind::config;
-    } else if (component_->visit_member(member_, [](const LeafPath&, const ValueView&) {})) {
-        kind_ = Kind::member;
+    const auto node = TreeNode(system).find(whole_);
+    node_.reset();
+    if (!node || !is_carried(*node)) return;
+    node_ = *node;
+    switch (node->kind()) {
+        case TreeNode::Kind::port: {
+            const Port& port = *node->port();
+            kind_ = port.direction() == Direction::out ? Kind::out_port : Kind::in_port;
+            has_value_ = port.count() > 0;
+            if (kind_ == Kind::in_port) static_cast<const InPortBase&>(port).follow();
+            return;
+        }
+        case TreeNode::Kind::config: kind_ = Kind::config; return;
+        case TreeNode::Kind::data: kind_ = Kind::data; return;
+        default: kind_ = Kind::value;
     }
 }
 
-void Channel::latch(const System& system, std::int64_t tick) {
+void Channel::latch(std::int64_t tick) {
     fresh_ = 0;
     switch (kind_) {
         case Kind::none: return;
         case Kind::out_port:
         case Kind::in_port: {
-            const std::int64_t latest = kind_ == Kind::out_port ? static_cast<const OutPortBase*>(port_)->latched_tick()
-                                                                : static_cast<const InPortBase*>(port_)->arrival_tick();
+            const Port* port = node_->port();
+            const std::int64_t latest = kind_ == Kind::out_port ? static_cast<const OutPortBase*>(port)->latched_tick()
+                                                                : static_cast<const InPortBase*>(port)->arrival_tick();
             if (latest != tick) return;
-            fresh_ = port_->message_count();
+            fresh_ = port->message_count();
             break;
         }
-        case Kind::truth:
-            truth_ = seen_truth(*system.world(), static_cast<const Robot*>(component_)->id());
+        case Kind::config: {
+            const std::uint64_t version = node_->component()->parameters().version();
+            if (std::exchange(config_version_, version) == version) return;
             fresh_ = 1;
             break;
-        case Kind::collided:
-            collided_ = system.world()->collided(static_cast<const Robot*>(component_)->id());
+        }
+        case Kind::value: {
+            auto value = node_->value();
+            if (!value) return;
+            value_ = std::move(*value);
             fresh_ = 1;
             break;
-        case Kind::config:
-            if (component_->parameters().version() == config_version_) return;
-            config_version_ = component_->parameters().version();
-            fresh_ = 1;
-            break;
-        case Kind::member: fresh_ = 1; break;
+        }
+        case Kind::data: fresh_ = 1; break;
     }
     if (fresh_ == 0) return;  // an in-port that is followed only since then
     has_value_ = true;
@@ -199,23 +163,24 @@ void Channel::visit(std::size_t message, const LeafVisitor& given) const {
     switch (kind_) {
         case Kind::none: return;
         case Kind::out_port:
-        case Kind::in_port: return visit_leaves(port_->message(message).data, visit);
-        case Kind::truth: return visit_leaves(truth_, visit);
-        case Kind::collided: return visit_leaves(collided_, visit);
-        case Kind::config: return visit_parameters(component_->parameters(), visit);
-        case Kind::member: component_->visit_member(member_, visit); return;
+        case Kind::in_port: return visit_leaves(node_->port()->message(message).data, visit);
+        case Kind::config: return visit_parameters(node_->component()->parameters(), visit);
+        case Kind::data: node_->component()->visit_member(node_->member()->name, visit); return;
+        case Kind::value:
+            if (const auto* value = std::get_if<Value>(&value_)) visit_leaves(*value, visit);
+            return;
     }
 }
 
 void Channel::visit_latest(const LeafVisitor& given) const {
-    if (port_ == nullptr || fresh_ > 0) return visit(fresh_ > 0 ? fresh_ - 1 : 0, given);
-    const Value value = port_->value();
+    if (!is_port() || fresh_ > 0) return visit(fresh_ > 0 ? fresh_ - 1 : 0, given);
+    const Value value = node_->port()->value();
     visit_leaves(value, [&](const LeafPath& path, const ValueView& leaf) {
         if (part_.empty() || is_within(path.text(), part_)) given(path, leaf);
     });
 }
 
-bool Channel::has_pictures() const { return port_ != nullptr && port_->type() == type_index<CameraImage>(); }
+bool Channel::has_pictures() const { return is_port() && node_->port()->type() == type_index<CameraImage>(); }
 
 void Channel::append_to(Series& series, double seconds) const {
     // What holds its value has one before it changes.
@@ -246,7 +211,7 @@ void Channel::append_to(Series& series, double seconds) const {
         visit(i, [&](const LeafPath&, const ValueView& leaf) {
             if (count < values.size()) values[count++] = number_of(leaf);
         });
-        add(i, port_ != nullptr && part_.empty() ? port_->message(i).tm : seconds);
+        add(i, is_port() && part_.empty() ? node_->port()->message(i).tm : seconds);
     }
 }
 

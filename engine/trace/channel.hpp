@@ -1,13 +1,17 @@
-// What can be recorded of a system, by the name that a console calls it: a port, a robot's truth, parameters, state.
+// What can be recorded of a system: every node of its tree that has a value, by the name that a console calls it.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "engine/base/error.hpp"
 #include "engine/system/system.hpp"
+#include "engine/tree/node.hpp"
 
 namespace nezumi {
 
@@ -16,23 +20,24 @@ class Series;
 /// Whether a leaf's path is `part` or within it: "pose.heading" in "pose", all in "".
 bool is_within(std::string_view path, std::string_view part);
 
-/// The truth about a robot for those who look at it: what the solver's rounding leaves of a zero, as 2.4e-17 m, is
-/// zero.
-Truth seen_truth(const World& world, RobotId robot);
+/// Beside its ports, what a component has that changes while it runs and that a channel can follow: "truth", "config",
+/// "state", ... Sorted.
+std::vector<std::string> changing_members(const TreeNode& component);
 
 /// One thing that is followed, or a part of it. It is known by name: it outlives its port, a reload and a restart.
 ///
 /// What each kind has in a tick: an out-port all that it published, an in-port all that arrived (of connections, of
-/// `inject` and of `hold`), `truth` and `collided` the robot as its sensors saw it, `config` the parameters in the tick
-/// in which one changed, any other member of a component (a script's `state`) what it is after the execution.
+/// `inject` and of `hold`), `config` the parameters in the tick in which one changed, a script's `state`, `tasks` and
+/// `probes` what they are after the execution, any other value what it was when all ports had latched: a robot's truth
+/// as its sensors saw it.
 class Channel {
 public:
     /// The channel "mouse.truth.pose" of this system. An error says what is not there, and names the nearest.
     static Expected<Channel> find(const System& system, std::string_view name);
 
-    const std::string& name() const { return name_; }
+    std::string name() const { return join_path(whole_, part_); }
     /// What it is a part of: "mouse.truth"; and the part: "pose", "" for all.
-    std::string whole() const { return owner_ + "." + member_; }
+    const std::string& whole() const { return whole_; }
     const std::string& part() const { return part_; }
     /// It holds its value from one message to the next: parameters do.
     bool holds() const { return kind_ == Kind::config; }
@@ -55,29 +60,25 @@ public:
     /// To be called when the system's layout has changed.
     void resolve(const System& system);
     /// Takes a tick's messages: between this and the next tick they can be visited.
-    void latch(const System& system, std::int64_t tick);
+    void latch(std::int64_t tick);
     /// Adds the numbers, truth values and texts of these messages; `seconds` is the stamp of what carries none. An
     /// empty series gets what the channel holds.
     void append_to(Series& series, double seconds) const;
+    bool is_port() const { return kind_ == Kind::out_port || kind_ == Kind::in_port; }
     /// It carries pictures.
     bool has_pictures() const;
 
 private:
-    enum class Kind { none, out_port, in_port, truth, collided, config, member };
+    enum class Kind { none, out_port, in_port, config, data, value };
 
-    Channel(std::string_view owner, std::string_view member, std::string_view part);
-    Expected<void> check(const System& system, const Component& owner) const;
+    Channel(std::string whole, std::string part) : whole_(std::move(whole)), part_(std::move(part)) {}
 
-    std::string name_;    // all of these
-    std::string owner_;   // "mouse"
-    std::string member_;  // "truth"
-    std::string part_;    // "pose"; "" for all
+    std::string whole_;  // "mouse.truth"
+    std::string part_;   // "pose"; "" for all
 
     Kind kind_ = Kind::none;
-    const Component* component_ = nullptr;
-    const Port* port_ = nullptr;
-    Truth truth_;
-    bool collided_ = false;
+    std::optional<TreeNode> node_;  // the whole
+    NodeValue value_;               // of `Kind::value`, when it latched
     std::uint64_t config_version_ = 0;
     std::uint64_t turn_ = 0;
     std::size_t fresh_ = 0;

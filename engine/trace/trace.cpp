@@ -65,9 +65,8 @@ void Trace::follow_layout() {
     std::erase_if(followed_, [](const auto& entry) { return !entry.second.kept && !entry.second.channel.exists(); });
     if (!remembers_ports_) return;
     std::vector<std::string> names;
-    for (const auto& component : system_->components()) {
-        for (const auto& port : component->in_ports()) names.push_back(component->name() + "." + port->name());
-        for (const auto& port : component->out_ports()) names.push_back(component->name() + "." + port->name());
+    for (const Component* component : std::as_const(*system_).components()) {
+        for (const Port* port : ports_of(*component)) names.push_back(component->name() + "." + port->name());
     }
     if (names.size() > most_ports) return;
     for (const std::string& name : names) {
@@ -79,7 +78,7 @@ void Trace::follow_layout() {
 void Trace::latched(const System& system) {
     if (layout_ != system.layout()) follow_layout();
     for (auto& [name, followed] : followed_) {
-        followed.channel.latch(system, system.now().tick);
+        followed.channel.latch(system.now().tick);
         if (followed.remembered) followed.channel.append_to(followed.series, system.now().seconds);
     }
 }

@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "bindings/lua/files/read_record.hpp"
-#include "bindings/lua/values/member_names.hpp"
 #include "engine/base/names.hpp"
 #include "engine/robot/robot.hpp"
+#include "engine/tree/member.hpp"
 #include "engine/world/robot_fields.hpp"
 
 namespace nezumi {
@@ -208,7 +208,7 @@ RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const Rob
         spec.actuators.push_back(read_actuator(name, entry, spec.body));
     });
     for_each_named(fields, "ports", [&](const std::string& name, Fields& entry) {
-        const auto& words = robot_members();
+        const auto& words = names_taken_by_robots();
         if (std::find(words.begin(), words.end(), name) != words.end()) {
             check.wrong_at(entry.path(),
                            fmt::format("port '{0}': the name is taken: robot.{0} is a component's own word", name));

@@ -1,31 +1,14 @@
-// `X`: what a component shows and does.
+// What a component is told to do: its methods, and the commands of its script.
 #include <fmt/format.h>
-
-#include <algorithm>
 
 #include "bindings/lua/live/command_arguments.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/sandbox/call.hpp"
-#include "bindings/lua/values/member_names.hpp"
-#include "engine/live/live_text.hpp"
-#include "engine/system/perform.hpp"
+#include "engine/tree/member.hpp"
 
 namespace nezumi {
 namespace {
-
-bool is_robot(const Component& component) { return dynamic_cast<const Robot*>(&component) != nullptr; }
-
-// The member of this name that the component has; null for none.
-const MemberName* find_member(const Component& component, std::string_view name) {
-    const auto all = member_names();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const MemberName& each) { return each.name == name; });
-    return found == all.end() || (found->robot && !is_robot(component)) ? nullptr : &*found;
-}
-
-std::string status_of(const Component& component) { return std::string(to_text(component.state())); }
-
-Answer now_in(const ComponentAt& at) { return status_of(*at.component); }
 
 // The act that a method means.
 Expected<Act> read_act(lua_State* L, const Objects& objects, const std::string& name, std::string_view method) {
@@ -67,10 +50,13 @@ Expected<const ObjectRef*> check_self(lua_State* L, std::string_view method) {
 Expected<void> check_call(lua_State* L, const ObjectRef& self, std::string_view name) {
     const auto at = find_component(self);
     if (!at) return Unexpected(at.error());
-    const MemberName* own = find_member(*at->component, name);
-    if (own == nullptr) return failure(fmt::format("{} is no robot: it has no '{}'", at->component->name(), name));
+    const MemberInfo* own = find_member(component_members(), name);
+    if (own->robot && dynamic_cast<const Robot*>(at->component) == nullptr)
+        return failure(fmt::format("{} is no robot: it has no '{}'", at->component->name(), name));
     return Arguments{L, 2}.at_most(fmt::format("{}:{}", at->component->name(), name), own->most, own->usage);
 }
+
+}  // namespace
 
 int call_component_method(lua_State* L) {
     Objects& objects = objects_of(L);
@@ -86,14 +72,14 @@ int call_component_method(lua_State* L) {
                 return Unexpected(done.error());
             const auto at = find_component(**self);
             if (!at) return Unexpected(at.error());
-            if (std::holds_alternative<Use>(*act)) return Answer{at->component->set_in_use()};
+            if (std::holds_alternative<Use>(*act)) return Answer{Value{at->component->set_in_use()}};
             const bool changes_life = name == "activate" || name == "deactivate" || name == "reset";
-            return changes_life ? now_in(*at) : Answer{};
+            return changes_life ? Answer{Value{std::string(to_text(at->component->state()))}} : Answer{};
         });
     });
 }
 
-int command(lua_State* L) {
+int call_component_command(lua_State* L) {
     Objects& objects = objects_of(L);
     return answer_beside(L, objects, [&]() -> Expected<Answer> {
         const std::string_view name = text_at(L, lua_upvalueindex(2));
@@ -112,184 +98,10 @@ int command(lua_State* L) {
     });
 }
 
-// "state", "tasks" or "probes".
-Expected<PlainSnapshot> data_of(const ComponentAt& at, std::string_view member, const PlainLimit& limit) {
-    const Component& component = *at.component;
-    if (member == "state") return component.state_snapshot(limit);
-    PlainData data =
-        member == "tasks" ? describe(component.tasks()) : describe(component.probes(), at.live->system().now().seconds);
-    const std::size_t whole = data.tables.size();
-    return PlainSnapshot{std::move(data), whole};
-}
-
-Expected<Answer> member_of(const ObjectRef& ref, const ComponentAt& at, std::string_view member) {
-    const Component& component = *at.component;
-    const auto part = [&](ObjectKind kind) {
-        return Answer{ObjectName{kind, at.live, std::string(ref.component()), ""}};
-    };
-    if (member == "ports") return part(ObjectKind::ports);
-    if (member == "config") return part(ObjectKind::config);
-    if (member == "truth") {
-        if (auto robot = seen_robot(at.live->system(), component); !robot) return Unexpected(robot.error());
-        return part(ObjectKind::truth);
-    }
-    if (member == "name") return Answer{component.name()};
-    if (member == "type") return Answer{component.type()};
-    if (member == "status") return now_in(at);
-    if (member == "version") return Answer{std::int64_t{component.version()}};
-    if (member == "state" || member == "tasks" || member == "probes") {
-        auto snapshot = data_of(at, member, ObjectAccess::snapshot_limit(*ref.objects));
-        if (!snapshot) return Unexpected(snapshot.error());
-        return Answer{std::move(*snapshot)};
-    }
-    if (member == "sets") {
-        std::vector<std::string> names;
-        for (const auto& [name, values] : component.sets) names.push_back(name);
-        return Answer{std::move(names)};
-    }
-    if (member == "rate") return Answer{component.rate > 0 ? component.rate : at.live->system().settings().rate};
-    if (member == "set") {
-        if (component.set_in_use().empty()) return Answer{};
-        return Answer{component.set_in_use()};
-    }
-    if (member == "error") {
-        if (component.last_error().message.empty()) return Answer{};
-        return Answer{describe(component.last_error())};
-    }
-    std::vector<std::string> names;  // commands
-    for (const CommandDeclaration& each : component.commands()) names.push_back(each.name);
-    return Answer{std::move(names)};
-}
-
-Expected<Answer> robot_member_of(const ComponentAt& at, std::string_view member) {
-    const auto& robot = dynamic_cast<const Robot&>(*at.component);
-    if (member == "leds") return Answer{ParameterValue(robot.leds())};
-    if (member == "said") return Answer{std::vector<std::string>(robot.said().begin(), robot.said().end())};
-    if (member == "buzzer") return Answer{std::int64_t{robot.buzzer_hertz()}};
-    if (member == "limits") {
-        const Limits& limits = robot.guard().limits();
-        return Answer{std::map<std::string, double>{{"speed", limits.speed},
-                                                    {"yaw_rate", limits.yaw_rate},
-                                                    {"acceleration", limits.acceleration},
-                                                    {"yaw_acceleration", limits.yaw_acceleration}}};
-    }
-    const auto seen = seen_robot(at.live->system(), *at.component);
-    if (!seen) return Unexpected(seen.error());
-    if (member == "collided") return Answer{seen->world->collided(seen->id)};
-    const std::string touching = seen->world->collided_with(seen->id);
-    if (touching.empty()) return Answer{};
-    return Answer{touching};
-}
-
-Expected<Answer> member(const ObjectRef& ref, const ComponentAt& at, std::string_view name) {
-    const Component& component = *at.component;
-    const MemberName* own = find_member(component, name);
-    const auto own_member = [&]() -> Expected<Answer> {
-        if (own->called) return Answer{MethodName{call_component_method, std::string(name)}};
-        return own->robot && name != "truth" ? robot_member_of(at, name) : member_of(ref, at, name);
-    };
-    if (own != nullptr && !own->yields) return own_member();
-    if (component.find_port(name) != nullptr)
-        return Answer{ObjectName{ObjectKind::port, at.live, component.name(), std::string(name)}};
-    for (const CommandDeclaration& each : component.commands()) {
-        if (each.name == name) return Answer{MethodName{command, each.name}};
-    }
-    if (own != nullptr) return own_member();
-    if (component.parameters().find(name) != nullptr) {
-        return failure(fmt::format("{} has no '{}': its parameter is {}.config.{}", component.name(), shown(name),
-                                   component.name(), name));
-    }
-    const std::vector<std::string> all = Objects::members(component);
-    const std::vector<std::string_view> names(all.begin(), all.end());
-    return failure(fmt::format("{} has no '{}'{}", component.name(), shown(name), did_you_mean(name, names)));
-}
-
-int component_index(lua_State* L) {
-    Objects& objects = objects_of(L);
-    return look(L, objects, [&]() -> Expected<Answer> {
-        const ObjectRef& ref = *to_object(L, 1);
-        const auto at = find_component(ref);
-        if (!at) return Unexpected(at.error());
-        if (lua_type(L, 2) != LUA_TSTRING)
-            return failure(fmt::format("{} is a component: its members have names", at->component->name()));
-        return member(ref, *at, text_at(L, 2));
-    });
-}
-
-int component_newindex(lua_State* L) {
-    Objects& objects = objects_of(L);
-    return answer(L, objects, [&]() -> Expected<Answer> {
-        const auto at = find_component(*to_object(L, 1));
-        if (!at) return Unexpected(at.error());
-        const std::string& name = at->component->name();
-        const std::string_view key = lua_type(L, 2) == LUA_TSTRING ? text_at(L, 2) : "?";
-        if (at->component->find_port(key) != nullptr) {
-            return failure(fmt::format("{}.{} is a port: write a value with {}.{}:write(value)", name, shown(key), name,
-                                       shown(key)));
-        }
-        if (at->component->parameters().find(key) != nullptr) {
-            return failure(
-                fmt::format("{}.{} can't be set: its parameter is {}.config.{}", name, shown(key), name, shown(key)));
-        }
-        return failure(
-            fmt::format("{}.{} can't be set; parameters can, as in {}.config.NAME = value", name, shown(key), name));
-    });
-}
-
-int component_pairs(lua_State* L) {
-    Objects& objects = objects_of(L);
-    return answer(L, objects, [&]() -> Expected<Answer> {
-        return failure("a component can't be traversed; its ports and parameters can: pairs(X.ports), pairs(X.config)");
-    });
-}
-
-int component_tostring(lua_State* L) {
-    Objects& objects = objects_of(L);
-    return answer(L, objects, [&]() -> Expected<Answer> {
-        const ObjectRef& ref = *to_object(L, 1);
-        const auto at = find_component(ref);
-        if (!at) return Answer{fmt::format("{} (there is no such component now)", ref.component())};
-        return Answer{component_text(*at->live, *at->component)};
-    });
-}
-
-}  // namespace
-
-const ObjectFunctions& component_functions() {
-    static constexpr ObjectFunctions functions{component_index, component_newindex, component_pairs, component_tostring,
-                                               "component"};
-    return functions;
-}
-
-std::vector<std::string> Objects::members(const Component& component) {
-    std::vector<std::string> all;
-    for (const MemberName& each : member_names()) {
-        if (!each.robot || is_robot(component)) all.emplace_back(each.name);
-    }
-    for (const auto& port : component.in_ports()) all.push_back(port->name());
-    for (const auto& port : component.out_ports()) all.push_back(port->name());
-    for (const CommandDeclaration& each : component.commands()) all.push_back(each.name);
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-}
-
-std::vector<std::string> Objects::methods(const Component& component) {
-    std::vector<std::string> all;
-    for (const MemberName& each : member_names()) {
-        if (each.called && (!each.robot || is_robot(component))) all.emplace_back(each.name);
-    }
-    for (const CommandDeclaration& each : component.commands()) all.push_back(each.name);
-    std::sort(all.begin(), all.end());
-    return all;
-}
-
 Expected<ComponentAt> find_component(const ObjectRef& ref) {
-    RunningSystem* live = ref.live();
-    if (live == nullptr) return failure(fmt::format("the world of '{}' is not built", ref.component()));
-    auto found = live->system().component(ref.component());
-    if (!found) return Unexpected(found.error());
-    return ComponentAt{live, *found};
+    const auto node = node_of(ref);
+    if (!node) return Unexpected(node.error());
+    return ComponentAt{ref.live(), node->component()};
 }
 
 Expected<ComponentAt> Objects::to_component(lua_State* L, int index) const {

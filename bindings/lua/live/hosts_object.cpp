@@ -132,6 +132,7 @@ Names host_names(const System& system) {
 
 Names host_members(const System& system, std::string_view path, bool called) {
     Names names;
+    if (path.empty()) return called ? names : host_names(system);
     if (path.find('/') == std::string_view::npos) {
         const auto host = find_host(system, path);
         return host && !called ? component_names(*host) : names;

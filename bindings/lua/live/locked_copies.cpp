@@ -14,10 +14,10 @@
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/text.hpp"
-#include "bindings/lua/values/member_names.hpp"
 #include "engine/base/error.hpp"
 #include "engine/ports/usage.hpp"
 #include "engine/system/act_fields.hpp"
+#include "engine/tree/member.hpp"
 
 namespace nezumi {
 namespace {
@@ -64,9 +64,8 @@ std::string instead_of(const ObjectRef& ref, std::string_view name) {
         case ObjectKind::remote_config: return fmt::format("write all of it, {}.{} = {{ ... }}", path, name);
         default: break;
     }
-    const auto all = member_names();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const MemberName& each) { return each.name == name; });
-    return found != all.end() ? std::string(found->instead) : "";
+    const MemberInfo* member = find_member(component_members(), name);
+    return member != nullptr ? std::string(member->instead) : "";
 }
 
 // Where the copy at index 1 is from.

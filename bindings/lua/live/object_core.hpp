@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <lua.hpp>
-#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -62,9 +61,7 @@ struct MethodName {
 };
 
 /// All that a member of an object can be.
-using Answer = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<std::string>,
-                            std::map<std::string, double>, Value, ParameterValue, PlainData, PlainSnapshot, ObjectName,
-                            MethodName>;
+using Answer = std::variant<std::monostate, Value, PlainData, PlainSnapshot, ObjectName, MethodName>;
 
 /// Whose the tables of an answer are: the caller's, or a copy that can't be written.
 enum class Tables : bool { own, locked };
@@ -174,6 +171,8 @@ inline std::string_view text_at(lua_State* L, int index) {
     return {text, length};
 }
 
+/// What an object of the tree means, now.
+Expected<TreeNode> node_of(const ObjectRef& ref);
 /// The component or port that an object means, now.
 Expected<ComponentAt> find_component(const ObjectRef& ref);
 Expected<PortAt> find_port(const ObjectRef& ref);
@@ -186,16 +185,16 @@ struct ObjectFunctions {
     lua_CFunction tostring;
     const char* name;
 };
-const ObjectFunctions& component_functions();
-const ObjectFunctions& port_functions();
-const ObjectFunctions& config_functions();
-const ObjectFunctions& truth_functions();
-const ObjectFunctions& ports_functions();
-const ObjectFunctions& system_functions();
+ObjectFunctions node_functions(ObjectKind kind);
 const ObjectFunctions& hosts_functions();
 const ObjectFunctions& host_functions();
 const ObjectFunctions& remote_functions();
 const ObjectFunctions& remote_config_functions();
+
+/// What `X:activate(...)`, `X:command(...)` and `X.port:write(...)` call. Their second upvalue is the name.
+int call_component_method(lua_State* L);
+int call_component_command(lua_State* L);
+int call_port_method(lua_State* L);
 
 /// `pairs`: a table from each name to what the object's own __index gives, sorted as every table. May raise a Lua
 /// error.

@@ -21,20 +21,14 @@ namespace {
 constexpr char metatable_keys[object_kinds] = {};
 constexpr char mark_key = 0;
 
-const ObjectFunctions& functions_of(std::size_t kind) {
-    switch (static_cast<ObjectKind>(kind)) {
-        case ObjectKind::system: return system_functions();
-        case ObjectKind::component: return component_functions();
-        case ObjectKind::ports: return ports_functions();
-        case ObjectKind::port: return port_functions();
-        case ObjectKind::config: return config_functions();
+ObjectFunctions functions_of(ObjectKind kind) {
+    switch (kind) {
         case ObjectKind::hosts: return hosts_functions();
         case ObjectKind::host: return host_functions();
         case ObjectKind::remote: return remote_functions();
         case ObjectKind::remote_config: return remote_config_functions();
-        case ObjectKind::truth: break;
+        default: return node_functions(kind);
     }
-    return truth_functions();
 }
 
 // Two objects are equal when they mean the same thing.
@@ -55,7 +49,7 @@ void set_function(lua_State* L, Objects& objects, const char* name, lua_CFunctio
 }
 
 void make_metatable(lua_State* L, Objects& objects, std::size_t kind) {
-    const ObjectFunctions& functions = functions_of(kind);
+    const ObjectFunctions functions = functions_of(static_cast<ObjectKind>(kind));
     lua_createtable(L, 0, 8);
     set_function(L, objects, "__index", functions.index);
     set_function(L, objects, "__newindex", functions.newindex);
@@ -70,23 +64,6 @@ void make_metatable(lua_State* L, Objects& objects, std::size_t kind) {
     lua_pushboolean(L, 1);
     lua_rawsetp(L, -2, &mark_key);
     lua_rawsetp(L, LUA_REGISTRYINDEX, &metatable_keys[kind]);
-}
-
-void push_names(lua_State* L, const std::vector<std::string>& names) {
-    lua_createtable(L, static_cast<int>(names.size()), 0);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        lua_pushlstring(L, names[i].data(), names[i].size());
-        lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-    }
-}
-
-void push_numbers(lua_State* L, const std::map<std::string, double>& numbers) {
-    lua_createtable(L, 0, static_cast<int>(numbers.size()));
-    for (const auto& [name, number] : numbers) {
-        lua_pushlstring(L, name.data(), name.size());
-        lua_pushnumber(L, number);
-        lua_rawset(L, -3);
-    }
 }
 
 // Whether a payload's table has no tables in it.
@@ -182,17 +159,10 @@ int push_answer(lua_State* L, Objects& objects, Tables tables) {
         }
 
         int operator()(std::monostate) const { return 0; }
-        int operator()(bool value) const { return lua_pushboolean(lua, value ? 1 : 0), 1; }
-        int operator()(std::int64_t value) const { return lua_pushinteger(lua, value), 1; }
-        int operator()(double value) const { return lua_pushnumber(lua, value), 1; }
-        int operator()(const std::string& text) const { return lua_pushlstring(lua, text.data(), text.size()), 1; }
-        int operator()(const std::vector<std::string>& names) const { return push_names(lua, names), one(); }
-        int operator()(const std::map<std::string, double>& all) const { return push_numbers(lua, all), one(); }
         int operator()(const Value& value) const {
             push_payload(lua, value);
             return one(is_flat(value.type()) ? Within::nothing : Within::tree);
         }
-        int operator()(const ParameterValue& value) const { return push_parameter(lua, value), one(); }
         int operator()(const PlainSnapshot& snapshot) const { return push_plain(lua, snapshot), one(Within::anything); }
         int operator()(const PlainData& data) const {
             luaL_checkstack(lua, static_cast<int>(data.values.size()) + 10, nullptr);

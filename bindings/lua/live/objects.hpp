@@ -2,7 +2,7 @@
 //
 // `X` is a component by its name: it stays valid over reloads and restarts, and says so when the component is gone.
 //   X.ports.NAME, X.NAME   a port; X.NAME gives way to the members below, X.ports.NAME never
-//   X.status, X:reset()    and all that values/member_names.hpp lists, of ports too
+//   X.status, X:reset()    and all that engine/tree/member.hpp lists, of ports too
 //   X:command(...)         runs in the component's own state; arguments and results are copies of plain data
 // Whatever fails raises an error with its message, in the console as in scenarios.
 #pragma once
@@ -78,16 +78,6 @@ public:
     /// Does what a method of ports is called ("inject", "hold", "release") to the port at `index`, with the arguments
     /// that follow it, in visits of its own. Raises nothing.
     Expected<void> act_on_port(lua_State* L, int index, std::string_view method) const;
-
-    /// Every member that `X.` has: ports, properties and methods, commands. Sorted.
-    static std::vector<std::string> members(const Component& component);
-    /// Those of them that are called, with a colon: `X:activate()`, commands. Sorted.
-    static std::vector<std::string> methods(const Component& component);
-    /// Every member that a port has, and those of them that are called. Sorted.
-    static std::vector<std::string> port_members();
-    static std::vector<std::string> port_methods();
-    /// Every member that `X.truth` has. Sorted.
-    static std::vector<std::string> truth_members();
 
     struct Core;
 

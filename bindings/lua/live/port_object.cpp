@@ -1,51 +1,14 @@
-// A port as seen from outside: its members, and the acts on it.
+// What a port is told to carry: its methods, and the words of consoles and scenarios that name a port.
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <limits>
 
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/values/codec.hpp"
-#include "bindings/lua/values/member_names.hpp"
-#include "engine/live/live_text.hpp"
 #include "engine/system/act_fields.hpp"
-#include "engine/system/perform_on_spec.hpp"
+#include "engine/tree/member.hpp"
 
 namespace nezumi {
 namespace {
-
-// The member of this name; null for none.
-const MemberName* find_member(std::string_view name) {
-    const auto all = port_member_names();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const MemberName& each) { return each.name == name; });
-    return found == all.end() ? nullptr : &*found;
-}
-
-Answer property(const PortAt& at, std::string_view name) {
-    const System& system = at.live->system();
-    const Port& port = *at.port;
-    if (name == "value") return port.value();
-    if (name == "tm") return port.tm();
-    if (name == "age") return port_age(system, port);
-    if (name == "stale") return is_stale(system, port);
-    if (name == "type") return std::string(port.type_name());
-    if (name == "peers") return peers_of(at.live->system(), at.live->spec(), *at.component, port);
-    if (name == "connected") return !peers_of(at.live->system(), at.live->spec(), *at.component, port).empty();
-    if (name == "name") return port.name();
-    if (name == "path") return at.path();
-    if (name == "direction") return std::string(port.direction() == Direction::in ? "in" : "out");
-    if (name == "doc") return port.doc();
-    if (name == "note") return port.note();
-    if (name == "holder") {
-        const Actor* holder = system.holder(at.path());
-        return holder != nullptr ? Answer{to_text(*holder)} : Answer{};
-    }
-    if (name == "count") return static_cast<std::int64_t>(port.count());
-    if (name == "unread") return port.direction() == Direction::in && static_cast<const InPortBase&>(port).is_new();
-    if (name == "override") return std::string(to_text(port.override()));
-    return {};
-}
 
 // What is to be known of a port before a value for it is read.
 struct PortToRead {
@@ -101,74 +64,6 @@ Expected<Answer> act(lua_State* L, const Objects& objects, std::string_view meth
     return ObjectAccess::visit(objects, [&] { return answer_of(port->live->act(*act, ObjectAccess::who(objects))); });
 }
 
-int call_port_method(lua_State* L) {
-    Objects& objects = objects_of(L);
-    return answer_beside(L, objects, [&]() -> Expected<Answer> {
-        const std::string_view name = text_at(L, lua_upvalueindex(2));
-        const ObjectRef* self = to_object(L, 1, ObjectKind::port);
-        if (self == nullptr)
-            return failure(fmt::format("{}: write `port:{}(...)` with a colon, not `port.{}(...)`", name, name, name));
-        return act(L, objects, name, 2, [&]() -> Expected<PortToRead> {
-            const auto at = find_port(*self);
-            if (!at) return Unexpected(at.error());
-            const MemberName& own = *find_member(name);
-            const std::string whole = fmt::format("{}:{}", at->path(), name);
-            if (auto ok = Arguments{L, 2}.at_most(whole, own.most, own.usage); !ok) return Unexpected(ok.error());
-            return to_read(*at);
-        });
-    });
-}
-
-std::string explain_key(lua_State* L, const PortAt& at) {
-    if (lua_type(L, 2) != LUA_TSTRING)
-        return fmt::format("{} is the port, not its value: its value is {}.value", at.path(), at.path());
-    const std::string_view key = text_at(L, 2);
-    if (key == "read") {
-        return fmt::format("{}: only its own component reads it; a look at it is {}.value", at.path(), at.path());
-    }
-    const std::vector<std::string> names = Objects::port_members();
-    std::string near = did_you_mean(key, std::vector<std::string_view>(names.begin(), names.end()));
-    if (near.empty()) near = fmt::format("; the value's own fields are {}.value.NAME", at.path());
-    return fmt::format("{} has no '{}'{}", at.path(), shown(key), near);
-}
-
-int port_index(lua_State* L) {
-    Objects& objects = objects_of(L);
-    return look(L, objects, [&]() -> Expected<Answer> {
-        const auto at = find_port(*to_object(L, 1));
-        if (!at) return Unexpected(at.error());
-        if (lua_type(L, 2) == LUA_TSTRING) {
-            const std::string_view key = text_at(L, 2);
-            const MemberName* own = find_member(key);
-            if (own != nullptr && own->called) return Answer{MethodName{call_port_method, std::string(key)}};
-            if (own != nullptr) {
-                ObjectAccess::note_read(objects, *at);
-                return property(*at, key);
-            }
-        }
-        return failure(explain_key(L, *at));
-    });
-}
-
-int port_newindex(lua_State* L) {
-    Objects& objects = objects_of(L);
-    return answer(L, objects, [&]() -> Expected<Answer> {
-        const ObjectRef& ref = *to_object(L, 1);
-        return failure(fmt::format("{}.{}: nothing of it can be set; write a value with :write(value)", ref.component(),
-                                   ref.port()));
-    });
-}
-
-int port_tostring(lua_State* L) {
-    Objects& objects = objects_of(L);
-    return answer(L, objects, [&]() -> Expected<Answer> {
-        const ObjectRef& ref = *to_object(L, 1);
-        const auto at = find_port(ref);
-        if (!at) return Answer{fmt::format("{}.{} (there is no such port now)", ref.component(), ref.port())};
-        return Answer{port_text(*at->live, *at->component, *at->port)};
-    });
-}
-
 // What an object is, for those who expected a port.
 std::string told(const ObjectRef& ref) {
     switch (ref.kind) {
@@ -188,30 +83,28 @@ std::string told(const ObjectRef& ref) {
 
 }  // namespace
 
-const ObjectFunctions& port_functions() {
-    static constexpr ObjectFunctions functions{port_index, port_newindex, nullptr, port_tostring, "port"};
-    return functions;
-}
-
-std::vector<std::string> Objects::port_members() {
-    std::vector<std::string> all;
-    for (const MemberName& each : port_member_names()) all.emplace_back(each.name);
-    return all;
-}
-
-std::vector<std::string> Objects::port_methods() {
-    std::vector<std::string> all;
-    for (const MemberName& each : port_member_names()) {
-        if (each.called) all.emplace_back(each.name);
-    }
-    return all;
+int call_port_method(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer_beside(L, objects, [&]() -> Expected<Answer> {
+        const std::string_view name = text_at(L, lua_upvalueindex(2));
+        const ObjectRef* self = to_object(L, 1, ObjectKind::port);
+        if (self == nullptr)
+            return failure(fmt::format("{}: write `port:{}(...)` with a colon, not `port.{}(...)`", name, name, name));
+        return act(L, objects, name, 2, [&]() -> Expected<PortToRead> {
+            const auto at = find_port(*self);
+            if (!at) return Unexpected(at.error());
+            const MemberInfo& own = *find_member(port_members(), name);
+            const std::string whole = fmt::format("{}:{}", at->path(), name);
+            if (auto ok = Arguments{L, 2}.at_most(whole, own.most, own.usage); !ok) return Unexpected(ok.error());
+            return to_read(*at);
+        });
+    });
 }
 
 Expected<PortAt> find_port(const ObjectRef& ref) {
-    const auto at = find_component(ref);
-    if (!at) return Unexpected(at.error());
-    if (const Port* port = at->component->find_port(ref.port())) return PortAt{at->live, at->component, port};
-    return Unexpected(at->live->system().port(fmt::format("{}.{}", ref.component(), ref.port())).error());
+    const auto node = node_of(ref);
+    if (!node) return Unexpected(node.error());
+    return PortAt{ref.live(), node->component(), node->port()};
 }
 
 Expected<PortAt> Objects::to_port(lua_State* L, int index) const {

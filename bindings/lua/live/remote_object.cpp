@@ -11,8 +11,8 @@
 #include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/ordered.hpp"
-#include "bindings/lua/values/member_names.hpp"
 #include "engine/base/visible.hpp"
+#include "engine/tree/member.hpp"
 
 namespace nezumi {
 namespace {
@@ -163,10 +163,7 @@ std::optional<Expected<Answer>> known_member(const ObjectRef& ref, std::string_v
     for (const OfferedPort& port : ports) {
         if (port.name == name) return Answer{fmt::format("{}.{}", path, name)};
     }
-    const auto all = member_names();
-    const bool is_local =
-        std::any_of(all.begin(), all.end(), [&](const MemberName& each) { return each.name == name; });
-    if (is_local && find_method(name) == nullptr)
+    if (find_member(component_members(), name) != nullptr && find_method(name) == nullptr)
         return failure(fmt::format("{} has no '{}' over the network", path, name));
     return Answer{MethodName{call_method, std::string(name)}};  // a command, if that host has it
 }

@@ -7,8 +7,8 @@
 #include "bindings/lua/script/script.hpp"
 #include "bindings/lua/script/script_globals.hpp"
 #include "bindings/lua/script/script_ports.hpp"
-#include "bindings/lua/values/member_names.hpp"
 #include "engine/base/names.hpp"
+#include "engine/tree/member.hpp"
 
 namespace nezumi {
 namespace {
@@ -44,7 +44,7 @@ Expected<void> Script::check_name(std::string_view kind, std::string_view name, 
         return failure(fmt::format("{} '{}': the name is no identifier{}", kind, shown(name), keyword));
     }
     if (name.size() > longest_name) return failure(fmt::format("{} '{}': the name is too long", kind, shown(name)));
-    if (contains(script_globals(), name) || contains(component_members(), name)) {
+    if (contains(script_globals(), name) || contains(names_taken_by_components(), name)) {
         return failure(fmt::format("{0} '{1}': the name is one of a component's own words: choose another, as 'my_{1}'",
                                    kind, name));
     }
@@ -100,12 +100,9 @@ Expected<void> Script::declare_command(CommandDeclaration declaration, int funct
     if (auto ok = check_name("command", declaration.name, false); !ok) return ok;
     if (auto ok = check_count(commands_.size(), "command", declaration.name, "commands"); !ok) return ok;
     // Unlike a port, a command never takes the place of a member, of whatever kind of component.
-    for (const MemberName& member : member_names()) {
-        if (member.name == declaration.name) {
-            return failure(fmt::format("command '{0}': components have a member '{0}' already: choose another name",
-                                       declaration.name));
-        }
-    }
+    if (find_member(component_members(), declaration.name) != nullptr)
+        return failure(fmt::format("command '{0}': components have a member '{0}' already: choose another name",
+                                   declaration.name));
     for (const CommandDeclaration& other : commands_) {
         if (other.name == declaration.name) {
             return failure(fmt::format("command '{}' is declared twice{}", declaration.name, first_in(other.place)));

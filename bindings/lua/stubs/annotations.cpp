@@ -129,9 +129,9 @@ std::string annotations(const std::vector<RecordShape>& more) {
     text += fmt::format("---{}\n---@param fields {}\n---@return table\nfunction {}(fields) end\n\n",
                         Describe<RobotSpec>::doc, class_of(Describe<RobotSpec>::name), Describe<RobotSpec>::name);
     text += "---A port as seen from outside: looking at it consumes nothing.\n---@class Port\n";
-    for (const MemberName& member : port_member_names()) text += annotation(member);
+    for (const MemberInfo& member : port_members()) text += annotation(member);
     text += "\n---@class Component\n";
-    for (const MemberName& member : member_names()) text += annotation(member);
+    for (const MemberInfo& member : component_members()) text += annotation(member);
     text += "---@field [string] any its ports and commands\n\n";
     return text + detail::scenario_annotations + "\n" + system_word_annotations(true);
 }

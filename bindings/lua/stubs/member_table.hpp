@@ -5,16 +5,16 @@
 #include <string>
 #include <string_view>
 
-#include "bindings/lua/values/member_names.hpp"
 #include "engine/base/error.hpp"
+#include "engine/tree/member.hpp"
 
 namespace nezumi {
 
 /// `---@field status ...`, a line.
-std::string annotation(const MemberName& member);
+std::string annotation(const MemberInfo& member);
 
 /// A Markdown table with a line for each member, of `owner`: "X", "port".
-std::string member_table(std::span<const MemberName> members, std::string_view owner);
+std::string member_table(std::span<const MemberInfo> members, std::string_view owner);
 
 /// A page with the tables that it asks for: `<!-- members: component -->`, `<!-- members: port -->`.
 Expected<std::string> with_member_tables(std::string_view page);

@@ -73,9 +73,7 @@ export class Model extends Emitter {
 
   /// What else has numbers: ["mouse.truth", "controller.probes", ...].
   all_members() {
-    const { components = [], robots = [] } = this.system ?? {};
-    return [...robots.filter(({ real }) => !real).map(({ name }) => `${name}.truth`),
-      ...components.filter(({ kind }) => kind === "behavior").flatMap(({ name }) => [`${name}.probes`, `${name}.state`])];
+    return (this.system?.components ?? []).flatMap(({ name, members }) => members.map((member) => `${name}.${member}`));
   }
 
   /// As `watch` takes it: the values of these ports and members.

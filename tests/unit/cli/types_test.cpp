@@ -11,9 +11,9 @@
 #include "bindings/lua/script/script_globals.hpp"
 #include "bindings/lua/stubs/annotations.hpp"
 #include "bindings/lua/stubs/type_table.hpp"
-#include "bindings/lua/values/member_names.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
+#include "engine/tree/member.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/source_root.hpp"
 
@@ -41,9 +41,9 @@ std::string put_before(const std::string& uri, const std::string& text) {
     return lua_tostring(lua, -1);
 }
 
-std::vector<std::string> names_of(std::span<const MemberName> members) {
+std::vector<std::string> names_of(std::span<const MemberInfo> members) {
     std::vector<std::string> names;
-    for (const MemberName& member : members) names.emplace_back(member.name);
+    for (const MemberInfo& member : members) names.emplace_back(member.name);
     return names;
 }
 
@@ -160,8 +160,8 @@ TEST_CASE("the annotations have every word of behaviours, systems, robots, scena
         {"(exact) SensorFields", {"kind", "at", "yaw", "table", "response", "noise"}},
         {"(exact) ScenarioOptions", {"timeout", "sweep", "samples"}},
         {"(exact) ExpectationOptions", {"within", "hold"}},
-        {"Port", names_of(port_member_names())},
-        {"Component", names_of(member_names())},
+        {"Port", names_of(port_members())},
+        {"Component", names_of(component_members())},
         {"TaskView", {"status", "waiting", "line", "since"}},
         {"ProbeView", {"value", "tm", "age"}},
     };

@@ -69,6 +69,7 @@ TEST_CASE("fields are completed within values", "[console][completion]") {
     CHECK(offer(it, "controller.state.", 17) == "count list");
     CHECK(offer(it, "controller.state.count.", 23).empty());
     CHECK(offer(it, "controller.probes.", 18).empty());
+    CHECK(offer(it, "mouse.limits.", 13) == "acceleration speed yaw_acceleration yaw_rate");
     it.type("t = mouse.truth p = controller.out");
     CHECK(offer(it, "t.pose.p", 7) == "position");
     CHECK(offer(it, "p.value.", 8) == "va vx vy");

@@ -42,9 +42,13 @@ TEST_CASE("help explains components, ports, parameters and members", "[console][
     CHECK(it.type("help 'mouse.truth.pose.position.x'") == it.type("help(mouse.truth)"));
     CHECK(it.type("help 'controller.out.vlue'") == "! help: controller.out has no 'vlue' (did you mean 'value'?)");
     CHECK(it.type("help 'controller.out.value.vz'") == "! help: controller.out has no 'vz' (did you mean 'vx'?)");
+    CHECK(it.type("help 'controller.out.note'") ==
+          "controller.out.note  what its robot says of it: that commands are ignored, for example");
+    CHECK(it.type("help 'controller.out:release'") ==
+          "controller.out:release()  ends what hold, drop and freeze began");
     CHECK(it.type("help 'controller.out.value.vx'") == it.type("help(controller.out)"));
     CHECK(it.type("help 'controller.config.sped_x'") ==
-          "! help: controller has no parameter 'sped_x' (did you mean 'speed_x'?)");
+          "! help: controller: unknown parameter 'sped_x' (did you mean 'speed_x'?)");
     CHECK_THAT(it.type("help 'step'"), Contains("step(n)"));
     CHECK(it.type("help(step)") == it.type("help 'step'"));
     CHECK(it.type("help 'contrller'") == "! help: there is no word 'contrller' (did you mean 'controller'?)");

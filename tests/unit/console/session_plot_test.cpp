@@ -190,6 +190,18 @@ TEST_CASE("whether a robot touches anything is plotted", "[console][plot]") {
     CHECK(it.type("plot(talker.collided)") == "! plot: talker has no collided: it is no robot");
 }
 
+TEST_CASE("every value that the console shows is plotted", "[console][plot]") {
+    SessionRig it;
+    it.type("step(1)");
+    CHECK(it.type("plot('mouse.buzzer')") == "mouse.buzzer\nvalue = 0 at 0.01 s, the only value that is remembered");
+    CHECK(it.type("plot(mouse.limits.speed)") ==
+          "mouse.limits.speed\nspeed = 0.5 at 0.01 s, the only value that is remembered");
+    CHECK(it.type("plot('controller.status')") == "controller.status\nvalue: \"ACTIVE\" from 0.01 s");
+    CHECK(it.type("plot(controller.out.count)") ==
+          "controller.out.count\nvalue = 1 at 0.01 s, the only value that is remembered");
+    CHECK(it.type("plot('mouse.teleport')") == "! plot: mouse has no port 'teleport'");
+}
+
 TEST_CASE("the truth is plotted without what rounding leaves of a zero", "[console][plot]") {
     PlotRig it;
     it.turn(5);

@@ -129,6 +129,18 @@ TEST_CASE("what can't be followed is said, with the nearest name", "[engine][tra
     CHECK(it.why_not("it.config.speed_x") == "it is there");
 }
 
+TEST_CASE("every value that is shown can be followed", "[engine][trace]") {
+    Traced it;
+    it.add("it", says_three_things);
+    const Channel& status = it.follow("it.status");
+    const Channel& count = it.follow("it.ports.out.count");
+    it.tick();
+    CHECK(fresh(status) == Rows{"it.status=ACTIVE "});
+    CHECK(fresh(count) == Rows{"it.out.count=3 "});
+    CHECK(it.follow("it.out.value").name() == "it.out");
+    CHECK(it.why_not("it.activate") == "it has no port 'activate'");
+}
+
 TEST_CASE("a part of a port is followed alone", "[engine][trace]") {
     Traced it;
     it.add("it", [](TryComponent& self) -> Expected<void> {

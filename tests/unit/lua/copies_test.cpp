@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "bindings/lua/values/member_names.hpp"
 #include "engine/ports/messages.hpp"
+#include "engine/tree/member.hpp"
 #include "tests/unit/lua/objects_rig.hpp"
 
 using namespace nezumi;
@@ -64,7 +64,7 @@ TEST_CASE("no table that a component gives can be written, and the error says wh
     Copies it;
     std::string tables;
     for (const std::string owner : {"controller", "mouse"}) {
-        for (const MemberName& member : member_names()) {
+        for (const MemberInfo& member : component_members()) {
             if (member.called || (member.robot && owner == "controller")) continue;
             if (it.tables_of(fmt::format("{}.{}", owner, member.name)) > 0 && owner == "mouse")
                 tables += fmt::format("{} ", member.name);
@@ -75,7 +75,7 @@ TEST_CASE("no table that a component gives can be written, and the error says wh
     CHECK(it.tables_of("controller.probes") == 3);
     CHECK(it.tables_of("controller.tasks") == 2);
     CHECK(it.tables_of("controller.config.gains") == 1);
-    for (const std::string& name : Objects::truth_members()) it.tables_of("mouse.truth." + name);
+    for (const std::string name : {"height", "pose", "tilt", "velocity"}) it.tables_of("mouse.truth." + name);
     CHECK(it.tables_of("mouse.truth.pose") == 2);
     CHECK(it.run("mouse.said[1] = 'x'") ==
           "box.lua:1: can't set 'mouse.said[1]': 'mouse.said' is a copy: what it is to say goes to the port of its "
@@ -84,12 +84,10 @@ TEST_CASE("no table that a component gives can be written, and the error says wh
 
 TEST_CASE("no table that a port gives can be written, and the error says what to do", "[lua][objects][copies]") {
     Copies it;
-    const std::vector<std::string> methods = Objects::port_methods();
     int tables = 0;
     for (const std::string port : {"controller.out", "mouse.ir_sensor_out"}) {
-        for (const std::string& name : Objects::port_members()) {
-            if (std::find(methods.begin(), methods.end(), name) != methods.end()) continue;
-            tables += it.tables_of(port + "." + name);
+        for (const MemberInfo& member : port_members()) {
+            if (!member.called) tables += it.tables_of(fmt::format("{}.{}", port, member.name));
         }
     }
     CHECK(tables == 4);

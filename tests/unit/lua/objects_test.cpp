@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "bindings/lua/values/member_names.hpp"
+#include "engine/tree/member.hpp"
 #include "tests/unit/lua/objects_rig.hpp"
 
 using namespace nezumi;
@@ -182,22 +182,22 @@ TEST_CASE("setting a port is an error that names it", "[lua][objects]") {
 }
 
 TEST_CASE("every member says what it is", "[lua][objects]") {
-    for (const auto members : {member_names(), port_member_names()}) {
-        for (const MemberName& member : members) {
+    for (const auto members : {component_members(), port_members()}) {
+        for (const MemberInfo& member : members) {
             CAPTURE(member.name);
             CHECK_FALSE(member.doc.empty());
             CHECK_FALSE(member.type.empty());
             CHECK(member.called == member.type.starts_with("fun("));
         }
         CHECK(std::is_sorted(members.begin(), members.end(),
-                             [](const MemberName& a, const MemberName& b) { return a.name < b.name; }));
+                             [](const MemberInfo& a, const MemberInfo& b) { return a.name < b.name; }));
     }
 }
 
 TEST_CASE("every member that a port is said to have is of the type that editors are told", "[lua][objects]") {
     Objective it;
     it.run("hold('controller.out', { vx = 0.1 })");
-    for (const MemberName& member : port_member_names()) {
+    for (const MemberInfo& member : port_members()) {
         if (member.type == "any") continue;
         const std::string_view type = member.type;
         const std::string expected = member.called                           ? "function"

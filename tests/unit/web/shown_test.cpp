@@ -166,9 +166,9 @@ connect("probing.out", "mouse.target_velocity_in")
     rig.paused = false;
     RawBrowser browser = rig.open();
     REQUIRE(browser.send_frame(
-        R"({"do":"watch","members":["mouse.truth","probing.probes","probing.state","probing.out","nobody.truth","x"]})"));
+        R"({"do":"watch","members":["mouse.truth","mouse.collided","probing.probes","probing.state","probing.out","nobody.truth","x"]})"));
     std::map<std::string, std::map<std::string, double>> seen;
-    while (seen.size() < 3 || !(seen["mouse.truth"]["pose.position.x"] > 0)) {
+    while (seen.size() < 4 || !(seen["mouse.truth"]["pose.position.x"] > 0)) {
         const std::string bytes = next_binary(browser, 1);
         WebFrame frame;
         REQUIRE(read_cdr(Octets(bytes.begin(), bytes.end()), {}, frame));
@@ -177,7 +177,8 @@ connect("probing.out", "mouse.target_velocity_in")
             for (const WebLeaf& leaf : member.leaves) seen[member.name][leaf.name] = leaf.value;
         }
     }
-    CHECK(seen.size() == 3);
+    CHECK(seen.size() == 4);
+    CHECK(seen["mouse.collided"][""] == 0);
     CHECK(seen["probing.state"]["steps"] >= 1);
     CHECK_FALSE(seen["probing.state"].contains("name"));
     CHECK(seen["probing.probes"]["error"] == 0.5 * seen["probing.state"]["steps"]);

@@ -1,0 +1,174 @@
+// The objects of the tree of names: a system, its components, their ports and parameters, and the truth about a robot.
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
+#include "bindings/lua/live/object_core.hpp"
+#include "bindings/lua/sandbox/ordered.hpp"
+#include "bindings/lua/values/codec.hpp"
+#include "engine/live/live_text.hpp"
+#include "engine/tree/member.hpp"
+
+namespace nezumi {
+namespace {
+
+using Kind = TreeNode::Kind;
+
+// The kind of object that a node is shown as; nothing for what is a value or is called.
+std::optional<ObjectKind> object_kind(const TreeNode& node) {
+    switch (node.kind()) {
+        case Kind::component: return ObjectKind::component;
+        case Kind::ports: return ObjectKind::ports;
+        case Kind::port: return ObjectKind::port;
+        case Kind::config: return ObjectKind::config;
+        case Kind::truth: return ObjectKind::truth;
+        default: return std::nullopt;
+    }
+}
+
+Expected<Answer> answer_of(const ObjectRef& ref, const TreeNode& node) {
+    const Objects& objects = *ref.objects;
+    if (node.kind() == Kind::command) return Answer{MethodName{call_component_command, node.command()->name}};
+    if (node.kind() == Kind::method)
+        return Answer{MethodName{node.port() != nullptr ? call_port_method : call_component_method,
+                                 std::string(node.member()->name)}};
+    const auto kind = object_kind(node);
+    if (kind && kind != ObjectKind::truth)
+        return Answer{ObjectName{*kind, ref.live(), node.component()->name(), node.port() ? node.port()->name() : ""}};
+    if (node.port() != nullptr) ObjectAccess::note_read(objects, {ref.live(), node.component(), node.port()});
+    auto value = node.value(ObjectAccess::snapshot_limit(objects));
+    if (!value) return Unexpected(value.error());
+    if (kind) return Answer{ObjectName{*kind, ref.live(), node.component()->name(), ""}};
+    return std::visit([](auto&& held) { return Answer{std::forward<decltype(held)>(held)}; }, std::move(*value));
+}
+
+// What is wrong with a key that is no text.
+std::string explain_key(const ObjectRef& ref) {
+    switch (ref.kind) {
+        case ObjectKind::component: return fmt::format("{} is a component: its members have names", ref.component());
+        case ObjectKind::port: {
+            const std::string path = fmt::format("{}.{}", ref.component(), ref.port());
+            return fmt::format("{} is the port, not its value: its value is {}.value", path, path);
+        }
+        default: return fmt::format("{}: what is in it has a name", node_functions(ref.kind).name);
+    }
+}
+
+int node_index(lua_State* L) {
+    return look(L, objects_of(L), [&]() -> Expected<Answer> {
+        const ObjectRef& ref = *to_object(L, 1);
+        const auto node = node_of(ref);
+        if (!node) return Unexpected(node.error());
+        if (lua_type(L, 2) != LUA_TSTRING) return failure(explain_key(ref));
+        const auto child = node->child(text_at(L, 2));
+        return child ? answer_of(ref, *child) : Unexpected(child.error());
+    });
+}
+
+int node_newindex(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer_beside(L, objects, [&]() -> Expected<Answer> {
+        const ObjectRef& ref = *to_object(L, 1);
+        const bool is_config = ref.kind == ObjectKind::config, has_name = lua_type(L, 2) == LUA_TSTRING;
+        auto value = is_config ? read_parameter(L, 3) : ParameterValue{};
+        return ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
+            const auto node = node_of(ref);
+            if (!node) return Unexpected(node.error());
+            if (is_config && !has_name) return failure(explain_key(ref));
+            const auto child = node->to_set(has_name ? text_at(L, 2) : "what you name");
+            if (!child) return Unexpected(child.error());
+            if (!value) return failure(fmt::format("parameter '{}': {}", text_at(L, 2), value.error().message));
+            if (auto ready = ObjectAccess::prepare_change(objects); !ready) return Unexpected(ready.error());
+            return answer_of(ref.live()->act(child->set(std::move(*value)), ObjectAccess::who(objects)));
+        });
+    });
+}
+
+int node_pairs(lua_State* L) {
+    return pairs_of_names(L, [](const ObjectRef& ref) -> Expected<std::vector<std::string>> {
+        const auto node = node_of(ref);
+        if (!node) return Unexpected(node.error());
+        return node->children();
+    });
+}
+
+int component_pairs(lua_State* L) {
+    return answer(L, objects_of(L), []() -> Expected<Answer> {
+        return failure("a component can't be traversed; its ports and parameters can: pairs(X.ports), pairs(X.config)");
+    });
+}
+
+int node_tostring(lua_State* L) {
+    return answer(L, objects_of(L), [&]() -> Expected<Answer> {
+        const ObjectRef& ref = *to_object(L, 1);
+        if (const auto node = node_of(ref)) return Answer{Value{node_text(*ref.live(), *node)}};
+        std::string gone = fmt::format("{} (there is no such component now)", ref.component());
+        if (ref.kind == ObjectKind::port)
+            gone = fmt::format("{}.{} (there is no such port now)", ref.component(), ref.port());
+        return Answer{Value{std::move(gone)}};
+    });
+}
+
+}  // namespace
+
+Expected<TreeNode> node_of(const ObjectRef& ref) {
+    const RunningSystem* live = ref.live();
+    if (live == nullptr) return failure(fmt::format("the world of '{}' is not built", ref.component()));
+    if (ref.kind == ObjectKind::system) return live->tree();
+    auto node = live->tree().child(ref.component());
+    const auto step = [&](std::string_view name) {
+        if (node) node = node->child(name);
+    };
+    switch (ref.kind) {
+        case ObjectKind::config: step("config"); break;
+        case ObjectKind::truth: step("truth"); break;
+        case ObjectKind::port: step("ports"), step(ref.port()); break;
+        case ObjectKind::ports: step("ports"); break;
+        default: break;
+    }
+    return node;
+}
+
+int pairs_of_names(lua_State* L, Expected<std::vector<std::string>> (*names)(const ObjectRef&)) {
+    Objects& objects = objects_of(L);
+    lua_settop(L, 1);
+    answer(L, objects, [&]() -> Expected<Answer> {
+        auto all = names(*to_object(L, 1));
+        if (!all) return Unexpected(all.error());
+        return Answer{Value{std::move(*all)}};
+    });
+    lua_newtable(L);
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, 2));
+    for (lua_Integer i = 1; i <= count; ++i) {
+        lua_rawgeti(L, 2, i);
+        lua_pushvalue(L, -1);
+        lua_gettable(L, 1);
+        lua_rawset(L, 3);
+    }
+    lua_pushcfunction(L, ordered_pairs);
+    lua_pushvalue(L, 3);
+    lua_call(L, 1, 3);
+    return 3;
+}
+
+ObjectFunctions node_functions(ObjectKind kind) {
+    const auto of = [](const char* name, lua_CFunction pairs) {
+        return ObjectFunctions{node_index, node_newindex, pairs, node_tostring, name};
+    };
+    switch (kind) {
+        case ObjectKind::component: return of("component", component_pairs);
+        case ObjectKind::ports: return of("ports", node_pairs);
+        case ObjectKind::port: return of("port", nullptr);
+        case ObjectKind::config: return of("config", node_pairs);
+        case ObjectKind::truth: return of("truth", node_pairs);
+        default: return of("system", node_pairs);
+    }
+}
+
+RunningSystem* Objects::to_system(lua_State* L, int index) {
+    const ObjectRef* ref = to_object(L, index, ObjectKind::system);
+    return ref != nullptr ? ref->live() : nullptr;
+}
+
+}  // namespace nezumi

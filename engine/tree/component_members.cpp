@@ -1,0 +1,264 @@
+// Every member of a component stands here, once.
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "engine/ports/usage.hpp"
+#include "engine/system/act_fields.hpp"
+#include "engine/tree/read_member.hpp"
+
+namespace nezumi {
+namespace {
+
+using namespace reads;
+
+constexpr double dust = 1e-9;  // [m], [rad], [m/s], [rad/s]
+
+// As much of it as the limit allows.
+Read of_state(const TreeNode& node, const PlainLimit& limit) {
+    auto state = node.component()->state_snapshot(limit);
+    return state ? Read(std::move(*state)) : Unexpected(state.error());
+}
+
+NodeValue whole_of(PlainData data) {
+    const std::size_t whole = data.tables.size();
+    return PlainSnapshot{std::move(data), whole};
+}
+
+std::vector<std::string> names_of(std::span<const CommandDeclaration> commands) {
+    std::vector<std::string> names;
+    for (const CommandDeclaration& command : commands) names.push_back(command.name);
+    return names;
+}
+
+// The limits of a robot as they are shown.
+struct SeenLimits {
+    double speed = 0;
+    double yaw_rate = 0;
+    double acceleration = 0;
+    double yaw_acceleration = 0;
+
+    static constexpr std::tuple fields{
+        Field{"speed", &SeenLimits::speed, "m/s", "along x, both ways"},
+        Field{"yaw_rate", &SeenLimits::yaw_rate, "rad/s", "both ways"},
+        Field{"acceleration", &SeenLimits::acceleration, "m/s^2", "along x"},
+        Field{"yaw_acceleration", &SeenLimits::yaw_acceleration, "rad/s^2", "of the yaw rate"},
+    };
+    static SeenLimits of(const Limits& limits) {
+        return {limits.speed, limits.yaw_rate, limits.acceleration, limits.yaw_acceleration};
+    }
+};
+
+const std::vector<MemberInfo>& all_members() {
+    static const std::vector<MemberInfo> members{
+        {.name = "activate",
+         .type = "fun(self: Component): string",
+         .called = true,
+         .usage = "()",
+         .doc = "makes it ACTIVE; gives the status that follows"},
+        {.name = "buzzer",
+         .type = "integer",
+         .robot = true,
+         .yields = true,
+         .doc = "what its buzzer sounds [Hz], 0 for nothing",
+         .value = of_robot<[](const Robot& robot) { return std::int64_t{robot.buzzer_hertz()}; }>},
+        {.name = "collided",
+         .type = "boolean",
+         .robot = true,
+         .doc = "whether it touches something",
+         .value = of_seen<[](const SeenRobot& seen) { return seen.world->collided(seen.id); }>},
+        {.name = "commands",
+         .type = "string[]",
+         .yields = true,
+         .doc = "the names of its commands",
+         .instead = "its script declares them",
+         .value = of_component<[](const Component& component) { return names_of(component.commands()); }>},
+        {.name = "config",
+         .type = "table<string, ParameterValue>",
+         .doc = "its parameters, read and written within their bounds",
+         .kind = TreeNode::Kind::config},
+        {.name = "deactivate",
+         .type = "fun(self: Component): string",
+         .called = true,
+         .usage = "()",
+         .doc = "makes it INACTIVE; gives the status that follows"},
+        {.name = "disturb",
+         .type = "fun(self: Component, velocities?: VelocityConstraintFields)",
+         .robot = true,
+         .called = true,
+         .yields = true,
+         .most = 1,
+         .usage = " " + usage_of<VelocityConstraint>(Describe<VelocityConstraint>::at_once),
+         .doc = "a hand forces these speeds on it; without them the hand lets go"},
+        {.name = "error",
+         .type = "string?",
+         .yields = true,
+         .doc = "what went wrong last, or nil",
+         .value = of_component<[](const Component& component) {
+             const Error& error = component.last_error();
+             return text_if_any(error.message.empty() ? "" : describe(error));
+         }>},
+        {.name = "leds",
+         .type = "boolean[]",
+         .robot = true,
+         .yields = true,
+         .doc = "which of its lights are on",
+         .instead = "write the port that switches them",
+         .value = of_robot<[](const Robot& robot) { return robot.leds(); }>},
+        {.name = "limits",
+         .type = "table<string, number>",
+         .robot = true,
+         .yields = true,
+         .doc = "the highest speeds and accelerations that it obeys",
+         .instead = "the system file says them",
+         .value = of_robot<[](const Robot& robot) { return SeenLimits::of(robot.guard().limits()); }>},
+        {.name = "name",
+         .type = "string",
+         .doc = "its name",
+         .value = of_component<[](const Component& component) { return component.name(); }>},
+        {.name = "ports", .type = "table<string, Port>", .doc = "its ports by name", .kind = TreeNode::Kind::ports},
+        {.name = "press",
+         .type = "fun(self: Component, sensor: string, pressed?: boolean)",
+         .robot = true,
+         .called = true,
+         .yields = true,
+         .most = 2,
+         .usage = "(sensor, pressed)",
+         .doc = "presses a button or touch sensor; with false lets it go"},
+        {.name = "probes",
+         .type = "table<string, ProbeView>",
+         .doc = "what its script shows by `probe`: value, tm and age of each",
+         .instead = "its script shows them",
+         .kind = TreeNode::Kind::data,
+         .value = of_node<[](const TreeNode& node) {
+             return whole_of(describe(node.component()->probes(), node.system().now().seconds));
+         }>},
+        {.name = "rate",
+         .type = "number",
+         .yields = true,
+         .doc = "executions a second [Hz]",
+         .value = of_node<[](const TreeNode& node) {
+             const double rate = node.component()->rate;
+             return rate == 0 ? node.system().settings().rate : rate;
+         }>},
+        {.name = "reset",
+         .type = "fun(self: Component): string",
+         .called = true,
+         .usage = "()",
+         .doc = "takes it out of ERROR; gives the status that follows"},
+        {.name = "said",
+         .type = "string[]",
+         .robot = true,
+         .yields = true,
+         .doc = "the last 100 texts that its speaker was given",
+         .instead = "what it is to say goes to the port of its speaker",
+         .value = of_robot<[](const Robot& robot) {
+             return std::vector<std::string>(robot.said().begin(), robot.said().end());
+         }>},
+        {.name = "set",
+         .type = "string?",
+         .yields = true,
+         .doc = "the named set of parameters in use, or nil",
+         .value = of_component<[](const Component& component) { return text_if_any(component.set_in_use()); }>},
+        {.name = "sets",
+         .type = "string[]",
+         .doc = "the names of its sets of parameters",
+         .instead = "the system file says them",
+         .value = of_component<[](const Component& component) {
+             std::vector<std::string> names;
+             for (const auto& [name, values] : component.sets) names.push_back(name);
+             return names;
+         }>},
+        {.name = "state",
+         .type = "table",
+         .doc = "a copy of what its script keeps in `state`",
+         .instead = "a command of its script can change it",
+         .kind = TreeNode::Kind::data,
+         .value = of_state},
+        {.name = "status",
+         .type = R"("INACTIVE"|"ACTIVE"|"ERROR")",
+         .doc = "\"INACTIVE\", \"ACTIVE\" or \"ERROR\"",
+         .value = of_component<[](const Component& component) { return std::string(to_text(component.state())); }>},
+        {.name = "tasks",
+         .type = "table<string, TaskView>",
+         .doc = "its tasks: status, since, waiting and line of each",
+         .instead = "its script declares them",
+         .kind = TreeNode::Kind::data,
+         .value = of_component<[](const Component& component) { return whole_of(describe(component.tasks())); }>},
+        {.name = "teleport",
+         .type = "fun(self: Component, pose: PoseFields)",
+         .robot = true,
+         .called = true,
+         .yields = true,
+         .most = 1,
+         .usage = "(pose)",
+         .doc = "carries it to a pose, at rest"},
+        {.name = "touching",
+         .type = "string?",
+         .robot = true,
+         .yields = true,
+         .doc = "what it touches, or nil",
+         .value = of_seen<[](const SeenRobot& seen) { return text_if_any(seen.world->collided_with(seen.id)); }>},
+        {.name = "truth",
+         .type = "{ pose: Pose2D, velocity: Velocity2D, height: number, tilt: number }",
+         .robot = true,
+         .doc = "what the simulation knows of it: pose, velocity, height, tilt",
+         .kind = TreeNode::Kind::truth,
+         .value = of_seen<[](const SeenRobot& seen) { return seen_truth(*seen.world, seen.id); }>},
+        {.name = "type",
+         .type = "string",
+         .doc = "its component type",
+         .value = of_component<[](const Component& component) { return component.type(); }>},
+        {.name = "use",
+         .type = "fun(self: Component, set: string): string",
+         .called = true,
+         .most = 1,
+         .usage = " \"SET\"",
+         .doc = "switches to a named set of parameters"},
+        {.name = "version",
+         .type = "integer",
+         .doc = "counts the versions of its script, from 1",
+         .value = of_component<[](const Component& component) { return std::int64_t{component.version()}; }>},
+    };
+    return members;
+}
+
+std::vector<std::string_view> taken_names(bool of_robots) {
+    std::vector<std::string_view> names;
+    for (const MemberInfo& member : all_members()) {
+        if (!member.yields && (of_robots || !member.robot)) names.push_back(member.name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace
+
+Truth seen_truth(const World& world, RobotId robot) {
+    Truth truth = world.truth(robot);
+    for (double* value : {&truth.pose.position.x, &truth.pose.position.y, &truth.pose.heading, &truth.velocity.vx,
+                          &truth.velocity.vy, &truth.velocity.va, &truth.height, &truth.tilt}) {
+        if (std::abs(*value) < dust) *value = 0;
+    }
+    return truth;
+}
+
+std::span<const MemberInfo> component_members() { return all_members(); }
+
+const MemberInfo* find_member(std::span<const MemberInfo> members, std::string_view name) {
+    const auto found =
+        std::find_if(members.begin(), members.end(), [&](const MemberInfo& each) { return each.name == name; });
+    return found != members.end() ? &*found : nullptr;
+}
+
+const std::vector<std::string_view>& names_taken_by_components() {
+    static const std::vector<std::string_view> names = taken_names(false);
+    return names;
+}
+
+const std::vector<std::string_view>& names_taken_by_robots() {
+    static const std::vector<std::string_view> names = taken_names(true);
+    return names;
+}
+
+}  // namespace nezumi

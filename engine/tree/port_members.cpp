@@ -1,0 +1,146 @@
+// Every member of a port stands here, once.
+#include <limits>
+
+#include "engine/system/perform_on_spec.hpp"
+#include "engine/tree/read_member.hpp"
+
+namespace nezumi {
+namespace {
+
+using namespace reads;
+
+std::string path_of_port(const TreeNode& node) { return path(*node.component(), *node.port()); }
+
+std::vector<std::string> peers_of(const TreeNode& node) {
+    if (node.spec() == nullptr) return node.system().peers(*node.port());
+    return peers_of(node.system(), *node.spec(), *node.component(), *node.port());
+}
+
+const std::vector<MemberInfo>& all_port_members() {
+    static const std::vector<MemberInfo> members{
+        {.name = "age",
+         .type = "number",
+         .doc = "how long ago its stamp was [s]; math.huge before anything came",
+         .value = of_node<[](const TreeNode& node) { return port_age(node.system(), *node.port()); }>},
+        {.name = "connected",
+         .type = "boolean",
+         .doc = "whether somebody is at its other end",
+         .value = of_node<[](const TreeNode& node) { return !peers_of(node).empty(); }>},
+        {.name = "count",
+         .type = "integer",
+         .doc = "messages since the start",
+         .value = of_port<[](const Port& port) { return static_cast<std::int64_t>(port.count()); }>},
+        {.name = "direction",
+         .type = R"("in"|"out")",
+         .doc = "whether its component reads or writes it",
+         .value =
+             of_port<[](const Port& port) { return std::string(port.direction() == Direction::in ? "in" : "out"); }>},
+        {.name = "doc",
+         .type = "string",
+         .doc = "what its component says that it is",
+         .value = of_port<[](const Port& port) { return port.doc(); }>},
+        {.name = "drop",
+         .type = "fun(self: Port)",
+         .called = true,
+         .most = 0,
+         .usage = "()",
+         .doc = "nothing gets through, until release"},
+        {.name = "freeze",
+         .type = "fun(self: Port)",
+         .called = true,
+         .most = 0,
+         .usage = "()",
+         .doc = "the present value again and again, until release"},
+        {.name = "hold",
+         .type = "fun(self: Port, value: any, options?: HoldOptions)",
+         .called = true,
+         .most = 2,
+         .usage = "(value, { take = true })",
+         .doc = "this value and nothing else, until release"},
+        {.name = "holder",
+         .type = "string?",
+         .doc = "whose hand is on it, or nil",
+         .value = of_node<[](const TreeNode& node) {
+             const Actor* holder = node.system().holder(path_of_port(node));
+             return holder != nullptr ? NodeValue{Value{to_text(*holder)}} : NodeValue{};
+         }>},
+        {.name = "inject",
+         .type = "fun(self: Port, value: any)",
+         .called = true,
+         .most = 1,
+         .usage = "(value)",
+         .doc = "one message, as from a connection"},
+        {.name = "name",
+         .type = "string",
+         .doc = "its name",
+         .value = of_port<[](const Port& port) { return port.name(); }>},
+        {.name = "note",
+         .type = "string",
+         .doc = "what its robot says of it: that commands are ignored, for example",
+         .value = of_port<[](const Port& port) { return port.note(); }>},
+        {.name = "override",
+         .type = "string",
+         .doc = R"("held", "dropped", "frozen" or "")",
+         .value = of_port<[](const Port& port) { return std::string(to_text(port.override())); }>},
+        {.name = "path", .type = "string", .doc = R"("name.port")", .value = of_node<path_of_port>},
+        {.name = "peers", .type = "string[]", .doc = "the ports at its other end", .value = of_node<peers_of>},
+        {.name = "release",
+         .type = "fun(self: Port)",
+         .called = true,
+         .most = 0,
+         .usage = "()",
+         .doc = "ends what hold, drop and freeze began"},
+        {.name = "stale",
+         .type = "boolean",
+         .doc = "whether it is overdue: nothing came for three periods of its sender, at least 0.1 s, where that "
+                "declares a rate, for 0.5 s otherwise",
+         .value = of_node<[](const TreeNode& node) { return is_stale(node.system(), *node.port()); }>},
+        {.name = "tm",
+         .type = "number",
+         .doc = "its stamp [s], 0 before anything came",
+         .value = of_port<[](const Port& port) { return port.tm(); }>},
+        {.name = "type",
+         .type = "MessageType",
+         .doc = "its message type",
+         .value = of_port<[](const Port& port) { return std::string(port.type_name()); }>},
+        {.name = "unread",
+         .type = "boolean",
+         .doc = "of an in-port: whether something waits that its component has not read",
+         .value = of_port<[](const Port& port) {
+             return port.direction() == Direction::in && static_cast<const InPortBase&>(port).is_new();
+         }>},
+        {.name = "value",
+         .type = "any",
+         .doc = "a copy of the latest message; looking consumes nothing. Before anything came, the zero value of its "
+                "type",
+         .value = of_port<[](const Port& port) { return port.value(); }>},
+        {.name = "write",
+         .type = "fun(self: Port, value: any)",
+         .called = true,
+         .most = 1,
+         .usage = "(value)",
+         .doc = "an out-port: published as if its component had written it; an in-port: as inject"},
+    };
+    return members;
+}
+
+}  // namespace
+
+std::span<const MemberInfo> port_members() { return all_port_members(); }
+
+double port_age(const System& system, const Port& port) {
+    return port.count() == 0 ? std::numeric_limits<double>::infinity() : system.now().seconds - port.tm();
+}
+
+bool is_stale(const System& system, const Port& port) {
+    const double now = system.now().seconds;
+    return port.direction() == Direction::in ? static_cast<const InPortBase&>(port).is_stale(now)
+                                             : static_cast<const OutPortBase&>(port).is_stale(now);
+}
+
+std::string_view to_text(Override override) {
+    constexpr std::string_view names[] = {"", "held", "dropped", "frozen"};
+    return names[static_cast<int>(override)];
+}
+
+}  // namespace nezumi
