@@ -76,7 +76,8 @@ Expected<std::unique_ptr<CameraSource>> OdeWorld::open_camera(const CameraMount&
         return failure(fmt::format("there is no robot '{}' that could carry a camera", shown(mount.robot)));
     const CameraIntrinsics wanted = settings.intrinsics();
     std::optional<Distortion> distortion;
-    if (std::array{wanted.k1, wanted.k2, wanted.p1, wanted.p2, wanted.k3} != std::array<double, 5>{}) {
+    if (std::array{wanted.k1, wanted.k2, wanted.p1, wanted.p2, wanted.k3, wanted.k4, wanted.k5, wanted.k6} !=
+        std::array<double, 8>{}) {
         auto made = Distortion::make(wanted);
         if (!made) return Unexpected(made.error());
         distortion = std::move(*made);

@@ -15,7 +15,9 @@ constexpr double most_error = 0.05;   // [px] by which a place, distorted again,
 constexpr double largest_growth = 3;  // of the pinhole's picture, in width and height
 
 cv::Matx33d matrix_of(const CameraIntrinsics& c) { return {c.fx, 0, c.cx, 0, c.fy, c.cy, 0, 0, 1}; }
-cv::Vec<double, 5> coefficients_of(const CameraIntrinsics& c) { return {c.k1, c.k2, c.p1, c.p2, c.k3}; }
+cv::Vec<double, 8> coefficients_of(const CameraIntrinsics& c) {
+    return {c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6};
+}
 
 // Where on the plane at z = 1 each pixel comes from, row by row.
 std::vector<cv::Point2d> places_of_pixels(const CameraIntrinsics& intrinsics) {

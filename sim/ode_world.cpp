@@ -152,7 +152,27 @@ Expected<std::unique_ptr<RobotBody>> OdeWorld::add_robot(const std::string& name
     islands_.add_mover();
     neighbours_.expire();
     movers_.robots.emplace_back(body, model, scene_.add_mover(hull, model.reach), name);
+    warn_of_high_rays(name, spec);
     return std::make_unique<SimRobotBody>(*this, movers_.robots.size() - 1, spec, mix(seed_, std::string_view(name)));
+}
+
+// A ray that meets nothing is no error, but where all walls and boxes end below it somebody has counted otherwise.
+void OdeWorld::warn_of_high_rays(const std::string& name, const RobotSpec& spec) const {
+    constexpr double kerb = 0.01;  // [m] nobody means to see what is lower
+    double top = 0;
+    for (const ThingPose& thing : things()) {
+        if (thing.shape == ThingPose::Shape::box) top = std::max(top, thing.pose.position.z + thing.size.z / 2);
+    }
+    if (top <= kerb) return;
+    for (const SensorSpec& sensor : spec.sensors) {
+        if (sensor.kind != SensorSpec::Kind::range && sensor.kind != SensorSpec::Kind::scan) continue;
+        if (sensor.at.z <= top) continue;
+        warn_(
+            fmt::format("robot '{}': the rays of '{}' pass over every wall: they start {:g} m over the "
+                        "floor, as a sensor's `at` counts from the hull's centre, and the highest wall ends at {:g} m",
+                        name, sensor.name, sensor.at.z, top));
+        return;
+    }
 }
 
 void OdeWorld::remove_robot(RobotId id) {

@@ -77,7 +77,7 @@ public:
     // What a `RobotBody` asks.
     SimRobot& robot(RobotId id) { return movers_.robots[id]; }
     const SimRobot& robot(RobotId id) const { return movers_.robots[id]; }
-    void read_ranges(const SimRobot& robot, std::span<double> distances) const;
+    void read_ranges(const SimRobot& robot, std::span<double> distances, std::span<const std::uint8_t> due) const;
     bool touches_something(const SimRobot& robot, const SensorSpec& touch_sensor) const;
     /// What a sensor that looks down sees: nothing beside the floor's picture, or from too high.
     std::optional<Rgb> floor_under(const SimRobot& robot, const SensorSpec& sensor) const;
@@ -103,6 +103,7 @@ private:
     RobotModel& model_of(const RobotSpec& spec);
     /// Whether a robot could stand there, and if not, why.
     Expected<void> check_free(const RobotModel& model, const std::string& name, const Pose2D& pose, Scene::Index self);
+    void warn_of_high_rays(const std::string& name, const RobotSpec& spec) const;
     Vec3 rest_centre(const RobotModel& model, const Pose2D& pose, Scene::Index self) const;
     std::string name_of(const Obstacle& obstacle) const;
     struct Overlap {

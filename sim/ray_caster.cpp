@@ -18,8 +18,9 @@ bool may_meet(double x, double y, double reach, const Vec3& direction, double ra
 }
 
 void cast_at(const Shape& shape, double reach, const RayFan& fan, const Vec3& centre, const Rotation& rotation,
-             std::span<double> distances) {
+             std::span<double> distances, std::span<const std::uint8_t> due) {
     for (const RayFan::RayFrom& ray : fan.rays) {
+        if (!due.empty() && due[ray.sensor] == 0) continue;
         const Vec3 from = centre + rotate(rotation, ray.from);
         const Vec3 direction = rotate(rotation, ray.direction);
         double& nearest = distances[ray.sensor];
@@ -38,15 +39,15 @@ void RayFan::add(const RayFrom& ray) {
 }
 
 void cast_rays(const Scene& scene, const RayFan& fan, const Vec3& centre, const Rotation& rotation, Scene::Index self,
-               std::span<double> distances) {
+               std::span<double> distances, std::span<const std::uint8_t> due) {
     assert(distances.size() >= fan.sensors);
     std::fill(distances.begin(), distances.end(), nothing);
     scene.for_each_fixed_near(centre.x(), centre.y(), fan.reach, [&](Scene::Index, const Shape& shape) {
         if (distance_from_above(shape, centre.x(), centre.y()) > fan.reach) return;
-        cast_at(shape, shape.reach(), fan, centre, rotation, distances);
+        cast_at(shape, shape.reach(), fan, centre, rotation, distances, due);
     });
     scene.for_each_mover_near(centre.x(), centre.y(), fan.reach, self, [&](Scene::Index, const Shape& shape) {
-        cast_at(shape, shape.reach(), fan, centre, rotation, distances);
+        cast_at(shape, shape.reach(), fan, centre, rotation, distances, due);
     });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -27,9 +28,10 @@ struct RayFan {
 
 /// Writes, for each sensor of the fan, the distance [m] to the first thing its rays meet, or `nothing`. The fan sits
 /// at `centre`, turned by `rotation`; the mover `self` is not seen. The floor is not seen: a robot that nods while it
-/// brakes would take it for a wall. Depends on the poses of the scene's last refresh and nothing else.
+/// brakes would take it for a wall. Sensors for which `due` says 0 are left out; empty: none are. Depends on the poses
+/// of the scene's last refresh and nothing else.
 void cast_rays(const Scene& scene, const RayFan& fan, const Vec3& centre, const Rotation& rotation, Scene::Index self,
-               std::span<double> distances);
+               std::span<double> distances, std::span<const std::uint8_t> due = {});
 
 /// Distance of a single ray in the world, as above.
 double cast_ray(const Scene& scene, const Vec3& from, const Vec3& direction, double range, Scene::Index self);

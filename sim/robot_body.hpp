@@ -18,7 +18,8 @@ public:
 
     RobotId id() const override { return id_; }
     Wheels wheel_angles() const override;
-    void read_ranges(std::span<double> distances) const override;
+    using SimulatedBody::read_ranges;
+    void read_ranges(std::span<double> distances, std::span<const std::uint8_t> due) const override;
     bool is_pressed(std::size_t index) const override;
     double yaw_rate() const override;
     PlaceMotion motion(std::size_t index) const override;

@@ -7,10 +7,11 @@
 
 namespace nezumi::sim {
 
-void OdeWorld::read_ranges(const SimRobot& robot, std::span<double> distances) const {
+void OdeWorld::read_ranges(const SimRobot& robot, std::span<double> distances,
+                           std::span<const std::uint8_t> due) const {
     const RayFan& fan = robot.fan();
     if (fan.sensors == 0) return;
-    cast_rays(scene_, fan, robot.body.centre(), robot.body.rotation(), robot.mover, distances);
+    cast_rays(scene_, fan, robot.body.centre(), robot.body.rotation(), robot.mover, distances, due);
 }
 
 // A touch sensor is a plunger that sticks out by its travel. It is closed once something has pushed it in, as seen by

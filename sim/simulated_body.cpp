@@ -113,7 +113,16 @@ void SimulatedBody::measure_motion(std::int64_t tick, double period) {
 std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, double period) {
     std::array<double, few_rays> few;
     const std::span<double> seen = seen_.empty() ? std::span(few).first(rays_) : std::span(seen_);
-    read_ranges(seen);
+    // What was seen before stays where nobody asks.
+    if (due_.empty()) {
+        read_ranges(seen);
+    } else if (std::any_of(due_.begin(), due_.end(), [](std::uint8_t due) { return due != 0; })) {
+        fresh_.resize(rays_);
+        read_ranges(fresh_, due_);
+        for (std::size_t i = 0; i < rays_; ++i) {
+            if (due_[i] != 0) seen[i] = fresh_[i];
+        }
+    }
     measure_motion(now.tick, period);
     std::size_t ray = 0;
     for (std::size_t i = 0; i < spec_.sensors.size(); ++i) {
@@ -141,8 +150,9 @@ std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, doub
             case SensorSpec::Kind::ambient: reading.value = percent(sensor.level); break;
             case SensorSpec::Kind::range: measure_range({i, now.tick}, seen[ray++], reading); break;
             case SensorSpec::Kind::scan:
-                for (std::size_t part = 0; part < rays_of(sensor); ++part, ++ray)
-                    seen[ray] = seen_by(sensor, {i, now.tick, part}, seen[ray]);
+                for (std::size_t part = 0; part < rays_of(sensor); ++part, ++ray) {
+                    if (due_.empty() || due_[ray] != 0) seen[ray] = seen_by(sensor, {i, now.tick, part}, seen[ray]);
+                }
                 break;
             case SensorSpec::Kind::imu: break;
         }
@@ -155,9 +165,19 @@ std::span<const double> SimulatedBody::sensor_values(std::size_t index) const {
         if (each.sensor == index) return each.values;
     }
     if (spec_.sensors[index].kind != SensorSpec::Kind::scan) return {};
+    return std::span(seen_).subspan(first_ray(index), rays_of(spec_.sensors[index]));
+}
+
+std::size_t SimulatedBody::first_ray(std::size_t index) const {
     std::size_t first = 0;
     for (std::size_t i = 0; i < index; ++i) first += rays_of(spec_.sensors[i]);
-    return std::span(seen_).subspan(first, rays_of(spec_.sensors[index]));
+    return first;
+}
+
+void SimulatedBody::set_due(std::size_t index, bool due) {
+    due_.resize(rays_, 1);
+    const auto begin = due_.begin() + static_cast<std::ptrdiff_t>(first_ray(index));
+    std::fill_n(begin, rays_of(spec_.sensors[index]), due ? 1 : 0);
 }
 
 double SimulatedBody::servo_angle(std::size_t index) const { return servos_[index].angle; }

@@ -28,8 +28,9 @@ public:
     /// Angle [rad] that each wheel has turned since the start, forward positive. Not wrapped.
     virtual Wheels wheel_angles() const = 0;
     /// Distances [m] seen by the range sensors and scans of the spec, in its order, one for each and one for each ray
-    /// of a scan; infinity: nothing in sight.
-    virtual void read_ranges(std::span<double> distances) const = 0;
+    /// of a scan; infinity: nothing in sight. Where `due` says 0 for a distance, nobody asks for it; empty: for all.
+    virtual void read_ranges(std::span<double> distances, std::span<const std::uint8_t> due) const = 0;
+    void read_ranges(std::span<double> distances) const { read_ranges(distances, {}); }
     /// Whether sensor `index` of the spec (a button or touch sensor) is closed.
     virtual bool is_pressed(std::size_t index) const = 0;
     /// Yaw rate [rad/s] of the hull, as a gyro feels it.
@@ -45,6 +46,7 @@ public:
 
     WheelReading read_wheels(const Time& now, double period) final;
     std::span<const SensorReading> read_sensors(const Time& now, double period) final;
+    void set_due(std::size_t index, bool due) final;
     std::span<const double> sensor_values(std::size_t index) const final;
     double servo_angle(std::size_t index) const final;
     void aim_servo(std::size_t index, double angle, double speed) final;
@@ -69,6 +71,8 @@ private:
     void measure_range(const Draw& draw, double seen, SensorReading& reading) const;
     void measure_motion(std::int64_t tick, double period);
     void turn_servos(double period);
+    // The first ray of a sensor among all.
+    std::size_t first_ray(std::size_t index) const;
 
     const RobotSpec& spec_;
     std::uint64_t seed_;
@@ -79,8 +83,10 @@ private:
         std::optional<Point3D> before{};
     };
 
-    std::size_t rays_ = 0;      // of all range sensors and scans, in the order of the spec
-    std::vector<double> seen_;  // by those rays, where a scan is among them or they are many
+    std::size_t rays_ = 0;           // of all range sensors and scans, in the order of the spec
+    std::vector<double> seen_;       // by those rays, where a scan is among them or they are many
+    std::vector<std::uint8_t> due_;  // of the distances, which are asked for now; empty: all
+    std::vector<double> fresh_;      // distances, while not all are due
     std::vector<Inertial> inertial_;
     std::vector<SensorReading> readings_;  // of all sensors
     std::vector<Servo> servos_;            // by actuator of the spec

@@ -136,6 +136,7 @@ private:
     explicit Session(std::unique_ptr<Parts> parts);
     void quit_if_asked();
     void begin_next();
+    bool explains_soon() const;
     void finish(bool well);
     void replace_stuck();
     std::unique_ptr<Parts> parts_;

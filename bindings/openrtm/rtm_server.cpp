@@ -201,8 +201,13 @@ RtcAnswer RtmServer::perform_now(const RtcRequest& request) {
     const Component* component = host_.system().find(request.component);
     if (component == nullptr) return RtcAnswer::unknown;
     switch (request.what) {
-        case RtcRequest::What::activate: return done(Activate{request.component});
-        case RtcRequest::What::deactivate: return done(Deactivate{request.component});
+        // As the standard has it: what is so already can't be made so.
+        case RtcRequest::What::activate:
+            if (component->state() == LifeState::active) return RtcAnswer::refused;
+            return done(Activate{request.component});
+        case RtcRequest::What::deactivate:
+            if (component->state() == LifeState::inactive) return RtcAnswer::refused;
+            return done(Deactivate{request.component});
         case RtcRequest::What::reset: return done(Reset{request.component});
         case RtcRequest::What::use:
             // Tools that have changed the set in use choose it again: that takes nothing back.

@@ -80,6 +80,8 @@ private:
         std::unique_ptr<Condition> condition;
         std::optional<Margin> margin{};  // the smallest
         double margin_at = 0;
+        // Of a hold that began as its condition became true: its margin while that only grows; nothing: it has shrunk.
+        std::optional<double> growing{};
         bool sampled = false;
         struct Sample {
             double time;

@@ -78,8 +78,10 @@ struct LineEditor::Parts {
         winsize size{};
         return ioctl(input, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 ? size.ws_row : 24;
     }
-    int cursor_row() const;
+    int cursor_row(int columns) const;
+    int cursor_row() const { return cursor_row(columns()); }
     void follow_size();
+    void draw_resized();
     void erase_input();
     void draw_input();
     void open_editor();
@@ -101,11 +103,11 @@ LineEditor::Parts::~Parts() {
     }
 }
 
-int LineEditor::Parts::cursor_row() const {
+int LineEditor::Parts::cursor_row(int columns) const {
     const LineInfoW* line = el_wline(editor);
     const std::wstring text =
         to_wide(prompt) + std::wstring(line->buffer, static_cast<std::size_t>(line->cursor - line->buffer));
-    return std::min(row_after(text, columns()), rows() - 1);
+    return std::min(row_after(text, columns), rows() - 1);
 }
 
 // The window may have been resized: polled, as SIGWINCH belongs to the whole process.
@@ -114,6 +116,15 @@ void LineEditor::Parts::follow_size() {
     if (width == before_now) return;
     el_resize(editor);
     rows_in_place = 0;  // lines may have been broken anew
+}
+
+// Before a key: libedit would draw over what stands there, by the size that the window had. Some terminals break rows
+// anew and others do not: an input of several rows is drawn once more below.
+void LineEditor::Parts::draw_resized() {
+    if (!editing || plain || columns() == width) return;
+    const bool is_one_row = cursor_row(width) == 0 && cursor_row() == 0;
+    std::fputs(is_one_row ? "\r\x1b[J" : "\r\n\x1b[J", out.get());
+    draw_input();
 }
 
 void LineEditor::Parts::erase_input() {
@@ -209,6 +220,7 @@ void LineEditor::Parts::open_editor() {
                 const bool may_be_lone = parts.typed == "\x1b";
                 const auto taken = may_be_lone ? std::nullopt : take_character(parts.typed);
                 if (taken) {
+                    parts.draw_resized();
                     *letter = *taken;
                     return 1;
                 }

@@ -157,6 +157,8 @@ void WebServer::note(const Browser& browser, const std::string& what) {
 
 Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& browser, const BrowserMessage& message) {
     if (const auto* act = std::get_if<ActMessage>(&message.body)) {
+        // What would be lost is asked for, as with the page's own button.
+        if (std::holds_alternative<Restart>(act->act)) return restart(client, message.id, browser);
         note(browser, act->shown);
         const auto result = live_.act(act->act, browser.who);
         if (!result) return Unexpected(result.error());

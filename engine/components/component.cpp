@@ -132,6 +132,7 @@ Expected<void> Component::reset(const Time& now) {
     auto ok = run(Hook::on_reset, [this] { return on_reset(); });
     if (!ok) {
         last_error_ = ok.error();
+        failed_at_ = now_.seconds;
         return failure(fmt::format("{} stays in ERROR: {}", name_, describe(ok.error())));
     }
     for (const auto& port : in_ports_) port->clear();
@@ -182,6 +183,7 @@ void Component::abort(Error error) {
     error_hook_failed_ = false;
     log(LogLevel::error, describe(error));
     last_error_ = std::move(error);
+    failed_at_ = now_.seconds;
     if (auto ok = run_without_velocities(Hook::on_aborting); !ok) {
         for (const auto& port : out_ports_) port->discard();
         log(LogLevel::error, fmt::format("{} failed: {}", failed_at_aborting(), describe(ok.error())));

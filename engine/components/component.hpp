@@ -67,6 +67,8 @@ public:
     virtual ComponentAbout about() const { return {}; }
     /// What sent it to ERROR, or went wrong last.
     const Error& last_error() const { return last_error_; }
+    /// [s] when that was.
+    double failed_at() const { return failed_at_; }
     /// The error of the latest hook or command that ran out of time; none if all were in time. What came after it
     /// depends on the machine. A reload that runs out of time is refused and does not count.
     const std::optional<Error>& out_of_time() const { return out_of_time_; }
@@ -249,6 +251,7 @@ private:
     std::uint64_t uses_ = 0;
     LogSink log_;
     Error last_error_;
+    double failed_at_ = 0;
 
 public:
     /// Where the system file names it.

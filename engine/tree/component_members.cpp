@@ -25,6 +25,18 @@ NodeValue whole_of(PlainData data) {
     return PlainSnapshot{std::move(data), whole};
 }
 
+NodeValue failure_of(const Component& component) {
+    if (component.state() != LifeState::error) return {};
+    const Error& error = component.last_error();
+    PlainData data = PlainData::empty_table();
+    PlainData::Table& fields = data.tables.front();
+    if (!error.place.file.empty()) fields.emplace_back("file", error.place.file);
+    if (error.place.line > 0) fields.emplace_back("line", std::int64_t{error.place.line});
+    fields.emplace_back("text", error.message);
+    fields.emplace_back("tm", component.failed_at());
+    return whole_of(std::move(data));
+}
+
 std::vector<std::string> names_of(std::span<const CommandDeclaration> commands) {
     std::vector<std::string> names;
     for (const CommandDeclaration& command : commands) names.push_back(command.name);
@@ -93,11 +105,17 @@ const std::vector<MemberInfo>& all_members() {
         {.name = "error",
          .type = "string?",
          .yields = true,
-         .doc = "what went wrong last, or nil",
+         .doc = "in ERROR: what sent it there; else nil",
          .value = of_component<[](const Component& component) {
-             const Error& error = component.last_error();
-             return text_if_any(error.message.empty() ? "" : describe(error));
+             return text_if_any(component.state() == LifeState::error ? describe(component.last_error()) : "");
          }>},
+        {.name = "failure",
+         .type = "{ text: string, tm: number, file?: string, line?: integer }?",
+         .yields = true,
+         .doc = "in ERROR: what sent it there, when [s] and in which line; else nil",
+         .instead = "its script fails",
+         .kind = TreeNode::Kind::data,
+         .value = of_component<failure_of>},
         {.name = "leds",
          .type = "boolean[]",
          .robot = true,

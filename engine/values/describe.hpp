@@ -9,6 +9,12 @@
 
 namespace nezumi {
 
+/// Which numbers may stand in a field of a message.
+enum class Numbers {
+    finite,
+    any,  ///< infinite ones, and what is no number, mean something
+};
+
 /// One field of a structure: its name as scripts and files see it, where it is, its unit ("" for none) and its meaning.
 template <class S, class T>
 struct Field {
@@ -16,9 +22,10 @@ struct Field {
     T S::*member;
     std::string_view unit;
     std::string_view doc;
+    Numbers numbers = Numbers::finite;
 };
 template <class S, class T>
-Field(const char*, T S::*, const char*, const char*) -> Field<S, T>;
+Field(const char*, T S::*, const char*, const char*, Numbers = Numbers::finite) -> Field<S, T>;
 
 /// What a structure says of itself: a tuple `fields`, its own, that lists every member in order, and its name: its
 /// `type_name` where others call it otherwise than C++. What files spell as tables is specialised for it instead,

@@ -70,6 +70,7 @@ struct Type {
         const Type* type = nullptr;
         std::string unit;  ///< "" for none
         std::string doc;
+        Numbers numbers = Numbers::finite;
     };
 
     /// The elements of a sequence or an optional in memory.
@@ -179,8 +180,15 @@ struct FieldSeed {
     const Type& (*type)();
     std::string_view unit;
     std::string_view doc;
+    Numbers numbers;
 };
 void add_fields(Type& type, std::span<const FieldSeed> fields);
+
+template <class Member>
+constexpr Numbers numbers_of(const Member& field) {
+    if constexpr (requires { field.numbers; }) return field.numbers;
+    return Numbers::finite;
+}
 
 template <class T>
 Type make_type() {
@@ -199,8 +207,9 @@ Type make_type() {
         check_fields<T>();
         std::apply(
             [&]<class... M>(const Field<T, M>&... field) {
-                add_fields(type, std::array<FieldSeed, sizeof...(M)>{FieldSeed{
-                                     field.name, place(sample.*(field.member)), type_of<M>, field.unit, field.doc}...});
+                add_fields(type, std::array<FieldSeed, sizeof...(M)>{
+                                     FieldSeed{field.name, place(sample.*(field.member)), type_of<M>, field.unit,
+                                               field.doc, numbers_of(field)}...});
             },
             T::fields);
     } else if constexpr (IsArray<T>::value) {

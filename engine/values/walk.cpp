@@ -77,7 +77,7 @@ bool is_finite(const ValueView& value) {
     switch (value.type->kind) {
         case Type::Kind::structure:
             for (const Type::Field& field : value.type->fields) {
-                if (!is_finite(value.field(field))) return false;
+                if (field.numbers == Numbers::finite && !is_finite(value.field(field))) return false;
             }
             return true;
         case Type::Kind::array:
@@ -137,7 +137,10 @@ std::uint64_t mix_payload(std::uint64_t seed, const ValueView& value) {
         default:
             return visit_number(value, [&]<class T>(const T& number) {
                 if constexpr (std::is_floating_point_v<T>) {
-                    return mix(seed, std::bit_cast<std::uint64_t>(static_cast<double>(number) + 0.0));
+                    // What is no number has a sign that differs from processor to processor.
+                    constexpr std::uint64_t no_number = 0x7ff8000000000000;
+                    const double wide = static_cast<double>(number) + 0.0;
+                    return mix(seed, std::isnan(wide) ? no_number : std::bit_cast<std::uint64_t>(wide));
                 } else {
                     return mix(seed, static_cast<std::uint64_t>(number));
                 }

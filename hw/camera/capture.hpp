@@ -19,6 +19,7 @@ struct CaptureSettings {
     double frame_rate = 30;           ///< [Hz] the device may have another one
     bool color = true;                ///< red, green, blue; else grey
     CameraIntrinsics raw_intrinsics;  ///< for `undistort`
+    std::string pixel_format;         ///< that it sends, four letters; "": what it likes
     bool undistort = false;           ///< the pictures become those of a pinhole with the same `fx`, `fy`, `cx`, `cy`
 };
 

@@ -19,6 +19,8 @@ public:
         // What does not work, a line of ours says, once.
         cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
         if (!device().open(node, cv::CAP_V4L2)) return;
+        if (const std::string& code = settings.pixel_format; code.size() == 4)
+            device().set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc(code[0], code[1], code[2], code[3]));
         device().set(cv::CAP_PROP_FRAME_WIDTH, settings.width);
         device().set(cv::CAP_PROP_FRAME_HEIGHT, settings.height);
         device().set(cv::CAP_PROP_FPS, settings.frame_rate);
@@ -28,6 +30,13 @@ public:
     }
 
     bool is_open() const { return captures_.front().isOpened(); }
+    // What it sends now, as four letters.
+    std::string pixel_format() const {
+        const auto code = static_cast<std::uint32_t>(captures_.front().get(cv::CAP_PROP_FOURCC));
+        std::string letters;
+        for (unsigned shift = 0; shift < 32; shift += 8) letters += static_cast<char>(code >> shift & 0xff);
+        return letters;
+    }
     cv::Size size() const {
         const cv::VideoCapture& device = captures_.front();
         return {static_cast<int>(device.get(cv::CAP_PROP_FRAME_WIDTH)),
@@ -74,7 +83,7 @@ private:
     void make_maps() {
         const CameraIntrinsics& raw = settings_.raw_intrinsics;
         const cv::Matx33d matrix(raw.fx, 0, raw.cx, 0, raw.fy, raw.cy, 0, 0, 1);
-        const cv::Vec<double, 5> distortion(raw.k1, raw.k2, raw.p1, raw.p2, raw.k3);
+        const cv::Vec<double, 8> distortion(raw.k1, raw.k2, raw.p1, raw.p2, raw.k3, raw.k4, raw.k5, raw.k6);
         cv::initUndistortRectifyMap(matrix, distortion, cv::noArray(), matrix, {settings_.width, settings_.height},
                                     CV_16SC2, places_, weights_);
     }
@@ -91,6 +100,14 @@ std::unique_ptr<Capture> open(const std::string& node, const CaptureSettings& se
         if (!capture->is_open()) {
             problem =
                 node + ": it gives no pictures that OpenCV can read. v4l2-ctl --list-formats-ext shows what it has";
+            return nullptr;
+        }
+        if (const std::string sent = capture->pixel_format();
+            !settings.pixel_format.empty() && sent != settings.pixel_format) {
+            problem = cv::format(
+                "%s: it sends %s, not %s: set pixel_format to one that it has: v4l2-ctl "
+                "--list-formats-ext",
+                node.c_str(), sent.c_str(), settings.pixel_format.c_str());
             return nullptr;
         }
         if (const cv::Size size = capture->size(); size != cv::Size(settings.width, settings.height)) {

@@ -82,6 +82,7 @@ CaptureSettings capture_settings(const CameraSettings& settings) {
             .frame_rate = settings.frame_rate,
             .color = settings.color,
             .raw_intrinsics = settings.raw_intrinsics(),
+            .pixel_format = settings.pixel_format,
             .undistort = settings.undistort && settings.raw_intrinsics() != settings.intrinsics()};
 }
 

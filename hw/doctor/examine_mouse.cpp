@@ -1,6 +1,8 @@
 // The mouse's kernel driver, its nodes, and what the nodes say of the parts behind them.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
@@ -45,6 +47,7 @@ public:
         look_at_nodes();
         if (look_at_lights()) look_at_overlay();
         look_at_counters();
+        look_at_i2c_clock();
     }
 
 private:
@@ -119,7 +122,10 @@ private:
             say("nodes", wrong,
                 fmt::format("{} of {} are missing in {}: {}", missing.size(), count, roots_.devices.dev,
                             listed(missing)),
-                missing.size() == count
+                std::all_of(missing.begin(), missing.end(),
+                            [](const std::string& name) { return name.starts_with("rtcounter"); })
+                    ? std::string("the driver has not found the counters on I2C. ") + counters_on_i2c
+                : missing.size() == count
                     ? "load the driver: sudo modprobe rtmouse"
                     : "load the driver anew, and look at what dmesg says: sudo modprobe -r rtmouse, "
                       "then sudo modprobe rtmouse");
@@ -221,6 +227,23 @@ private:
         } else {
             say("I2C", wrong, "it is off, and the wheel counters need it", i2c);
         }
+    }
+
+    // As the device tree says it, where there is one: four bytes, the first the greatest.
+    void look_at_i2c_clock() {
+        const std::string path = roots_.devices.sys + "/bus/i2c/devices/i2c-1/of_node/clock-frequency";
+        std::ifstream file(path, std::ios::binary);
+        std::array<unsigned char, 4> bytes{};
+        if (!file.read(reinterpret_cast<char*>(bytes.data()), bytes.size())) return;
+        unsigned hertz = 0;
+        for (const unsigned char byte : bytes) hertz = hertz << 8U | byte;
+        if (hertz <= counters_i2c_clock) return say("I2C clock", good, fmt::format("{} Hz", hertz));
+        say("I2C clock", wrong,
+            fmt::format("{} Hz: the wheel counters' makers ask for {} Hz, else readings fail", hertz,
+                        counters_i2c_clock),
+            fmt::format("write dtparam=i2c_baudrate={} into /boot/firmware/config.txt (/boot/config.txt on older "
+                        "systems), and restart",
+                        counters_i2c_clock));
     }
 
     const MachineRoots& roots_;

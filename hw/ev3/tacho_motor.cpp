@@ -17,7 +17,8 @@ TachoMotor::Nodes::Nodes(const DevicePath& folder)
       target(folder + "/position_sp", Access::write),
       time(folder + "/time_sp", Access::write),
       after_stop(folder + "/stop_action", Access::write),
-      position(folder + "/position", Access::read) {}
+      position(folder + "/position", Access::read),
+      state(folder + "/state", Access::read) {}
 
 TachoMotor::TachoMotor(const DevicePath& folder, std::string driver, std::string port)
     : class_(folder), driver_(std::move(driver)), port_(std::move(port)) {}
@@ -98,6 +99,12 @@ tl::expected<void, std::string> TachoMotor::hold() {
 tl::expected<void, std::string> TachoMotor::coast() {
     if (auto ok = set_after_stop(AfterStop::coast); !ok) return ok;
     return write(nodes_->command, "stop");
+}
+
+bool TachoMotor::is_stalled() {
+    if (!nodes_) return false;
+    const auto words = nodes_->state.read();
+    return words && (words->find("stalled") != words->npos || words->find("overloaded") != words->npos);
 }
 
 tl::expected<std::int64_t, std::string> TachoMotor::position() {

@@ -40,6 +40,10 @@ public:
 
     /// Pulses, forward positive. One that was plugged in again counts on from where it was.
     tl::expected<std::int64_t, std::string> position();
+    /// Whether it gives all its power and does not get its speed: its driver says "stalled" or "overloaded". False
+    /// where the driver says nothing.
+    bool is_stalled();
+    const std::string& port() const { return port_; }
     int pulses_per_turn() const { return pulses_per_turn_; }
 
     /// [s] after which the kernel stops a motor that nobody has told again to run.
@@ -49,7 +53,7 @@ private:
     enum class AfterStop { unknown, hold, coast };
     struct Nodes {
         explicit Nodes(const DevicePath& folder);
-        Node command, speed, target, time, after_stop, position;
+        Node command, speed, target, time, after_stop, position, state;
     };
     tl::expected<void, std::string> write(Node& node, const std::string& text);
     tl::expected<void, std::string> set_after_stop(AfterStop wanted);

@@ -1,6 +1,8 @@
 // A wheel is told what changes, and again to run before the kernel would stop it, while the control loop wants it.
 #include "hw/ev3/wheel_motors.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -57,6 +59,7 @@ std::optional<Sample<WheelValues>> WheelMotors::newest(double now) {
 
 std::vector<std::string> WheelMotors::take_faults() {
     std::vector<std::string> all = health_.take();
+    append(all, stalls_.take());
     append(all, guard_->take_faults());
     return all;
 }
@@ -151,6 +154,24 @@ tl::expected<void, std::string> WheelMotors::read_positions() {
     return {};
 }
 
+// The wheels' motors are told to go on: what is in their way may go.
+void WheelMotors::look_for_stalls(double now) {
+    constexpr double period = 0.1;  // [s]
+    if (now - looked_at_ < period) return;
+    looked_at_ = now;
+    std::vector<std::string_view> ports;
+    for (Wheel& wheel : wheels_) {
+        if (wheel.motor.is_stalled()) ports.emplace_back(wheel.motor.port());
+    }
+    is_stalled_ = !ports.empty();
+    if (ports.empty()) {
+        stalls_.works();
+    } else {
+        stalls_.lost(fmt::format("{} stalled: it gives all its power and does not get its speed: is a wheel blocked?",
+                                 fmt::join(ports, " and ")));
+    }
+}
+
 double WheelMotors::run() {
     const double now = clock_seconds();
     has_to_stop(now, turns());
@@ -177,6 +198,7 @@ double WheelMotors::run() {
         retry_at_ = clock_seconds() + retry_period;
         return retry_period;
     }
+    look_for_stalls(now);
     if (!wants_to_turn_) {
         guard_->rest();
     } else if (is_new) {

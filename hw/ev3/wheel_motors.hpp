@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -47,6 +48,8 @@ public:
     /// The newest readings at `now`, by `clock_seconds`; none when there are no recent ones.
     std::optional<Sample<WheelValues>> newest(double now);
     std::vector<std::string> take_faults();
+    /// Whether a motor gives all its power and does not get its speed.
+    bool is_stalled() const { return is_stalled_; }
 
     double run() override;
     int watched_file() const override { return guard_->file(); }
@@ -72,12 +75,16 @@ private:
     tl::expected<void, std::string> tell(Wheel& wheel, const Command& command, double rate, double now);
     tl::expected<void, std::string> perform(const Command& command, double now);
     tl::expected<void, std::string> read_positions();
+    void look_for_stalls(double now);
     bool turns() const;
 
     std::array<Wheel, count> wheels_;  // left, right
     const double acceleration_;        // [pulses/s^2]
     std::unique_ptr<GuardWatch> guard_;
     Health health_{"motors"};
+    Health stalls_{"motors"};
+    std::atomic<bool> is_stalled_ = false;
+    double looked_at_ = 0;  // [s] when the motors' states were read last
 
     Newest<Command> newest_;
     NewestSample<WheelValues> sample_;

@@ -19,6 +19,8 @@
 namespace nezumi::hw {
 namespace {
 
+constexpr double usual_dead_zone = 0.05;  // of a stick's way
+
 // What a gamepad or a joystick has, and neither a keyboard nor a mouse nor a touch pad.
 bool is_gamepad(libevdev* device) {
     const auto has = [device](unsigned type, unsigned code) {
@@ -49,7 +51,6 @@ void EvdevGamepad::Close::operator()(libevdev* device) const {
 }
 
 double EvdevGamepad::Axis::at(int value) const {
-    const int middle = (least + most) / 2;
     const double off = std::abs(value - middle), reach = value < middle ? middle - least : most - middle;
     if (off <= flat || reach <= flat) return 0;
     return std::min((off - flat) / (reach - flat), 1.0) * (value < middle ? -1 : 1);
@@ -59,7 +60,10 @@ EvdevGamepad::EvdevGamepad(const std::string& dev, const GamepadSettings& settin
     : folder_(dev + "/input"),
       wanted_(under_dev(dev, settings.device)),
       dead_man_name_(settings.dead_man_button),
-      stop_name_(settings.stop_button) {}
+      stop_name_(settings.stop_button),
+      dead_zone_(settings.dead_zone),
+      centre_x_(settings.centre_x),
+      centre_y_(settings.centre_y) {}
 
 std::optional<GamepadState> EvdevGamepad::state() {
     if (hangs(clock_seconds())) {
@@ -103,7 +107,14 @@ tl::expected<void, std::string> EvdevGamepad::take(Device device, const std::str
     for (unsigned code = ABS_X; code < ABS_MT_SLOT; ++code) {
         const input_absinfo* range = libevdev_get_abs_info(device_.get(), code);
         if (range == nullptr) continue;
-        axes_.push_back({code, range->minimum, range->maximum, std::max(0, range->flat)});
+        const double reach = (range->maximum - range->minimum) / 2.0;
+        // Linux has y down.
+        const double centre = code == ABS_X ? centre_x_ : code == ABS_Y ? -centre_y_ : 0;
+        axes_.push_back({code, range->minimum, range->maximum,
+                         dead_zone_ > 0    ? dead_zone_ * reach
+                         : range->flat > 0 ? range->flat
+                                           : usual_dead_zone * reach,
+                         range->minimum + reach * (1 + centre)});
     }
     for (unsigned code = BTN_MISC; code <= KEY_MAX; ++code) {
         if (libevdev_has_event_code(device_.get(), EV_KEY, code) == 1) buttons_.push_back(code);

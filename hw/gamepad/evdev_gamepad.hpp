@@ -39,7 +39,9 @@ private:
     // An axis, and how its numbers become -1 to 1.
     struct Axis {
         unsigned code;
-        int least, most, flat;
+        int least, most;
+        double flat;    // around the middle
+        double middle;  // where it rests
         double at(int value) const;
     };
 
@@ -52,6 +54,7 @@ private:
     void publish();
 
     const std::string folder_, wanted_, dead_man_name_, stop_name_;
+    const double dead_zone_, centre_x_, centre_y_;
     Device device_;
     std::string node_;  // of device_
     std::vector<Axis> axes_;

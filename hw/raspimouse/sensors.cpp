@@ -70,6 +70,10 @@ tl::expected<PulseCounter::Verdict, std::string> WheelCounters::read(Wheel& whee
         const bool is_gone = text.error().code == ENODEV || text.error().code == ENOENT;
         if (is_gone) wheel.counter.begin_anew();
         if (is_gone && std::exchange(was_there_, false)) ++commanded_->driver_losses;
+        // The motors' nodes are there: the driver is loaded, and has found no counters.
+        if (text.error().code == ENOENT && !was_there_)
+            return tl::unexpected(
+                fmt::format("{}: the driver has not found them on I2C. {}", describe(text.error()), counters_on_i2c));
         return tl::unexpected(with_advice(text.error()));
     }
     const auto reading = decode_counter(*text);
@@ -90,9 +94,7 @@ tl::expected<std::optional<WheelValues>, std::string> WheelCounters::sample(doub
     was_there_ = true;  // both: one that is missing is one loss, however often the other is read
     zeros_ = *left == Verdict::zero || *right == Verdict::zero ? zeros_ + 1 : 0;
     if (zeros_ >= zeros_to_lose)
-        return tl::unexpected(
-            std::string("they say 0 while the motors turn: I2C fails. Is dtparam=i2c_arm=on in "
-                        "config.txt, and do the addresses 0x10 and 0x11 answer (i2cdetect -y 1)?"));
+        return tl::unexpected(fmt::format("they say 0 while the motors turn: I2C fails. {}", counters_on_i2c));
     const auto in_doubt = [](Verdict verdict) { return verdict == Verdict::zero || verdict == Verdict::doubted; };
     if (in_doubt(*left) || in_doubt(*right)) return std::nullopt;
     return WheelValues{.pulses = {.left = left_.counter.pulses(), .right = right_.counter.pulses()},

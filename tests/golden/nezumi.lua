@@ -105,12 +105,12 @@
 ---@field frequency? number [Hz] scans per second
 
 ---@class (exact) RangeData
----@field ranges number[] [m] distances, one per scan angle
+---@field ranges number[] [m] distances, one per scan angle; inf: nothing within reach, -inf: too near, nan: no reading (REP 117)
 ---@field geometry RangerGeometry where the ranger sits
 ---@field config RangerConfig what it can measure
 
 ---@class (exact) RangeData.Written
----@field ranges? number[] [m] distances, one per scan angle
+---@field ranges? number[] [m] distances, one per scan angle; inf: nothing within reach, -inf: too near, nan: no reading (REP 117)
 ---@field geometry? RangerGeometry.Written where the ranger sits
 ---@field config? RangerConfig.Written what it can measure
 
@@ -142,6 +142,9 @@
 ---@field p1 number tangential distortion
 ---@field p2 number tangential distortion
 ---@field k3 number radial distortion
+---@field k4 number radial distortion of a rational model
+---@field k5 number radial distortion of a rational model
+---@field k6 number radial distortion of a rational model
 
 ---@class (exact) CameraIntrinsics.Written
 ---@field width? integer [px] of the pictures that they are for 0..65535
@@ -155,6 +158,9 @@
 ---@field p1? number tangential distortion
 ---@field p2? number tangential distortion
 ---@field k3? number radial distortion
+---@field k4? number radial distortion of a rational model
+---@field k5? number radial distortion of a rational model
+---@field k6? number radial distortion of a rational model
 
 ---@class (exact) SeenMarker
 ---@field id integer its number -2147483648..2147483647
@@ -581,6 +587,7 @@ function output(name, type, doc, options) end
 ---@field limits? LimitChangesFields in the place of the model's
 ---@field backend? string "sim": simulated with --hw as well; or the driver that --hw uses
 ---@field calibrated? boolean in simulation too it is as `NAME.calibration.lua` beside this file says
+---@field odometry_at_pose? boolean its odometry starts at `pose`, in the arena's coordinates; else where it stands is 0, 0, 0
 ---@field active? boolean whether it is activated at the start
 ---@field doc? string what it is
 ---@field mass? number [kg] of the whole robot
@@ -956,6 +963,13 @@ function ros(fields) end
 ---@param fields RtmFields
 function rtm(fields) end
 
+---A value that `--set name=value` gives in the place of the default.
+---@param name string
+---@param default any
+---@param options table?
+---@return any
+function argument(name, default, options) end
+
 ---Connects an out-port to an in-port of the same type.
 ---@param from string|Port "name.port", "rtm:NAME.port", or in a scenario the port itself
 ---@param to string|Port
@@ -1017,7 +1031,8 @@ function robot_model(fields) end
 ---@field config table<string, ParameterValue> its parameters, read and written within their bounds
 ---@field deactivate fun(self: Component): string makes it INACTIVE; gives the status that follows
 ---@field disturb fun(self: Component, velocities?: VelocityConstraintFields) of robots: a hand forces these speeds on it; without them the hand lets go
----@field error string? what went wrong last, or nil
+---@field error string? in ERROR: what sent it there; else nil
+---@field failure { text: string, tm: number, file?: string, line?: integer }? in ERROR: what sent it there, when [s] and in which line; else nil
 ---@field leds boolean[] of robots: which of its lights are on
 ---@field limits table<string, number> of robots: the highest speeds and accelerations that it obeys
 ---@field name string its name
@@ -1125,6 +1140,12 @@ function s:check(value, message) end
 ---@param tolerance number
 ---@param message? string
 function s:near(actual, expected, tolerance, message) end
+
+---Compares deeply; a failure shows both values.
+---@param actual any
+---@param expected any
+---@param message? string
+function s:equal(actual, expected, message) end
 
 ---From here on this component may go to ERROR; else that fails the scenario.
 ---@param component Component|string

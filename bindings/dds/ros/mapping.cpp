@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,15 +31,36 @@ void set_stamp(Message& message, double stamp, const std::string& frame) {
     }
 }
 
+// The velocity of something of which poses are known.
+class Motion {
+public:
+    /// From the pose before to this one, in its own frame; 0 at first.
+    Velocity2D to(const Pose2D& pose, double tm) {
+        const Pose2D from = std::exchange(pose_, pose);
+        const double period = tm - std::exchange(tm_, tm).value_or(tm);
+        if (!(period > 0)) return {};
+        const double turn = std::remainder(pose.heading - from.heading, 2 * std::numbers::pi);
+        const double dx = pose.position.x - from.position.x, dy = pose.position.y - from.position.y;
+        const double c = std::cos(from.heading + turn / 2), s = std::sin(from.heading + turn / 2);
+        return {.vx = (c * dx + s * dy) / period, .vy = (c * dy - s * dx) / period, .va = turn / period};
+    }
+
+private:
+    Pose2D pose_;
+    std::optional<double> tm_;  // [s]
+};
+
 template <class T, class Message>
 class Sender final : public Publication {
 public:
     Sender(InPort<T>& port, std::unique_ptr<dds::Writer> writer, std::string frame)
         : port_(port), writer_(std::move(writer)), frame_(std::move(frame)) {}
 
-    void send(double offset) override {
+    void send(double offset, const Velocity2D* measured) override {
         while (port_.is_new()) {
             const nezumi::Message<T>& taken = port_.take();
+            if constexpr (std::is_same_v<Message, Odometry>)
+                to_ros(measured != nullptr ? *measured : motion_.to(taken.data, taken.tm), message_.twist.twist);
             send(taken.data, taken.tm + offset);
         }
     }
@@ -59,6 +82,7 @@ private:
     InPort<T>& port_;
     std::unique_ptr<dds::Writer> writer_;
     std::string frame_;
+    Motion motion_;
     Message message_;
     Octets bytes_;
     bool moves_ = false;

@@ -10,6 +10,7 @@
 
 #include "bindings/dds/transport.hpp"
 #include "engine/base/error.hpp"
+#include "engine/ports/messages.hpp"
 #include "engine/ports/port_base.hpp"
 
 namespace nezumi::ros {
@@ -18,8 +19,9 @@ namespace nezumi::ros {
 class Publication {
 public:
     virtual ~Publication() = default;
-    /// Sends what has come. `offset` [s]: what ROS calls now, less what the system does.
-    virtual void send(double offset) = 0;
+    /// Sends what has come. `offset` [s]: what ROS calls now, less what the system does. `measured`: what the wheels of
+    /// the robot that it comes from do, if it comes from one.
+    virtual void send(double offset, const Velocity2D* measured) = 0;
     /// Sends a zero in the place of what has come. `stamp` [s]: what ROS calls now.
     virtual void send_zero(double stamp) = 0;
     /// Whether the last message may move a robot: it was a velocity, and not zero.

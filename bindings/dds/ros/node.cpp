@@ -147,9 +147,19 @@ void RosNode::actuate(const Time& now) {
         if (system_.is_stopped() && commands_robots(given)) {
             given.publication->send_zero(stamp());
         } else {
-            given.publication->send(offset(now));
+            given.publication->send(offset(now), measured_by(given));
         }
     }
+}
+
+const Velocity2D* RosNode::measured_by(const Given& given) const {
+    if (given.port->type() != type_index<Pose2D>()) return nullptr;
+    for (const OutPortBase* source : given.port->sources()) {
+        for (const Robot* robot : system_.robots()) {
+            if (robot->find_port(source->name()) == source) return &robot->measured();
+        }
+    }
+    return nullptr;
 }
 
 bool RosNode::commands_robots(const Given& given) const {

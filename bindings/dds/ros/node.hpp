@@ -53,6 +53,7 @@ private:
     void open();
     struct Given;
     bool commands_robots(const Given& given) const;
+    const Velocity2D* measured_by(const Given& given) const;
     double offset(const Time& now) const;
     double stamp() const;
     void send_clock(const Time& now);

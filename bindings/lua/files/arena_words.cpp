@@ -194,6 +194,8 @@ Expected<FileThing> SystemWords::thing(const WordCall& call, const FileValue& va
     }
     fields.done();
     if (auto ok = check.result(); !ok) return Unexpected(ok.error());
+    if (call.word == "box") note_degrees(check, call, "box", "yaw", std::get<std::vector<BoxSpec>>(made).front().yaw);
+    if (call.word == "marker") note_degrees(check, call, "marker", "facing", std::get<MarkerSpec>(made).facing);
     things_.push_back({call, std::move(made)});
     return FileThing{things_.size() - 1};
 }

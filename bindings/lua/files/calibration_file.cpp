@@ -44,7 +44,8 @@ void read_cameras(Fields cameras, Calibration& out) {
                 if (camera.whole(field.name, pixels, least_picture, largest_picture))
                     value = static_cast<std::uint16_t>(pixels);
             } else {
-                camera.require(field.name, "a number");
+                // Those of a rational model need not be there.
+                if (field.name < "k4" || field.name > "k6") camera.require(field.name, "a number");
                 camera.number(field.name, value, {.range = is_focal ? NumberRange::positive : NumberRange::any});
             }
         });
@@ -155,6 +156,7 @@ std::string write_calibration(const Calibration& calibration) {
     for (const auto& [camera, intrinsics] : calibration.cameras) {
         text += fmt::format("    {} = {{", lua_key(camera));
         for_each_field(intrinsics, [&](const auto& field, const auto& value) {
+            if (value == 0 && field.name >= "k4" && field.name <= "k6") return;
             const bool is_whole = std::is_integral_v<std::remove_cvref_t<decltype(value)>>;
             text += fmt::format(" {} = {},", field.name, is_whole ? fmt::to_string(value) : lua_number(value));
         });

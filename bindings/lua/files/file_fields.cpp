@@ -222,7 +222,8 @@ bool Fields::names(std::string_view name, std::vector<std::string>& out) {
         const std::string* text = table->elements[i].text();
         if (text != nullptr) names.push_back(*text);
     }
-    if (names.empty() || (table != nullptr && names.size() != table->elements.size())) {
+    const bool is_list = table != nullptr && table->fields.empty() && names.size() == table->elements.size();
+    if (value->text() == nullptr && !is_list) {
         check_.wrong(path_of(name), fmt::format("expected a name or a list of names, got {}",
                                                 table == nullptr ? kind_of(*value) : "another table"));
         return false;

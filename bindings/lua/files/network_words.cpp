@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -90,6 +92,21 @@ void read_topics(Fields& fields, std::string_view name, std::vector<RosTopic>& o
     table.done();
 }
 
+// As other nodes of ROS find their domain where nobody says it.
+void use_environment(FieldCheck& check, std::int64_t& domain) {
+    const char* said = std::getenv("ROS_DOMAIN_ID");
+    if (said == nullptr || *said == '\0') return;
+    const std::string_view text = said;
+    std::int64_t number = -1;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (problem == std::errc() && end == text.data() + text.size() && number >= 0 && number <= detail::last_domain) {
+        domain = number;
+    } else {
+        check.wrong_at({}, fmt::format("the environment's ROS_DOMAIN_ID: expected 0 to {}, got '{}'",
+                                       detail::last_domain, shown(text)));
+    }
+}
+
 Expected<void> said_once(const WordCall& call, const Place* before) {
     if (before == nullptr) return {};
     return failure(fmt::format("{}: is set already, at {}:{}", call.word, before->file, before->line), call.place);
@@ -136,6 +153,7 @@ Expected<void> SystemWords::ros(const WordCall& call, const FileValue& value) {
     RosSpec given;
     given.place = call.place;
     read_record(fields, given);
+    if (!fields.has("domain")) use_environment(check, given.domain);
     read_topics(fields, "publish", given.publish);
     read_topics(fields, "subscribe", given.subscribe);
     fields.done();

@@ -105,6 +105,9 @@ PortSpec read_port(const std::string& name, Fields& port) {
                         name));
     }
     read_record(port, spec, {.kind = spec.is_input ? Describe<PortSpec>::in_only : Describe<PortSpec>::out_only});
+    if (port.check().ok() && spec.items.empty())
+        port.check().wrong(port.path_of(spec.is_input ? "to" : "from"),
+                           "expected a name or a list of names, got another table");
     return spec;
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "bindings/lua/files/read_record.hpp"
@@ -54,7 +55,28 @@ Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::st
         }
     }
     if (auto ok = check.result(); !ok) return Unexpected(ok.error());
+    note_degrees(check, call, fmt::format("robot '{}'", name), "pose.heading", entry.pose.heading);
     return entry;
+}
+
+// Turned further than five times, and by a round number: somebody thinks of degrees.
+void SystemWords::note_degrees(const FieldCheck& check, const WordCall& call, std::string_view what,
+                               std::string_view field, double radians) {
+    const double size = std::abs(radians);
+    if (size < 30 || size > 360 || std::fmod(size, 15) != 0) return;
+    FieldPath path;
+    for (std::string_view rest = field; !rest.empty();) {
+        const std::size_t dot = std::min(rest.find('.'), rest.size());
+        path.emplace_back(rest.substr(0, dot));
+        rest.remove_prefix(std::min(dot + 1, rest.size()));
+    }
+    Place place = check.place_of(path);
+    if (place.file.empty()) place = call.place;
+    notes_.push_back(
+        describe(Error{fmt::format("{}: field '{}' is {:g} rad, more than a turn: were degrees meant? Write "
+                                   "math.rad({:g})",
+                                   what, field, radians, radians),
+                       std::move(place)}));
 }
 
 Expected<void> SystemWords::load_model(const WordCall& call, const std::string& model) {

@@ -179,10 +179,15 @@ Expected<ComponentEntry> SystemWords::read_component(const WordCall& call, const
     entry.name = name;
     entry.place = call.place;
     read_record(fields, entry);
+    const FileValue* calibration = fields.field("calibration");
     fields.done();
     if (auto ok = check.result(); !ok) return Unexpected(ok.error());
     if (fields.has("rate")) rate_places_[name] = check.place_of({"rate"});
     note_places(entry.places, check, {"config"}, entry.config);
+    if (calibration != nullptr) {
+        if (auto used = use_ros_calibration(call, check, *calibration, entry); !used) return Unexpected(used.error());
+    }
+    note_degrees(check, call, fmt::format("component '{}'", name), "yaw", entry.yaw);
     return entry;
 }
 

@@ -60,6 +60,14 @@ public:
     Expected<void> ros(const WordCall& call, const FileValue& fields);
     Expected<void> rtm(const WordCall& call, const FileValue& fields);
 
+    /// What `--set` says of arguments of the file: "n=10".
+    void give_arguments(const std::vector<std::string>& set);
+    /// The value of an argument: what was given, or `otherwise`.
+    Expected<ParameterValue> argument(const WordCall& call, const FileValue& name, const FileValue& otherwise,
+                                      const FileValue& options);
+    /// An error when an argument was given that the file has not asked for.
+    Expected<void> check_arguments() const;
+
     /// Checks what depends on the whole, which a part does not know. May be called again after more words.
     Expected<void> finish(bool is_part = false) const;
 
@@ -108,14 +116,24 @@ private:
     Expected<std::vector<BoxSpec>> read_ros_map(const WordCall& call, const FileValue& name);
     Expected<std::vector<BoxSpec>> read_map(const WordCall& call, const FileValue& name);
     Expected<void> place_things(const WordCall& call, const std::vector<FileValue>& elements);
+    Expected<void> use_ros_calibration(const WordCall& call, const FieldCheck& check, const FileValue& name,
+                                       ComponentEntry& entry);
+    void note_degrees(const FieldCheck& check, const WordCall& call, std::string_view what, std::string_view field,
+                      double radians);
     Expected<void> check_rates() const;
     Expected<void> check_lines() const;
     Expected<void> check_mazes() const;
     Expected<void> check_network() const;
     Expected<void> check_rtm() const;
 
+    struct Argument {
+        std::string option;  // "--set n=10"
+        std::string text;
+    };
     const Project& project_;
     SystemSpec spec_;
+    std::map<std::string, Argument, std::less<>> given_;  // by name
+    std::vector<std::string> asked_;                      // names of arguments
     std::vector<Thing> things_;
     std::vector<Begun> begun_;
     std::vector<std::string> notes_;

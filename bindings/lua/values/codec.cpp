@@ -227,7 +227,7 @@ bool read_any_fields(lua_State* L, int index, const ValuePlace& out, Mismatch* w
     for (const Type::Field& field : out.type->fields) {
         names.push_back(field.name);
         if (!push_raw_field(L, table.index(), field.name)) continue;
-        const bool fits = read_any(L, lua_gettop(L), out.field(field), why);
+        const bool fits = read_any(L, lua_gettop(L), out.field(field), why, field.numbers);
         lua_pop(L, 1);
         if (fits) continue;
         prepend(why, field.name);
@@ -236,7 +236,7 @@ bool read_any_fields(lua_State* L, int index, const ValuePlace& out, Mismatch* w
     return check_names(L, table.index(), names, why);
 }
 
-bool read_any_elements(lua_State* L, int index, const ValuePlace& out, Mismatch* why) {
+bool read_any_elements(lua_State* L, int index, const ValuePlace& out, Mismatch* why, Numbers numbers) {
     if (lua_type(L, index) != LUA_TTABLE) return refuse_type(L, index, "an array", why);
     const UnlockedTable table(L, index);
     const std::ptrdiff_t size = read_array_size(L, table.index(), why);
@@ -247,7 +247,7 @@ bool read_any_elements(lua_State* L, int index, const ValuePlace& out, Mismatch*
     bool fits = true;
     for_each_element(out, [&](const ValuePlace& element) {
         lua_rawgeti(L, table.index(), ++at);
-        fits = read_any(L, lua_gettop(L), element, why);
+        fits = read_any(L, lua_gettop(L), element, why, numbers);
         lua_pop(L, 1);
         return fits;
     });
@@ -283,10 +283,10 @@ bool read_integer(lua_State* L, int index, std::int64_t min, std::int64_t max, s
     return why != nullptr && refuse(why, fmt::format("expected an integer from {} to {}, got {}", min, max, found));
 }
 
-bool read_number(lua_State* L, int index, double max, double& out, Mismatch* why) {
+bool read_number(lua_State* L, int index, double max, double& out, Mismatch* why, Numbers numbers) {
     if (lua_type(L, index) != LUA_TNUMBER) return refuse_type(L, index, "a number", why);
     out = lua_tonumber(L, index);
-    if (std::fabs(out) <= max) return true;
+    if (std::fabs(out) <= max || (numbers == Numbers::any && !std::isfinite(out))) return true;
     if (why == nullptr) return false;
     if (!std::isfinite(out)) return refuse(why, "expected a finite number, got " + number_text(out));
     return refuse(why, fmt::format("expected a number from {0} to {1}, got {2}", number_text(-max), number_text(max),
@@ -327,10 +327,10 @@ void push_any(lua_State* L, const ValueView& value) {
     }
 }
 
-bool read_any(lua_State* L, int index, const ValuePlace& out, Mismatch* why) {
+bool read_any(lua_State* L, int index, const ValuePlace& out, Mismatch* why, Numbers numbers) {
     switch (out.type->kind) {
         case Type::Kind::structure: return read_any_fields(L, index, out, why);
-        case Type::Kind::sequence: return read_any_elements(L, index, out, why);
+        case Type::Kind::sequence: return read_any_elements(L, index, out, why, numbers);
         case Type::Kind::boolean: return read_boolean(L, index, out.as<bool>(), why);
         case Type::Kind::text:
         case Type::Kind::octets: {
@@ -348,7 +348,7 @@ bool read_any(lua_State* L, int index, const ValuePlace& out, Mismatch* why) {
                 using Wide = std::conditional_t<std::is_floating_point_v<T>, double, std::int64_t>;
                 Wide wide = 0;
                 if constexpr (std::is_floating_point_v<T>) {
-                    if (!read_number(L, index, std::numeric_limits<T>::max(), wide, why)) return false;
+                    if (!read_number(L, index, std::numeric_limits<T>::max(), wide, why, numbers)) return false;
                 } else {
                     const auto [min, max] = out.type->integer_range();
                     if (!read_integer(L, index, min, max, wide, why)) return false;

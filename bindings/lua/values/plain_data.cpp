@@ -278,9 +278,18 @@ void push(lua_State* L, const PlainData& data, std::size_t whole) {
 }  // namespace
 
 Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std::vector<std::string>& names,
-                               std::vector<Dropped>& dropped) {
-    Taker taker{.names = names, .dropped = dropped, .data = {}, .origins = {}, .indices = {}, .keys = {}, .origin = {}};
+                               std::vector<Dropped>& dropped, const PlainLimit& limit) {
+    Taker taker{.names = names,
+                .dropped = dropped,
+                .data = {},
+                .origins = {},
+                .indices = {},
+                .keys = {},
+                .origin = {},
+                .left = limit};
     if (auto ok = run(taker, L, count, budget); !ok) return Unexpected(ok.error());
+    if (taker.too_much)
+        return failure(fmt::format("it holds more than {} values, or {} MB of text", limit.values, limit.text >> 20U));
     return std::move(taker.data);
 }
 

@@ -110,7 +110,7 @@ export function numbers_in(value, path = "", found = []) {
   if (typeof value === "number") found.push([path, value]);
   else if (typeof value === "boolean") found.push([path, value ? 1 : 0]);
   else if (Array.isArray(value)) {
-    value.slice(0, 64).forEach((each, i) => numbers_in(each, `${path}[${i}]`, found));
+    value.slice(0, 64).forEach((each, i) => numbers_in(each, `${path}[${i + 1}]`, found));
   } else if (value && typeof value === "object" && !ArrayBuffer.isView(value)) {
     for (const [name, each] of Object.entries(value)) numbers_in(each, path ? `${path}.${name}` : name, found);
   }

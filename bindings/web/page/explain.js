@@ -27,8 +27,9 @@ function ports_of(ports, arrow) {
 
 function lines_of({ lines, is_cut }) {
   if (lines.length === 0) return [el("p", { class: "hint", text: T.explain.no_lines })];
-  const rows = lines.flatMap(({ file, line, text, depth, values }, i) => [
+  const rows = lines.flatMap(({ file, line, text, depth, values, turns_left_out: turns }, i) => [
     (i === 0 || lines[i - 1].file !== file) && el("li", { class: "file", text: file }),
+    turns > 0 && el("li", { class: "file", text: T.explain.turns(turns) }),
     el("li", {}, el("span", { class: "place", text: String(line) }),
       el("code", { text: text.trim(), style: { paddingLeft: `${Math.max(0, depth - lines[0].depth) * 1.2}em` } }),
       el("span", { class: "values" }, ...values.map(([name, value]) => el("span", { class: "value" }, el("i", { text: name }), ` = ${value}`)))),

@@ -98,7 +98,7 @@ const EN = {
   explain: {
     which: "Behaviour", look: "Explain", look_hint: "Look at the next execution, line by line", follow: "Again and again",
     about: "Choose a robot in the world, or a behaviour here: its next execution is shown, from what its sensors said to what its wheels were told.",
-    none: "none", no_lines: "No line of Lua ran.", cut: "… and more lines",
+    none: "none", no_lines: "No line of Lua ran.", cut: "… and more lines", turns: (count) => `… ${count} more turns`,
     paused: "Time is paused: Step lets it execute.",
     when: (name, at, tick) => `${name} at ${at} s, tick ${tick}`,
     inputs: "What came in", lines: "Lines that ran, with their values", outputs: "What went out",

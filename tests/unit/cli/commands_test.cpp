@@ -51,7 +51,7 @@ TEST_CASE("nezumi check ends with 0, 1 or 2", "[cli][check]") {
     CHECK(missing.status == 2);
     CHECK(missing.out.empty());
     CHECK(missing.error == "behaviors/goood.lua: there is no such file (did you mean 'behaviors/good.lua'?)\n");
-    CHECK(run_nezumi({"check"}, folder).status == 2);
+    CHECK(run_nezumi({"check"}, folder).status == 1);
 }
 
 TEST_CASE("nezumi check says what it could not read, and checks the rest", "[cli][check]") {
@@ -70,7 +70,7 @@ TEST_CASE("nezumi check says what it could not read, and checks the rest", "[cli
 
 TEST_CASE("without a command nezumi says what there is", "[cli]") {
     const std::string known =
-        "; known are run, attach, calc, types, check, new, test, doctor, calibrate, push, "
+        "; known are run, attach, calc, types, check, list, new, test, doctor, calibrate, push, "
         "receive, marker, network, completion, manual";
     const std::string none = "nezumi: what is to be done? See nezumi --help" + known + "\n";
     CHECK(run_nezumi({}).error == none);

@@ -15,7 +15,7 @@ using namespace nezumi::dds;
 
 namespace {
 
-using Numbers = std::vector<std::int32_t>;
+using NumbersPart = std::vector<std::int32_t>;
 
 // A host in lockstep that publishes in each tick a number made of all that it has heard.
 struct StepRig : HostRig {
@@ -69,7 +69,7 @@ TEST_CASE("what a host publishes in a tick is taken in the next tick of the othe
     REQUIRE(one.try_tick());
     CHECK_FALSE(one.ready());  // nor two ticks ahead
     REQUIRE(two.try_tick());
-    CHECK(two.part->numbers == Numbers{first});
+    CHECK(two.part->numbers == NumbersPart{first});
     CHECK(two.arrivals == std::vector<std::string>{"Write by network one"});
     CHECK(two.ticks() == 2);
 }

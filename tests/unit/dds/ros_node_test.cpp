@@ -1,5 +1,6 @@
 // A system as a node among those of ROS 2.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
 
 #include "bindings/dds/network_maker.hpp"
@@ -134,6 +135,34 @@ TEST_CASE("a simulation that is slower than the clock takes every velocity", "[d
     rig.clock += 2;
     rig.tick();
     CHECK(rig.arrivals.size() == 1);
+}
+
+TEST_CASE("an odometry has the velocity of its robot, or that of its poses", "[dds][ros]") {
+    const auto mapping = ros::find_mapping(type_index<Pose2D>(), "nav_msgs/msg/Odometry", false);
+    REQUIRE(mapping.has_value());
+    FakeDomain domain;
+    const auto here = domain.join(), there = domain.join();
+    const dds::Topic topic = ros::topic_of("/odom", **mapping, true);
+    const auto reader = there->read(topic);
+    const auto port = make_in_port(type_index<Pose2D>(), "odom", "", 0);
+    const auto publication = (*mapping)->publish(*port, here->write(topic), "odom");
+    const auto sent = [&](const Pose2D& pose, std::int64_t tick, const Velocity2D* measured) {
+        port->inject(pose);
+        port->latch({.tick = tick, .seconds = static_cast<double>(tick) / 100});
+        publication->send(0, measured);
+        ros::Odometry message;
+        REQUIRE(read_cdr(reader->take().at(0).bytes, {.header = true}, message));
+        return message.twist.twist;
+    };
+    const Velocity2D measured{.vx = 0.1, .va = 0.5};
+    CHECK(sent({}, 0, &measured).linear.x == 0.1);
+    CHECK(sent({}, 1, &measured).angular.z == 0.5);
+    CHECK(sent({{1, 1}, 3.1}, 2, nullptr).linear.x == 0);  // the first one says nothing of a velocity
+    // 0.1 s later, half a turn around it is 0.1 m nearer.
+    const ros::Twist twist = sent({{0.9, 1}, -3.1}, 12, nullptr);
+    CHECK(twist.linear.x == Approx(1).epsilon(0.01));
+    CHECK(twist.linear.y == Approx(0).margin(0.01));
+    CHECK(twist.angular.z == Approx((2 * M_PI - 6.2) / 0.1));
 }
 
 TEST_CASE("a range of Humble, which has no variance, is taken as well", "[dds][ros]") {

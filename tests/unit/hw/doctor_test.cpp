@@ -115,6 +115,26 @@ TEST_CASE("a node that is missing is named", "[hw][doctor]") {
               "modprobe rtmouse\n");
 }
 
+TEST_CASE("counters that the driver has not found are a matter of I2C", "[hw][doctor]") {
+    const MouseMachine machine;
+    machine.remove("dev/rtcounter_l0");
+    machine.remove("dev/rtcounter_r0");
+    CHECK_THAT(not_well(machine.examine()),
+               Catch::Contains("rtcounter_l0 and rtcounter_r0 -> the driver has not found the counters on I2C. Is "
+                               "dtparam=i2c_arm=on in config.txt"));
+}
+
+TEST_CASE("an I2C clock that is faster than the counters' makers ask for is wrong", "[hw][doctor]") {
+    const MouseMachine machine;
+    machine.folder.write("sys/bus/i2c/devices/i2c-1/of_node/clock-frequency", std::string_view("\0\6\32\200", 4));
+    CHECK(
+        not_well(machine.examine()) ==
+        "I2C clock: 400000 Hz: the wheel counters' makers ask for 62500 Hz, else readings fail -> write "
+        "dtparam=i2c_baudrate=62500 into /boot/firmware/config.txt (/boot/config.txt on older systems), and restart\n");
+    machine.folder.write("sys/bus/i2c/devices/i2c-1/of_node/clock-frequency", std::string_view("\0\0\364\44", 4));
+    CHECK(found(machine.examine(), "I2C clock") == "62500 Hz");
+}
+
 TEST_CASE("light sensors that say only zeros lead to the overlay, where the kernel needs one", "[hw][doctor]") {
     const MouseMachine machine;
     machine.folder.write("dev/rtlightsensor0", "0 0 0 0\n");

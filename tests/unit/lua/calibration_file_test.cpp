@@ -178,7 +178,7 @@ TEST_CASE("a camera on a calibrated robot sees as it was measured", "[lua][calib
     INFO((spec ? "" : describe(spec.error())));
     REQUIRE(spec);
     const auto& config = std::get<ComponentEntry>(spec->entries.back()).config;
-    CHECK(config.size() == 9);
+    CHECK(config.size() == 12);
     CHECK(std::get<double>(config.at("fx")) == 521.25);
     CHECK(std::get<double>(config.at("cy")) == 241.5);
     CHECK(std::get<double>(config.at("k1")) == -0.25);

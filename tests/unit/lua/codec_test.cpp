@@ -73,6 +73,17 @@ TEST_CASE("every message type crosses to Lua and back", "[lua][codec]") {
     check_round_trip(CameraImage{2, 1, 8, "gray8", 1.0, {0, 255}});
 }
 
+TEST_CASE("ranges may be infinite or no number, and no other field", "[lua][codec]") {
+    const auto ranges = read<RangeData>("{ ranges = { math.huge, -math.huge, 0/0, 0.5 } }").value().ranges;
+    REQUIRE(ranges.size() == 4);
+    CHECK(ranges[0] == INFINITY);
+    CHECK(ranges[1] == -INFINITY);
+    CHECK(std::isnan(ranges[2]));
+    CHECK(mismatch<RangeData>("{ config = { maxRange = math.huge } }") ==
+          "field 'config.maxRange' expected a finite number, got inf");
+    CHECK(mismatch<std::vector<double>>("{ 1, 0/0 }") == "element 2 expected a finite number, got nan");
+}
+
 TEST_CASE("a single-valued type is the plain Lua value", "[lua][codec]") {
     const Lua lua;
     push_payload(lua, std::int16_t{7});

@@ -56,6 +56,20 @@ TEST_CASE("a state of a hundred thousand links is carried over", "[lua][reload]"
                                            "l.next end assert(n == 100000) end") == "");
 }
 
+TEST_CASE("a state that is too large to be carried over refuses the reload, and the old version runs on",
+          "[lua][reload]") {
+    ReloadRig world;
+    const Text text = "function on_activated() for i = 1, 300000 do state[i] = {} end end";
+    world.write("large.lua", text);
+    ScriptComponent& it = world.add("large", "large.lua", {}, Budget{20.0});
+    REQUIRE(it.state() == LifeState::active);
+    CHECK(world.change("large.lua", text + " -- saved")
+              .find("state can't be taken over, and the old version runs on: it holds more than 250000 values") !=
+          Text::npos);
+    CHECK(it.state() == LifeState::active);
+    CHECK(it.version() == 1);
+}
+
 TEST_CASE("a reload refuses what a load refuses, and the version before goes on", "[lua][reload]") {
     ReloadRig world;
     world.add_text("c", "param('speed', 1)\n" + counter("1"));

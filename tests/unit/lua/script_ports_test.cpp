@@ -74,9 +74,11 @@ TEST_CASE("an execution that writes without end is an error before it fills the 
         return rig.error();
     };
     CHECK(error_of("local text = ('x'):rep(1e7)\nfor i = 1, 1e4 do a:write(text) end") ==
-          "robot_controller.lua:4: output 'a' (TimedString): more than 64 MB were written in one execution");
+          "robot_controller.lua:4: output 'a' (TimedString): is there an endless loop? It has written more than 64 MB "
+          "in one execution");
     CHECK(error_of("while true do b:write {} end") ==
-          "robot_controller.lua:3: output 'b' (TimedVelocity2D): more than 64 MB were written in one execution");
+          "robot_controller.lua:3: output 'b' (TimedVelocity2D): is there an endless loop? It has written more than 64 "
+          "MB in one execution");
     ScriptRig rig("local a = output('a', 'TimedString') function on_execute() a:write(('x'):rep(1e7)) end",
                   {.budget = Budget{20}});
     rig.activate().tick(10);  // each execution counts anew

@@ -321,6 +321,13 @@ TEST_CASE("what a map of ROS has occupied stands in the arena", "[lua][system_fi
           "arena: unknown field 'map': write map \"map.yaml\", without =");
     scratch.write("behaviors/rooms/map.yaml", "image: gone.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
     CHECK(read("arena { map 'rooms/map.yaml' }").error().message.find("gone.pgm") != std::string::npos);
+    CHECK(read("arena { map 'rooms/map.yaml' }").error().place ==
+          Place{scratch.path("behaviors/rooms/map.yaml").string(), 1});
+    scratch.write("behaviors/rooms/map.yaml", "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
+    const auto high = read("arena { map { 'rooms/map.yaml', height = 0.4 } }");
+    REQUIRE(high.has_value());
+    CHECK(high->arena.boxes.at(0).size.z == 0.4);
+    CHECK(high->arena.boxes.at(0).at.z == 0.2);
 }
 
 TEST_CASE("the bounds of a box hold for those of maps as well", "[lua][system_file]") {

@@ -203,6 +203,8 @@ TEST_CASE("life cycle and sets act through the one door, and are checked", "[ope
     CHECK(rig.ask({.what = What::deactivate, .component = "controller"}) == RtcAnswer::done);
     CHECK(rig.server->snapshot("controller").state == RtcState::inactive);
     CHECK(rig.ask({.what = What::activate, .component = "controller"}) == RtcAnswer::done);
+    // PRECONDITION_NOT_MET: it is so already.
+    CHECK(rig.ask({.what = What::activate, .component = "controller"}) == RtcAnswer::refused);
     CHECK(rig.ask({.what = What::activate, .component = "nobody"}) == RtcAnswer::unknown);
     CHECK(rig.ask({.what = What::reset, .component = "controller"}) == RtcAnswer::refused);
     CHECK(rig.ask({.what = What::set, .component = "controller", .set = "default", .values = {{"speed_x", "0.5"}}}) ==

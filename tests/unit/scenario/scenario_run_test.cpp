@@ -287,6 +287,37 @@ TEST_CASE("a run tells how near its conditions came to their limits", "[lua][sce
           std::vector<std::string>{"always 'early': came within 0.25 of the limit at 1.00 s (s:now() < 1.25)"});
 }
 
+TEST_CASE("a hold that begins at its limit tells how near it came to it afterwards", "[lua][scenario][run]") {
+    const auto margins = [](const std::string& condition) {
+        ScenarioRig rig(
+            "scenario('it', function(s)\n  s:load 'systems/stop_at_wall.lua'\n  s:maintain('holds', { hold = 1 }, "
+            "function() " +
+            condition + " end)\nend)");
+        return rig.run().margins;
+    };
+    // It grows from 0.005 on: only its end says something.
+    CHECK(margins("return s:now() > 0.495") ==
+          std::vector<std::string>{"maintain 'holds': came within 1.005 of the limit at 1.50 s (s:now() > 0.495)"});
+    // What holds from the first sample on has not crossed its limit.
+    CHECK(margins("return s:now() > -0.25") ==
+          std::vector<std::string>{"maintain 'holds': came within 0.26 of the limit at 0.01 s (s:now() > -0.25)"});
+}
+
+TEST_CASE("s:equal compares deeply and shows both", "[lua][scenario][run]") {
+    CHECK(outcome_of("s:equal(1, 1.0) s:equal('a', 'a') s:equal({}, {}) s:equal(nil, nil)\n"
+                     "s:equal({ 1, { x = 2 } }, { 1, { x = 2 } })") == "passed");
+    CHECK(outcome_of("s:equal({ a = { 1, 2 } }, { a = { 1, 3 } }, 'the list')") ==
+          "failed: it_test.lua:2: equal failed: { a = { 1, 2 } } is not the expected { a = { 1, 3 } } (they differ at "
+          "a[2]): the list");
+    CHECK(outcome_of("s:equal({ 1 }, { 1, 2 })") ==
+          "failed: it_test.lua:2: equal failed: { 1 } is not the expected { 1, 2 } (they differ at [2])");
+    CHECK(outcome_of("s:equal(1, '1')") == "failed: it_test.lua:2: equal failed: 1 is not the expected \"1\"");
+    CHECK(outcome_of("s:equal(1)") ==
+          "could not run: it_test.lua:2: equal: expected two values, the actual one and the expected one");
+    CHECK(outcome_of("local w = s:load 'systems/stop_at_wall.lua' s:run(0.1)\n"
+                     "s:equal(w.controller.out.value, { vx = 0.1, vy = 0, va = 0 })") == "passed");
+}
+
 TEST_CASE("a condition looks, and lets no time pass", "[lua][scenario][run]") {
     for (const std::string inner : {"s:run(0.1)", "s:always('b', function() return true end)"}) {
         const std::string outcome = outcome_of(

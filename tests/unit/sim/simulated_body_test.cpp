@@ -20,7 +20,9 @@ struct Felt final : sim::SimulatedBody {
 
     RobotId id() const override { return 0; }
     Wheels wheel_angles() const override { return angles; }
-    void read_ranges(std::span<double> distances) const override {
+    void read_ranges(std::span<double> distances, std::span<const std::uint8_t> due) const override {
+        ++casts;
+        asked.assign(due.begin(), due.end());
         for (std::size_t i = 0; i < distances.size(); ++i)
             distances[i] = i < ranges.size() ? ranges[i] : std::numeric_limits<double>::infinity();
     }
@@ -51,6 +53,8 @@ struct Felt final : sim::SimulatedBody {
     double turns = 0, light = 0;
     sim::PlaceMotion moves;
     std::vector<double> servo_angles;
+    mutable int casts = 0;  // of rays
+    mutable std::vector<std::uint8_t> asked;
 };
 
 constexpr std::size_t metre = 0, response = 1, gyro = 2, button = 3;
@@ -293,4 +297,24 @@ TEST_CASE("rates and accelerations of an imu have noise of their own size", "[si
         for (std::size_t k = 0; k < 6; ++k) squares[k] += std::pow(values[k] - (k == 5 ? 9.81 : 0), 2);
     }
     for (std::size_t k = 0; k < 6; ++k) CHECK(std::sqrt(squares[k] / 2000) == Approx(k < 3 ? 0.01 : 0.2).epsilon(0.1));
+}
+
+TEST_CASE("the rays of a scan that nobody asks for are not cast", "[sim][sensor]") {
+    RobotSpec spec = fake_mouse();
+    SensorSpec& scan = spec.sensors[metre];
+    scan.kind = SensorSpec::Kind::scan;
+    scan.cone = 1;
+    scan.rays = 3;
+    Felt body(spec);
+    body.ranges = {0.2, 0.4, 0.5, 0.3};
+    body.tick();
+    CHECK(body.asked.empty());  // all
+    body.set_due(metre, false);
+    body.ranges = {0.1, 0.1, 0.1, 0.25};
+    CHECK(body.tick()[response].physical == 0.25);
+    CHECK(body.asked == std::vector<std::uint8_t>{0, 0, 0, 1});
+    CHECK(body.sensor_values(metre)[1] == 0.4);  // as it was
+    body.set_due(metre, true);
+    body.tick();
+    CHECK(body.sensor_values(metre)[1] == 0.1);
 }

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/picture.hpp"
+#include "engine/world/picture.hpp"
 
-namespace nezumi::sim {
+namespace nezumi {
 
 inline constexpr const char* image_module = "nezumi_images.so";
 inline constexpr const char* decode_in_module = "nezumi_decode_image";
@@ -16,4 +16,4 @@ inline constexpr const char* decode_in_module = "nezumi_decode_image";
 /// white, and a photograph stands as its camera was held. False with the `problem`. It throws nothing.
 using DecodeInModule = bool(const std::uint8_t* bytes, std::size_t size, Picture& picture, std::string& problem);
 
-}  // namespace nezumi::sim
+}  // namespace nezumi

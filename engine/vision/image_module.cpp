@@ -1,12 +1,13 @@
 // The module for pictures: OpenCV's readers of JPEG, BMP, TIFF and others. The one place that needs its imgcodecs.
-#include "sim/image_module.hpp"
+#include "engine/world/image_module.hpp"
 
 #include <exception>
+#include <iostream>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-namespace nezumi::sim {
+namespace nezumi {
 namespace {
 
 // Blue, green, red and, where there is one, alpha, of 8 bits each.
@@ -24,12 +25,25 @@ Rgb over_white(const std::uint8_t* bgr, int channels) {
     return part(2) << 16 | part(1) << 8 | part(0);
 }
 
+// What is wrong with a picture, OpenCV tells standard error as well, in lines of its own.
+class Quiet {
+public:
+    Quiet() : before_(std::cerr.rdbuf(nullptr)) {}
+    ~Quiet() { std::cerr.rdbuf(before_); }
+    Quiet(const Quiet&) = delete;
+    Quiet& operator=(const Quiet&) = delete;
+
+private:
+    std::streambuf* before_;
+};
+
 bool decode(const std::uint8_t* bytes, std::size_t size, Picture& picture, std::string& problem) {
     if (size == 0) {
         problem = "it is empty";
         return false;
     }
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+    const Quiet quiet;
     const cv::Mat file(1, static_cast<int>(size), CV_8UC1, const_cast<std::uint8_t*>(bytes));
     // Only as colours does it turn a photograph the right way up; those have no alpha.
     const bool is_jpeg = size > 2 && bytes[0] == 0xff && bytes[1] == 0xd8;
@@ -54,13 +68,13 @@ bool decode(const std::uint8_t* bytes, std::size_t size, Picture& picture, std::
 }
 
 }  // namespace
-}  // namespace nezumi::sim
+}  // namespace nezumi
 
-extern "C" __attribute__((visibility("default"))) nezumi::sim::DecodeInModule nezumi_decode_image;
+extern "C" __attribute__((visibility("default"))) nezumi::DecodeInModule nezumi_decode_image;
 
 bool nezumi_decode_image(const std::uint8_t* bytes, std::size_t size, nezumi::Picture& picture, std::string& problem) {
     try {
-        return nezumi::sim::decode(bytes, size, picture, problem);
+        return nezumi::decode(bytes, size, picture, problem);
     } catch (const cv::Exception& thrown) {  // an assertion of its has several lines
         problem = "OpenCV gives up: " + thrown.err.substr(0, thrown.err.find('\n'));
     } catch (const std::exception& thrown) {
