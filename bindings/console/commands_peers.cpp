@@ -89,8 +89,8 @@ Expected<CommandEnd> command_rtm(Session::Parts& parts, const Arguments& argumen
     if (!what) return Unexpected(what.error());
     Expected<void> read =
         failure("expected what to do, as in rtm(\"ConsoleOut0\", \"activate\"), or a table of values");
-    if (what->text() != nullptr) read = read_verb(wish, *what->text(), arguments);
-    if (what->table() != nullptr) read = read_values(wish, *what->table());
+    if (what->get_if<std::string>() != nullptr) read = read_verb(wish, *what->get_if<std::string>(), arguments);
+    if (what->get_if<FileTable>() != nullptr) read = read_values(wish, *what->get_if<FileTable>());
     if (!read) return Unexpected(read.error());
     return ask_peers(parts, wish);
 }

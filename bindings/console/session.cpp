@@ -66,7 +66,7 @@ bool look(Session::Parts& parts, PortWatch& watch) {
     const double speed = std::clamp(parts.clock.speed(), 1.0, highest_watched_speed);
     const double period = parts.options.batch ? 0 : parts.options.watch_period * speed;
     if (watch.shown_at >= 0 && now >= watch.shown_at && now < watch.shown_at + period) return true;
-    std::string text = payload_text((*port)->value(), watch_width);
+    std::string text = short_text((*port)->value(), watch_width);
     if (watch.shown_at >= 0 && text == watch.shown) return true;
     parts.show(fmt::format("[{:.3f}] {} = {}", now, watch.path, text));
     watch.shown = std::move(text);

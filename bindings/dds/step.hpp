@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <string>
-#include <tuple>
+#include <string_view>
 #include <vector>
 
 #include "bindings/dds/transport.hpp"
@@ -16,10 +16,7 @@ struct StepMessage {
     std::string port{};  ///< "name.port" of the sender
     Octets payload{};    ///< CDR with its header
 
-    static constexpr std::tuple fields{
-        Field{"port", &StepMessage::port, "", "name.port"},
-        Field{"payload", &StepMessage::payload, "", "CDR with its header"},
-    };
+    static constexpr std::string_view type_name = "StepMessage";
 };
 
 /// A host's tick is done: what its ports have published in it.
@@ -29,25 +26,16 @@ struct Step {
         parts,  ///< the two keep in step no longer
         ends,   ///< the sender's run is over
     };
-    std::uint64_t run = 0;    ///< of the sender
-    std::uint64_t to = 0;     ///< run of the receiver
-    std::int64_t began = 0;   ///< the sender's tick of the first step
-    std::int64_t tick = 0;    ///< the sender's next one
-    std::uint8_t end = 0;     ///< `End`: of a last one
-    bool paused = false;      ///< the sender could go on, and does not
-    std::string waits_for{};  ///< the host for which the sender waits
-    std::vector<StepMessage> messages{};
+    std::uint64_t run = 0;                ///< of the sender
+    std::uint64_t to = 0;                 ///< run of the receiver
+    std::int64_t began = 0;               ///< the sender's tick of the first step
+    std::int64_t tick = 0;                ///< the sender's next one
+    std::uint8_t end = 0;                 ///< `End`: of a last one
+    bool paused = false;                  ///< the sender could go on, and does not
+    std::string waits_for{};              ///< the host for which the sender waits
+    std::vector<StepMessage> messages{};  ///< published in the tick before
 
-    static constexpr std::tuple fields{
-        Field{"run", &Step::run, "", "of the sender"},
-        Field{"to", &Step::to, "", "run of the receiver"},
-        Field{"began", &Step::began, "", "the sender's tick of the first step"},
-        Field{"tick", &Step::tick, "", "the sender's next one"},
-        Field{"end", &Step::end, "", "goes on, parts, ends"},
-        Field{"paused", &Step::paused, "", "the sender could go on"},
-        Field{"waits_for", &Step::waits_for, "", "a host"},
-        Field{"messages", &Step::messages, "", "published in the tick before"},
-    };
+    static constexpr std::string_view type_name = "Step";
 };
 
 /// The steps of one host for another.

@@ -125,7 +125,7 @@ private:
     Expected<void> build(Described& described);
     Expected<void> rebuild(Described& described);
     Expected<void> add_new(Described& described);
-    Expected<void> load(const std::string& name, const Expected<FileValue>& options, const Place& place);
+    Expected<void> load(const std::string& name, const Expected<Value>& options, const Place& place);
     RunningSystem& current() { return *described_.back().live; }
     bool has_world() const { return !described_.empty() && described_.back().live != nullptr; }
 

@@ -7,8 +7,6 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <type_traits>
-#include <variant>
 
 #include "engine/system/network.hpp"
 
@@ -20,8 +18,16 @@ using Json = nlohmann::ordered_json;
 Json point(const Point2D& at) { return Json::array({at.x, at.y}); }
 Json point(const Point3D& at) { return Json::array({at.x, at.y, at.z}); }
 
-Json value_to_json(const ParameterValue& value) {
-    return std::visit([](const auto& each) { return Json(each); }, value);
+Json value_to_json(const ValueView& value) {
+    if (value.type->kind == Type::Kind::text) return value.as<std::string>();
+    if (value.type->kind != Type::Kind::sequence)
+        return visit_number(value, [](const auto& number) { return Json(number); });
+    Json all = Json::array();
+    for_each_element(value, [&](const ValueView& element) {
+        all.push_back(value_to_json(element));
+        return true;
+    });
+    return all;
 }
 
 std::string_view kind_of(const Component& component) {
@@ -29,22 +35,9 @@ std::string_view kind_of(const Component& component) {
     return component.script_file() != nullptr ? "behavior" : "component";
 }
 
-// What a parameter is when nobody has set it by hand: as the set in use says, or the system file, or its declaration.
-ParameterValue given_value(const Component& component, const ParameterSpec& spec) {
-    const auto in_use = component.sets.find(component.set_in_use());
-    for (const ParameterValues* values :
-         {in_use != component.sets.end() ? &in_use->second : nullptr, &component.configured}) {
-        if (values == nullptr) continue;
-        const auto found = values->find(spec.name);
-        if (found == values->end()) continue;
-        if (auto value = check_value(spec, found->second)) return *value;
-    }
-    return spec.initial;
-}
-
 Json parameter_to_json(const Component& component, const Parameters::Parameter& parameter) {
     const ParameterSpec& spec = parameter.spec;
-    const ParameterValue given = given_value(component, spec);
+    const Value given = component.configured_value(spec);
     Json json{{"name", spec.name},
               {"type", type_text(spec.initial)},
               {"value", value_to_json(parameter.value)},
@@ -58,7 +51,7 @@ Json parameter_to_json(const Component& component, const Parameters::Parameter& 
               {"widget", spec.widget},
               {"options", Json::array()},
               {"changed", parameter.value != given}};
-    for (const ParameterValue& choice : spec.choices) json["options"].push_back(value_to_json(choice));
+    for (const Value& choice : spec.choices) json["options"].push_back(value_to_json(choice));
     return json;
 }
 

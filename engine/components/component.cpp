@@ -139,6 +139,17 @@ Expected<void> Component::reset(const Time& now) {
     return {};
 }
 
+Value Component::configured_value(const ParameterSpec& spec) const {
+    const auto in_use = sets.find(set_in_use_);
+    for (const ParameterValues* values : {in_use != sets.end() ? &in_use->second : nullptr, &configured}) {
+        if (values == nullptr) continue;
+        const auto found = values->find(spec.name);
+        if (found == values->end()) continue;
+        if (auto value = check_value(spec, found->second)) return std::move(*value);
+    }
+    return spec.initial;
+}
+
 Expected<PlainData> Component::call_command(std::string_view command, const PlainData& /*arguments*/,
                                             const Time& /*now*/) {
     return failure(fmt::format("{} has no command '{}'", name_, shown(command)));

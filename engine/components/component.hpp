@@ -16,9 +16,9 @@
 #include "engine/base/log.hpp"
 #include "engine/components/inside.hpp"
 #include "engine/components/parameter.hpp"
-#include "engine/components/plain_data.hpp"
 #include "engine/ports/port.hpp"
 #include "engine/project/script_source.hpp"
+#include "engine/values/plain_data.hpp"
 
 namespace nezumi {
 
@@ -99,6 +99,9 @@ public:
     Expected<void> use(std::string_view set);
     /// The set in use; "" when none is.
     const std::string& set_in_use() const { return set_in_use_; }
+    /// What a parameter is when nobody has set it by hand: as the set in use says, else the system file, else its
+    /// declaration.
+    Value configured_value(const ParameterSpec& spec) const;
     /// Counts the calls of `use` that went well.
     std::uint64_t uses() const { return uses_; }
 

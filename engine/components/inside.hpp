@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/error.hpp"
-#include "engine/components/plain_data.hpp"
+#include "engine/values/plain_data.hpp"
 
 namespace nezumi {
 

@@ -20,7 +20,7 @@ std::uint64_t seed_of(std::uint64_t run_seed, const std::string& name) { return 
 
 template <class T>
 const T& value(const Parameters& parameters, std::string_view name) {
-    return std::get<T>(parameters.find(name)->value);
+    return parameters.find(name)->value.get<T>();
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ Joystick::Joystick(std::string name, Open open)
 }
 
 GamepadSettings Joystick::settings() const {
-    const auto value = [this](std::string_view name) { return std::get<std::string>(parameters_.find(name)->value); };
+    const auto value = [this](std::string_view name) { return parameters_.find(name)->value.get<std::string>(); };
     return {
         .device = value("device"), .dead_man_button = value("dead_man_button"), .stop_button = value("stop_button")};
 }

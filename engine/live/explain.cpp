@@ -9,13 +9,14 @@
 
 #include "engine/live/live_text.hpp"
 #include "engine/robot/robot.hpp"
+#include "engine/values/value_text.hpp"
 
 namespace nezumi {
 namespace {
 
 Explanation::PortValue look_at(const System& system, const Component& component, const Port& port) {
     Explanation::PortValue seen{.port = component.name() + "." + port.name(), .value = ""};
-    if (port.count() > 0) seen.value = payload_text(port.value());
+    if (port.count() > 0) seen.value = short_text(port.value());
     seen.override = to_text(port.override());
     for (const ConnectionSpec& connection : system.connections()) {
         if (connection.from == seen.port) seen.peers.push_back(connection.to);

@@ -110,7 +110,7 @@ void Robot::take_parameters() {
     parameters_.take_staged();
     if (std::exchange(parameters_version_, parameters_.version()) == parameters_.version()) return;
     for (std::size_t i = 0; i < servos_.size(); ++i)
-        actuators_.set_servo_speed(servos_[i], std::get<double>(parameters_.all()[i].value));
+        actuators_.set_servo_speed(servos_[i], parameters_.all()[i].value.get<double>());
 }
 
 void Robot::tell_faults() {

@@ -49,7 +49,7 @@ std::string no_such_part(const Type& type, std::string_view part, const std::str
 void visit_parameters(const Parameters& parameters, const LeafVisitor& visit) {
     for (const auto& parameter : parameters.all()) {
         const LeafPath root, path = root.field(parameter.spec.name);
-        std::visit([&](const auto& value) { visit_leaves(value, visit, path); }, parameter.value);
+        visit_leaves(parameter.value, visit, path);
     }
 }
 

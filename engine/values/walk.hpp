@@ -46,6 +46,9 @@ bool is_equal(const ValueView& a, const ValueView& b);
 /// Whether every number in a value is finite.
 bool is_finite(const ValueView& value);
 
+/// Bytes of all texts in a value.
+std::size_t text_bytes(const ValueView& value);
+
 /// Bytes that a value holds beside itself: of its texts and sequences.
 std::size_t heap_bytes(const ValueView& value);
 

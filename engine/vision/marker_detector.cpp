@@ -43,7 +43,7 @@ MarkerDetector::MarkerDetector(std::string name, bool wait)
       markers_(add_out_port<std::vector<SeenMarker>>(
           "markers", "all that are in sight, the nearest first; once for each picture")) {
     image_port().set_companion(intrinsics_);
-    std::vector<ParameterValue> families;
+    std::vector<Value> families;
     for (const std::string_view family : TagFinder::families()) families.emplace_back(std::string(family));
     declare({.name = "tag_size",
              .initial = 0.1,

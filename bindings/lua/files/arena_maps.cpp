@@ -9,8 +9,8 @@
 
 namespace nezumi {
 
-Expected<SystemWords::ReadFile> SystemWords::read_file(const WordCall& call, const FileValue& name) {
-    const std::string* file = name.text();
+Expected<SystemWords::ReadFile> SystemWords::read_file(const WordCall& call, const Value& name) {
+    const std::string* file = name.get_if<std::string>();
     if (file == nullptr)
         return failure(fmt::format("{}: expected a file's name, got {}", call.word, kind_of(name)), call.place);
     return read_file(call, *file, call.place.file);
@@ -27,7 +27,7 @@ Expected<SystemWords::ReadFile> SystemWords::read_file(const WordCall& call, con
     return read;
 }
 
-Expected<std::vector<BoxSpec>> SystemWords::read_map(const WordCall& call, const FileValue& name) {
+Expected<std::vector<BoxSpec>> SystemWords::read_map(const WordCall& call, const Value& name) {
     const auto file = read_file(call, name);
     if (!file) return Unexpected(file.error());
     auto map = nezumi::read_map(file->text, file->shown);
@@ -37,7 +37,7 @@ Expected<std::vector<BoxSpec>> SystemWords::read_map(const WordCall& call, const
 }
 
 // The picture lies beside the file that names it.
-Expected<std::vector<BoxSpec>> SystemWords::read_ros_map(const WordCall& call, const FileValue& name) {
+Expected<std::vector<BoxSpec>> SystemWords::read_ros_map(const WordCall& call, const Value& name) {
     const auto file = read_file(call, name);
     if (!file) return Unexpected(file.error());
     const auto facts = read_occupancy_facts(file->text, file->shown);

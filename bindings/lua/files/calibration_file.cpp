@@ -12,6 +12,7 @@
 #include "bindings/lua/files/robot_fields.hpp"
 #include "bindings/lua/files/write_record.hpp"
 #include "bindings/lua/values/bridge.hpp"
+#include "engine/base/lua_text.hpp"
 #include "engine/world/camera_source.hpp"
 
 namespace nezumi {
@@ -22,11 +23,11 @@ namespace fs = std::filesystem;
 void read_sensors(Fields sensors, Calibration& out) {
     for (const FileField& each : sensors.all()) {
         Fields sensor = sensors.inner(each.name);
-        const FileValue* table = sensor.field("table");
-        if (table == nullptr || table->table() == nullptr) {
+        const Value* table = sensor.field("table");
+        if (table == nullptr || table->get_if<FileTable>() == nullptr) {
             sensor.check().missing(sensor.path_of("table"), "{ { distance, value }, ... }");
         } else {
-            out.ranges.push_back({each.name, read_points(sensor, *table->table())});
+            out.ranges.push_back({each.name, read_points(sensor, *table->get_if<FileTable>())});
         }
         sensor.done();
     }
@@ -77,9 +78,9 @@ private:
         read_record(fields, out);
         if (fields.has("odometry")) {
             Fields odometry = fields.inner("odometry");
-            for_each_setting<WheelCalibration>([&](const auto& field) {
+            for (const Type::Field& field : record_of<WheelCalibration>().fields) {
                 if (!odometry.has(field.name)) check.missing(odometry.path_of(field.name), "a positive number in m");
-            });
+            }
         }
         if (fields.has("sensors")) read_sensors(fields.inner("sensors"), out);
         if (fields.has("cameras")) read_cameras(fields.inner("cameras"), out);
@@ -102,7 +103,7 @@ Expected<void> use_cameras(SystemSpec& spec, const RobotEntry& robot, const Cali
         const CameraIntrinsics& intrinsics = found->second;
         const auto pixels = [&](const char* name, std::int64_t otherwise) {
             const auto given = camera->config.find(name);
-            const auto* number = given == camera->config.end() ? nullptr : std::get_if<std::int64_t>(&given->second);
+            const auto* number = given == camera->config.end() ? nullptr : given->second.get_if<std::int64_t>();
             return number == nullptr ? otherwise : *number;
         };
         const std::int64_t width = pixels("width", CameraSettings{}.width);

@@ -49,13 +49,13 @@ void check_peers(FieldCheck& check, const std::vector<std::string>& peers) {
 }
 
 // Reads one entry of `publish` or `subscribe`: a text, or a table that says more. `name` is what it stands for.
-void read_topic(FieldCheck& check, const FileValue& value, const FieldPath& path, const std::string& name,
-                bool publishes, std::vector<RosTopic>& out) {
+void read_topic(FieldCheck& check, const Value& value, const FieldPath& path, const std::string& name, bool publishes,
+                std::vector<RosTopic>& out) {
     RosTopic topic;
     topic.place = check.place_of(path);
-    if (const std::string* text = value.text()) {
+    if (const std::string* text = value.get_if<std::string>()) {
         (publishes ? topic.topic : topic.port) = *text;
-    } else if (value.table() != nullptr) {
+    } else if (value.get_if<FileTable>() != nullptr) {
         Fields fields(check, value, path);
         read_record(fields, topic);
         const std::string_view key = publishes ? "port" : "topic";
@@ -77,14 +77,14 @@ void read_topics(Fields& fields, std::string_view name, std::vector<RosTopic>& o
     const bool publishes = name == "publish";
     Fields table = fields.inner(name);
     for (const FileField& each : table.all()) {
-        const FileValue& value = *table.field(each.name);
+        const Value& value = *table.field(each.name);
         const FieldPath path = table.path_of(each.name);
-        const FileTable* list = value.table();
+        const FileTable* list = value.get_if<FileTable>();
         if (!publishes || list == nullptr || list->elements.empty() || !list->fields.empty()) {
             read_topic(fields.check(), value, path, each.name, publishes, out);
             continue;
         }
-        for (const FileValue& element : list->elements)
+        for (const Value& element : list->elements)
             read_topic(fields.check(), element, path, each.name, publishes, out);
     }
     table.done();
@@ -97,7 +97,7 @@ Expected<void> said_once(const WordCall& call, const Place* before) {
 
 }  // namespace
 
-Expected<void> SystemWords::network(const WordCall& call, const FileValue& value) {
+Expected<void> SystemWords::network(const WordCall& call, const Value& value) {
     FieldCheck check("network", call.word, call.place, call.source);
     check.set_given({"", &value});
     Fields fields(check, value);
@@ -129,7 +129,7 @@ Expected<void> SystemWords::network(const WordCall& call, const FileValue& value
     return {};
 }
 
-Expected<void> SystemWords::ros(const WordCall& call, const FileValue& value) {
+Expected<void> SystemWords::ros(const WordCall& call, const Value& value) {
     FieldCheck check("ros", call.word, call.place, call.source);
     check.set_given({"", &value});
     Fields fields(check, value);

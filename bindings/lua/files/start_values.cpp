@@ -29,16 +29,16 @@ std::optional<T> number(std::string_view word) {
 }
 
 // What Lua makes of a text in quotes or of a table.
-Expected<ParameterValue> read_lua(const std::string& text, const Project& project, const std::string& shown) {
+Expected<Value> read_lua(const std::string& text, const Project& project, const std::string& shown) {
     auto file = DataFile::create(project, {});
     if (!file) return Unexpected(file.error());
     if (auto ran = (*file)->run("return " + text, shown, {}); !ran) return failure(ran.error().message);
     const auto value = read_file_value((*file)->lua(), -1);
-    return value ? to_parameter(*value) : Expected<ParameterValue>(Unexpected(value.error()));
+    return value ? to_parameter(*value) : Expected<Value>(Unexpected(value.error()));
 }
 
 // 30, 0.3, true, "text", { 1, 2 } as in Lua; any other word is a text.
-Expected<ParameterValue> read_value(const std::string& text, const Project& project, const std::string& shown) {
+Expected<Value> read_value(const std::string& text, const Project& project, const std::string& shown) {
     if (text == "true" || text == "false") return text == "true";
     if (const auto whole = number<std::int64_t>(text)) return *whole;
     if (const auto real = number<double>(text); real && std::isfinite(*real)) return *real;

@@ -36,17 +36,17 @@ Expected<Result> nothing(Expected<void> done) {
 }
 
 // A copy of an argument.
-Expected<FileValue> value_of(const Arguments& arguments, int position) {
-    if (!arguments.has(position)) return FileValue{};
+Expected<Value> value_of(const Arguments& arguments, int position) {
+    if (!arguments.has(position)) return Value{};
     return read_file_value(arguments.lua, arguments.index(position));
 }
 
 // An end of a connection: a text, or a port itself.
-Expected<FileValue> end_of(const WordHost& host, const Arguments& arguments, int position) {
+Expected<Value> end_of(const WordHost& host, const Arguments& arguments, int position) {
     if (host.port_path && arguments.has(position)) {
         auto path = host.port_path(arguments.lua, arguments.index(position));
         if (!path) return Unexpected(path.error());
-        if (*path) return FileValue{std::move(**path)};
+        if (*path) return Value{std::move(**path)};
     }
     return value_of(arguments, position);
 }
@@ -72,9 +72,9 @@ Expected<Result> wire(WordHost& host, const WordCall& call, const Arguments& arg
 }
 
 // The one argument of all other words.
-Expected<FileValue> only_argument(const WordCall& call, const Arguments& arguments) {
+Expected<Value> only_argument(const WordCall& call, const Arguments& arguments) {
     auto value = value_of(arguments, 1);
-    if (value && value->is_nil()) return failure(fmt::format("{}: expected an argument, got none", call.word));
+    if (value && value->is_nothing()) return failure(fmt::format("{}: expected an argument, got none", call.word));
     return value;
 }
 
@@ -84,7 +84,7 @@ Expected<Result> thing(WordHost& host, const WordCall& call, const Arguments& ar
     return host.words->thing(call, *value).map([](const FileThing& made) { return Result{made}; });
 }
 
-template <Expected<void> (SystemWords::*setting)(const WordCall&, const FileValue&)>
+template <Expected<void> (SystemWords::*setting)(const WordCall&, const Value&)>
 Expected<Result> set(WordHost& host, const WordCall& call, const Arguments& arguments) {
     const auto value = only_argument(call, arguments);
     if (!value) return Unexpected(value.error());

@@ -163,15 +163,17 @@ Expected<Answer> member_of(const ObjectRef& ref, const ComponentAt& at, std::str
 
 Expected<Answer> robot_member_of(const ComponentAt& at, std::string_view member) {
     const auto& robot = dynamic_cast<const Robot&>(*at.component);
-    if (member == "leds") return Answer{ParameterValue(robot.leds())};
+    if (member == "leds") return Answer{robot.leds()};
     if (member == "said") return Answer{std::vector<std::string>(robot.said().begin(), robot.said().end())};
     if (member == "buzzer") return Answer{std::int64_t{robot.buzzer_hertz()}};
     if (member == "limits") {
         const Limits& limits = robot.guard().limits();
-        return Answer{std::map<std::string, double>{{"speed", limits.speed},
-                                                    {"yaw_rate", limits.yaw_rate},
-                                                    {"acceleration", limits.acceleration},
-                                                    {"yaw_acceleration", limits.yaw_acceleration}}};
+        PlainData data = PlainData::empty_table();
+        data.tables[0] = {{"acceleration", limits.acceleration},
+                          {"speed", limits.speed},
+                          {"yaw_acceleration", limits.yaw_acceleration},
+                          {"yaw_rate", limits.yaw_rate}};
+        return Answer{PlainSnapshot{std::move(data), 1}};
     }
     const auto seen = seen_robot(at.live->system(), *at.component);
     if (!seen) return Unexpected(seen.error());

@@ -12,6 +12,7 @@
 #include "engine/live/live_text.hpp"
 #include "engine/robot/robot.hpp"
 #include "engine/trace/channel.hpp"
+#include "engine/values/value_text.hpp"
 
 namespace nezumi {
 namespace {
@@ -84,7 +85,7 @@ Expected<std::string> parameter_help(const Component& component, std::string_vie
     const auto* parameter = component.parameters().find(name);
     if (parameter != nullptr) {
         return fmt::format("{}.config.{}\n  its default is {}, {}", component.name(), parameter_text(*parameter),
-                           to_text(parameter->spec.initial),
+                           lua_text(parameter->spec.initial),
                            parameter->set ? "and somebody set it" : "which it follows");
     }
     std::vector<std::string> names;

@@ -16,7 +16,7 @@
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/member_names.hpp"
 #include "engine/base/error.hpp"
-#include "engine/ports/usage.hpp"
+#include "engine/ports/setting.hpp"
 #include "engine/system/act_fields.hpp"
 
 namespace nezumi {

@@ -72,23 +72,6 @@ void make_metatable(lua_State* L, Objects& objects, std::size_t kind) {
     lua_rawsetp(L, LUA_REGISTRYINDEX, &metatable_keys[kind]);
 }
 
-void push_names(lua_State* L, const std::vector<std::string>& names) {
-    lua_createtable(L, static_cast<int>(names.size()), 0);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        lua_pushlstring(L, names[i].data(), names[i].size());
-        lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
-    }
-}
-
-void push_numbers(lua_State* L, const std::map<std::string, double>& numbers) {
-    lua_createtable(L, 0, static_cast<int>(numbers.size()));
-    for (const auto& [name, number] : numbers) {
-        lua_pushlstring(L, name.data(), name.size());
-        lua_pushnumber(L, number);
-        lua_rawset(L, -3);
-    }
-}
-
 // Whether a payload's table has no tables in it.
 bool is_flat(const Type& type) {
     const auto has_table = [](const Type& each) { return !each.is_single(); };
@@ -181,24 +164,17 @@ int push_answer(lua_State* L, Objects& objects, Tables tables) {
             return 1;
         }
 
-        int operator()(std::monostate) const { return 0; }
-        int operator()(bool value) const { return lua_pushboolean(lua, value ? 1 : 0), 1; }
-        int operator()(std::int64_t value) const { return lua_pushinteger(lua, value), 1; }
-        int operator()(double value) const { return lua_pushnumber(lua, value), 1; }
-        int operator()(const std::string& text) const { return lua_pushlstring(lua, text.data(), text.size()), 1; }
-        int operator()(const std::vector<std::string>& names) const { return push_names(lua, names), one(); }
-        int operator()(const std::map<std::string, double>& all) const { return push_numbers(lua, all), one(); }
         int operator()(const Value& value) const {
+            if (value.is_nothing()) return 0;
+            if (const auto* data = value.get_if<PlainData>()) {
+                luaL_checkstack(lua, static_cast<int>(data->values.size()) + 10, nullptr);
+                push_plain(lua, *data);
+                return static_cast<int>(data->values.size());
+            }
             push_payload(lua, value);
             return one(is_flat(value.type()) ? Within::nothing : Within::tree);
         }
-        int operator()(const ParameterValue& value) const { return push_parameter(lua, value), one(); }
         int operator()(const PlainSnapshot& snapshot) const { return push_plain(lua, snapshot), one(Within::anything); }
-        int operator()(const PlainData& data) const {
-            luaL_checkstack(lua, static_cast<int>(data.values.size()) + 10, nullptr);
-            push_plain(lua, data);
-            return static_cast<int>(data.values.size());
-        }
         int operator()(const ObjectName& name) const {
             push_object(lua, objects, name.kind, *name.live, name.component, name.port);
             return 1;

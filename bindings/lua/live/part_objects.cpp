@@ -11,6 +11,7 @@
 #include "engine/live/live_text.hpp"
 #include "engine/system/perform.hpp"
 #include "engine/trace/channel.hpp"
+#include "engine/values/value_text.hpp"
 
 namespace nezumi {
 namespace {
@@ -137,8 +138,8 @@ int truth_index(lua_State* L) {
         const auto name = key_of(L, "truth");
         if (!name) return Unexpected(name.error());
         const Truth truth = seen_truth(*robot->world, robot->id);
-        if (*name == "pose") return Answer{Value{truth.pose}};
-        if (*name == "velocity") return Answer{Value{truth.velocity}};
+        if (*name == "pose") return Answer{truth.pose};
+        if (*name == "velocity") return Answer{truth.velocity};
         if (*name == "height") return Answer{truth.height};
         if (*name == "tilt") return Answer{truth.tilt};
         return failure(unknown(at->component->name() + ".truth has no", *name, Objects::truth_members()));
@@ -150,8 +151,8 @@ int truth_tostring(lua_State* L) {
         const auto robot = seen_robot(at.live->system(), *at.component);
         if (!robot) return robot.error().message;
         const Truth truth = seen_truth(*robot->world, robot->id);
-        return fmt::format("pose = {}\nvelocity = {}\nheight = {:.6g}\ntilt = {:.6g}", payload_text(truth.pose),
-                           payload_text(truth.velocity), truth.height, truth.tilt);
+        return fmt::format("pose = {}\nvelocity = {}\nheight = {:.6g}\ntilt = {:.6g}", short_text(truth.pose),
+                           short_text(truth.velocity), truth.height, truth.tilt);
     });
 }
 

@@ -34,16 +34,16 @@ struct Mismatch {
 /// 'vx'?)".
 std::string describe(const Mismatch& why);
 
-/// A fresh value of the script's own on top of the stack.
+/// A fresh value of the script's own on top of the stack: a message, a parameter; arrays as plain tables.
 void push_payload(lua_State* L, const ValueView& value);
 /// The value at `index` as a payload of the message type at this index of `message_types`, or why it is none (the text
 /// of `describe(Mismatch)`).
 Expected<Value> read_payload(lua_State* L, int index, std::size_t type);
 
-/// A fresh value of the script's own on top of the stack; arrays as plain tables.
-void push_parameter(lua_State* L, const ParameterValue& value);
+/// The truth value, number or text at `index`; nothing where there is none of these.
+Value read_single(lua_State* L, int index);
 /// The value at `index` as a parameter's value, or why it can be none.
-Expected<ParameterValue> read_parameter(lua_State* L, int index);
+Expected<Value> read_parameter(lua_State* L, int index);
 
 /// The number of elements of the table at `index` when its keys are 1..n and nothing else, otherwise -1 and why.
 std::ptrdiff_t read_array_size(lua_State* L, int index, Mismatch* why);

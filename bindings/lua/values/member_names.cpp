@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/ports/usage.hpp"
+#include "engine/ports/setting.hpp"
 #include "engine/system/act_fields.hpp"
 
 namespace nezumi {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bindings/lua/sandbox/call.hpp"
-#include "engine/components/plain_data.hpp"
 #include "engine/ports/payload.hpp"
+#include "engine/values/plain_data.hpp"
 
 namespace nezumi {
 

@@ -159,7 +159,7 @@ TEST_CASE("what can be no member of a component of another host is told", "[cons
 
 TEST_CASE("what another host shows is a copy that can't be written", "[console][network]") {
     HostsRig it;
-    using Ref = PlainData::TableRef;
+    using Ref = TableRef;
     PlainData look;
     look.values.emplace_back(Ref{0});
     look.tables = {{{std::string("config"), Ref{1}}, {std::string("sets"), Ref{3}}},

@@ -134,7 +134,7 @@ TEST_CASE("a value set by hand is saved in the set in use that names it, else in
         return std::get<BehaviorEntry>(
             read_system_file(file, Project::of(file, {source_root()})).value().entries.front());
     };
-    const auto whole = [](std::int64_t number) { return ParameterValue{number}; };
+    const auto whole = [](std::int64_t number) { return Value{number}; };
     CHECK(it.type("it:use 'g' it.config.q = 5").empty());
     const BehaviorEntry other = saved();
     CHECK(other.set == "g");

@@ -173,7 +173,7 @@ TEST_CASE("hosts of different versions are told", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3", true, "1.1"), pi(room, "pi");
     pass(room, 2, ev3, pi);
-    CHECK(pi.told("warn: host ev3 is here; it runs nezumi 1.1, protocol 2, this one nezumi 1.0, protocol 2"));
+    CHECK(pi.told("warn: host ev3 is here; it runs nezumi 1.1, protocol 3, this one nezumi 1.0, protocol 3"));
 }
 
 TEST_CASE("of what a host has announced since the last look its last word counts", "[dds][network]") {

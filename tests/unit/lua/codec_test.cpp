@@ -45,7 +45,7 @@ void check_round_trip(const T& value) {
     CHECK((back->template get<T>() == value));
 }
 
-Expected<ParameterValue> parameter(const std::string& expression) {
+Expected<Value> parameter(const std::string& expression) {
     const Lua lua;
     return read_parameter(lua, lua.value(expression));
 }
@@ -194,15 +194,15 @@ TEST_CASE("a table that contains itself does not fit", "[lua][codec]") {
 }
 
 TEST_CASE("a parameter's value is read as what it is in Lua", "[lua][codec]") {
-    CHECK(parameter("true").value() == ParameterValue(true));
-    CHECK(parameter("30").value() == ParameterValue(std::int64_t{30}));
-    CHECK(parameter("30.0").value() == ParameterValue(30.0));
-    CHECK(parameter("'30'").value() == ParameterValue(std::string("30")));
-    CHECK(parameter("{ true }").value() == ParameterValue(std::vector<bool>{true}));
-    CHECK(parameter("{ 1, 2 }").value() == ParameterValue(std::vector<std::int64_t>{1, 2}));
-    CHECK(parameter("{ 1, 0.5 }").value() == ParameterValue(std::vector<double>{1, 0.5}));
-    CHECK(parameter("{ 'a' }").value() == ParameterValue(std::vector<std::string>{"a"}));
-    CHECK(parameter("{}").value() == ParameterValue(std::vector<double>{}));
+    CHECK(parameter("true").value() == Value(true));
+    CHECK(parameter("30").value() == Value(std::int64_t{30}));
+    CHECK(parameter("30.0").value() == Value(30.0));
+    CHECK(parameter("'30'").value() == Value(std::string("30")));
+    CHECK(parameter("{ true }").value() == Value(std::vector<bool>{true}));
+    CHECK(parameter("{ 1, 2 }").value() == Value(std::vector<std::int64_t>{1, 2}));
+    CHECK(parameter("{ 1, 0.5 }").value() == Value(std::vector<double>{1, 0.5}));
+    CHECK(parameter("{ 'a' }").value() == Value(std::vector<std::string>{"a"}));
+    CHECK(parameter("{}").value() == Value(std::vector<double>{}));
 }
 
 TEST_CASE("what can't be a parameter is refused with the reason", "[lua][codec]") {
@@ -219,8 +219,8 @@ TEST_CASE("what can't be a parameter is refused with the reason", "[lua][codec]"
 
 TEST_CASE("a parameter's value is pushed as the script's own", "[lua][codec]") {
     const Lua lua;
-    push_parameter(lua, std::vector<double>{1.0, 0.5});
+    push_payload(lua, std::vector<double>{1.0, 0.5});
     CHECK(lua_rawlen(lua, -1) == 2);
-    push_parameter(lua, std::int64_t{3});
+    push_payload(lua, std::int64_t{3});
     CHECK(lua_isinteger(lua, -1));
 }

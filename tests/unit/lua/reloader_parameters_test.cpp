@@ -1,4 +1,5 @@
 // Parameters and their sets in a reload: what is kept, what is left.
+#include "engine/values/value_text.hpp"
 #include "tests/unit/lua/reload_rig.hpp"
 
 using namespace nezumi;
@@ -16,7 +17,7 @@ TEST_CASE("a set parameter is kept while name, type and bounds fit, an unset one
     CHECK(world.change("it.lua",
                        "param('set', 9.0) param('unset', 7) param('typed', 'text') param('bound', 1.0, { max = 3 }) "
                        "param('same', 1)") == "");
-    const auto value = [&](const Text& name) { return to_text(it.parameters().find(name)->value); };
+    const auto value = [&](const Text& name) { return lua_text(it.parameters().find(name)->value); };
     CHECK(value("set") == "2.0");
     CHECK(value("unset") == "7");
     CHECK(value("typed") == "\"text\"");
@@ -39,7 +40,7 @@ TEST_CASE("a set that a reload makes unfit is in use no more, and its parameters
     REQUIRE(it.parameters().set_all(it.configured));
     REQUIRE(it.use("far"));
     REQUIRE(it.parameters().set_all({{"hand", std::int64_t{7}}, {"free", std::int64_t{8}}}));
-    const auto value = [&](const Text& name) { return to_text(it.parameters().find(name)->value); };
+    const auto value = [&](const Text& name) { return lua_text(it.parameters().find(name)->value); };
     const Text params = "param('q', 0.5) param('hand', 1) param('free', 1) ";
     CHECK(world.change("it.lua", params + "param('p', 1, { max = 20 })") == "");
     CHECK(it.set_in_use() == "far");

@@ -1,4 +1,5 @@
 // A new version that fails soon after, and going back by hand.
+#include "engine/values/value_text.hpp"
 #include "tests/unit/lua/reload_rig.hpp"
 
 using namespace nezumi;
@@ -108,7 +109,7 @@ TEST_CASE("rollback goes back by hand, state included, and parameters keep what 
     CHECK(report->components == std::vector<Text>{"it"});
     world.tick();
     CHECK(world.out<Longs>("it.out") == Longs{3, 3});
-    CHECK(it.parameters().find("p")->value == ParameterValue(std::int64_t{5}));
+    CHECK(it.parameters().find("p")->value == Value(std::int64_t{5}));
     CHECK(it.parameters().find("q") == nullptr);
 }
 
@@ -199,8 +200,8 @@ TEST_CASE("a parameter that was set from outside during probation outlives the r
     REQUIRE(it.parameters().set("k", std::int64_t{30}));
     world.tick(6);
     CHECK(it.version() == 1);
-    CHECK(it.parameters().find("k")->value == ParameterValue(std::int64_t{30}));
-    CHECK(it.parameters().find("own")->value == ParameterValue(std::int64_t{1}));
+    CHECK(it.parameters().find("k")->value == Value(std::int64_t{30}));
+    CHECK(it.parameters().find("own")->value == Value(std::int64_t{1}));
 }
 
 namespace {
@@ -224,7 +225,7 @@ struct SetRig : ReloadRig {
         tick();
         CHECK(it.version() == 1);
     }
-    Text k() const { return to_text(it.parameters().find("k")->value) + " " + it.set_in_use(); }
+    Text k() const { return lua_text(it.parameters().find("k")->value) + " " + it.set_in_use(); }
 
     ScriptComponent& it = add_text("it", "param('k', 1, { max = 100 })\nfunction on_execute() end");
 };
@@ -310,7 +311,7 @@ TEST_CASE("a version that goes back keeps no value of a set that somebody has le
     REQUIRE(it.parameters().set("hand", std::int64_t{7}));
     const auto values = [&] {
         Text text;
-        for (const auto& parameter : it.parameters().all()) text += to_text(parameter.value) + " ";
+        for (const auto& parameter : it.parameters().all()) text += lua_text(parameter.value) + " ";
         return text + it.set_in_use();
     };
     const Text set = GENERATE(as<Text>(), "default", "wide");
@@ -347,7 +348,7 @@ TEST_CASE("what was set from outside during a probation outlives its roll-back a
     CHECK(it.version() == 2);
     world.tick(2);
     CHECK(it.version() == 1);
-    CHECK(it.parameters().find("k")->value == ParameterValue(std::int64_t{5}));
+    CHECK(it.parameters().find("k")->value == Value(std::int64_t{5}));
 }
 
 TEST_CASE("components of one file that fail alike are told in one line", "[lua][reload]") {

@@ -23,7 +23,7 @@ function on_reset() note("reset") end
 command("fail", function() note("fail") end)
 )";
 
-PlainData::Value number(std::int64_t value) { return value; }
+Value number(std::int64_t value) { return value; }
 
 }  // namespace
 
@@ -177,11 +177,11 @@ command("say", function(text) out:write(text) end)
 command("odd", function() return print end)
 command("bad", function() out:write("lost") error("no") end)
 function on_execute() end)");
-    const PlainData arguments{.values = {number(2), PlainData::TableRef{0}},
+    const PlainData arguments{.values = {number(2), TableRef{0}},
                               .tables = {{{number(1), Text("a")}, {number(2), Text("b")}}}};
     auto results = rig.component->call_command("add", arguments, rig.now);
     REQUIRE(results);
-    CHECK(results->values == std::vector<PlainData::Value>{number(4), PlainData::TableRef{0}});
+    CHECK(results->values == std::vector<Value>{number(4), TableRef{0}});
     CHECK(results->tables == std::vector<PlainData::Table>{{{Text("total"), number(4)}}});
     CHECK(rig.component->commands()[0].doc == "adds");
 

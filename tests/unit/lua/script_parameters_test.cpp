@@ -35,7 +35,7 @@ function on_execute() config.speed = 1.5 + config.speed end)");
     CHECK(spec.doc == "how fast");
     rig.activate().tick(2);
     CHECK(rig.error() == "robot_controller.lua:3: parameter 'speed' (number): 3.0 is above its maximum 1.5");
-    CHECK(rig.component->parameters().find("speed")->value == ParameterValue(1.5));
+    CHECK(rig.component->parameters().find("speed")->value == Value(1.5));
 }
 
 TEST_CASE("config.x = v in a script is checked at once and holds from the next tick", "[lua][parameters]") {
@@ -64,15 +64,15 @@ TEST_CASE("config.x = v in a script holds from the next tick in every state and 
     const std::string text = "param('x', 1)\ncommand('give', function(v) config.x = v end)\n";
     ScriptRig inactive(text);
     set(inactive, 44);
-    CHECK(value(inactive) == ParameterValue(std::int64_t{1}));
+    CHECK(value(inactive) == Value(std::int64_t{1}));
     inactive.component->latch_inputs(inactive.now);
-    CHECK(value(inactive) == ParameterValue(std::int64_t{44}));
+    CHECK(value(inactive) == Value(std::int64_t{44}));
 
     ScriptRig broken(text + "function on_execute() error('x') end function on_aborting() config.x = 5 end\n");
     broken.activate().tick();
     CHECK(broken.status() == "ERROR");
     broken.component->latch_inputs(broken.now);
-    CHECK(value(broken) == ParameterValue(std::int64_t{5}));
+    CHECK(value(broken) == Value(std::int64_t{5}));
 }
 
 TEST_CASE("a file that names a parameter it does not declare is refused, also in code that never runs",
@@ -132,7 +132,7 @@ TEST_CASE("an array of parameters can be written to a port and given to another 
     rig.activate().tick(2);
     CHECK(rig.error() == "");
     CHECK(rig.out<std::vector<double>>("out").read() == std::vector<double>{1.0, 0.5});
-    CHECK(rig.component->parameters().find("b")->value == ParameterValue(std::vector<double>{1.0, 0.5}));
+    CHECK(rig.component->parameters().find("b")->value == Value(std::vector<double>{1.0, 0.5}));
 }
 
 TEST_CASE("config can be walked through, and not tampered with", "[lua][parameters]") {

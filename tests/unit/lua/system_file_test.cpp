@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
+#include "engine/values/value_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/lua/system_reader.hpp"
 
@@ -67,15 +68,15 @@ TEST_CASE("a behaviour takes values of every type, sets and a rate", "[lua][syst
     CHECK(c.rate == 50);
     CHECK_FALSE(c.active);
     CHECK(c.path == "behaviors/robot_controller.lua");
-    CHECK(c.config.at("a") == ParameterValue{std::int64_t{1}});
-    CHECK(c.config.at("b") == ParameterValue{1.0});
-    CHECK(c.config.at("c") == ParameterValue{true});
-    CHECK(c.config.at("d") == ParameterValue{std::string("text")});
-    CHECK(c.config.at("e") == ParameterValue{std::vector<std::int64_t>{1, 2}});
-    CHECK(c.config.at("f") == ParameterValue{std::vector<double>{1, 2.5}});
-    CHECK(c.config.at("g") == ParameterValue{std::vector<std::string>{"x"}});
-    CHECK(c.config.at("h") == ParameterValue{std::vector<bool>{true, false}});
-    CHECK(to_text(c.config.at("i")) == "{}");
+    CHECK(c.config.at("a") == Value{std::int64_t{1}});
+    CHECK(c.config.at("b") == Value{1.0});
+    CHECK(c.config.at("c") == Value{true});
+    CHECK(c.config.at("d") == Value{std::string("text")});
+    CHECK(c.config.at("e") == Value{std::vector<std::int64_t>{1, 2}});
+    CHECK(c.config.at("f") == Value{std::vector<double>{1, 2.5}});
+    CHECK(c.config.at("g") == Value{std::vector<std::string>{"x"}});
+    CHECK(c.config.at("h") == Value{std::vector<bool>{true, false}});
+    CHECK(lua_text(c.config.at("i")) == "{}");
     CHECK(c.sets.at("careful") == ParameterValues{{"a", std::int64_t{2}}});
     CHECK(c.sets.at("fast") == ParameterValues{{"b", 3.5}});
     CHECK(c.set == "careful");
@@ -207,8 +208,8 @@ TEST_CASE("classrooms of robots are made by loops", "[lua][system_file]") {
         end)");
     CHECK(spec.entries.size() == 40);
     CHECK(spec.connections.size() == 20);
-    CHECK(entry<BehaviorEntry>(spec, 1).config.at("speed_x") == ParameterValue{0.01});
-    CHECK(entry<BehaviorEntry>(spec, 39).config.at("speed_x") == ParameterValue{0.2});
+    CHECK(entry<BehaviorEntry>(spec, 1).config.at("speed_x") == Value{0.01});
+    CHECK(entry<BehaviorEntry>(spec, 39).config.at("speed_x") == Value{0.2});
     CHECK(entry<BehaviorEntry>(spec, 39).place.line == 6);
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "bindings/openrtm/rtc_profiles.hpp"
+#include "engine/values/value_text.hpp"
 #include "tests/unit/live_rig.hpp"
 
 using namespace nezumi;
@@ -131,22 +132,22 @@ TEST_CASE("a state is that of the life cycle", "[openrtm][profiles]") {
 }
 
 TEST_CASE("a value of every type is the text that stands for it", "[openrtm][profiles]") {
-    const std::vector<ParameterValue> values{true,
-                                             std::int64_t{-30},
-                                             0.1,
-                                             std::string("a, b"),
-                                             std::vector<bool>{true, false},
-                                             std::vector<std::int64_t>{1, -2},
-                                             std::vector<double>{0.5, 1e-9},
-                                             std::vector<std::string>{"a", "b c"}};
-    for (const ParameterValue& value : values) {
-        CAPTURE(to_text(value));
+    const std::vector<Value> values{true,
+                                    std::int64_t{-30},
+                                    0.1,
+                                    std::string("a, b"),
+                                    std::vector<bool>{true, false},
+                                    std::vector<std::int64_t>{1, -2},
+                                    std::vector<double>{0.5, 1e-9},
+                                    std::vector<std::string>{"a", "b c"}};
+    for (const Value& value : values) {
+        CAPTURE(lua_text(value));
         CHECK(from_rtc_text(to_rtc_text(value), value) == value);
     }
-    CHECK(from_rtc_text(" 0.5 ", 1.0) == ParameterValue(0.5));
-    CHECK(from_rtc_text("1", false) == ParameterValue(true));
-    CHECK(from_rtc_text("1, 2", std::vector<double>{}) == ParameterValue(std::vector<double>{1, 2}));
-    CHECK(from_rtc_text("", std::vector<double>{1}) == ParameterValue(std::vector<double>{}));
+    CHECK(from_rtc_text(" 0.5 ", 1.0) == Value(0.5));
+    CHECK(from_rtc_text("1", false) == Value(true));
+    CHECK(from_rtc_text("1, 2", std::vector<double>{}) == Value(std::vector<double>{1, 2}));
+    CHECK(from_rtc_text("", std::vector<double>{1}) == Value(std::vector<double>{}));
 }
 
 TEST_CASE("a text that stands for no value of the type is none", "[openrtm][profiles]") {

@@ -208,14 +208,14 @@ TEST_CASE("life cycle and sets act through the one door, and are checked", "[ope
     CHECK(rig.ask({.what = What::set, .component = "controller", .set = "default", .values = {{"speed_x", "0.5"}}}) ==
           RtcAnswer::done);
     rig.turn();
-    CHECK(std::get<double>(rig.component("controller").parameters().find("speed_x")->value) == 0.5);
+    CHECK(rig.component("controller").parameters().find("speed_x")->value.get<double>() == 0.5);
     CHECK(rig.ask({.what = What::use, .component = "controller", .set = "fast"}) == RtcAnswer::done);
     CHECK(rig.server->snapshot("controller").set == "fast");
     CHECK(rig.ask({.what = What::use, .component = "controller", .set = "slow"}) == RtcAnswer::refused);
     CHECK(rig.ask({.what = What::use, .component = "controller", .set = "default"}) == RtcAnswer::done);
     CHECK(rig.server->snapshot("controller").set == "default");
     rig.turn();
-    CHECK(std::get<double>(rig.component("controller").parameters().find("speed_x")->value) == 0.25);
+    CHECK(rig.component("controller").parameters().find("speed_x")->value.get<double>() == 0.25);
     for (const std::string& line : rig.acts.lines) CHECK(line.find(" by network rtm") != std::string::npos);
 }
 
@@ -229,7 +229,7 @@ TEST_CASE("a set in use that is chosen again keeps the values that were set", "[
                 RtcAnswer::done);
         CHECK(rig.ask({.what = What::use, .component = "controller", .set = set}) == RtcAnswer::done);
         rig.turn();
-        CHECK(std::get<double>(rig.component("controller").parameters().find("speed_x")->value) == 0.75);
+        CHECK(rig.component("controller").parameters().find("speed_x")->value.get<double>() == 0.75);
     }
 }
 
@@ -245,7 +245,7 @@ TEST_CASE("values of a set are taken all together or not at all", "[openrtm][ser
     CHECK(set("default", {{"speed_x", "nan"}}) == RtcAnswer::refused);
     CHECK(set("fast", {{"speed_x", "0.3"}}) == RtcAnswer::refused);
     rig.turn();
-    CHECK(std::get<double>(rig.component("controller").parameters().find("speed_x")->value) == 0.25);
+    CHECK(rig.component("controller").parameters().find("speed_x")->value.get<double>() == 0.25);
     CHECK(rig.acts.lines.empty());
 }
 

@@ -176,8 +176,7 @@ TEST_CASE("an RTC sees profile, life cycle and configuration, and changes them",
     CHECK(rig.answer(*peer, "sets relay0", "sets ") ==
           "sets default | default speed=0.5 | __widget__ | __constraints__ speed=0<=x<=1 | __type__ speed=double");
     CHECK(rig.answer(*peer, "set relay0 default speed 0.75", "done ") == "done 1");
-    CHECK(
-        rig.until([&] { return std::get<double>(rig.component("relay").parameters().find("speed")->value) == 0.75; }));
+    CHECK(rig.until([&] { return rig.component("relay").parameters().find("speed")->value.get<double>() == 0.75; }));
     CHECK(rig.answer(*peer, "set relay0 default speed 7", "done ") == "done 0");
     CHECK(rig.answer(*peer, "set relay0 default sped 0.5", "invalid ") == "invalid there is no parameter of this name");
     CHECK(rig.answer(*peer, "use relay0 fast", "invalid ") == "invalid there is no configuration set of this name");

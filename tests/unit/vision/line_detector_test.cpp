@@ -124,8 +124,8 @@ TEST_CASE("a camera that looks down sees the line of a floor, left of it or righ
         const auto world = world_with(floor_with_line());
         CameraSettings settings{.width = 320, .height = 240, .field_of_view = field_of_view};
         if (!optics.empty()) {
-            settings.noise = std::get<double>(optics.at("noise"));
-            settings.blur = std::get<double>(optics.at("blur"));
+            settings.noise = optics.at("noise").get<double>();
+            settings.blur = optics.at("blur").get<double>();
         }
         const auto line =
             find_line(*to_gray(picture_of(*world, settings, {.at = {0, y, 0.1}, .yaw = yaw, .pitch = 0.8})), {});

@@ -98,7 +98,7 @@ TEST_CASE("an act of a browser is its own, is logged, and is answered", "[web]")
                    {"fields", {{"component", "controller"}, {"parameter", "speed_x"}, {"value", 0.5}}}};
     CHECK(WebRig::answer(browser, set)["ok"] == true);
     rig.tick();
-    CHECK(std::get<double>(rig.component("controller").parameters().find("speed_x")->value) == 0.5);
+    CHECK(rig.component("controller").parameters().find("speed_x")->value.get<double>() == 0.5);
     CHECK(rig.said("browser 1: SetParameter {\"component\":\"controller\",\"parameter\":\"speed_x\",\"value\":0.5}"));
     Json wrong = set;
     wrong["fields"]["value"] = 5.0;

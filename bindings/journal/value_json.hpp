@@ -1,12 +1,13 @@
-// Texts, numbers and plain data as JSON, whatever bytes and numbers they are.
+// Values as JSON, whatever bytes and numbers they hold.
 #pragma once
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
 #include "engine/base/error.hpp"
-#include "engine/components/plain_data.hpp"
+#include "engine/values/plain_data.hpp"
 
 namespace nezumi {
 
@@ -22,9 +23,19 @@ nlohmann::ordered_json number_to_json(double value);
 /// What is read into `out`. Returns what is wrong, "" for nothing.
 std::string read_number(const nlohmann::ordered_json& json, double& out);
 
-/// { "values": [...], "tables": [[[KEY, VALUE], ...], ...] }, where { "table": 0 } stands for the first of the tables.
-nlohmann::ordered_json plain_to_json(const PlainData& data);
+/// What values that describe themselves to nobody are in JSON.
+struct OtherForms {
+    std::function<nlohmann::ordered_json(const ValueView& value)> write{};
+    std::function<std::string(const nlohmann::ordered_json& json, const ValuePlace& out)> read{};
+};
+
+/// A value by its type's table: a structure as its fields, without those that hold nothing. A value of any type within
+/// it is a truth value, a number or a text as they are, null for nothing, { "table": 0 } for a table of plain data,
+/// else an object of its type's name and itself: { "numbers": [...] }, { "TimedVelocity2D": {...} }.
+nlohmann::ordered_json value_to_json(const ValueView& value, const OtherForms& others = {});
 /// As `read_number`.
+std::string read_value(const nlohmann::ordered_json& json, const ValuePlace& out, const OtherForms& others = {});
+/// The same of plain data. As in every value, it can then be looked through without a check.
 std::string read_plain(const nlohmann::ordered_json& json, PlainData& out);
 
 /// "expected a text, got 5": a long one is cut.
