@@ -1,4 +1,4 @@
-// An exposure copies what stands where; developing it paints, distorts, blurs and adds noise.
+// The camera of the simulation: an exposure copies the scene; developing paints it, distorts, blurs and adds noise.
 #include "sim/camera.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ SimCamera::SimCamera(const OdeWorld& world, std::optional<RobotId> carrier, cons
       intrinsics_(settings.intrinsics()),
       distortion_(std::move(distortion)),
       noise_(settings.noise, settings.seed) {
-    // A camera shall cost one core: others run behaviours. What it sees does not depend on the number.
+    // A camera uses one core, because behaviours need the others. The picture does not depend on the number of threads.
     cv::setNumThreads(1);
 }
 

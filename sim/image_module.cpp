@@ -1,4 +1,4 @@
-// The module for pictures: OpenCV's readers of JPEG, BMP, TIFF and others. The one place that needs its imgcodecs.
+// The module for pictures: OpenCV's readers of JPEG, BMP, TIFF and others. Only this file needs OpenCV's imgcodecs.
 #include "sim/image_module.hpp"
 
 #include <exception>
@@ -9,7 +9,7 @@
 namespace nezumi::sim {
 namespace {
 
-// Blue, green, red and, where there is one, alpha, of 8 bits each.
+// Converts to 8 bits per channel: blue, green, red and, if present, alpha.
 cv::Mat to_bytes(const cv::Mat& picture) {
     const double scale = picture.depth() == CV_16U ? 1 / 257.0 : picture.depth() == CV_8U ? 1 : 255;
     cv::Mat bytes;
@@ -31,7 +31,7 @@ bool decode(const std::uint8_t* bytes, std::size_t size, Picture& picture, std::
     }
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
     const cv::Mat file(1, static_cast<int>(size), CV_8UC1, const_cast<std::uint8_t*>(bytes));
-    // Only as colours does it turn a photograph the right way up; those have no alpha.
+    // OpenCV applies a photograph's orientation only when it reads colours. JPEG has no alpha, so nothing is lost.
     const bool is_jpeg = size > 2 && bytes[0] == 0xff && bytes[1] == 0xd8;
     const cv::Mat read = cv::imdecode(file, is_jpeg ? cv::IMREAD_COLOR : cv::IMREAD_UNCHANGED);
     if (read.empty()) {
@@ -61,7 +61,7 @@ extern "C" __attribute__((visibility("default"))) nezumi::sim::DecodeInModule ne
 bool nezumi_decode_image(const std::uint8_t* bytes, std::size_t size, nezumi::Picture& picture, std::string& problem) {
     try {
         return nezumi::sim::decode(bytes, size, picture, problem);
-    } catch (const cv::Exception& thrown) {  // an assertion of its has several lines
+    } catch (const cv::Exception& thrown) {  // the message of an OpenCV assertion has several lines
         problem = "OpenCV gives up: " + thrown.err.substr(0, thrown.err.find('\n'));
     } catch (const std::exception& thrown) {
         problem = thrown.what();

@@ -1,4 +1,4 @@
-// What the program and its module for pictures know of each other: they are built together.
+// The interface between the program and its module for pictures. Both are built together.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ namespace nezumi::sim {
 inline constexpr const char* image_module = "nezumi_images.so";
 inline constexpr const char* decode_in_module = "nezumi_decode_image";
 
-/// The module's one function: the picture in a file's bytes, of any format that OpenCV reads; transparent parts are
-/// white, and a photograph stands as its camera was held. False with the `problem`. It throws nothing.
+/// The module's only function. Reads the picture in a file's bytes, in any format that OpenCV reads. Transparent parts
+/// become white; a photograph is turned upright. Returns false with the `problem`. Never throws.
 using DecodeInModule = bool(const std::uint8_t* bytes, std::size_t size, Picture& picture, std::string& problem);
 
 }  // namespace nezumi::sim

@@ -1,4 +1,4 @@
-// What cameras see is read from the world for each picture, so that a marker may come and go at any tick.
+// Markers. Cameras read them from the world for each picture, so a marker may appear or vanish at any tick.
 #include "sim/markers.hpp"
 
 #include <fmt/format.h>

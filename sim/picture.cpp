@@ -1,4 +1,4 @@
-// PNG by libpng's short interface, other formats by a module, tags by AprilTag's own tables.
+// Reads PNG by libpng, other formats by a module; paints tags by the tables of AprilTag.
 #include "sim/picture.hpp"
 
 #include <apriltag/apriltag.h>
@@ -27,7 +27,7 @@ std::string too_large(std::int64_t width, std::int64_t height) {
     return fmt::format("it has {} x {} pixels, expected at most {} million", width, height, most_pixels / 1'000'000);
 }
 
-// Why these bytes are no PNG, or "".
+// Returns why these bytes are not a PNG picture, or "".
 std::string read_png(std::string_view bytes, Picture& picture) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
@@ -45,7 +45,7 @@ std::string read_png(std::string_view bytes, Picture& picture) {
     return "";
 }
 
-// Why these bytes are no picture of another format, or "".
+// Returns why these bytes are not a picture of another format, or "".
 std::string read_other(std::string_view bytes, Picture& picture) {
     static const auto decodes = load_function(
         {.file = image_module, .function = decode_in_module, .part = "pictures", .needs = "libopencv-imgcodecs406"});
@@ -95,7 +95,7 @@ Picture paint_tag(int id) {
     }
     const std::uint64_t code = family->codes[id];
     for (std::uint32_t bit = 0; bit < family->nbits; ++bit) {
-        // The first bit is the most significant.
+        // The first bit is the most significant one.
         if ((code >> (family->nbits - 1 - bit) & 1) != 0) cell(family->bit_x[bit], family->bit_y[bit]) = white;
     }
     return picture;

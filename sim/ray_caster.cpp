@@ -1,4 +1,4 @@
-// Casting a fan of rays: first who is near at all, then ray by ray.
+// Casts a fan of rays: first selects the near shapes, then tests each ray.
 #include "sim/ray_caster.hpp"
 
 #include <algorithm>
@@ -7,11 +7,11 @@
 namespace nezumi::sim {
 namespace {
 
-// Whether a ray can meet a shape that, seen from above, lies within `reach` of (x, y) from the ray's start.
+// True if a ray can hit a shape that, seen from above, lies within `reach` of (x, y) relative to the ray's start.
 bool may_meet(double x, double y, double reach, const Vec3& direction, double range) {
     const double along = x * direction.x() + y * direction.y();
     const double flat = direction.x() * direction.x() + direction.y() * direction.y();
-    // Nearest point of the ray to the shape's axis; what is behind the start can still hold the start.
+    // The ray's nearest point to the shape's axis. A shape behind the start can still contain the start.
     const double t = flat > 1e-12 ? std::clamp(along / flat, 0.0, range) : 0.0;
     const double dx = x - t * direction.x(), dy = y - t * direction.y();
     return dx * dx + dy * dy <= reach * reach;

@@ -1,4 +1,4 @@
-// A robot's sensors and motors, by its number in the world.
+// A robot's sensors and motors in the world, by its number.
 #include "sim/robot_body.hpp"
 
 #include <cassert>

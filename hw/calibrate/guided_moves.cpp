@@ -1,4 +1,4 @@
-// Braking begins where it will end at the goal: v^2 / 2a before it.
+// Braking starts v^2 / 2a before the goal.
 #include "hw/calibrate/guided_moves.hpp"
 
 #include <algorithm>
@@ -8,16 +8,16 @@
 namespace nezumi::hw {
 namespace {
 
-constexpr double least_move = 5e-4;  // [m], [rad]: less is no more than a pulse of a stepping motor
-constexpr double move_patience = 2;  // times as long as it should take, and two seconds
+constexpr double least_move = 5e-4;  // [m], [rad]: smaller moves are below one pulse of a stepping motor
+constexpr double move_patience = 2;  // a move fails after this multiple of its planned time plus two seconds
 
-// `moved` says how far it has come of `amount`.
+// `moved` returns the part of `amount` done so far.
 Expected<void> move(GuidedRobot& robot, double amount, double fastest, double limit, double deceleration,
                     const std::function<Velocity2D(double signed_speed)>& velocity,
                     const std::function<double()>& moved, const GuidedRobot::EachTick& each_tick) {
     if (std::abs(amount) < least_move) return {};
     const double size = std::abs(amount);
-    // No faster than it can brake halfway.
+    // At most the speed from which it can stop within half of the move.
     const double speed = std::min({fastest, limit, std::sqrt(size * deceleration)});
     const double braking = speed * speed / (2 * deceleration);
     const double seconds = move_patience * (size / speed + speed / deceleration) + 2;

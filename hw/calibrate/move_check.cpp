@@ -1,4 +1,4 @@
-// Slowly, a second for each: the left wheel forward and back, then the right one.
+// Turns each wheel slowly for one second each way: first left, then right.
 #include "hw/calibrate/move_check.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double rim_speed = 0.05;  // [m/s]
 constexpr double seconds = 1;
-constexpr double tolerance = 0.4;  // of the way: speeding up and braking are in it
+constexpr double tolerance = 0.4;  // relative, because speeding up and braking are part of the way
 
 Finding judged(const std::string& what, double wanted, double own, double other) {
     using enum Finding::State;
@@ -37,7 +37,7 @@ Expected<Findings> check_moves(GuidedRobot& robot, const std::function<void(cons
     for (const bool is_left : {true, false}) {
         for (const bool is_forward : {true, false}) {
             const double speed = is_forward ? rim_speed : -rim_speed;
-            // The other wheel stands: the robot would turn about it.
+            // The other wheel stands, so the robot would turn about it.
             const Velocity2D velocity{.vx = speed / 2, .va = (is_left ? -speed : speed) / track};
             const std::string what =
                 fmt::format("{} wheel {}", is_left ? "left" : "right", is_forward ? "forward" : "backward");

@@ -1,4 +1,4 @@
-// The module for cameras: OpenCV's capture by Video4Linux. The one place that needs its videoio.
+// The camera module: OpenCV's capture by Video4Linux. Only this file needs OpenCV's videoio.
 #include <cstdint>
 #include <memory>
 #include <opencv2/calib3d.hpp>
@@ -16,13 +16,13 @@ class OpencvCapture final : public Capture {
 public:
     OpencvCapture(const std::string& node, const CaptureSettings& settings) : settings_(settings) {
         captures_.emplace_back();
-        // What does not work, a line of ours says, once.
+        // Errors are reported once by nezumi itself.
         cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
         if (!device().open(node, cv::CAP_V4L2)) return;
         device().set(cv::CAP_PROP_FRAME_WIDTH, settings.width);
         device().set(cv::CAP_PROP_FRAME_HEIGHT, settings.height);
         device().set(cv::CAP_PROP_FPS, settings.frame_rate);
-        // The newest frame is wanted: what waits behind it is old.
+        // Only the newest frame is wanted.
         device().set(cv::CAP_PROP_BUFFERSIZE, 2);
         if (settings.undistort) make_maps();
     }
@@ -36,12 +36,12 @@ public:
 
     Wait wait(double seconds) override {
         try {
-            // OpenCV's own reading waits for 10 s when no frame comes. This grabs the frame as well.
+            // OpenCV's read waits up to 10 s for a frame. `waitAny` has a time limit and also grabs the frame.
             const std::int64_t begin = cv::getTickCount();
             std::vector<int> ready;
             if (cv::VideoCapture::waitAny(captures_, ready, static_cast<std::int64_t>(seconds * 1e9)))
                 return Wait::frame;
-            // A device that has gone keeps nobody waiting.
+            // A device that has gone returns at once.
             const double waited = static_cast<double>(cv::getTickCount() - begin) / cv::getTickFrequency();
             return waited < seconds / 2 ? Wait::failed : Wait::nothing;
         } catch (const cv::Exception&) {
@@ -80,8 +80,8 @@ private:
     }
 
     const CaptureSettings settings_;
-    std::vector<cv::VideoCapture> captures_;  // the one, as `waitAny` wants it
-    cv::Mat frame_, straight_;                // kept for their memory
+    std::vector<cv::VideoCapture> captures_;  // the only one, in the form that `waitAny` needs
+    cv::Mat frame_, straight_;                // buffers, kept to avoid allocation
     cv::Mat places_, weights_;
 };
 

@@ -1,4 +1,4 @@
-// Cameras by the kernel's list of them, loudspeakers by ALSA's.
+// Finds cameras by the kernel's list, loudspeakers by ALSA's.
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -42,7 +42,7 @@ void examine_cameras(const MachineRoots& roots, Findings& findings) {
     }
 }
 
-// ALSA's list has two lines for a card: " 0 [Headphones     ]: bcm2835_headpho - bcm2835 Headphones".
+// ALSA's list has two lines per card: " 0 [Headphones     ]: bcm2835_headpho - bcm2835 Headphones".
 void examine_sound(const MachineRoots& roots, Findings& findings) {
     std::ifstream cards(roots.proc + "/asound/cards");
     std::vector<std::string> names;

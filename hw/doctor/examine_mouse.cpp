@@ -1,4 +1,4 @@
-// The mouse's kernel driver, its nodes, and what the nodes say of the parts behind them.
+// The mouse's kernel driver and nodes, and the parts behind the nodes.
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -30,10 +30,10 @@ constexpr MouseNode all_nodes[] = {
     {"rtswitch2", reads},    {"rtled0", writes},         {"rtled1", writes},         {"rtled2", writes},
     {"rtled3", writes},      {"rtbuzzer0", writes},
 };
-// What other programs like to open: the counters' signed nodes change what the unsigned ones say.
+// Nodes that other programs often open: opening the signed counter nodes changes the values of the unsigned ones.
 constexpr const char* nodes_of_others[] = {"rtcounter_l1", "rtcounter_r1", "rtmotor0"};
 
-constexpr int light_readings = 5;  // that all say 0 0 0 0 are no measurement
+constexpr int light_readings = 5;  // number of readings; if all are 0 0 0 0, the sensors do not measure
 
 class Mouse {
 public:
@@ -82,7 +82,7 @@ private:
                 fmt::format("end it before a robot is driven: kill {}", holder.process));
         }
         if (is_power_held || opening_fails_with(power, writes) != 0) return;
-        // A program of another user is not to be seen, its lease is.
+        // A program of another user can't be seen, but its lease can.
         if (const auto lease = Lease::take("raspimouse", power); !lease) {
             const std::string text = lease.error().message;
             const std::size_t colon = text.rfind(": ");
@@ -132,7 +132,7 @@ private:
         }
     }
 
-    // Without a rule, permissions are as the driver has them: someone has changed them by hand, until the next start.
+    // Without a rule, someone has changed the permissions by hand; they are lost at the next start.
     void look_at_rules() {
         for (const std::string& folder : roots_.udev) {
             for (const std::string& name : names_in(folder + "/rules.d")) {
@@ -155,7 +155,7 @@ private:
             roots_.rules.empty() ? "60-nezumi.rules" : roots_.rules);
     }
 
-    // Returns whether it has to be found out why they say nothing.
+    // Returns true if the cause of missing values must be found.
     bool look_at_lights() {
         LightValues values{};
         for (int i = 0; i < light_readings; ++i) {

@@ -1,4 +1,4 @@
-// Finds a device that is a gamepad, and keeps up with its events.
+// Finds a gamepad and processes its events.
 #include "hw/gamepad/evdev_gamepad.hpp"
 
 #include <fcntl.h>
@@ -19,7 +19,7 @@
 namespace nezumi::hw {
 namespace {
 
-// What a gamepad or a joystick has, and neither a keyboard nor a mouse nor a touch pad.
+// Features of a gamepad or joystick that keyboards, mice and touch pads lack.
 bool is_gamepad(libevdev* device) {
     const auto has = [device](unsigned type, unsigned code) {
         return libevdev_has_event_code(device, type, code) == 1;
@@ -108,7 +108,7 @@ tl::expected<void, std::string> EvdevGamepad::take(Device device, const std::str
     for (unsigned code = BTN_MISC; code <= KEY_MAX; ++code) {
         if (libevdev_has_event_code(device_.get(), EV_KEY, code) == 1) buttons_.push_back(code);
     }
-    // A button that is to keep people safe and does not exist must not be found out when it is needed.
+    // A missing safety button must be noticed before it is needed.
     for (const auto& [name, code] : {std::pair(&dead_man_name_, &dead_man_), {&stop_name_, &stop_}}) {
         if (name->empty()) continue;
         const auto found = button(*name);
@@ -157,11 +157,11 @@ tl::expected<void, std::string> EvdevGamepad::read_events() {
         if (status == -EINTR) continue;
         if (status == -EAGAIN) {
             if (flag == LIBEVDEV_READ_FLAG_NORMAL) return {};
-            flag = LIBEVDEV_READ_FLAG_NORMAL;  // in step again
+            flag = LIBEVDEV_READ_FLAG_NORMAL;  // synchronised again
             continue;
         }
         if (status < 0) return tl::unexpected(with_advice({node_, -status}));
-        // Events were lost: what has changed meanwhile comes as events of its own.
+        // Events were lost: libevdev sends the changes as events.
         if (status == LIBEVDEV_READ_STATUS_SYNC) flag = LIBEVDEV_READ_FLAG_SYNC;
         if (stop_ && event.type == EV_KEY && event.code == *stop_ && event.value == 1) ++stops_;
     }
@@ -175,7 +175,7 @@ void EvdevGamepad::publish() {
     for (const Axis& axis : axes_) {
         const double at = axis.at(libevdev_get_event_value(device_.get(), EV_ABS, axis.code));
         if (axis.code == ABS_X) now.x = at;
-        if (axis.code == ABS_Y) now.y = -at;  // Linux has it down
+        if (axis.code == ABS_Y) now.y = -at;  // on Linux, down is positive
         now.axes.push_back(static_cast<float>(at));
     }
     for (const unsigned code : buttons_) now.buttons.push_back(is_pressed(code));

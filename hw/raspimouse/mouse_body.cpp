@@ -1,4 +1,4 @@
-// Channels of the mouse's devices to sensors of its description, and the clock's time to the system's.
+// Assigns the mouse's devices to the described sensors, and converts their times to the system's.
 #include "hw/raspimouse/mouse_body.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// How each of the mouse's sensors is read, and what is not believed.
+// How each of the mouse's sensors is read, and which readings are ignored.
 #include "hw/raspimouse/sensors.hpp"
 
 #include <fmt/format.h>
@@ -13,11 +13,12 @@ namespace {
 
 using Access = Node::Access;
 
-// [s] between readings. The light sensors take 2.4 ms or more, a switch up to 40 ms, a counter 1.2 ms.
+// [s] between readings. A reading takes at least 2.4 ms for the light sensors, up to 40 ms for a switch, 1.2 ms for a
+// counter.
 constexpr double light_period = 0.01;
 constexpr double switch_period = 0.03;
 constexpr double counter_period = 0.01;
-// A counter that fails for so many readings in a row is lost.
+// A counter is lost after this number of failed readings in a row.
 constexpr int zeros_to_lose = 10;
 
 }  // namespace
@@ -75,7 +76,7 @@ tl::expected<PulseCounter::Verdict, std::string> WheelCounters::read(Wheel& whee
     const auto reading = decode_counter(*text);
     if (!reading) return tl::unexpected(not_understood(wheel.node, *text, "a number from 0 to 65535"));
     const Verdict verdict = wheel.counter.take(*reading, commanded.until(tm));
-    // Whoever opens a node last decides whether both kinds of it are signed.
+    // The program that opened a node last determines whether its numbers are signed.
     if (verdict == Verdict::jumped) wheel.node.close();
     if (verdict == Verdict::taken || verdict == Verdict::jumped) wheel.rate.take(tm, wheel.counter.pulses());
     return verdict;
@@ -87,7 +88,7 @@ tl::expected<std::optional<WheelValues>, std::string> WheelCounters::sample(doub
     if (!left) return tl::unexpected(left.error());
     const auto right = read(right_, commanded_->right);
     if (!right) return tl::unexpected(right.error());
-    was_there_ = true;  // both: one that is missing is one loss, however often the other is read
+    was_there_ = true;  // only if both are there: one missing counter is one loss, even if the other can be read
     zeros_ = *left == Verdict::zero || *right == Verdict::zero ? zeros_ + 1 : 0;
     if (zeros_ >= zeros_to_lose)
         return tl::unexpected(
