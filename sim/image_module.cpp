@@ -35,7 +35,7 @@ bool decode(const std::uint8_t* bytes, std::size_t size, Picture& picture, std::
     const bool is_jpeg = size > 2 && bytes[0] == 0xff && bytes[1] == 0xd8;
     const cv::Mat read = cv::imdecode(file, is_jpeg ? cv::IMREAD_COLOR : cv::IMREAD_UNCHANGED);
     if (read.empty()) {
-        problem = "it is none that OpenCV can read (PNG, JPEG, BMP, TIFF, WebP, PPM and others)";
+        problem = "OpenCV can't read its format (PNG, JPEG, BMP, TIFF, WebP, PPM and others are possible)";
         return false;
     }
     const cv::Mat pixels = to_bytes(read);
@@ -62,7 +62,7 @@ bool nezumi_decode_image(const std::uint8_t* bytes, std::size_t size, nezumi::Pi
     try {
         return nezumi::sim::decode(bytes, size, picture, problem);
     } catch (const cv::Exception& thrown) {  // the message of an OpenCV assertion has several lines
-        problem = "OpenCV gives up: " + thrown.err.substr(0, thrown.err.find('\n'));
+        problem = "OpenCV reports: " + thrown.err.substr(0, thrown.err.find('\n'));
     } catch (const std::exception& thrown) {
         problem = thrown.what();
     }

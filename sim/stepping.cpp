@@ -38,8 +38,8 @@ void OdeWorld::tell_who_left() {
         const double x = robot.body.p[0], y = robot.body.p[1];
         if (robot.gone || robot.left || (std::abs(x) <= inside_->x / 2 && std::abs(y) <= inside_->y / 2)) continue;
         robot.left = true;
-        warn_(fmt::format("physics: '{}' has left the arena of {:g} x {:g} m, over its border (told once)", robot.name,
-                          inside_->x, inside_->y));
+        warn_(fmt::format("physics: '{}' has left the arena of {:g} x {:g} m, over its border (reported once)",
+                          robot.name, inside_->x, inside_->y));
     }
 }
 
@@ -66,7 +66,7 @@ void OdeWorld::step_others(int index) {
     islands_.clear();
     contacts_.find(ahead_.others());
     if (contacts_.is_full())
-        warn_("physics: so much lies in each other that a step has no room for all contacts: some are left out");
+        warn_("physics: too many shapes overlap: a step has no room for all contacts: some are left out");
     advance();
     contacts_.clear();
     turn_wheels();
@@ -200,7 +200,7 @@ void OdeWorld::restore_lost_bodies() {
 void OdeWorld::restore(const BodyView& body, const Shape& last, double drop, const std::string& name) {
     if (body.is_sound()) return;
     body.put(last.centre - last.rotation.col(2) * drop, last.rotation);
-    warn_("physics: '" + name + "' was lost and is back where it was a tick before");
+    warn_("physics: '" + name + "' got an impossible speed and is back at its place before this tick");
 }
 
 }  // namespace nezumi::sim

@@ -30,7 +30,7 @@ Expected<std::unique_ptr<GuidedCamera>> GuidedCamera::make(SystemSpec spec, cons
     camera->entry_ = *find_entry<ComponentEntry>(camera->spec_, name);
     const RobotEntry* robot = find_entry<RobotEntry>(camera->spec_, camera->entry_.on);
     if (robot == nullptr)
-        return failure(fmt::format("camera '{}' is on no robot, whose calibration would have it: give it one by on = "
+        return failure(fmt::format("camera '{}' is not on a robot, so it has no calibration file: add on = "
                                    "\"NAME\"",
                                    name),
                        camera->entry_.place);
@@ -65,8 +65,7 @@ Expected<TimedPicture> GuidedCamera::next() {
     if (options_.simulated) return rehearse();
     const double since = system_->now().seconds;
     do {
-        if (options_.end != nullptr && *options_.end != 0)
-            return failure("ended before it was done: nothing was written");
+        if (options_.end != nullptr && *options_.end != 0) return failure("interrupted: nothing was written");
         if (system_->now().seconds - since > picture_patience)
             return failure(fmt::format("no picture came for {} s", picture_patience));
         pacer_->wait();

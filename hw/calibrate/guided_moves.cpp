@@ -32,7 +32,7 @@ Expected<void> move(GuidedRobot& robot, double amount, double fastest, double li
     if (!driven) return driven;
     if (is_there) return {};
     robot.rest();
-    return failure("the robot does not move as it is told: nezumi doctor says why, or its wheel counters are silent");
+    return failure("the robot does not move as commanded: run nezumi doctor, and check its wheel counters");
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ Expected<void> GuidedRobot::drive(const Velocity2D& velocity, double seconds, co
     while (system_->now().seconds < end && !robot_->stands()) step({});
     if (!should_end()) return {};
     rest();
-    return failure("ended before it was done: the robot stands");
+    return failure("interrupted: the robot stands");
 }
 
 }  // namespace nezumi::hw

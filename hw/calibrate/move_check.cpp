@@ -21,11 +21,11 @@ Finding judged(const std::string& what, double wanted, double own, double other)
     if (std::abs(own - wanted) > tolerance * std::abs(wanted))
         return {"wheels", wrong, found,
                 std::abs(own) < 0.1 * std::abs(wanted)
-                    ? "its counter or its motor is not connected: look at their cables"
-                    : "look at its motor's cables: left and right, or forward and backward, are exchanged"};
+                    ? "its counter or its motor is not connected: check their cables"
+                    : "check its motor's cables: left and right, or forward and backward, are swapped"};
     if (std::abs(other) > tolerance * std::abs(wanted))
         return {"wheels", wrong, fmt::format("{}: the other wheel turned by {:.3f} m", what, other),
-                "look at the motors' cables: left and right are exchanged"};
+                "check the motors' cables: left and right are swapped"};
     return {"wheels", good, found, ""};
 }
 
@@ -56,7 +56,7 @@ Expected<Findings> check_moves(GuidedRobot& robot, const std::function<void(cons
         }
     }
     robot.rest();
-    tell("Did each wheel turn as it was said? The counters see what the motors are told, not what they do.");
+    tell("Did each wheel turn as announced? The counters count the commands to the motors, not their motion.");
     return findings;
 }
 

@@ -48,7 +48,7 @@ public:
             if (sensor.kind == SensorSpec::Kind::range && sensor.on.empty() && std::abs(sensor.yaw) <= widest_angle)
                 by_angle[sensor.yaw].push_back(i);
         }
-        if (by_angle.empty()) return failure("this robot has no range sensors that look ahead");
+        if (by_angle.empty()) return failure("this robot has no range sensors that face ahead");
         std::vector<std::pair<double, std::vector<std::size_t>>> groups(by_angle.begin(), by_angle.end());
         std::stable_sort(groups.begin(), groups.end(),
                          [](const auto& a, const auto& b) { return std::abs(a.first) < std::abs(b.first); });
@@ -59,7 +59,7 @@ public:
         for (auto& [index, points] : points_) {
             const std::string& name = spec_.sensors[index].name;
             if (points.size() < 2)
-                return failure(fmt::format("sensor '{}' says nothing: nezumi doctor may know why", name));
+                return failure(fmt::format("sensor '{}' gives no readings: run nezumi doctor", name));
             std::sort(points.begin(), points.end(),
                       [](const auto& a, const auto& b) { return a.distance < b.distance; });
             all.push_back({name, std::move(points)});

@@ -117,7 +117,7 @@ tl::expected<void, std::string> VideoCamera::find() {
         if (code > 0) {
             why = with_advice({node, code});
         } else if (!wanted_.empty()) {
-            why = node + " is none: no pictures can be had of it";
+            why = node + " is not a camera: it can't take pictures";
         }
     }
     return tl::unexpected(why);

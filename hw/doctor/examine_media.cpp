@@ -36,7 +36,7 @@ void examine_cameras(const MachineRoots& roots, Findings& findings) {
         }
     }
     if (!any) {
-        findings.push_back({"camera", note, "none is there", "plug one in, where a system has a component Camera"});
+        findings.push_back({"camera", note, "not found", "plug one in if a system has a component Camera"});
     } else if (const auto loaded = roots.load_cameras(); !loaded) {
         findings.push_back({"camera", wrong, "nezumi can't use it", loaded.error()});
     }
@@ -51,8 +51,7 @@ void examine_sound(const MachineRoots& roots, Findings& findings) {
         if (dash != line.npos && name != line.npos) names.push_back(line.substr(name + 3));
     }
     if (names.empty()) {
-        findings.push_back(
-            {"sound", note, "no sound card is there", "plug in a loudspeaker, where a robot is to speak"});
+        findings.push_back({"sound", note, "no sound card is there", "plug in a loudspeaker if a robot must speak"});
         return;
     }
     const std::string folder = roots.devices.dev + "/snd";

@@ -57,11 +57,11 @@ private:
         const std::string module = roots_.devices.sys + "/module/rtmouse";
         const std::string version = first_line(module + "/version");
         if (!version.empty()) return say("driver", good, "rtmouse " + version);
-        if (!names_in(module).empty()) return say("driver", good, "rtmouse, which tells no version");
+        if (!names_in(module).empty()) return say("driver", good, "rtmouse, version unknown");
         if (opening_fails_with(node("rtmotoren0"), writes) != ENOENT)
             return say("driver", note, module + " is not there, but its nodes are");
         say("driver", wrong, "rtmouse is not loaded",
-            "sudo modprobe rtmouse; where there is no such module, build it: "
+            "sudo modprobe rtmouse; if there is no such module, build it: "
             "https://github.com/rt-net/RaspberryPiMouse");
     }
 
@@ -144,8 +144,8 @@ private:
                     return say("udev rules", good, path);
             }
         }
-        say("udev rules", note,
-            "there is none for the nodes: other users may not use them, or not after the next start", rule_advice());
+        say("udev rules", note, "no rule for the nodes: other users may not use them, or not after the next start",
+            rule_advice());
     }
 
     std::string rule_advice() const {
@@ -181,8 +181,8 @@ private:
             say("light sensors", good, fmt::format("{}", fmt::join(values, " ")));
             return false;
         }
-        say("light sensors", wrong, "they say 0 0 0 0 all the time: that is no measurement",
-            "turn SPI on, see overlay; and look at the boards' connector");
+        say("light sensors", wrong, "they always give 0 0 0 0: that is not a measurement",
+            "switch SPI on, see overlay; and check the boards' connector");
         return true;
     }
 
@@ -195,7 +195,7 @@ private:
             if (its.find("mcp320") != its.npos) return say("overlay", good, fmt::format("{} is {}", name, its));
         }
         const bool needs_overlay = std::pair(major, minor) >= std::pair(5, 16);
-        say("overlay", wrong, "the light sensors' converter is not on the SPI bus",
+        say("overlay", wrong, "the converter of the light sensors is not on the SPI bus",
             fmt::format(
                 "write dtparam=spi=on{}{} into /boot/firmware/config.txt (/boot/config.txt on older systems), and "
                 "restart",
@@ -207,7 +207,7 @@ private:
         const std::string i2c =
             "write dtparam=i2c_arm=on into /boot/firmware/config.txt (/boot/config.txt on older "
             "systems), and restart; then i2cdetect -y 1 shows 10 and 11";
-        if (is_counter_held_) return say("wheel counters", note, "another program has them: they were left alone");
+        if (is_counter_held_) return say("wheel counters", note, "another program uses them: not tested");
         std::vector<std::string> said;
         for (const char* name : {"rtcounter_l0", "rtcounter_r0"}) {
             const auto text = ask(node(name));

@@ -68,7 +68,7 @@ Expected<void> check(const RobotSpec& spec) {
         return actuator.kind == ActuatorSpec::Kind::servo;
     });
     if (servos > 1)
-        return failure(fmt::format("the driver ev3 has one servo, and model '{}' wants {}", spec.model, servos));
+        return failure(fmt::format("the driver ev3 has one servo, but model '{}' needs {}", spec.model, servos));
     if (!spec.drive.port.empty() && spec.drive.port.size() != 2)
         return failure(fmt::format("drive.port of model '{}': expected two, the left motor's and the right's, got {}",
                                    spec.model, spec.drive.port.size()));

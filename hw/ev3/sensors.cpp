@@ -93,8 +93,8 @@ tl::expected<std::optional<double>, std::string> Battery::sample(double now) {
     if (!low_since_) low_since_ = now;
     if (now - *low_since_ < low_after) return volts;
     is_low_ = true;
-    return tl::unexpected(
-        fmt::format("is low, below {:.1f} V: the robot stands until it is charged, or its cells are changed", lowest));
+    return tl::unexpected(fmt::format(
+        "is low, below {:.1f} V: the robot stands until the battery is charged or its cells are changed", lowest));
 }
 
 }  // namespace nezumi::hw

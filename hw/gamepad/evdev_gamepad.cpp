@@ -123,7 +123,7 @@ tl::expected<void, std::string> EvdevGamepad::find() {
         auto device = open(wanted_);
         if (!device) return tl::unexpected(device.error());
         if (!is_gamepad(device->get()))
-            return tl::unexpected(fmt::format("{} ({}) is none: it has no stick or no buttons", wanted_,
+            return tl::unexpected(fmt::format("{} ({}) is not a gamepad: it has no stick or no buttons", wanted_,
                                               shown(libevdev_get_name(device->get()))));
         return take(std::move(*device), wanted_);
     }

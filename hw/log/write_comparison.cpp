@@ -100,7 +100,7 @@ std::vector<std::string> WriteComparison::compare(double now) {
             const bool alike = is_like(write, is_logged ? written : logged);
             judge(progress, alike, told,
                   is_logged
-                      ? fmt::format("{}:{}: at {:.3f} s '{}' was written to {}, and now it has {}", file_, write.line,
+                      ? fmt::format("{}:{}: at {:.3f} s '{}' was written to {}, but now it has {}", file_, write.line,
                                     write.tm, shown(write.text), shown(path), in_force(written, write.tm))
                       : fmt::format("{}: at {:.3f} s '{}' is written to {}, and the log has {}", file_, write.tm,
                                     shown(write.text), shown(path), in_force(logged, write.tm)));

@@ -34,7 +34,7 @@ tl::expected<std::optional<LightValues>, std::string> LightSensors::sample(doubl
     zeros_ = *values == LightValues{} ? zeros_ + 1 : 0;
     if (zeros_ >= zeros_to_doubt)
         return tl::unexpected(fmt::format(
-            "{}: says only 0 0 0 0: the SPI overlay is missing. Add {} to config.txt and start the robot again",
+            "{}: gives only 0 0 0 0: the SPI overlay is missing. Add {} to config.txt and start the robot again",
             node_.path(), light_sensor_overlay));
     return *values;
 }
@@ -92,7 +92,7 @@ tl::expected<std::optional<WheelValues>, std::string> WheelCounters::sample(doub
     zeros_ = *left == Verdict::zero || *right == Verdict::zero ? zeros_ + 1 : 0;
     if (zeros_ >= zeros_to_lose)
         return tl::unexpected(
-            std::string("they say 0 while the motors turn: I2C fails. Is dtparam=i2c_arm=on in "
+            std::string("they give 0 while the motors turn: I2C fails. Is dtparam=i2c_arm=on in "
                         "config.txt, and do the addresses 0x10 and 0x11 answer (i2cdetect -y 1)?"));
     const auto in_doubt = [](Verdict verdict) { return verdict == Verdict::zero || verdict == Verdict::doubted; };
     if (in_doubt(*left) || in_doubt(*right)) return std::nullopt;

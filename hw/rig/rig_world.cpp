@@ -31,7 +31,7 @@ public:
         };
         sockaddr_un address{};
         address.sun_family = AF_UNIX;
-        if (path.size() >= sizeof address.sun_path) return refuse("this is too long for a socket's name");
+        if (path.size() >= sizeof address.sun_path) return refuse("the path is too long for a socket");
         std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
         Witness made(robot, std::move(sensors), socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
         setsockopt(made.socket_, SOL_SOCKET, SO_RCVTIMEO, &longest_answer, sizeof longest_answer);
@@ -88,7 +88,7 @@ public:
 
     Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& /*spec*/,
                                                    Pose2D /*pose*/) override {
-        return failure(fmt::format("{}: a rig has the robots that it has", name));
+        return failure(fmt::format("{}: a rig can't add robots", name));
     }
     void step(int /*count*/) override {
         for (Witness& witness : witnesses_) {
@@ -105,7 +105,7 @@ public:
         std::istringstream numbers(ask(witness, "truth"));
         if (!(numbers >> truth.pose.position.x >> truth.pose.position.y >> truth.pose.heading >> truth.velocity.vx >>
               truth.velocity.vy >> truth.velocity.va >> truth.height >> truth.tilt))
-            break_down(fmt::format("the rig of '{}' says '{}': expected eight numbers for 'truth'", witness.robot(),
+            break_down(fmt::format("the rig of '{}' answered '{}': expected eight numbers for 'truth'", witness.robot(),
                                    shown(numbers.str())));
         return *(witness.truth = truth);
     }

@@ -51,8 +51,7 @@ Expected<std::string> Person::line() {
         if (length == 1) text += c;
         if (length == 1 || (length < 0 && errno == EINTR && end_ == 0)) continue;
         put_text(stderr, "\n");
-        return failure(end_ != 0 ? "ended before it was done: the robot stands"
-                                 : "nobody answers: standard input has ended");
+        return failure(end_ != 0 ? "interrupted: the robot stands" : "nobody answers: standard input has ended");
     }
 }
 

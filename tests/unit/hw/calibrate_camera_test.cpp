@@ -101,7 +101,7 @@ double marker_error(const CameraIntrinsics& believed) {
 
 }  // namespace
 
-TEST_CASE("a calibrated camera errs by less than a fifth of what its model does", "[hw][calibration][camera]") {
+TEST_CASE("a calibrated camera has less than a fifth of its model's error", "[hw][calibration][camera]") {
     const auto fit = calibrated(all_around);
     INFO((fit ? "" : fit.error().message));
     REQUIRE(fit);
@@ -117,7 +117,7 @@ TEST_CASE("a calibrated camera errs by less than a fifth of what its model does"
                           << " mm, calibrated " << metres * 1e3 << " mm");
 }
 
-TEST_CASE("views that are all alike tell nothing of the lens, and are refused", "[hw][calibration][camera]") {
+TEST_CASE("views that are all alike do not determine the lens and are refused", "[hw][calibration][camera]") {
     // Straight from above, moved along only.
     const auto fit = calibrated(
         [](int view) {
@@ -149,7 +149,7 @@ TEST_CASE("a board that never moves, or is not there, ends the calibration after
           "corners and a white margin, is it bright enough?");
 }
 
-TEST_CASE("a camera's calibration is rehearsed in simulation, and writes nothing then", "[hw][calibration][camera]") {
+TEST_CASE("a camera's calibration in simulation writes nothing", "[hw][calibration][camera]") {
     const Scratch scratch;
     scratch.write("system.lua",
                   "robot 'mouse' { model = 'raspimouse' }\n"
@@ -163,7 +163,7 @@ TEST_CASE("a camera's calibration is rehearsed in simulation, and writes nothing
     CHECK_FALSE(std::filesystem::exists(scratch.path("mouse.calibration.lua")));
 }
 
-TEST_CASE("a camera that can't be calibrated is told in one line", "[hw][calibration][camera]") {
+TEST_CASE("a camera that can't be calibrated is refused in one line", "[hw][calibration][camera]") {
     const Scratch scratch;
     const std::string folder = scratch.path("").string();
     const std::string mouse = "robot 'mouse' { model = 'raspimouse' }\n";
@@ -185,7 +185,7 @@ TEST_CASE("a camera that can't be calibrated is told in one line", "[hw][calibra
     CHECK(said({"two.lua", "--sim", "--camera", "lefft"}) ==
           "nezumi: there is no camera 'lefft' in two.lua (did you mean 'left'?)\n");
     CHECK(said({"free.lua", "--sim"}) ==
-          "free.lua:2: camera 'eye' is on no robot, whose calibration would have it: give it one by on = \"NAME\"\n");
+          "free.lua:2: camera 'eye' is not on a robot, so it has no calibration file: add on = \"NAME\"\n");
     CHECK(said({"one.lua"}) ==
           "nezumi: somebody has to stand beside the robot: run this on a terminal, or with --yes\n");
     CHECK(said({"one.lua", "--sim", "--board", "9"})

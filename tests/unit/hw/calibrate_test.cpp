@@ -126,7 +126,7 @@ RobotSpec with_weak_sensors() {
 
 }  // namespace
 
-TEST_CASE("a calibrated odometry errs by less than a fifth of what the model's does", "[hw][calibration]") {
+TEST_CASE("calibrated odometry has less than a fifth of the model's error", "[hw][calibration]") {
     RobotSpec truth = model();
     truth.drive.track = 0.0957;
     truth.drive.left_radius = 0.0243;
@@ -153,7 +153,7 @@ TEST_CASE("a calibrated odometry errs by less than a fifth of what the model's d
     WARN("odometry off by " << before * 1e3 << " mm, calibrated " << after * 1e3 << " mm");
 }
 
-TEST_CASE("calibrated distance sensors err by less than a fifth of what the model's do", "[hw][calibration]") {
+TEST_CASE("calibrated distance sensors have less than a fifth of the model's error", "[hw][calibration]") {
     const RobotSpec truth = with_weak_sensors();
     ArenaSpec arena;
     arena.boxes.push_back({.at = {0.105, 0, 0.15}, .size = {0.1, 2.0, 0.3}});
@@ -177,7 +177,7 @@ TEST_CASE("calibrated distance sensors err by less than a fifth of what the mode
     }
 }
 
-TEST_CASE("a calibration that is ended leaves the robot standing", "[hw][calibration][safety]") {
+TEST_CASE("an interrupted calibration leaves the robot standing", "[hw][calibration][safety]") {
     Mistaken mouse(model(), model());
     volatile std::sig_atomic_t end = 0;
     SystemSpec spec = mouse.robot->spec();
@@ -193,12 +193,12 @@ TEST_CASE("a calibration that is ended leaves the robot standing", "[hw][calibra
     int ticks = 0;
     const auto gone = go(**guided, 1, {}, [&] { end = ++ticks > 50 ? 1 : 0; });
     REQUIRE_FALSE(gone);
-    CHECK(gone.error().message == "ended before it was done: the robot stands");
+    CHECK(gone.error().message == "interrupted: the robot stands");
     CHECK((*guided)->robot().stands());
     CHECK(body->pose().position.x < 0.3);
 }
 
-TEST_CASE("a calibration is rehearsed in simulation, and writes nothing then", "[hw][calibration]") {
+TEST_CASE("a calibration in simulation writes nothing", "[hw][calibration]") {
     const Scratch scratch;
     scratch.write("system.lua", "robot 'mouse' { model = 'raspimouse' }");
     const Outcome outcome =
@@ -209,7 +209,7 @@ TEST_CASE("a calibration is rehearsed in simulation, and writes nothing then", "
     CHECK_FALSE(std::filesystem::exists(scratch.path("mouse.calibration.lua")));
 }
 
-TEST_CASE("what can't be calibrated is told in one line", "[hw][calibration]") {
+TEST_CASE("a robot that can't be calibrated is refused in one line", "[hw][calibration]") {
     const Scratch scratch;
     const std::string folder = scratch.path("").string();
     scratch.write("two.lua", "robot 'a' { model = 'raspimouse' } robot 'b' { model = 'raspimouse', pose = { x = 1 } }");
@@ -230,7 +230,7 @@ TEST_CASE("what can't be calibrated is told in one line", "[hw][calibration]") {
           std::string::npos);
 }
 
-TEST_CASE("a calibration that is torn, or another robot's, keeps a real robot from moving",
+TEST_CASE("a real robot does not move with a damaged calibration or that of another robot",
           "[hw][calibration][safety]") {
     const Scratch scratch;
     const std::string folder = scratch.path("").string();

@@ -103,8 +103,7 @@ TEST_CASE("a real camera's pictures carry the time at which each was taken", "[h
     CHECK(driven.log.empty());
 }
 
-TEST_CASE("a real camera's colours are red, green and blue, or grey where that is asked for",
-          "[hw][camera][fakes][wallclock]") {
+TEST_CASE("a real camera's pictures are red, green and blue, or grey on request", "[hw][camera][fakes][wallclock]") {
     FakeMouse fake({"0.3"});  // a wall of #8a8f98
     {
         DrivenCamera driven(fake.roots());
@@ -120,7 +119,7 @@ TEST_CASE("a real camera's colours are red, green and blue, or grey where that i
     CHECK(driven.out().read().pixels.size() == 320 * 240);
 }
 
-TEST_CASE("a camera that is faster than it was asked to be gives as many pictures as were asked for",
+TEST_CASE("a camera that is faster than requested gives the requested number of pictures",
           "[hw][camera][fakes][wallclock]") {
     FakeMouse fake;
     DrivenCamera driven(fake.roots(), {{"frame_rate", 10.0}});  // of 30, 15 and 5 it takes 15 or 5
@@ -132,7 +131,7 @@ TEST_CASE("a camera that is faster than it was asked to be gives as many picture
     CHECK(rate < 11);
 }
 
-TEST_CASE("a camera that is unplugged is silent, told once, and taken up again",
+TEST_CASE("an unplugged camera is silent, reported once, and used again when it is back",
           "[hw][camera][fakes][threads][wallclock]") {
     FakeMouse fake;
     DrivenCamera driven(fake.roots());
@@ -149,7 +148,7 @@ TEST_CASE("a camera that is unplugged is silent, told once, and taken up again",
     CHECK(driven.is_back_again());
 }
 
-TEST_CASE("without a camera the run goes on, and says what is missing", "[hw][camera][fakes][wallclock]") {
+TEST_CASE("without a camera the run continues and reports what is missing", "[hw][camera][fakes][wallclock]") {
     FakeMouse fake;
     CHECK(fake.say("unplug video0").empty());
     DrivenCamera driven(fake.roots());
@@ -160,7 +159,7 @@ TEST_CASE("without a camera the run goes on, and says what is missing", "[hw][ca
     CHECK(driven.sees(VideoCamera::search_period + 5));
 }
 
-TEST_CASE("what is the matter with a camera is told once with what to do, and when it is over its pictures come",
+TEST_CASE("a camera's fault is reported once with what to do, and pictures come when it is over",
           "[hw][camera][fakes][wallclock]") {
     struct Fault {
         std::string name, said;
@@ -188,7 +187,7 @@ TEST_CASE("what is the matter with a camera is told once with what to do, and wh
     CHECK(driven.is_back_again());
 }
 
-TEST_CASE("a camera that fails, falls silent or hangs while it is used does not hold up a tick, and comes back",
+TEST_CASE("a camera that fails, stops or hangs does not delay a tick, and is used again",
           "[hw][camera][fakes][threads][wallclock]") {
     const std::string fault = GENERATE("eio", "enodev", "silent", "hang");
     INFO(fault);
@@ -214,7 +213,8 @@ TEST_CASE("a camera that fails, falls silent or hangs while it is used does not 
     CHECK(driven.is_back_again());
 }
 
-TEST_CASE("a camera is the one that was asked for, and what is none is said", "[hw][camera][fakes][wallclock]") {
+TEST_CASE("the requested camera is used, and a device that is not a camera is refused",
+          "[hw][camera][fakes][wallclock]") {
     FakeMouse fake;
     const auto told = [&](const std::string& device) {
         DrivenCamera driven(fake.roots(), {{"device", device}});
@@ -222,13 +222,12 @@ TEST_CASE("a camera is the one that was asked for, and what is none is said", "[
         return driven.all_log();
     };
     CHECK(told("/dev/video0").empty());
-    CHECK(told("/dev/rtled0") == "camera: " + fake.mount() + "/rtled0 is none: no pictures can be had of it\n");
+    CHECK(told("/dev/rtled0") == "camera: " + fake.mount() + "/rtled0 is not a camera: it can't take pictures\n");
     CHECK(told("/dev/video7") ==
           "camera: " + fake.mount() + "/video7: no such file or directory: it is unplugged: plug it in again\n");
 }
 
-TEST_CASE("a lens' distortion is taken out of a real camera's pictures where that is asked for",
-          "[hw][camera][fakes][wallclock]") {
+TEST_CASE("a real camera's pictures are undistorted on request", "[hw][camera][fakes][wallclock]") {
     FakeMouse fake({"0.9"});
     CHECK(fake.say("lens 1.2 -0.4 0.1 0 0 0").empty());
     const ParameterValues lens{{"field_of_view", 1.2}, {"k1", -0.4}, {"k2", 0.1}};
@@ -252,7 +251,7 @@ TEST_CASE("a lens' distortion is taken out of a real camera's pictures where tha
     CHECK(std::abs(bend({{"undistort", true}})) <= 1);
 }
 
-TEST_CASE("the module for cameras is loaded by who opens one, and by nobody else", "[hw][camera]") {
+TEST_CASE("the module for cameras is loaded only when a camera is opened", "[hw][camera]") {
     const auto libraries = [](const std::string& program) { return output_of("ldd " + program + " 2>&1"); };
     const std::string all = libraries(nezumi_program());
     CHECK(all.find("libstdc++") != all.npos);
@@ -261,7 +260,7 @@ TEST_CASE("the module for cameras is loaded by who opens one, and by nobody else
     CHECK(all.find("imgcodecs") == all.npos);
 }
 
-TEST_CASE("a program that is not ours reads the fake camera as a camera", "[hw][camera][fakes][wallclock]") {
+TEST_CASE("a foreign program can use the fake camera", "[hw][camera][fakes][wallclock]") {
     if (std::system("command -v v4l2-ctl > /dev/null") != 0)
         throw std::runtime_error("SKIPPED: v4l2-ctl is not installed: sudo apt install v4l-utils");
     if (geteuid() != 0)
@@ -311,7 +310,7 @@ TEST_CASE("the mouse follows a marker that its real camera sees", "[hw][camera][
     CHECK(std::abs(fake.truth().position.y) < 0.05);
 }
 
-TEST_CASE("a camera that never gives a picture is told, and its first one is taken", "[hw][camera][fakes][wallclock]") {
+TEST_CASE("a camera without pictures is reported, and its first picture is used", "[hw][camera][fakes][wallclock]") {
     FakeMouse fake;
     fake.fault("video0", "silent");
     DrivenCamera driven(fake.roots());
@@ -322,7 +321,7 @@ TEST_CASE("a camera that never gives a picture is told, and its first one is tak
     CHECK(driven.is_back_again());
 }
 
-TEST_CASE("nezumi calibrate camera measures a real camera's lens by a chessboard, beside what was measured before",
+TEST_CASE("nezumi calibrate camera measures a real camera with a chessboard and keeps earlier measurements",
           "[hw][camera][calibration][fakes][wallclock]") {
     FakeMouse fake({"board"});
     CHECK(fake.say("lens 1.15 -0.22 0.06 0 0 0").empty());

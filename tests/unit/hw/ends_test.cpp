@@ -34,7 +34,7 @@ bool turns(FakeMouse& fake) {
 
 }  // namespace
 
-TEST_CASE("a robot whose run has a log that is not read is driven on, and stops by SIGTERM",
+TEST_CASE("a robot drives on when its log output is not read, and stops by SIGTERM",
           "[hw][ends][fakes][safety][wallclock]") {
     FakeMouse fake;
     write_turning_system(fake, "for i = 1, 10 do log.info(('x'):rep(1000)) end");
@@ -48,7 +48,7 @@ TEST_CASE("a robot whose run has a log that is not read is driven on, and stops 
     CHECK(clock_seconds() - begin < 2.5);
 }
 
-TEST_CASE("a device log that takes nothing is given up, with a line", "[hw][ends][fakes][wallclock]") {
+TEST_CASE("a device log that accepts no writes is abandoned, with a message", "[hw][ends][fakes][wallclock]") {
     FakeMouse fake;
     write_turning_system(fake, "");
     const std::string fifo = fake.folder.path("fifo").string();
@@ -68,7 +68,7 @@ TEST_CASE("a device log that takes nothing is given up, with a line", "[hw][ends
     close(reader);
 }
 
-TEST_CASE("a second signal ends the program when the guard has braked", "[hw][ends][fakes][safety][wallclock]") {
+TEST_CASE("a second signal ends the program after the guard has braked", "[hw][ends][fakes][safety][wallclock]") {
     FakeMouse fake;
     write_turning_system(fake, "");
     Program run({"run", "system.lua", "--hw", "--headless", "--dev-root", fake.dev()}, fake.folder.path("").string());

@@ -19,7 +19,7 @@ void send(DrivenEv3& ev3, const char* port, const T& value) {
 
 }  // namespace
 
-TEST_CASE("an EV3's wheels roll until its first command, and what a hand turns is measured",
+TEST_CASE("an EV3's wheels roll freely until the first command, and their motion is measured",
           "[hw][ev3][fakes][wallclock]") {
     FakeEv3 fake;
     DrivenEv3 ev3(fake);
@@ -59,7 +59,7 @@ TEST_CASE("an EV3 drives a square, and its odometry is right within 1 %", "[hw][
     WARN("odometry off by " << missed * 1e3 << " mm after a square of " << 4 * side << " m");
 }
 
-TEST_CASE("an EV3's sensors say what is there, in our units", "[hw][ev3][fakes][threads][wallclock]") {
+TEST_CASE("an EV3's sensors give their values in SI units", "[hw][ev3][fakes][threads][wallclock]") {
     FakeEv3 fake({"0.6"});  // a wall 0.05 m before that
     DrivenEv3 ev3(fake);
     fake.say("floor 300 300 300");
@@ -118,7 +118,7 @@ TEST_CASE("an EV3 shows lights and pictures", "[hw][ev3][fakes][threads][wallclo
     CHECK(ev3.log.empty());
 }
 
-TEST_CASE("an EV3 whose battery is low stands, is told once, and drives again when it has been charged",
+TEST_CASE("an EV3 with a low battery stops, reports it once, and drives again when it is charged",
           "[hw][ev3][fakes][safety][wallclock]") {
     FakeEv3 fake;
     DrivenEv3 ev3(fake);
@@ -149,7 +149,7 @@ struct Unplugged {
 
 }  // namespace
 
-TEST_CASE("each device of an EV3 that is unplugged or fails in motion is told once, and taken up again",
+TEST_CASE("each device of an EV3 that fails in motion is reported once and used again",
           "[hw][ev3][fakes][safety][wallclock]") {
     const auto fault = GENERATE(
         Unplugged{"outB", "unplug", "", "motors: outB: ", false, {"odometry", "current_vel"}},
@@ -212,7 +212,7 @@ TEST_CASE("each device of an EV3 that is unplugged or fails in motion is told on
     }));
 }
 
-TEST_CASE("an EV3 with one touch sensor says two values, and the one that it lacks is told",
+TEST_CASE("an EV3 with one touch sensor gives two values, and the missing sensor is reported",
           "[hw][ev3][fakes][wallclock]") {
     FakeEv3 fake;
     fake.say("unplug in1");
@@ -233,7 +233,7 @@ TEST_CASE("an EV3 with one touch sensor says two values, and the one that it lac
     CHECK_FALSE(ev3.speaks("touch"));
 }
 
-TEST_CASE("a sensor that another program has switched to another mode is switched back, and says nothing meanwhile",
+TEST_CASE("a sensor whose mode another program changed is switched back, and is silent meanwhile",
           "[hw][ev3][fakes][wallclock]") {
     FakeEv3 fake({"0.6"});
     DrivenEv3 ev3(fake);
@@ -249,7 +249,7 @@ TEST_CASE("a sensor that another program has switched to another mode is switche
     CHECK(ev3.log.empty());
 }
 
-TEST_CASE("a sensor that does not answer a change of mode in time is told once, and taken up again",
+TEST_CASE("a sensor that is late with a change of mode is reported once and used again",
           "[hw][ev3][fakes][threads][wallclock]") {
     FakeEv3 fake;
     fake.fault("in2/mode", "timeout");
@@ -263,7 +263,7 @@ TEST_CASE("a sensor that does not answer a change of mode in time is told once, 
     CHECK(ev3.run(2, {}, [&] { return ev3.speaks("gyro"); }));
 }
 
-TEST_CASE("an EV3 whose motor fails again and again stands, and tells it once", "[hw][ev3][fakes][safety][wallclock]") {
+TEST_CASE("an EV3 whose motor fails repeatedly stops and reports it once", "[hw][ev3][fakes][safety][wallclock]") {
     const std::string node = GENERATE("outB/speed_sp", "outB/position", "outC/position");
     INFO(node);
     FakeEv3 fake;

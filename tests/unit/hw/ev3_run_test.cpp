@@ -106,7 +106,7 @@ TEST_CASE("a run of an EV3 that is ended by Ctrl-C brakes, and lets its wheels r
     CHECK(run.fake.motion().rolls);
 }
 
-TEST_CASE("a hand rolls the real EV3, and the simulated mouse of the shipped system follows",
+TEST_CASE("when a person rolls the real EV3, the simulated mouse of the shipped system follows",
           "[hw][ev3][run][fakes][wallclock]") {
     FakeEv3 fake;
     auto words = words_for(fake, shipped("leader_follower"));

@@ -149,7 +149,7 @@ const std::vector<std::string> when_counted{"missing", "denied", "eio",   "enode
 
 }  // namespace
 
-TEST_CASE("each fault of each device of the mouse in motion comes to what the page says",
+TEST_CASE("each fault of each device of the mouse in motion has the effect that the page says",
           "[hw][mouse][fakes][safety][.][matrix]") {
     const std::vector<std::string> odometry{"current_pose_out", "current_velocity_out"};
     const std::vector<std::string> ranges{"ir_sensor_out", "ir_sensor_metre_out"};
@@ -175,7 +175,7 @@ TEST_CASE("each fault of each device of the mouse in motion comes to what the pa
     try_all(fake, driven, device);
 }
 
-TEST_CASE("each fault of a Pi's voltage monitor in motion comes to what the page says",
+TEST_CASE("each fault of a Pi's voltage monitor in motion has the effect that the page says",
           "[hw][mouse][fakes][safety][.][matrix]") {
     FakeMouse fake;
     const std::string folder = "sys/class/hwmon/hwmon0/", alarm = folder + "in0_lcrit_alarm";
@@ -191,7 +191,7 @@ TEST_CASE("each fault of a Pi's voltage monitor in motion comes to what the page
     try_all(fake, driven, device, {{fake.folder.path("sys").string(), "/sys"}});
 }
 
-TEST_CASE("each fault of a gamepad that drives a mouse comes to what the page says",
+TEST_CASE("each fault of a gamepad that drives a mouse has the effect that the page says",
           "[hw][mouse][gamepad][fakes][safety][.][matrix]") {
     FakeRobot pad("fake_gamepad", "");
     const auto push_ahead = [&] { REQUIRE(pad.say("set ABS_Y -32768").empty()); };
@@ -217,7 +217,7 @@ TEST_CASE("each fault of a gamepad that drives a mouse comes to what the page sa
     try_all(fake, driven, device, {{pad.mount(), "/dev"}});
 }
 
-TEST_CASE("each fault of a mouse's camera in motion comes to what the page says",
+TEST_CASE("each fault of a mouse's camera in motion has the effect that the page says",
           "[hw][mouse][camera][fakes][safety][.][matrix]") {
     const FailingDevice device{.robot = "mouse",
                                .device = "camera",
@@ -230,7 +230,7 @@ TEST_CASE("each fault of a mouse's camera in motion comes to what the page says"
     try_all(fake, driven, device);
 }
 
-TEST_CASE("each fault of each device of the EV3 in motion comes to what the page says",
+TEST_CASE("each fault of each device of the EV3 in motion has the effect that the page says",
           "[hw][ev3][fakes][safety][.][matrix]") {
     const std::vector<std::string> all{"missing", "denied", "eio", "timeout", "hang", "garbage"};
     const std::vector<std::string> cable{"unplugged"}, sensor{"unplugged", "mode"};
@@ -269,7 +269,8 @@ TEST_CASE("each fault of each device of the EV3 in motion comes to what the page
     try_all(fake, driven, device);
 }
 
-TEST_CASE("each fault of an EV3's keys in motion comes to what the page says", "[hw][ev3][fakes][safety][.][matrix]") {
+TEST_CASE("each fault of an EV3's keys in motion has the effect that the page says",
+          "[hw][ev3][fakes][safety][.][matrix]") {
     FakeEv3 fake;
     KeyedEv3 driven(fake);
     try_all(fake, driven,
@@ -280,7 +281,7 @@ TEST_CASE("each fault of an EV3's keys in motion comes to what the page says", "
              .ports = {"key_enter"}});
 }
 
-TEST_CASE("each fault of an EV3's loudspeaker in motion comes to what the page says",
+TEST_CASE("each fault of an EV3's loudspeaker in motion has the effect that the page says",
           "[hw][ev3][sound][fakes][safety][.][matrix]") {
     FakeEv3 fake;
     const Player player;

@@ -49,7 +49,7 @@ bool finds_trouble(Guard& guard) {
 
 }  // namespace
 
-TEST_CASE("a guard without a proof lets nothing turn, and one with nodes proves within a beat",
+TEST_CASE("without a guard's proof nothing turns, and a guard with nodes proves within a beat",
           "[hw][guard][safety][threads][wallclock]") {
     const Scratch folder;
     const std::string node = folder.write("power", "1").string();
@@ -63,7 +63,7 @@ TEST_CASE("a guard without a proof lets nothing turn, and one with nodes proves 
     CHECK_FALSE((*guard)->is_proved(clock_seconds()));
 }
 
-TEST_CASE("a guard that was told to brake stops its nodes at once, and lets nothing turn any more",
+TEST_CASE("a guard with the order to brake stops its nodes at once and prevents further motion",
           "[hw][guard][safety][threads][wallclock]") {
     const Scratch folder;
     const auto node = folder.write("motor", "400");
@@ -107,7 +107,7 @@ TEST_CASE("a proof writes nothing", "[hw][guard][safety][threads][wallclock]") {
     (*guard)->rest();
 }
 
-TEST_CASE("a guard proves nothing by a node that was removed, made anew, or whose device has gone, and says which",
+TEST_CASE("a guard gives no proof for a removed or new node, and says which",
           "[hw][guard][safety][threads][wallclock]") {
     const Scratch folder;
     const auto power = folder.write("power", "1"), motor = folder.write("motor", "400");
@@ -143,7 +143,7 @@ TEST_CASE("a guard proves nothing by a node that was removed, made anew, or whos
     }
 }
 
-TEST_CASE("a guard stops by its descriptors what its paths no longer lead to",
+TEST_CASE("a guard stops nodes by its descriptors when their paths have changed",
           "[hw][guard][safety][threads][wallclock]") {
     const Scratch folder;
     const auto power = folder.write("dev/power", "1");
@@ -158,7 +158,7 @@ TEST_CASE("a guard stops by its descriptors what its paths no longer lead to",
     CHECK(guarded_text(power) == "another");
 }
 
-TEST_CASE("a guard is given no node but the one that is open", "[hw][guard][safety]") {
+TEST_CASE("a guard accepts only the node that is open", "[hw][guard][safety]") {
     const Scratch folder;
     const auto power = folder.write("power", "1");
     auto guard = Guard::start("test", power.string());
@@ -176,7 +176,7 @@ TEST_CASE("a guard is given no node but the one that is open", "[hw][guard][safe
     CHECK(describe(other.error()) == power.string() + ": no such device");
 }
 
-TEST_CASE("a guard that was stopped together with its engine stops the motors before it answers beats of old",
+TEST_CASE("a guard that was suspended with its engine stops the motors before it answers old beats",
           "[hw][guard][safety][threads][wallclock]") {
     const Scratch folder;
     const auto power = folder.write("power", "1");
@@ -196,7 +196,7 @@ TEST_CASE("a guard that was stopped together with its engine stops the motors be
     CHECK(guarded_text(power) == "0");
 }
 
-TEST_CASE("neither the guard's name nor its words have the program's name, and it has a process group of its own",
+TEST_CASE("the guard's name and command line lack the program's name, and it has its own process group",
           "[hw][guard][safety]") {
     const Scratch folder;
     const std::string node = folder.write("power", "1").string();
@@ -213,7 +213,7 @@ TEST_CASE("neither the guard's name nor its words have the program's name, and i
     CHECK(guarded_text("/proc/self/cmdline") != words);
 }
 
-TEST_CASE("as process 1 of a container no motor gets power, and what to do is told", "[hw][guard][safety]") {
+TEST_CASE("as process 1 of a container the motors get no power, and the error says what to do", "[hw][guard][safety]") {
     const Scratch folder;
     const std::string node = folder.write("power", "1").string();
     int ends[2];

@@ -84,7 +84,7 @@ TEST_CASE("the motors stand within 50 ms of their engine's death", "[hw][guard][
     }
 }
 
-TEST_CASE("they stand as soon when something of the dead engine still keeps its files open",
+TEST_CASE("the motors stand as soon even if another process keeps the dead engine's files open",
           "[hw][guard][safety][wallclock]") {
     // As a thread does that waits in the kernel for a device's answer.
     const Engine engine([](Guard& guard) {
@@ -100,7 +100,7 @@ TEST_CASE("they stand as soon when something of the dead engine still keeps its 
     CHECK(engine.time_to_stand() < 0.05);
 }
 
-TEST_CASE("a node that does not answer keeps no other from being stopped", "[hw][guard][safety][wallclock]") {
+TEST_CASE("a node that does not answer does not prevent stopping the others", "[hw][guard][safety][wallclock]") {
     const Scratch folder;
     const auto hung = folder.path("power"), motor = folder.path("motor");
     REQUIRE(mkfifo(hung.c_str(), 0600) == 0);
@@ -142,7 +142,7 @@ TEST_CASE("the motors stand within 250 ms of a stall, and turn again with the ne
     CHECK(guarded_text(engine.folder.path("motor")) == "400");
 }
 
-TEST_CASE("an engine whose motors rest need not beat", "[hw][guard][threads][wallclock]") {
+TEST_CASE("an engine without motor power needs no beats", "[hw][guard][threads][wallclock]") {
     const Engine engine([](Guard& guard) {
         guard.rest();
         for (;;) pause();
@@ -194,7 +194,7 @@ TEST_CASE("a dead engine's lease is free once its guard has stopped the motors",
     CHECK(Lease::take("test", node));
 }
 
-TEST_CASE("a guard that ends leaves no process behind", "[hw][guard]") {
+TEST_CASE("a guard's end leaves no process", "[hw][guard]") {
     const Scratch folder;
     const std::string node = folder.write("rtmotoren0", "1").string();
     auto guard = Guard::start("test", node);

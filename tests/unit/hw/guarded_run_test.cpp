@@ -32,7 +32,7 @@ bool was_driven(FakeMouse& fake) {
 
 }  // namespace
 
-TEST_CASE("whatever became of the paths of its nodes, the mouse stands within 50 ms of the program's death",
+TEST_CASE("after any change of its nodes' paths, the mouse stands within 50 ms of the program's death",
           "[hw][run][fakes][safety][wallclock]") {
     HardwareRun run;
     run.get_going();
@@ -46,7 +46,7 @@ TEST_CASE("whatever became of the paths of its nodes, the mouse stands within 50
     CHECK(FakeMouse::wait_until([&] { return !run.fake.motion().power; }, 1));
 }
 
-TEST_CASE("a mouse whose driver was loaded anew drives again, and its guard can stop it",
+TEST_CASE("a mouse with a reloaded driver drives again, and its guard can stop it",
           "[hw][run][fakes][safety][wallclock]") {
     HardwareRun run;
     run.get_going();
@@ -57,7 +57,7 @@ TEST_CASE("a mouse whose driver was loaded anew drives again, and its guard can 
     CHECK(run.time_to_stand([&] { run.program->send(SIGKILL); }) < 0.05);
 }
 
-TEST_CASE("a mouse whose motors' power can't be written any more brakes and tells within 0.3 s, without a new command",
+TEST_CASE("a mouse whose motor power can't be written brakes and reports it within 0.3 s, without a new command",
           "[hw][run][fakes][safety][wallclock]") {
     HardwareRun run;
     run.get_going();
@@ -71,7 +71,7 @@ TEST_CASE("a mouse whose motors' power can't be written any more brakes and tell
     CHECK(FakeMouse::wait_until([&] { return run.fake.moves(); }, 5));
 }
 
-TEST_CASE("a second program is refused when the driver of a mouse was loaded anew, too",
+TEST_CASE("a second program is refused after a reload of the mouse's driver too",
           "[hw][run][fakes][safety][wallclock]") {
     HardwareRun run;
     run.get_going();
@@ -83,7 +83,7 @@ TEST_CASE("a second program is refused when the driver of a mouse was loaded ane
                             ") drives this robot's motors: end it first, then try again") != std::string::npos);
 }
 
-TEST_CASE("a program that goes on while its guard is still stopped does not drive by a single write",
+TEST_CASE("a program that continues while its guard is suspended makes no driving write",
           "[hw][run][fakes][safety][wallclock]") {
     HardwareRun run;
     run.get_going();

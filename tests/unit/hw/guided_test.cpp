@@ -15,7 +15,7 @@
 using namespace nezumi;
 using namespace nezumi::hw;
 
-TEST_CASE("the doctor turns each wheel both ways, and takes the motors' power", "[hw][run][fakes][wallclock]") {
+TEST_CASE("the doctor turns each wheel both ways, then switches the motors off", "[hw][run][fakes][wallclock]") {
     FakeMouse fake;
     const std::vector<std::string> words{"doctor", "--move", "--yes", "--dev-root", fake.dev()};
     const Outcome well = run_nezumi(words);
@@ -37,7 +37,7 @@ TEST_CASE("the doctor turns each wheel both ways, and takes the motors' power", 
     CHECK_FALSE(fake.motion().power);
 }
 
-TEST_CASE("the doctor turns each wheel of an EV3 both ways, and lets them roll", "[hw][ev3][run][fakes][wallclock]") {
+TEST_CASE("the doctor turns each wheel of an EV3 both ways, then releases them", "[hw][ev3][run][fakes][wallclock]") {
     FakeEv3 fake;
     const std::vector<std::string> words{"doctor",         "--move",     "--yes",         "--dev-root",
                                          fake.roots().dev, "--sys-root", fake.roots().sys};

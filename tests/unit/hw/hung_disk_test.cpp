@@ -52,8 +52,7 @@ struct WritingRun {
 
 }  // namespace
 
-TEST_CASE("a disk that hangs beside a run on hardware stops no robot, and Ctrl-C stops it as ever",
-          "[hw][run][fakes][safety][wallclock]") {
+TEST_CASE("a hanging disk does not stop a robot, and Ctrl-C still stops it", "[hw][run][fakes][safety][wallclock]") {
     WritingRun run;
     REQUIRE(run.disk.say("hang").empty());
     // Two seconds: all three writers wait by then.
@@ -77,7 +76,7 @@ TEST_CASE("a disk that hangs beside a run on hardware stops no robot, and Ctrl-C
     }
 }
 
-TEST_CASE("a second Ctrl-C ends a run whose files' disk hangs, and the robot has stood since the first",
+TEST_CASE("with a hanging disk the first Ctrl-C stops the robot and the second ends the run",
           "[hw][run][fakes][safety][wallclock]") {
     WritingRun run;
     REQUIRE(run.disk.say("hang").empty());

@@ -7,7 +7,7 @@
 using namespace nezumi;
 using namespace nezumi::hw;
 
-TEST_CASE("motors that have stood for long have no power until they are to turn again",
+TEST_CASE("after a long standstill motors have no power until they must turn again",
           "[hw][mouse][fakes][safety][wallclock]") {
     constexpr double standing_power = 0.5;  // [s]
     constexpr double metres_per_pulse = 2 * 3.14159265 * 0.024 / 400;
@@ -45,7 +45,7 @@ TEST_CASE("motors that have stood for long have no power until they are to turn 
     CHECK(motors->take_faults().empty());
 }
 
-TEST_CASE("motors whose power can't be cut stand, and nothing else is told of them until they are well again",
+TEST_CASE("motors whose power can't be switched off stand, and give no other message until they work again",
           "[hw][mouse][fakes][safety][wallclock]") {
     FakeMouse fake;
     DrivenMouse mouse(fake);

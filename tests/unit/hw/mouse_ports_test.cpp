@@ -7,7 +7,7 @@
 using namespace nezumi;
 using namespace nezumi::hw;
 
-TEST_CASE("a mouse's sensors are the devices that its robot file says, the others follow in order",
+TEST_CASE("a mouse's sensors are the devices of its robot file, the others follow in order",
           "[hw][mouse][fakes][wallclock]") {
     FakeMouse fake;
     RobotSpec spec = mouse_spec();
@@ -56,7 +56,7 @@ TEST_CASE("a mouse's light sensors are in the driver's order: right front, right
     CHECK(read() == std::vector<double>{400, 200, 300, 10});
 }
 
-TEST_CASE("a port that means nothing to a mouse is refused", "[hw][mouse]") {
+TEST_CASE("a port that is unknown to a mouse is refused", "[hw][mouse]") {
     const auto refusal = [](const std::function<void(RobotSpec&)>& change) {
         RobotSpec spec = mouse_spec();
         change(spec);
@@ -66,12 +66,13 @@ TEST_CASE("a port that means nothing to a mouse is refused", "[hw][mouse]") {
     };
     CHECK(refusal([](RobotSpec& spec) {
               spec.drive.port = {"a", "b"};
-          }) == "drive.port of model 'raspimouse' means nothing to the driver raspimouse: leave it out");
+          }) == "drive.port of model 'raspimouse' has no meaning for the driver raspimouse: remove it out");
     CHECK(refusal([](RobotSpec& spec) {
               for (ActuatorSpec& actuator : spec.actuators) {
                   if (actuator.name == "buzzer") actuator.port = "rtbuzzer0";
               }
-          }) == "port of actuator 'buzzer' of model 'raspimouse' means nothing to the driver raspimouse: leave it out");
+          }) ==
+          "port of actuator 'buzzer' of model 'raspimouse' has no meaning for the driver raspimouse: remove it out");
     const auto with_ports = [&](SensorSpec::Kind kind, const std::string& port, int count) {
         return refusal([&](RobotSpec& spec) {
             int given = 0;

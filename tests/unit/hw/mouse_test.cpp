@@ -14,7 +14,8 @@ using namespace nezumi::hw;
 
 using Lines = std::vector<std::string>;
 
-TEST_CASE("where motors or their power are missing nothing is touched, and what to do is said", "[hw][mouse][safety]") {
+TEST_CASE("if motors or their power are missing, nothing is written and the error says what to do",
+          "[hw][mouse][safety]") {
     const RobotSpec spec = mouse_spec();
     for (const std::string missing : {"rtmotoren0", "rtmotor_raw_l0", "rtmotor_raw_r0"}) {
         const Scratch folder;
@@ -34,7 +35,7 @@ TEST_CASE("where motors or their power are missing nothing is touched, and what 
     }
 }
 
-TEST_CASE("a second program that wants the mouse is told who has it", "[hw][mouse][safety]") {
+TEST_CASE("a second program is told which program drives the mouse", "[hw][mouse][safety]") {
     const RobotSpec spec = mouse_spec();
     const Scratch folder;
     for (const char* node : {"rtmotoren0", "rtmotor_raw_l0", "rtmotor_raw_r0"}) folder.write(node, "");
@@ -53,10 +54,10 @@ TEST_CASE("a robot file that the driver can't serve is refused", "[hw][mouse]") 
     const auto body = MouseBody::make(spec, {});
     REQUIRE_FALSE(body);
     CHECK(body.error().message ==
-          "the driver raspimouse has 4 distance sensors and 3 buttons, and model 'raspimouse' wants more");
+          "the driver raspimouse has 4 distance sensors and 3 buttons, but model 'raspimouse' needs more");
 }
 
-TEST_CASE("a drive's writes are these, one by one", "[hw][mouse][fakes][wallclock]") {
+TEST_CASE("a drive makes exactly these writes", "[hw][mouse][fakes][wallclock]") {
     FakeMouse fake;
     {
         auto body = MouseBody::make(mouse_spec(), fake.roots());
@@ -221,7 +222,7 @@ struct FaultCase {
 
 }  // namespace
 
-TEST_CASE("each device that fails in motion stops the robot or its own port alone, is told once, and is taken up again",
+TEST_CASE("each device that fails in motion stops the robot or only its port, is reported once, and is used again",
           "[hw][mouse][fakes][safety][wallclock]") {
     const auto fault =
         GENERATE(FaultCase{"rtmotor_raw_l0", "eio", "motors: ", false, ""},
@@ -229,7 +230,7 @@ TEST_CASE("each device that fails in motion stops the robot or its own port alon
                  FaultCase{"rtmotor_raw_l0", "hang", "motors: no answer for 0.3 s", false, ""},
                  FaultCase{"rtlightsensor0", "eio", "light sensors: ", false, "ir_sensor_out"},
                  FaultCase{"rtlightsensor0", "hang", "light sensors: no answer for 0.3 s", false, "ir_sensor_out"},
-                 FaultCase{"rtlightsensor0", "zeros", "says only 0 0 0 0", false, "ir_sensor_out"},
+                 FaultCase{"rtlightsensor0", "zeros", "gives only 0 0 0 0", false, "ir_sensor_out"},
                  FaultCase{"rtlightsensor0", "garbage", "expected four numbers, got 'what?", false, "ir_sensor_out"},
                  FaultCase{"rtswitch1", "eio", "switches: ", true, "switch3bit_out"},
                  FaultCase{"rtcounter_l0", "eio", "wheel counters: ", true, "current_pose_out"},
@@ -271,7 +272,7 @@ TEST_CASE("each device that fails in motion stops the robot or its own port alon
     CHECK(drive(2, [&] { return fake.moves() && (*fault.silent == '\0' || mouse.speaks(fault.silent)); }));
 }
 
-TEST_CASE("a driver that is loaded anew is taken up, motors first", "[hw][mouse][fakes][safety][threads][wallclock]") {
+TEST_CASE("a reloaded driver is used again, motors first", "[hw][mouse][fakes][safety][threads][wallclock]") {
     FakeMouse fake;
     DrivenMouse mouse(fake);
     mouse.run(0.5, {.vx = 0.1});
@@ -296,7 +297,7 @@ TEST_CASE("counters that another program has switched to signed are switched bac
     CHECK(mouse.published<Pose2D>("current_pose_out").position.x == Approx(fake.truth().position.x).margin(0.01));
 }
 
-TEST_CASE("a mouse whose Raspberry Pi gets too little voltage stands, and drives again",
+TEST_CASE("a mouse stops while its Raspberry Pi has too little voltage, then drives again",
           "[hw][mouse][fakes][safety][wallclock]") {
     FakeMouse fake;
     fake.folder.write("sys/class/hwmon/hwmon0/name", "cpu_thermal\n");

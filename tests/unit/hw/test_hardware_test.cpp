@@ -65,7 +65,7 @@ TEST_CASE("a scenario of the simulation passes on the mouse, at real time", "[hw
     CHECK_FALSE(fake.motion().power);
 }
 
-TEST_CASE("without a rig a scenario that asks for the truth, collisions or a hand is refused in one line",
+TEST_CASE("without a rig a scenario that needs truth, collisions or pushes is refused in one line",
           "[hw][test][fakes][wallclock]") {
     Mouse fake;
     const std::string why =
@@ -84,7 +84,7 @@ TEST_CASE("without a rig a scenario that asks for the truth, collisions or a han
     CHECK(fake.truth().position.x < 0.05);
 }
 
-TEST_CASE("without a rig a scenario that looks at ports alone runs, and then the robot stands",
+TEST_CASE("without a rig a scenario that uses only ports runs, and then the robot stands",
           "[hw][test][fakes][wallclock]") {
     Mouse fake;
     const Outcome run = fake.test(scenario("local world = s:load 'ahead.lua'\n"
@@ -100,7 +100,7 @@ TEST_CASE("without a rig a scenario that looks at ports alone runs, and then the
     CHECK_FALSE(fake.motion().power);
 }
 
-TEST_CASE("what fails on the robot is told with the command that repeats it, and is not run again by itself",
+TEST_CASE("a failure on the robot is reported with the command that repeats it, and is not repeated automatically",
           "[hw][test][fakes][wallclock]") {
     Mouse fake;
     const Outcome run =
@@ -118,7 +118,7 @@ TEST_CASE("what fails on the robot is told with the command that repeats it, and
                         [](const auto& entry) { return entry.path().filename() == "trace.csv"; }) == 1);
 }
 
-TEST_CASE("a rig puts the robot back before each run, pushes it, presses its buttons and sees what it touches",
+TEST_CASE("a rig moves the robot back before each run, pushes it, presses its buttons and reports its contacts",
           "[hw][test][fakes][wallclock]") {
     Mouse fake({"0.3"});
     const Outcome run = fake.test(
@@ -154,7 +154,7 @@ TEST_CASE("a rig puts the robot back before each run, pushes it, presses its but
     CHECK(has(run.out, "3 passed"));
 }
 
-TEST_CASE("what real robots can't do is refused before anything moves", "[hw][test][fakes][wallclock]") {
+TEST_CASE("requests impossible for real robots are refused before anything moves", "[hw][test][fakes][wallclock]") {
     Mouse fake;
     const std::string two = "scenario('a', { sweep = { x = { 1, 2 } } }, function(s) s:load 'ahead.lua' s:run(1) end)";
     const Outcome sweep = fake.test(two, {}, false);
@@ -178,7 +178,7 @@ TEST_CASE("what real robots can't do is refused before anything moves", "[hw][te
     CHECK(fake.truth().position.x < 0.01);
 }
 
-TEST_CASE("a rig that is not there, or does not answer, is told and ends the run", "[hw][test][fakes][wallclock]") {
+TEST_CASE("a missing or silent rig is reported and ends the run", "[hw][test][fakes][wallclock]") {
     Mouse fake;
     const std::string looks = scenario(
         "local world = s:load 'ahead.lua' s:always('x', function() return world.mouse.truth.pose.position.x < 9 end) "

@@ -63,7 +63,7 @@ TEST_CASE("a device's thread works when it is woken, and once more at the end", 
     CHECK(seen.gone);
 }
 
-TEST_CASE("a device's thread that hangs is left behind with all that it uses", "[hw][device][threads][wallclock]") {
+TEST_CASE("a device's thread that hangs is abandoned with all that it uses", "[hw][device][threads][wallclock]") {
     CountingJob::Seen seen;
     seen.hang = true;
     const double before = clock_seconds();
@@ -82,7 +82,7 @@ TEST_CASE("a device's thread that hangs is left behind with all that it uses", "
     CHECK(seen.ended);
 }
 
-TEST_CASE("the loop gets a device's newest sample, and none that is old", "[hw][device][wallclock]") {
+TEST_CASE("the loop gets a device's newest sample, but not an old one", "[hw][device][wallclock]") {
     const RunningJob device(std::make_unique<Thermometer>());
     REQUIRE(soon([&] { return device->newest(clock_seconds()) && device->newest(clock_seconds())->value > 3; }));
     const auto sample = device->newest(clock_seconds());
@@ -92,7 +92,7 @@ TEST_CASE("the loop gets a device's newest sample, and none that is old", "[hw][
     CHECK(device->take_faults().empty());
 }
 
-TEST_CASE("a device that fails or hangs is told once, and taken up again", "[hw][device][threads][wallclock]") {
+TEST_CASE("a device that fails or hangs is reported once and used again", "[hw][device][threads][wallclock]") {
     const RunningJob device(std::make_unique<Thermometer>());
     device->broken = true;
     std::vector<std::string> told;
@@ -119,7 +119,7 @@ TEST_CASE("a device that fails or hangs is told once, and taken up again", "[hw]
     CHECK(told == std::vector<std::string>{"thermometer: back again"});
 }
 
-TEST_CASE("what a job holds is free when its worker has gone", "[hw][worker]") {
+TEST_CASE("a job's resources are free after the end of its worker", "[hw][worker]") {
     struct Holder final : DeviceJob {
         explicit Holder(bool& its_flag) : is_held(its_flag) { is_held = true; }
         ~Holder() override { is_held = false; }

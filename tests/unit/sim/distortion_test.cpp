@@ -73,7 +73,7 @@ TEST_CASE("each coefficient moves a point as the formula says", "[sim][distortio
     }
 }
 
-TEST_CASE("a barrel shows more than a pinhole, to its corners, a pincushion less", "[sim][distortion]") {
+TEST_CASE("barrel distortion shows more than a pinhole, pincushion distortion less", "[sim][distortion]") {
     const auto barrel = Distortion::make(distorted(-0.25)), pincushion = Distortion::make(distorted(0.25));
     REQUIRE(barrel);
     REQUIRE(pincushion);
@@ -89,7 +89,7 @@ TEST_CASE("a barrel shows more than a pinhole, to its corners, a pincushion less
     }
 }
 
-TEST_CASE("a distortion that folds the picture over is refused", "[sim][distortion]") {
+TEST_CASE("a distortion that folds the picture is refused", "[sim][distortion]") {
     for (const CameraIntrinsics& c : {distorted(-2), distorted(-1.2), distorted(0, -2), distorted(0, 0, 0, 0, -2)}) {
         const auto refused = Distortion::make(c);
         REQUIRE_FALSE(refused);

@@ -23,7 +23,7 @@ TEST_CASE("the floor's picture lies with its top where y is largest", "[sim][flo
     CHECK(floor_spot_color(four, size, {0.5, -0.25}) == 0xffffffu);
 }
 
-TEST_CASE("beside the floor's picture there is nothing to see", "[sim][floor]") {
+TEST_CASE("outside the floor's picture no colour is seen", "[sim][floor]") {
     const Point2D size{2, 1};
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (const Point2D& at : {Point2D{1.01, 0}, {-1.01, 0}, {0, 0.51}, {0, -0.51}, {1e300, 0}, {nan, 0}, {0, nan}}) {
@@ -32,7 +32,7 @@ TEST_CASE("beside the floor's picture there is nothing to see", "[sim][floor]") 
     CHECK(floor_spot_color(four, size, {0.999, 0.499}) == 0x00ff00u);  // half of the spot is beside it
 }
 
-TEST_CASE("a spot on an edge has the mean of both sides", "[sim][floor]") {
+TEST_CASE("a spot on an edge has the mean colour of both sides", "[sim][floor]") {
     const Picture line{2, 1, {0x000000, 0xffffff}};
     const double light = brightness(*floor_spot_color(line, {1, 1}, {0.0001, 0}));
     CHECK(light > 40);
@@ -67,7 +67,7 @@ TEST_CASE("colours have the names that a colour sensor gives them", "[sim][floor
     }
 }
 
-TEST_CASE("between two colours there is a limit, on either side of which each has its name", "[sim][floor]") {
+TEST_CASE("a fixed limit separates the names of two colours", "[sim][floor]") {
     using enum FloorColor;
     struct Limit {
         Rgb color;

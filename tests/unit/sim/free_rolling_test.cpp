@@ -199,7 +199,7 @@ Bustle bustle(std::uint64_t seed, bool by_ode) {
 
 }  // namespace
 
-TEST_CASE("from a hundred thousand states a step in closed form is ODE's to 1e-12", "[sim][rolling]") {
+TEST_CASE("a step in closed form equals ODE's to 1e-12 from a hundred thousand states", "[sim][rolling]") {
     RandomState state;
     double most = 0;
     for (const RobotSpec& spec : {mouse_spec(), swarm_spec(), odd_spec()}) {
@@ -259,7 +259,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("after ten minutes of driving at random the closed form is where ODE is", "[sim][rolling]") {
+TEST_CASE("after ten minutes of random driving the closed form and ODE agree", "[sim][rolling]") {
     for (const RobotSpec& spec : {mouse_spec(), swarm_spec(), odd_spec()}) {
         Pair pair(spec);
         RandomDriver driver;
@@ -280,7 +280,7 @@ TEST_CASE("after ten minutes of driving at random the closed form is where ODE i
     }
 }
 
-TEST_CASE("a robot that is handed to and fro between the two at random takes the same path", "[sim][rolling]") {
+TEST_CASE("a robot that switches at random between closed form and ODE takes the same path", "[sim][rolling]") {
     Pair pair(mouse_spec(), 0.01);
     RandomDriver driver;
     std::mt19937_64 random{3};
@@ -293,7 +293,7 @@ TEST_CASE("a robot that is handed to and fro between the two at random takes the
     CHECK(pair.rolled.robot(0).angles == pair.solved.robot(0).angles);
 }
 
-TEST_CASE("wheels that slip, coasting wheels, a pushing hand, a wall and a ramp are ODE's", "[sim][rolling]") {
+TEST_CASE("ODE computes slipping wheels, coasting wheels, pushed robots, walls and ramps", "[sim][rolling]") {
     ArenaSpec arena;
     arena.boxes.push_back({.at = {1, 0, 0.1}, .size = {0.1, 1, 0.2}});
     arena.boxes.push_back({.at = {-1, 0, 0}, .size = {0.5, 1, 0.1}, .pitch = 0.1});
@@ -327,7 +327,7 @@ TEST_CASE("wheels that slip, coasting wheels, a pushing hand, a wall and a ramp 
     }
 }
 
-TEST_CASE("a robot that rolled is taken away, and nobody sees it any more", "[sim][rolling]") {
+TEST_CASE("a robot that rolled freely is not seen after its removal", "[sim][rolling]") {
     OdeWorld world({}, {.step = step, .seed = 1}, nullptr);
     const RobotSpec spec = mouse_spec();
     auto body = world.add_robot("it", spec, {}).value();
@@ -341,7 +341,7 @@ TEST_CASE("a robot that rolled is taken away, and nobody sees it any more", "[si
     CHECK(world.robot(0).body.p[0] == there);
 }
 
-TEST_CASE("a crowd that bumps into each other does the same in the mean of twenty seeds", "[sim][rolling]") {
+TEST_CASE("colliding robots move the same on average over twenty seeds", "[sim][rolling]") {
     // Collisions are chaotic: rounding decides who meets whom a minute later.
     constexpr double seeds = 20;
     const auto compare = [](const char* what, double Bustle::*figure, const std::vector<Bustle>& a,
@@ -371,8 +371,7 @@ TEST_CASE("a crowd that bumps into each other does the same in the mean of twent
     compare("spread", &Bustle::spread, rolled, solved);
 }
 
-TEST_CASE("robots that are ahead of others within a tick get where they would have got step by step, to the last bit",
-          "[sim][rolling]") {
+TEST_CASE("robots that are ahead within a tick have the same bits as step by step", "[sim][rolling]") {
     Crowd at_once(60), one_by_one(60);
     std::size_t ahead = 0;
     for (int tick = 0; tick < 300; ++tick) {
@@ -384,7 +383,7 @@ TEST_CASE("robots that are ahead of others within a tick get where they would ha
     CHECK(ahead > 300 * 60 / 4);
 }
 
-TEST_CASE("threads that share out what rolls freely change no bit of where it gets", "[sim][rolling]") {
+TEST_CASE("the number of threads changes no bit of freely rolling robots", "[sim][rolling]") {
     WorkerPool two(2), five(5);
     Crowd alone(300), with_two(300, &two), with_five(300, &five);
     for (Crowd* crowd : {&alone, &with_two, &with_five}) {

@@ -72,7 +72,7 @@ const std::string mouse = "robot 'mouse' { model = 'raspimouse' }\n";
 
 }  // namespace
 
-TEST_CASE("with nothing in sight the infrared sensors say 0 and 0.60 m, and never less", "[sim][fault]") {
+TEST_CASE("without an obstacle the infrared sensors give 0 and 0.60 m, and never less", "[sim][fault]") {
     Run run(mouse);
     run.seconds(0.1);
     CHECK(run.value<std::vector<std::int16_t>>("mouse.ir_sensor_out") == std::vector<std::int16_t>{0, 0, 0, 0});
@@ -171,7 +171,7 @@ TEST_CASE("a pose update sets the odometry", "[sim][fault]") {
     CHECK(run.truth().pose.position.x == Approx(0.38).margin(0.03));  // the truth is not moved
 }
 
-TEST_CASE("a command does not outlive its controller", "[sim][fault][safety]") {
+TEST_CASE("a command ends with its controller", "[sim][fault][safety]") {
     const std::string driven = mouse +
                                "behavior 'controller' { script = 'robot_controller', config = { speed_x = 0.3 } }\n"
                                "connect('controller.out', 'mouse.target_velocity_in')";

@@ -55,12 +55,12 @@ TEST_CASE("a ray meets a cylinder at its side and its cap", "[sim][ray]") {
     CHECK(normal.z() == Approx(1));
 }
 
-TEST_CASE("a ray that starts inside a thing sees it at once", "[sim][ray]") {
+TEST_CASE("a ray that starts inside a thing has distance 0", "[sim][ray]") {
     CHECK(cast_ray(box({0, 0, 0}, {1, 1, 1}), {0.1, 0, 0}, {1, 0, 0}, 1) == 0);
     CHECK(cast_ray(cylinder({0, 0, 0}, 1, 1), {0.1, 0, 0}, {1, 0, 0}, 1) == 0);
 }
 
-TEST_CASE("rays agree with marching along them", "[sim][ray]") {
+TEST_CASE("ray distances agree with stepping along the rays", "[sim][ray]") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> u(-1, 1);
     int hits = 0;
@@ -85,7 +85,7 @@ TEST_CASE("rays agree with marching along them", "[sim][ray]") {
     CHECK(hits > 150);
 }
 
-TEST_CASE("a fan sees through the grid what it sees by looking at every shape", "[sim][ray][grid]") {
+TEST_CASE("a fan gives the same with the grid as with a test of every shape", "[sim][ray][grid]") {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> u(-1, 1);
     Scene scene;

@@ -6,7 +6,7 @@
 using namespace nezumi;
 using namespace nezumi::sim;
 
-TEST_CASE("a scan measures the walls all around, each ray for itself", "[sim][robot]") {
+TEST_CASE("each ray of a scan measures the walls around the robot", "[sim][robot]") {
     RobotSpec spec = mouse_spec();
     SensorSpec scan;
     scan.name = "scan";
@@ -33,7 +33,7 @@ TEST_CASE("a scan measures the walls all around, each ray for itself", "[sim][ro
     CHECK(values[6] == Approx(2).margin(0.01));  // left
 }
 
-TEST_CASE("an imu feels gravity, how the robot speeds up and how it turns", "[sim][robot]") {
+TEST_CASE("an imu measures gravity, acceleration and rotation of the robot", "[sim][robot]") {
     RobotSpec spec = mouse_spec();
     SensorSpec imu;
     imu.name = "imu";

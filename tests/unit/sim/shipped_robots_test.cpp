@@ -64,7 +64,7 @@ TEST_CASE("every shipped robot stands, drives at 1.5 m/s, stops and turns", "[si
     }
 }
 
-TEST_CASE("robots of odd shapes and weights keep their manners", "[sim][robot]") {
+TEST_CASE("robots of unusual shapes and weights stay stable", "[sim][robot]") {
     for (const double mass : {0.01, 50.0}) {
         RobotSpec spec = mouse_spec();
         spec.mass = mass;

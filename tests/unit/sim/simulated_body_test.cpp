@@ -57,7 +57,7 @@ constexpr std::size_t metre = 0, response = 1, gyro = 2, button = 3;
 
 }  // namespace
 
-TEST_CASE("with nothing in sight a value is what its table says and a distance its maximum", "[sim][sensor][fault]") {
+TEST_CASE("without an obstacle a value is that of its table and a distance its maximum", "[sim][sensor][fault]") {
     Felt body;
     const auto all = body.tick();
     CHECK(all[response].value == 0);  // and not -1978
@@ -79,7 +79,7 @@ TEST_CASE("distances stay within what the sensor can measure", "[sim][sensor]") 
     CHECK(seen(0.6, 0.001) == std::vector<double>{0.6, 0.03, 4095});
 }
 
-TEST_CASE("noise never leaves a sensor's range, averages to nothing and follows the seed", "[sim][sensor]") {
+TEST_CASE("noise stays within a sensor's range, has mean 0 and depends on the seed", "[sim][sensor]") {
     RobotSpec spec = fake_mouse();
     for (SensorSpec& sensor : spec.sensors) {
         if (sensor.kind == SensorSpec::Kind::range) sensor.noise = sensor.has_response ? 50 : 0.05;
@@ -113,7 +113,7 @@ TEST_CASE("noise never leaves a sensor's range, averages to nothing and follows 
     values(7, {});
 }
 
-TEST_CASE("the noise of a robot is a part of each value that its sensors measure", "[sim][sensor]") {
+TEST_CASE("the noise of a robot is relative to each value of its sensors", "[sim][sensor]") {
     RobotSpec spec = fake_mouse();
     spec.noise = 0.05;
     Felt body(spec);
@@ -138,7 +138,7 @@ TEST_CASE("the noise of a robot is a part of each value that its sensors measure
     for (int i = 0; i < 100; ++i) REQUIRE(body.tick()[metre].value == 0.6);
 }
 
-TEST_CASE("the noise of a robot comes to that of its sensors", "[sim][sensor]") {
+TEST_CASE("the noise of a robot is added to that of its sensors", "[sim][sensor]") {
     RobotSpec spec = fake_mouse();
     spec.noise = 0.1;  // of 0.3 m: 0.03 m
     spec.sensors[metre].noise = 0.04;
@@ -149,14 +149,14 @@ TEST_CASE("the noise of a robot comes to that of its sensors", "[sim][sensor]") 
     CHECK(std::sqrt(squares / 2000) == Approx(0.05).epsilon(0.1));
 }
 
-TEST_CASE("a distance beyond the range is told exactly, however noisy the sensor", "[sim][sensor]") {
+TEST_CASE("a distance beyond the range has no noise", "[sim][sensor]") {
     RobotSpec spec = fake_mouse();
     spec.sensors[metre].noise = 0.05;
     Felt body(spec);
     for (int i = 0; i < 100; ++i) REQUIRE(body.tick()[metre].physical == 0.6);
 }
 
-TEST_CASE("a gyro adds up the yaw rate as far as it can follow", "[sim][sensor]") {
+TEST_CASE("a gyro integrates the yaw rate up to its limit", "[sim][sensor]") {
     for (const double rate : {100.0, 50.0}) {
         Felt body(fake_mouse(), 1, rate);
         const auto after_a_second = [&](double turns) {
@@ -178,7 +178,7 @@ TEST_CASE("a gyro adds up the yaw rate as far as it can follow", "[sim][sensor]"
     CHECK(drifted.physical == 0.01);
 }
 
-TEST_CASE("light stays between 0 and 100 whatever its noise", "[sim][sensor]") {
+TEST_CASE("light stays between 0 and 100 with any noise", "[sim][sensor]") {
     for (const auto kind : {SensorSpec::Kind::reflect, SensorSpec::Kind::ambient}) {
         RobotSpec spec = fake_mouse();
         for (const double light : {0.0, 100.0}) {
@@ -199,7 +199,7 @@ TEST_CASE("light stays between 0 and 100 whatever its noise", "[sim][sensor]") {
     }
 }
 
-TEST_CASE("encoders count whole pulses, and lose none", "[sim][sensor]") {
+TEST_CASE("encoders count whole pulses without losing any", "[sim][sensor]") {
     RobotSpec spec = fake_mouse();
     spec.drive.pulses_per_turn = 400;
     Felt body(spec);
@@ -219,7 +219,7 @@ TEST_CASE("encoders count whole pulses, and lose none", "[sim][sensor]") {
     CHECK(body.wheels.speeds.right == Approx(0.25 * pulse * 0.02 * 100));
 }
 
-TEST_CASE("a servo goes to its angle no faster than it is told and than it can", "[sim][robot]") {
+TEST_CASE("a servo moves no faster than its command and its limit", "[sim][robot]") {
     RobotSpec spec = fake_mouse();
     spec.actuators[2].max_rate = 2;
     for (const auto& [speed, expected] : {std::pair{0.0, 0.02}, {1.0, 0.01}, {50.0, 0.02}}) {
@@ -262,7 +262,7 @@ TEST_CASE("each ray of a scan has a distance and noise of its own", "[sim][senso
     CHECK(std::abs(products[0] / 2000) < 1e-5);  // independent
 }
 
-TEST_CASE("an imu tells rates and what holds it in its own frame", "[sim][sensor]") {
+TEST_CASE("an imu measures rates and the supporting acceleration in its own frame", "[sim][sensor]") {
     RobotSpec spec = fake_mouse();
     spec.sensors[button].kind = SensorSpec::Kind::imu;
     spec.sensors[button].max_rate = 2;

@@ -75,7 +75,7 @@ TEST_CASE("a standing robot holds up to the angle of friction and slides beyond 
     }
 }
 
-TEST_CASE("a robot that stops on a slope stays there, and rolls down when nothing holds its wheels", "[sim][slope]") {
+TEST_CASE("a robot that stops on a slope stays there, and rolls down when its wheels are released", "[sim][slope]") {
     OnSlope robot(mouse_spec(), 0.1, M_PI);  // looks up
     robot.body->set_wheel_speeds({0.1, 0.1});
     CHECK(robot.way_in(2) == Approx(0.2).epsilon(0.03));

@@ -67,7 +67,7 @@ TEST_CASE("a tone is a WAV of its length and its frequency", "[sim][sound]") {
     for (std::size_t i = 0; i < (pause.size() - 44) / 2; ++i) REQUIRE(sample(pause, i) == 0);
 }
 
-TEST_CASE("sounds are numbered for each robot, and texts lie beside them as they are", "[sim][sound]") {
+TEST_CASE("sounds are numbered for each robot, and texts are stored beside them unchanged", "[sim][sound]") {
     const Folder folder;
     const std::string odd = "it's \"odd\"; $(touch pwned) `touch pwned`\n| & <b>-w /etc/passwd";
     const std::string program = folder.program("[ \"$1 $2 $3 $4\" = '-b 1 --stdin -w' ] && exec cat > \"$5\"");
@@ -107,7 +107,7 @@ TEST_CASE("without a speech program the texts are kept, with one warning", "[sim
     CHECK_FALSE(fs::exists(folder.path("ev3-0002.wav")));
 }
 
-TEST_CASE("a speech program that fails costs its sound and no more", "[sim][sound]") {
+TEST_CASE("a speech program that fails loses only its sound", "[sim][sound]") {
     const Folder folder;
     std::vector<std::string> warnings;
     {
@@ -121,7 +121,7 @@ TEST_CASE("a speech program that fails costs its sound and no more", "[sim][soun
     CHECK(fs::exists(folder.path("ev3-0002.wav")));
 }
 
-TEST_CASE("a sound never waits for the one before", "[sim][sound][wallclock]") {
+TEST_CASE("a sound does not wait for the one before", "[sim][sound][wallclock]") {
     const Folder folder;
     std::vector<std::string> warnings;
     {

@@ -27,7 +27,7 @@ TEST_CASE("a velocity constraint forces its velocities on a robot whose motors h
     CHECK(std::abs(w.truth().velocity.va) < 1e-3);
 }
 
-TEST_CASE("a hand that pushes a robot into a wall does not push it through", "[sim][robot][disturb]") {
+TEST_CASE("a velocity constraint does not push a robot through a wall", "[sim][robot][disturb]") {
     ArenaSpec arena;
     arena.boxes.push_back({.at = {0.3, 0, 0.1}, .size = {0.02, 1, 0.2}});
     TryWorld w(arena);
@@ -38,7 +38,7 @@ TEST_CASE("a hand that pushes a robot into a wall does not push it through", "[s
     CHECK(w.world->collided_with(0) == "box 1");
 }
 
-TEST_CASE("wheels that coast turn as the ground under them when a hand rolls the robot", "[sim][robot][disturb]") {
+TEST_CASE("coasting wheels turn with the ground when the robot is pushed", "[sim][robot][disturb]") {
     TryWorld w;
     w.add(mouse_spec(), 0, 0);
     w.bodies[0]->coast();
@@ -63,8 +63,7 @@ TEST_CASE("wheels that coast turn as the ground under them when a hand rolls the
     CHECK(std::abs(w.truth().velocity.vx) < 1e-3);
 }
 
-TEST_CASE("the velocities of a constraint are those of the robot's origin, wherever its hull is",
-          "[sim][robot][disturb]") {
+TEST_CASE("the velocities of a constraint are those of the robot's origin, not of its hull", "[sim][robot][disturb]") {
     for (const bool ahead : {true, false}) {
         RobotSpec spec = mouse_spec();
         spec.body.at.x = 0.03;

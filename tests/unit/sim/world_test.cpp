@@ -49,7 +49,7 @@ TEST_CASE("robots that overlap anything at the start are refused, with both name
     CHECK(refusal(0.1001, 0.0) == "added");
 }
 
-TEST_CASE("what has no extent is refused, with its place", "[sim][world]") {
+TEST_CASE("an object without size is refused, with its place", "[sim][world]") {
     ArenaSpec arena;
     arena.boxes.push_back({.at = {}, .size = {1, 0, 1}, .place = {"arena.lua", 3}});
     auto made = make_world(arena, {}, {});
@@ -71,7 +71,7 @@ TEST_CASE("what has no extent is refused, with its place", "[sim][world]") {
     CHECK(describe(made.error()) == "arena: field 'border.thickness' expected at least 0.0001 m, got 1e-300");
 }
 
-TEST_CASE("robots that meet are both told, with whom", "[sim][world]") {
+TEST_CASE("when two robots touch, each one reports the other", "[sim][world]") {
     const RobotSpec mouse = mouse_spec(), disc = swarm_spec();
     for (const RobotSpec* spec : {&mouse, &disc}) {
         TryWorld w;
@@ -113,7 +113,7 @@ TEST_CASE("a disc does not slip past another that it meets head-on", "[sim][worl
     }
 }
 
-TEST_CASE("a robot pushes a movable box, and not one that is too heavy", "[sim][world]") {
+TEST_CASE("a robot pushes a movable box, but not a too heavy one", "[sim][world]") {
     const RobotSpec mouse = mouse_spec();
     for (const double mass : {0.2, 20.0}) {
         ArenaSpec arena;
@@ -189,7 +189,7 @@ TEST_CASE("the same seed gives the same bits", "[sim][determinism]") {
     CHECK(a.bits().front() != 0);
 }
 
-TEST_CASE("bits do not depend on how the steps of a crowd are bundled", "[sim][determinism]") {
+TEST_CASE("bits do not depend on how many steps a call takes", "[sim][determinism]") {
     for (const std::uint64_t seed : {5, 6, 7}) {
         TryWorld once = make_crowd(seed), tens = make_crowd(seed), ones = make_crowd(seed);
         once.world->step(1000);
@@ -260,7 +260,7 @@ TEST_CASE("many robots in a pile stay finite, upright and within the walls", "[s
     CHECK(w.warnings->empty());
 }
 
-TEST_CASE("sensors see walls, boxes, cylinders and other robots, and not themselves", "[sim][sensor]") {
+TEST_CASE("sensors see walls, boxes, cylinders and other robots, but not their own robot", "[sim][sensor]") {
     const RobotSpec mouse = mouse_spec();
     ArenaSpec arena;
     arena.boxes.push_back({.at = {0.535 + 0.05, 0, 0.1}, .size = {0.1, 1, 0.2}});
@@ -290,7 +290,7 @@ TEST_CASE("sensors see walls, boxes, cylinders and other robots, and not themsel
     CHECK(seen[3] == Approx(0.5).margin(1e-5));
 }
 
-TEST_CASE("a sensor on a servo looks where the servo points", "[sim][sensor]") {
+TEST_CASE("a sensor on a servo turns with the servo", "[sim][sensor]") {
     RobotSpec spec = mouse_spec();
     ActuatorSpec servo;
     servo.name = "neck";
@@ -313,7 +313,7 @@ TEST_CASE("a sensor on a servo looks where the servo points", "[sim][sensor]") {
     CHECK(seen[0] == Approx(0.98).margin(1e-6));  // 0.02 m before the neck's axis
 }
 
-TEST_CASE("a touch sensor closes by contact and by a finger, a button by a finger only", "[sim][sensor]") {
+TEST_CASE("a touch sensor closes by contact and by a press, a button by a press only", "[sim][sensor]") {
     RobotSpec spec = mouse_spec();
     SensorSpec touch;
     touch.name = "bumper";
@@ -356,7 +356,7 @@ TEST_CASE("a gyro feels the yaw rate", "[sim][sensor]") {
     CHECK(w.bodies[0]->yaw_rate() == Approx(0.1 / 0.0925).epsilon(0.001));
 }
 
-TEST_CASE("ten thousand robots are added in time that grows with their number", "[sim][world][wallclock]") {
+TEST_CASE("the time to add ten thousand robots is proportional to their number", "[sim][world][wallclock]") {
     const auto seconds = [](int count) {
         const RobotSpec disc = swarm_spec();
         TryWorld w;

@@ -61,8 +61,7 @@ TEST_CASE("coloured pictures come as red, green and blue", "[vision][image]") {
     CHECK(to_rgb(two)->height == 1);
 }
 
-TEST_CASE("a picture without colours is refused where colours are wanted, as is one whose sizes do not agree",
-          "[vision][image]") {
+TEST_CASE("a grey picture is refused if colours are needed, as is one whose sizes do not agree", "[vision][image]") {
     const auto refused = [](const CameraImage& wrong) {
         const auto colored = to_rgb(wrong);
         REQUIRE_FALSE(colored);

@@ -36,7 +36,7 @@ std::size_t allocations_for(const std::string& format) {
 
 }  // namespace
 
-TEST_CASE("pixels are put into memory that an earlier picture had", "[vision][image]") {
+TEST_CASE("pixels use the memory of an earlier picture", "[vision][image]") {
     for (const char* format : {"gray8", "rgb8", "bgr8"}) {
         INFO(format);
         const CameraImage image = picture(format);
@@ -53,7 +53,7 @@ TEST_CASE("pixels are put into memory that an earlier picture had", "[vision][im
     }
 }
 
-TEST_CASE("detectors take each picture into the same memory", "[vision][detector]") {
+TEST_CASE("detectors use the same memory for each picture", "[vision][detector]") {
     for (const char* format : {"rgb8", "bgr8"}) {
         INFO(format);
         CHECK(allocations_for<ColorDetector>(format) == 0);

@@ -42,7 +42,7 @@ ArenaSpec floor_with_line() {
 
 }  // namespace
 
-TEST_CASE("an upright line has an offset and runs straight ahead", "[vision][line]") {
+TEST_CASE("a vertical line has an offset and angle 0", "[vision][line]") {
     const auto line = line_in(with_line(50, 60, 0));
     REQUIRE(line);
     CHECK(line->x == Approx(50).margin(0.01));
@@ -51,7 +51,7 @@ TEST_CASE("an upright line has an offset and runs straight ahead", "[vision][lin
     CHECK(line->area == Approx(9 * 60).margin(0.1));
 }
 
-TEST_CASE("a line across the picture runs to the side", "[vision][line]") {
+TEST_CASE("a horizontal line has an angle to the side", "[vision][line]") {
     const auto line = line_in(with_line(80, 90, M_PI / 2));
     REQUIRE(line);
     CHECK(line->x == Approx(79.5).margin(0.01));
@@ -69,7 +69,7 @@ TEST_CASE("a line that leans to the left has a positive angle", "[vision][line]"
     }
 }
 
-TEST_CASE("only the part of the picture below the top is looked at", "[vision][line]") {
+TEST_CASE("only the part of the picture below the parameter top is used", "[vision][line]") {
     Canvas canvas = with_line(50, 60, 0);
     canvas.paint(0, 0, 160, 55, white).paint(100, 0, 30, 55, black);
     CHECK(line_in(canvas)->x == Approx(50).margin(0.01));
@@ -78,7 +78,7 @@ TEST_CASE("only the part of the picture below the top is looked at", "[vision][l
     CHECK(line_in(canvas, {.top = 1})->y == Approx(119).margin(0.01));
 }
 
-TEST_CASE("a light line on a dark floor is one when it is looked for", "[vision][line]") {
+TEST_CASE("a light line on a dark floor is found if light lines are requested", "[vision][line]") {
     const Canvas canvas = with_line(50, 60, 0, white, {60, 60, 60});
     const auto line = line_in(canvas, {.dark = false});
     REQUIRE(line);
@@ -94,13 +94,13 @@ TEST_CASE("of two lines the larger one counts", "[vision][line]") {
     CHECK(line_in(canvas)->x == Approx(109.5).margin(0.01));
 }
 
-TEST_CASE("a line at the picture's edge is where it is seen", "[vision][line]") {
+TEST_CASE("a line at the picture's edge is found there", "[vision][line]") {
     CHECK(line_in(with_line(0, 60, 0))->x == Approx(2).margin(0.2));
     CHECK(line_in(with_line(159, 60, 0))->x == Approx(157).margin(0.2));
     CHECK_FALSE(line_in(with_line(170, 60, 0)));
 }
 
-TEST_CASE("a floor without a line has none, whatever its brightness", "[vision][line]") {
+TEST_CASE("no line is found on an empty floor of any brightness", "[vision][line]") {
     for (const int gray : {0, 1, 127, 254, 255}) {
         const auto shade = static_cast<std::uint8_t>(gray);
         const Canvas canvas(160, 120, {shade, shade, shade});
@@ -112,7 +112,7 @@ TEST_CASE("a floor without a line has none, whatever its brightness", "[vision][
     CHECK_FALSE(line_in(Canvas(1, 1, black)));
 }
 
-TEST_CASE("what differs less from the floor than the contrast is no line", "[vision][line]") {
+TEST_CASE("an area with less than the required contrast is not a line", "[vision][line]") {
     const Canvas canvas = with_line(50, 60, 0, {150, 150, 150});
     CHECK_FALSE(line_in(canvas));
     CHECK(line_in(canvas, {.contrast = 0.15}));
@@ -147,14 +147,14 @@ TEST_CASE("a camera that looks down sees the line of a floor, left of it or righ
     CHECK(noisy_angle == Approx(clean_angle).margin(0.03));
 }
 
-TEST_CASE("noise alone is no line", "[vision][line]") {
+TEST_CASE("noise alone is not a line", "[vision][line]") {
     LineWatch watch(ArenaSpec{}, {}, {{"noise", 13.0}, {"pitch", 0.8}});
     watch.run(100);
     CHECK(watch.port("visible").count() > 20);
     CHECK(watch.port("offset").count() == 0);
 }
 
-TEST_CASE("a line is told once for each picture, and while there is none only visible speaks", "[vision][line]") {
+TEST_CASE("a line is published once per picture, and without a line only visible is published", "[vision][line]") {
     LineWatch watch(ArenaSpec{}, {}, {}, false);
     const auto look_at = [&](const Canvas& canvas) {
         watch.show(canvas.image());
@@ -180,7 +180,7 @@ TEST_CASE("a line is told once for each picture, and while there is none only vi
     CHECK(watch.said.empty());
 }
 
-TEST_CASE("a torn picture is told by a detector of lines as well", "[vision][line]") {
+TEST_CASE("a detector of lines reports a torn picture too", "[vision][line]") {
     LineWatch watch(ArenaSpec{}, {}, {}, false);
     CameraImage torn = with_line(50, 60, 0).image();
     torn.pixels.resize(1000);
