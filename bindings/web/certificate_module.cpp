@@ -1,4 +1,4 @@
-// Certificates by OpenSSL: a key on the curve P-256 that signs itself.
+// Certificates by OpenSSL: self-signed, with a key on the curve P-256.
 #include <fcntl.h>
 #include <openssl/bio.h>
 #include <openssl/bn.h>
@@ -30,7 +30,7 @@ namespace nezumi::web {
 namespace {
 
 constexpr long day = 24 * 60 * 60;     // [s]
-constexpr long lasts = 800 * day;      // [s] browsers trust none that lasts longer than 825 days
+constexpr long lasts = 800 * day;      // [s] browsers accept at most 825 days
 constexpr long renewed_at = 30 * day;  // [s] before its end
 
 template <class T, void (*release)(T*)>
@@ -70,13 +70,13 @@ Memory memory_of(const std::string& text) {
     return Memory(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
 }
 
-// Whether only its owner, who is us, may read it.
+// True if it belongs to us and only its owner may read it.
 bool is_private(const std::string& file) {
     struct stat is {};
     return lstat(file.c_str(), &is) == 0 && S_ISREG(is.st_mode) && is.st_uid == geteuid() && (is.st_mode & 077) == 0;
 }
 
-// The one that is kept, when it is still good for this.
+// Uses the stored certificate if it is still valid for this request.
 bool take_kept(const CertificateWish& wish, Certificate& certificate) {
     if (!is_private(certificate.key)) return false;
     const std::string paper_text = read_text(certificate.file), key_text = read_text(certificate.key);
@@ -84,7 +84,8 @@ bool take_kept(const CertificateWish& wish, Certificate& certificate) {
     const Paper paper(PEM_read_bio_X509(paper_memory.get(), nullptr, nullptr, nullptr));
     const Key key(PEM_read_bio_PrivateKey(key_memory.get(), nullptr, nullptr, nullptr));
     if (paper == nullptr || key == nullptr || X509_check_private_key(paper.get(), key.get()) != 1) return false;
-    std::time_t until = std::time(nullptr) + renewed_at;  // the wall clock: as certificates are valid
+    std::time_t until =
+        std::time(nullptr) + renewed_at;  // wall clock, because a certificate's validity is in calendar time
     if (X509_cmp_time(X509_get0_notAfter(paper.get()), &until) <= 0) return false;
     if (X509_check_ip_asc(paper.get(), wish.address.c_str(), 0) != 1) return false;
     certificate.fingerprint = fingerprint_of(paper.get());
@@ -99,7 +100,7 @@ bool add_extension(X509* paper, int which, const std::string& value) {
     return extension != nullptr && X509_add_ext(paper, extension.get(), -1) == 1;
 }
 
-// A name that stands in a certificate as it is.
+// True for a host name that can be written into a certificate unchanged.
 bool is_host_name(std::string_view name) {
     return !name.empty() && name.size() < 64 && std::all_of(name.begin(), name.end(), [](char each) {
         return (each >= 'a' && each <= 'z') || (each >= 'A' && each <= 'Z') || (each >= '0' && each <= '9') ||
@@ -114,7 +115,7 @@ Paper make_paper(EVP_PKEY* key, const CertificateWish& wish) {
     const std::string name = has_host ? "nezumi on " + wish.host : "nezumi";
     std::array<unsigned char, 16> number{};
     if (RAND_bytes(number.data(), static_cast<int>(number.size())) != 1) return nullptr;
-    number[0] &= 0x7f;  // positive
+    number[0] &= 0x7f;  // makes the number positive
     X509* const x = paper.get();
     X509_NAME* const subject = X509_get_subject_name(x);
     const auto* const text = reinterpret_cast<const unsigned char*>(name.c_str());
@@ -135,7 +136,7 @@ Paper make_paper(EVP_PKEY* key, const CertificateWish& wish) {
     return paper;
 }
 
-// What `write` puts into memory, as a whole file that only its owner may read. Returns what went wrong, or "".
+// Writes the output of `write` to a file that only its owner may read. Returns the error, or "".
 template <class Write>
 std::string write_file(const std::string& file, const Write& write) {
     const Memory memory(BIO_new(BIO_s_mem()));

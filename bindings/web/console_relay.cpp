@@ -1,4 +1,4 @@
-// Sockets that never wait: a console that takes nothing more has too much to do.
+// Non-blocking sockets: a console that accepts no more data is overloaded.
 #include "bindings/web/console_relay.hpp"
 
 #include <sys/socket.h>
@@ -16,7 +16,7 @@ Expected<void> ConsoleRelay::send(ClientId client, const std::string& line, cons
         if (!socket) return Unexpected(socket.error());
         found = consoles_of_.emplace(client, Console{.socket = std::move(*socket)}).first;
     }
-    // Part of a line would spoil the next one: then there is no console any more.
+    // A partly sent line would corrupt the next one, so the console is closed.
     const ssize_t sent = ::send(found->second.socket.get(), line.data(), line.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
     if (sent == static_cast<ssize_t>(line.size())) return {};
     if (sent < 0 && (errno == EAGAIN || errno == EINTR)) return failure("the console has too much to do: try again");

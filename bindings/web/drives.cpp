@@ -1,4 +1,4 @@
-// A drive is a hold by its browser: acts begin, change and end it, so that a replay has them all.
+// A drive is a hold by its browser. It begins, changes and ends by acts, so a replay has them all.
 #include "bindings/web/drives.hpp"
 
 #include <algorithm>

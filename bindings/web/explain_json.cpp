@@ -1,4 +1,4 @@
-// Field by field.
+// Writes an explained execution field by field.
 #include "bindings/web/explain_json.hpp"
 
 #include <nlohmann/json.hpp>

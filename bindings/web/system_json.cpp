@@ -1,4 +1,4 @@
-// Written whole each time: what is told seldom need not be told in parts.
+// Written as a whole each time, because it changes rarely.
 #include "bindings/web/system_json.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::string_view kind_of(const Component& component) {
     return component.script_file() != nullptr ? "behavior" : "component";
 }
 
-// What a parameter is when nobody has set it by hand: as the set in use says, or the system file, or its declaration.
+// The value of a parameter before changes by hand: from the parameter set in use, the system file, or its declaration.
 ParameterValue given_value(const Component& component, const ParameterSpec& spec) {
     const auto in_use = component.sets.find(component.set_in_use());
     for (const ParameterValues* values :
@@ -112,8 +112,8 @@ std::string_view kind_of(SensorSpec::Kind kind) {
     return "";
 }
 
-// For each distance of the robot, in the order in which its rays name them, the port that carries its sensor's value:
-// {port, index}; null for what no port carries by itself.
+// For each distance of the robot, in the order of its rays: the port with its sensor's value as {port, index}, or null
+// if no port has it.
 Json distances_to_json(const RobotSpec& spec) {
     Json distances = Json::array();
     for (const SensorSpec& sensor : spec.sensors) {
@@ -194,7 +194,7 @@ void for_each_port(const System& system, const Visit& visit) {
     }
 }
 
-// Ports of another host that are shown: who is on the network may be anybody.
+// The largest number of ports shown per host: other hosts are not trusted.
 constexpr std::size_t most_offered = 500;
 
 Json hosts_to_json(const System& system) {

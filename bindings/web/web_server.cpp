@@ -1,4 +1,4 @@
-// Everything happens in its turn between two ticks, in the time that is left there.
+// The browsers' requests are processed in order between two ticks, in the remaining time.
 #include "bindings/web/web_server.hpp"
 
 #include <fmt/format.h>
@@ -16,13 +16,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// That wait for an execution.
+// Waiting requests for explanations.
 constexpr std::size_t most_explained = 64;
 constexpr std::string_view only_real_time = "real robots know only real time: this works in simulation";
 
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-// All of it but what is each browser's own, and without the bracket that begins it.
+// The greeting without the browser's own fields and without the opening bracket.
 std::string hello(const RunningSystem& live, const WebOptions& options) {
     const Json json{{"version", options.version},
                     {"real", live.system().settings().real_time},
@@ -150,7 +150,7 @@ void WebServer::answer(ClientId client, std::int64_t id, const Expected<void>& d
                             {"text", done ? "" : nezumi::describe(done.error())}}));
 }
 
-// Before it is done: what it comes to may be logged as well.
+// Called before the request is executed, because its effects may be logged too.
 void WebServer::note(const Browser& browser, const std::string& what) {
     live_.system().log(LogLevel::info, to_text(browser.who) + ": " + what);
 }
@@ -263,7 +263,7 @@ void WebServer::explain() {
 }
 
 void WebServer::describe_system(Clock::time_point now) {
-    // Frames must not tell of what browsers do not know.
+    // Frames must not contain what browsers do not know yet.
     const bool other = layout_ != live_.system().layout() || starts_ != live_.starts();
     if (!other && now - described_ < std::chrono::duration<double>(1 / descriptions)) return;
     described_ = now;

@@ -1,12 +1,12 @@
-// One execution of a behaviour explained: what came in, the lines that ran with their values, what went out, and what a
-// robot's limits and wheels made of it. Nothing is asked of the engine while nobody looks.
+// Explains one execution of a behaviour: its inputs, the executed lines with values, its outputs, and the effect of the
+// robot's limits on the wheels. Requests nothing while the view is hidden.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 import { number_text } from "./value_text.js";
 
-const AGAIN = 500;  // ms between two looks while it follows
+const AGAIN = 500;  // ms between two requests in following mode
 
-/// The behaviour that drives a robot, or else hears it.
+/// The behaviour that drives a robot, or else one that reads from it.
 function behavior_of(model, robot) {
   const { connections } = model.system;
   const owner = (port) => port.slice(0, port.indexOf("."));
@@ -65,7 +65,7 @@ export function make_explain({ model, link, notices }) {
       notices.say(T.explain.paused);
     }
   };
-  /// Says why there is nothing to be seen, in the place of what was seen of another.
+  /// Shows why there is no explanation, in place of the previous one.
   const refuse = (why) => {
     waits = false;
     stop_following();

@@ -1,4 +1,4 @@
-// Every text of the page, in one table: another language is another table.
+// Every text of the page in one table, so that another language needs only another table.
 
 const EN = {
   views: { world: "World", diagram: "System", plots: "Plots", drive: "Drive", parameters: "Parameters",
