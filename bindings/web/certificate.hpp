@@ -9,7 +9,7 @@
 namespace nezumi::web {
 
 /// The properties of a certificate, and where it is stored.
-struct CertificateWish {
+struct CertificateRequest {
     std::filesystem::path folder{};  ///< of the user; made if missing
     std::string address{};           ///< IPv4 address of this computer for others
     std::string host{};              ///< this computer's name; optional
@@ -24,12 +24,12 @@ struct Certificate {
 
 /// Returns the stored certificate, or makes a new one: if there is none, if it is for another address, if it ends
 /// within a month, or if others could have read its key. An error gives the reason in one line.
-Expected<Certificate> find_certificate(const CertificateWish& wish);
+Expected<Certificate> find_certificate(const CertificateRequest& request);
 
 // The interface between the program and its module. Both are built together.
 inline constexpr const char* certificate_module = "nezumi_certificate.so";
 inline constexpr const char* find_in_module = "nezumi_find_certificate";
 /// The module's only function. Returns true, or false with the `problem`. Never throws.
-using FindInModule = bool(const CertificateWish& wish, Certificate& certificate, std::string& problem);
+using FindInModule = bool(const CertificateRequest& request, Certificate& certificate, std::string& problem);
 
 }  // namespace nezumi::web

@@ -77,7 +77,7 @@ bool is_private(const std::string& file) {
 }
 
 // Uses the stored certificate if it is still valid for this request.
-bool take_kept(const CertificateWish& wish, Certificate& certificate) {
+bool take_kept(const CertificateRequest& request, Certificate& certificate) {
     if (!is_private(certificate.key)) return false;
     const std::string paper_text = read_text(certificate.file), key_text = read_text(certificate.key);
     const Memory paper_memory = memory_of(paper_text), key_memory = memory_of(key_text);
@@ -87,7 +87,7 @@ bool take_kept(const CertificateWish& wish, Certificate& certificate) {
     std::time_t until =
         std::time(nullptr) + renewed_at;  // wall clock, because a certificate's validity is in calendar time
     if (X509_cmp_time(X509_get0_notAfter(paper.get()), &until) <= 0) return false;
-    if (X509_check_ip_asc(paper.get(), wish.address.c_str(), 0) != 1) return false;
+    if (X509_check_ip_asc(paper.get(), request.address.c_str(), 0) != 1) return false;
     certificate.fingerprint = fingerprint_of(paper.get());
     return !certificate.fingerprint.empty();
 }
@@ -108,11 +108,11 @@ bool is_host_name(std::string_view name) {
     });
 }
 
-Paper make_paper(EVP_PKEY* key, const CertificateWish& wish) {
+Paper make_paper(EVP_PKEY* key, const CertificateRequest& request) {
     Paper paper(X509_new());
     if (paper == nullptr) return nullptr;
-    const bool has_host = is_host_name(wish.host);
-    const std::string name = has_host ? "nezumi on " + wish.host : "nezumi";
+    const bool has_host = is_host_name(request.host);
+    const std::string name = has_host ? "nezumi on " + request.host : "nezumi";
     std::array<unsigned char, 16> number{};
     if (RAND_bytes(number.data(), static_cast<int>(number.size())) != 1) return nullptr;
     number[0] &= 0x7f;  // makes the number positive
@@ -128,7 +128,7 @@ Paper make_paper(EVP_PKEY* key, const CertificateWish& wish) {
         X509_gmtime_adj(X509_getm_notAfter(x), lasts) != nullptr && X509_set_pubkey(x, key) == 1 &&
         X509_NAME_add_entry_by_txt(subject, "CN", MBSTRING_UTF8, text, -1, -1, 0) == 1 &&
         X509_set_issuer_name(x, subject) == 1 &&
-        add_extension(x, NID_subject_alt_name, "IP:" + wish.address + (has_host ? ",DNS:" + wish.host : "")) &&
+        add_extension(x, NID_subject_alt_name, "IP:" + request.address + (has_host ? ",DNS:" + request.host : "")) &&
         add_extension(x, NID_basic_constraints, "critical,CA:FALSE") &&
         add_extension(x, NID_key_usage, "critical,digitalSignature") &&
         add_extension(x, NID_ext_key_usage, "serverAuth") && X509_sign(x, key, EVP_sha256()) > 0;
@@ -155,13 +155,13 @@ std::string write_file(const std::string& file, const Write& write) {
     return file + " can't be written: " + std::strerror(problem);
 }
 
-std::string make_new(const CertificateWish& wish, Certificate& certificate) {
+std::string make_new(const CertificateRequest& request, Certificate& certificate) {
     const Key key(EVP_EC_gen("P-256"));
-    const Paper paper = key != nullptr ? make_paper(key.get(), wish) : nullptr;
-    if (paper == nullptr) return "OpenSSL can't make a certificate for '" + wish.address + "'";
+    const Paper paper = key != nullptr ? make_paper(key.get(), request) : nullptr;
+    if (paper == nullptr) return "OpenSSL can't make a certificate for '" + request.address + "'";
     std::error_code problem;
-    std::filesystem::create_directories(wish.folder, problem);
-    if (problem) return wish.folder.string() + " can't be made: " + problem.message();
+    std::filesystem::create_directories(request.folder, problem);
+    if (problem) return request.folder.string() + " can't be made: " + problem.message();
     std::string wrong = write_file(certificate.key, [&](BIO* out) {
         return PEM_write_bio_PrivateKey(out, key.get(), nullptr, nullptr, 0, nullptr, nullptr);
     });
@@ -177,12 +177,12 @@ std::string make_new(const CertificateWish& wish, Certificate& certificate) {
 
 extern "C" __attribute__((visibility("default"))) nezumi::web::FindInModule nezumi_find_certificate;
 
-bool nezumi_find_certificate(const nezumi::web::CertificateWish& wish, nezumi::web::Certificate& certificate,
+bool nezumi_find_certificate(const nezumi::web::CertificateRequest& request, nezumi::web::Certificate& certificate,
                              std::string& problem) {
     try {
-        certificate = {.file = (wish.folder / "page_certificate.pem").string(),
-                       .key = (wish.folder / "page_key.pem").string()};
-        if (!nezumi::web::take_kept(wish, certificate)) problem = nezumi::web::make_new(wish, certificate);
+        certificate = {.file = (request.folder / "page_certificate.pem").string(),
+                       .key = (request.folder / "page_key.pem").string()};
+        if (!nezumi::web::take_kept(request, certificate)) problem = nezumi::web::make_new(request, certificate);
     } catch (const std::exception& thrown) {
         problem = thrown.what();
     }

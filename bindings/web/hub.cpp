@@ -172,7 +172,7 @@ void Hub::watch_anew() {
 }
 
 HttpReply Hub::reply_to(const HttpRequest& request) {
-    if (!access_.is_own_host(request.host)) return {.status = 403, .body = "this is served to no other name\n"};
+    if (!access_.is_own_host(request.host)) return {.status = 403, .body = "this page is not served under that name\n"};
     return files_.get(request.path);
 }
 
@@ -241,7 +241,7 @@ bool Hub::received(ClientId id, std::string_view text) {
         return true;
     }
     if (client.view_only && !std::holds_alternative<ExplainMessage>(message->body)) {
-        put_text(client, refusal(message->id, "this link is for looking only"), false);
+        put_text(client, refusal(message->id, "this link is view-only"), false);
         return true;
     }
     if (++client.waiting > most_waiting) return false;

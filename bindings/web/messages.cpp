@@ -166,7 +166,7 @@ ConsoleMessage read_console(Fields& fields) {
         return {};
     }
     if (request->kind == Request::Kind::hello) {
-        fields.refuse("the console is greeted already");
+        fields.refuse("the console has already been greeted");
         return {};
     }
     const bool evaluates = request->kind == Request::Kind::eval;
@@ -180,7 +180,7 @@ tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const 
     const auto refuse = [&](std::string why) {
         return tl::unexpected(Refusal{.id = message.id, .text = std::move(why)});
     };
-    if (is_too_deep(text)) return refuse("the message nests too deep");
+    if (is_too_deep(text)) return refuse("the message is nested too deeply");
     const Json json = Json::parse(text.begin(), text.end(), nullptr, false);
     if (!json.is_object()) return refuse("expected one JSON object");
     if (const auto id = json.find("id"); id != json.end()) {

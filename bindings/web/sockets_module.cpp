@@ -157,13 +157,13 @@ std::string WebSockets::open(const SocketOptions& options) {
     if (port_ == 0) {
         std::string where = options.address + ":" + std::to_string(options.first_port);
         if (options.ports > 1) where += " to " + std::to_string(options.first_port + options.ports - 1);
-        return "nothing can listen on " + where + ": " + std::strerror(problem != 0 ? problem : EADDRINUSE);
+        return "can't listen on " + where + ": " + std::strerror(problem != 0 ? problem : EADDRINUSE);
     }
     std::string failed;
     try {
         thread_ = start_thread([this] { serve(); });
     } catch (const std::system_error& none) {
-        failed = std::string("there is no thread for browsers: ") + none.what();
+        failed = std::string("can't start a thread for browsers: ") + none.what();
     }
     return failed;
 }

@@ -118,7 +118,7 @@ void WebServer::deal_with(const Hub::Incoming& incoming) {
     if (incoming.what == Hub::Incoming::What::opened) {
         Browser& browser = browsers_[id];
         browser = {{Actor::Kind::browser, std::to_string(id)}, incoming.view_only};
-        note(browser, incoming.view_only ? "has come, to look" : "has come");
+        note(browser, incoming.view_only ? "has connected, view only" : "has connected");
         return;
     }
     const auto found = browsers_.find(id);
@@ -127,7 +127,7 @@ void WebServer::deal_with(const Hub::Incoming& incoming) {
         live_.let_go(found->second.who);
         drives_.forget(id);
         relay_.close(id);
-        note(found->second, "has gone");
+        note(found->second, "has disconnected");
         browsers_.erase(found);
         return;
     }
@@ -173,7 +173,7 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
         return replied(relay_.send(client, console->line, browser.who), Reply::later);
     }
     if (const auto* wanted = std::get_if<ExplainMessage>(&message.body)) {
-        if (explained_.size() >= most_explained) return failure("too many wait to be explained already");
+        if (explained_.size() >= most_explained) return failure("too many explanations are already waiting");
         const auto trace = live_.explain_next(wanted->component);
         if (!trace) return Unexpected(trace.error());
         explained_.push_back({client, wanted->component, *trace, live_.starts()});
@@ -200,9 +200,9 @@ void WebServer::finish_restart() {
     if (!live_.fits(*prepared)) return worker_.start(live_.prepare(Restart{}));
     Expected<void> done;
     if (!prepared->error && !prepared->lost.empty()) {
-        done = failure(fmt::format("{} would be gone: save the system first", fmt::join(prepared->lost, ", ")));
+        done = failure(fmt::format("{} would be lost: save the system first", fmt::join(prepared->lost, ", ")));
     } else {
-        if (!prepared->error) live_.system().log(LogLevel::info, to_text(restart_.who) + ": starts anew");
+        if (!prepared->error) live_.system().log(LogLevel::info, to_text(restart_.who) + ": restarts the system");
         const auto restarted = live_.commit(std::move(*prepared), restart_.who);
         if (!restarted) done = Unexpected(restarted.error());
     }

@@ -99,12 +99,12 @@ private:
     std::vector<Explained> explained_;  // pending requests
     std::vector<Hub::Incoming> waiting_;
     std::size_t dealt_ = 0;  // of waiting_
-    struct RestartWish {
+    struct RestartRequest {
         ClientId client = 0;
         std::int64_t id = 0;
         Actor who;
     };
-    RestartWish restart_;  // the restart being prepared
+    RestartRequest restart_;  // the restart being prepared
     ActWorker worker_;
     Clock::time_point shown_{};
     Clock::time_point described_{};

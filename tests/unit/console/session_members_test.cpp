@@ -131,11 +131,11 @@ TEST_CASE("a marker and a component have different names", "[console][session][a
           "! behavior: the name 'target' is taken: remove \"target\" frees it, or choose another");
 }
 
-TEST_CASE("restart says what would be gone, unless it is in the file", "[console][session][act]") {
+TEST_CASE("restart says what would be lost, unless it is in the file", "[console][session][act]") {
     SessionRig it;
     it.type("behavior 'second' { script = 'counter' } marker { name = 'target', id = 7, at = { 1, 0, 0.1 } }");
     const std::string file = it.live->spec().file;
-    CHECK(it.type("restart()") == "! restart: second, target would be gone: save \"" + file +
+    CHECK(it.type("restart()") == "! restart: second, target would be lost: save \"" + file +
                                       "\" keeps them in the system's file, restart \"anyway\" lets them go");
     CHECK(it.type("second.status") == "\"ACTIVE\"");
     CHECK(it.type("restart 'now'") == "! restart: expected nothing, or \"anyway\", got 'now'");

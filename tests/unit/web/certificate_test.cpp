@@ -17,7 +17,7 @@ using namespace nezumi::web;
 
 namespace {
 
-Certificate find(const CertificateWish& wish) {
+Certificate find(const CertificateRequest& wish) {
     const auto found = find_certificate(wish);
     if (!found) FAIL(found.error().message);
     return *found;
@@ -31,9 +31,9 @@ unsigned mode_of(const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("a certificate is made once and kept for its owner alone", "[web][certificate]") {
+TEST_CASE("a certificate is made once and stored only for its owner", "[web][certificate]") {
     const Scratch scratch;
-    const CertificateWish wish{.folder = scratch.path("state/nezumi"), .address = "192.168.1.20", .host = "mouse"};
+    const CertificateRequest wish{.folder = scratch.path("state/nezumi"), .address = "192.168.1.20", .host = "mouse"};
     const Certificate first = find(wish);
     CHECK(first.is_new);
     CHECK(first.fingerprint.size() == 32 * 3 - 1);
@@ -45,9 +45,9 @@ TEST_CASE("a certificate is made once and kept for its owner alone", "[web][cert
     CHECK(again.file == first.file);
 }
 
-TEST_CASE("a certificate that is not good any more is made anew", "[web][certificate]") {
+TEST_CASE("a certificate that is no longer valid is renewed", "[web][certificate]") {
     const Scratch scratch;
-    CertificateWish wish{.folder = scratch.path(), .address = "192.168.1.20", .host = "a name, IP:1.2.3.4"};
+    CertificateRequest wish{.folder = scratch.path(), .address = "192.168.1.20", .host = "a name, IP:1.2.3.4"};
     const Certificate first = find(wish);
     CHECK(first.is_new);
     SECTION("for another address") { wish.address = "192.168.1.21"; }
@@ -66,7 +66,7 @@ TEST_CASE("a certificate that is not good any more is made anew", "[web][certifi
     CHECK_FALSE(find(wish).is_new);
 }
 
-TEST_CASE("a certificate that can't be kept is none", "[web][certificate]") {
+TEST_CASE("a certificate that can't be stored is an error", "[web][certificate]") {
     const Scratch scratch;
     scratch.write("file", "");
     const auto none = find_certificate({.folder = scratch.path("file/nezumi"), .address = "192.168.1.20"});
@@ -74,7 +74,7 @@ TEST_CASE("a certificate that can't be kept is none", "[web][certificate]") {
     CHECK(none.error().message.find("can't be made: ") != std::string::npos);
 }
 
-TEST_CASE("an address is drawn as a QR code for a terminal, whatever its colours", "[web][certificate]") {
+TEST_CASE("an address is drawn as a QR code for a terminal of any colours", "[web][certificate]") {
     const std::string address = "https://192.168.1.20:8765/#0123456789abcdef0123456789abcdef";
     const auto code = qr_code(address);
     REQUIRE(code);

@@ -15,7 +15,7 @@ std::vector<char> connections(2 * Unadmitted::most);
 
 }  // namespace
 
-TEST_CASE("the oldest of an address that has more than its share goes", "[web][bounds]") {
+TEST_CASE("the oldest connection of an address with too many is closed", "[web][bounds]") {
     Unadmitted unadmitted;
     std::size_t next = 0;
     CHECK(unadmitted.add(&connections[next++], "192.168.1.9") == nullptr);
@@ -29,7 +29,7 @@ TEST_CASE("the oldest of an address that has more than its share goes", "[web][b
     CHECK(unadmitted.add(&connections[next++], "192.168.1.1") == &connections[4]);
 }
 
-TEST_CASE("where there are too many in all, the oldest of the address that has most goes", "[web][bounds]") {
+TEST_CASE("with too many connections in all, the oldest of the address with most is closed", "[web][bounds]") {
     Unadmitted unadmitted;
     std::size_t next = 0;
     for (int i = 0; i < 10; ++i) CHECK(unadmitted.add(&connections[next++], "192.168.1.1") == nullptr);

@@ -37,7 +37,7 @@ Json move(const std::string& thing, double x, int id) {
 
 }  // namespace
 
-TEST_CASE("a browser carries a wall elsewhere, and is told why not where it can't be", "[web]") {
+TEST_CASE("a browser moves a wall, and gets the reason if the place is not free", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     const auto system = Json::parse(browser.next_text("\"is\":\"system\""));
@@ -51,7 +51,7 @@ TEST_CASE("a browser carries a wall elsewhere, and is told why not where it can'
     CHECK(rig.live->system().world()->things().front().pose.position.x == 0.8);
 }
 
-TEST_CASE("a browser is told how a robot is tilted, what it touches and where", "[web]") {
+TEST_CASE("a browser gets a robot's tilt and the places and names of its contacts", "[web]") {
     WebRig rig(R"(
 arena { box { at = { 0.4, 0, -0.02 }, size = { 0.8, 1, 0.1 }, pitch = -0.1 },
         box { at = { 0.5, 0, 0.3 }, size = { 0.02, 1, 0.6 } } }
@@ -79,7 +79,7 @@ robot "mouse" { model = "raspimouse", pose = { x = -0.1, y = 0, heading = 0 } }
     CHECK(robot.z > 0.01);
 }
 
-TEST_CASE("a browser is told which port carries the value behind each ray", "[web]") {
+TEST_CASE("a browser gets the port with the value of each ray", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     const auto robot = Json::parse(browser.next_text("\"is\":\"system\""))["robots"][0];
