@@ -1,4 +1,4 @@
-// What hosts in lockstep tell each other with each tick, described once: CDR follows.
+// The messages between hosts in lockstep for each tick; the CDR format follows from the description.
 #pragma once
 
 #include <cstdint>
@@ -22,20 +22,20 @@ struct StepMessage {
     };
 };
 
-/// A host's tick is done: what its ports have published in it.
+/// The result of a host's tick: the messages that its ports have published.
 struct Step {
     enum End : std::uint8_t {
         goes_on,
-        parts,  ///< the two keep in step no longer
+        parts,  ///< the lockstep of the two ends
         ends,   ///< the sender's run is over
     };
     std::uint64_t run = 0;    ///< of the sender
     std::uint64_t to = 0;     ///< run of the receiver
     std::int64_t began = 0;   ///< the sender's tick of the first step
-    std::int64_t tick = 0;    ///< the sender's next one
-    std::uint8_t end = 0;     ///< `End`: of a last one
-    bool paused = false;      ///< the sender could go on, and does not
-    std::string waits_for{};  ///< the host for which the sender waits
+    std::int64_t tick = 0;    ///< the sender's next tick
+    std::uint8_t end = 0;     ///< `End`: of the last step
+    bool paused = false;      ///< the sender could continue but is paused
+    std::string waits_for{};  ///< the host that the sender waits for
     std::vector<StepMessage> messages{};
 
     static constexpr std::tuple fields{
@@ -50,7 +50,7 @@ struct Step {
     };
 };
 
-/// The steps of one host for another.
+/// The topic of the steps from one host to another.
 Topic step_topic(const std::string& from, const std::string& to);
 
 }  // namespace nezumi::dds

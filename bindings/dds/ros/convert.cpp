@@ -1,4 +1,4 @@
-// Units are SI at both ends; axes are those of ROS (REP 103): x ahead, y left, z up.
+// Units are SI on both sides; axes are those of ROS (REP 103): x forward, y left, z up.
 #include "bindings/dds/ros/convert.hpp"
 
 #include <fmt/format.h>
@@ -17,20 +17,20 @@ Quaternion about_z(double heading) { return {0, 0, std::sin(heading / 2), std::c
 
 double heading_of(const Quaternion& q) { return to_orientation(q).y; }
 
-// How a picture's pixels are called here and in ROS (sensor_msgs/image_encodings.hpp).
+// The names of pixel formats here and in ROS (sensor_msgs/image_encodings.hpp).
 struct Encoding {
     std::string_view ours, theirs;
     std::uint16_t bits;
 };
 constexpr std::array<Encoding, 2> encodings{{{"rgb8", "rgb8", 24}, {"gray8", "mono8", 8}}};
-// Compressed ones: our formats are theirs.
+// Compressed formats have the same names.
 constexpr std::array<std::string_view, 2> compressed{"jpeg", "png"};
 
 std::uint32_t whole(std::size_t value) {
     return static_cast<std::uint32_t>(std::min<std::size_t>(value, std::numeric_limits<std::uint32_t>::max()));
 }
 
-// A distance as ROS has it: infinite where there is nothing (REP 117), which our ports do not carry.
+// ROS uses infinity for no obstacle (REP 117); our ports don't.
 double finite_range(double range, double most) { return std::isfinite(range) ? range : range > 0 ? most : 0; }
 
 }  // namespace
@@ -177,7 +177,7 @@ void to_ros(const CameraImage& from, CompressedImage& to) {
     to.data = from.pixels;
 }
 Expected<void> from_ros(const CompressedImage& from, CameraImage& to) {
-    // "jpeg", or as image_transport says it: "rgb8; jpeg compressed bgr8"
+    // "jpeg", or the form of image_transport: "rgb8; jpeg compressed bgr8"
     for (const std::string_view format : compressed) {
         if (from.format.find(format) == std::string::npos) continue;
         to = {.format = std::string(format), .pixels = from.data};

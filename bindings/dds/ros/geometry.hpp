@@ -1,4 +1,4 @@
-// Messages of ROS 2 about time and space, as their public definitions have them (common_interfaces).
+// Messages of ROS 2 about time and geometry, with the fields of their public definitions (common_interfaces).
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// A line for each pair of types; the conversions are in convert.hpp.
+// One line per pair of types; the conversions are in convert.hpp.
 #include "bindings/dds/ros/mapping.hpp"
 
 #include <fmt/format.h>
@@ -89,12 +89,12 @@ private:
         if (!is_finite(payload_)) return failure("a number is not finite");
         if constexpr (std::is_same_v<T, Velocity2D> && requires { message_.header; }) {
             const double stamp = to_seconds(message_.header.stamp);
-            if (stamp > 0 && age_.of(stamp, clock) > silence) return {};  // of a link that was broken
+            if (stamp > 0 && age_.of(stamp, clock) > silence) return {};  // from an interrupted connection
         }
         give(payload_);
         return {};
     }
-    // As Humble has it.
+    // The format of Humble.
     Expected<void> read_without_variance(const Octets& bytes) {
         message_.variance = 0;
         return read_cdr(bytes, on_the_wire, message_.header, message_.radiation_type, message_.field_of_view,
@@ -155,7 +155,7 @@ constexpr std::array all{
     pair<std::vector<bool>, Joy>("", false),
 };
 
-// [messages] that wait: as ROS's default profile, and as its profile for sensor data.
+// [messages] Queue lengths of ROS's default profile and of its profile for sensor data.
 constexpr int usual_depth = 10, sensor_depth = 5;
 
 }  // namespace
@@ -176,8 +176,8 @@ Expected<const Mapping*> find_mapping(std::size_t port_type, std::string_view ty
 }
 
 dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes) {
-    // A reader of best effort is given what any writer sends; a reliable one only what a reliable writer does. A
-    // velocity is of use only as the newest.
+    // A best-effort reader receives from any writer, a reliable one only from a reliable writer. Of velocities only the
+    // newest is useful.
     const bool velocity = mapping.port_type == type_index<Velocity2D>();
     return {.name = fmt::format("rt{}", name),
             .type = dds_type_name(mapping.type),

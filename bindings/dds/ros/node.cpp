@@ -1,4 +1,4 @@
-// Ports are called as their topics are: "/scan/front" is scan_front.
+// A port is named after its topic: "/scan/front" is scan_front.
 #include "bindings/dds/ros/node.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace nezumi::dds {
 namespace {
 
-// Messages that wait in a tick for being sent.
+// Messages that may wait for sending within a tick.
 constexpr std::size_t most_waiting = 32;
 
 std::string port_name(std::string_view topic) {
@@ -109,7 +109,7 @@ void RosNode::open() {
                                .user_data = fmt::format("typehash={};", ros::type_hash(type_of<ros::Clock>()))});
 }
 
-// Stamps in a simulation are its own time, which /clock tells; else the time of day.
+// A simulation uses its own time for stamps, which /clock publishes; otherwise it is the time of day.
 double RosNode::offset(const Time& now) const {
     return system_.settings().real_time ? settings_.wall_clock() - now.seconds : 0;
 }
@@ -122,8 +122,8 @@ void RosNode::before_tick(const MessageDoor& deliver) {
         open();
         received_at_ = clock;
     }
-    // While no tick came velocities grew old, and nothing in them tells: the next ones count. A simulation that is slow
-    // takes them all the same.
+    // Without ticks velocities become old unnoticed, so after a gap only newer ones count. A slow simulation takes them
+    // all the same.
     const bool waited = std::exchange(turns_, 0) > 1 || system_.settings().real_time;
     const bool stood = clock - std::exchange(received_at_, clock) > silence + 2 / system_.settings().rate && waited;
     for (Taken& taken : subscriptions_) {
@@ -160,7 +160,7 @@ bool RosNode::commands_robots(const Given& given) const {
            });
 }
 
-// A robot of ROS may go on for ever with the last velocity that it got.
+// A ROS robot may continue forever with the last velocity that it got.
 void RosNode::between_ticks() {
     ++turns_;
     const double clock = settings_.clock();

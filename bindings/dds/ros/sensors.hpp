@@ -1,5 +1,4 @@
-// Messages of ROS 2 about what sensors measure, and plain values, as their public definitions have them
-// (common_interfaces).
+// Messages of ROS 2 about sensors, and plain values, with the fields of their public definitions (common_interfaces).
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@
 
 namespace nezumi::ros {
 
-/// As from Jazzy on; Humble's has no `variance`.
+/// As in Jazzy and later; in Humble `variance` is missing.
 struct Range {
     Header header;
     std::uint8_t radiation_type = 0;
