@@ -160,7 +160,7 @@ void HostTable::keep(std::span<const std::uint64_t> writers, double now) {
             follow(host->first, other->second.announcement.run);
             ++host;
         } else {
-            news_.push_back({LogLevel::warn, fmt::format("host {} has gone", host->first)});
+            news_.push_back({LogLevel::warn, fmt::format("host {} has left", host->first)});
             host = here_.erase(host);
         }
     }
@@ -171,7 +171,7 @@ void HostTable::tell_of(const Said& said) {
     if (said.head.host == own_.host)
         return;  // reported only if it stays: usually it is this host's previous run, which was killed
     if (!said.understood) {
-        news_.push_back({LogLevel::error, fmt::format("host {} can't be understood: it runs {}, this one {}",
+        news_.push_back({LogLevel::error, fmt::format("host {} is incompatible: it runs {}, this one {}",
                                                       said.head.host, shown_version(said.head), shown_version(own_))});
     } else if (said.head.version != own_.version) {
         news_.push_back({LogLevel::warn, fmt::format("host {} is here; it runs {}, this one {}", said.head.host,
@@ -194,7 +194,7 @@ void HostTable::tell_namesakes(double now) {
         news_.push_back(
             {LogLevel::error,
              is_own
-                 ? fmt::format("another host is called {} as this one: neither reaches the other; give one of them "
+                 ? fmt::format("another host is also called {}: neither reaches the other; give one of them "
                                "another name: network {{ name = ... }}",
                                own_.host)
                  : fmt::format("two hosts are called {}: the one that came last counts; give one of them another name",

@@ -88,10 +88,9 @@ void Lockstep::consider(const Announcement& host, bool is_named) {
     const bool is_news = told_apart_.emplace(name, host.run).second;
     if (host.lockstep == 0) {
         if (is_news)
-            system_.log(LogLevel::warn,
-                        fmt::format("host {} is not in lockstep as this one is: what comes from it comes "
-                                    "when it comes; say network {{ lockstep = true }} there",
-                                    name));
+            system_.log(LogLevel::warn, fmt::format("host {} is not in lockstep: its messages arrive at any "
+                                                    "time; set network {{ lockstep = true }} there",
+                                                    name));
         return;
     }
     if (is_news)
@@ -120,7 +119,7 @@ void Lockstep::join(const Announcement& host, bool is_named) {
         system_.log(LogLevel::info, fmt::format("lockstep: in step with host {}", name));
     } else {
         system_.log(LogLevel::warn,
-                    fmt::format("lockstep: in step with host {} from {:.2f} s on; runs that are to be the same begin "
+                    fmt::format("lockstep: in step with host {} from {:.2f} s on; for reproducible runs start them "
                                 "together{}",
                                 name, system_.now().seconds,
                                 is_named ? "" : fmt::format(": network {{ hosts = \"{}\" }} waits for it", name)));
@@ -219,7 +218,7 @@ void Lockstep::deliver(const MessageDoor& give) {
             partner.heard.erase(partner.heard.begin(), std::next(due));
             for (const StepMessage& message : step.messages) deliver(name, message, give);
         } else if (is_over(partner)) {
-            system_.log(LogLevel::info, fmt::format("lockstep: host {} has {}: this one goes on without it", name,
+            system_.log(LogLevel::info, fmt::format("lockstep: host {} has {}: this one continues without it", name,
                                                     partner.end == Step::ends ? "ended" : "parted"));
             if (partner.end == Step::ends) over_.insert(partner.run);
             each = partners_.erase(each);
@@ -263,7 +262,7 @@ void Lockstep::publish() {
     said_at_ = settings_.clock();
     stands_since_.reset();
     if (std::exchange(told_, "").empty()) return;
-    system_.log(LogLevel::info, "lockstep: time goes on");
+    system_.log(LogLevel::info, "lockstep: time continues");
 }
 
 void Lockstep::say(Partner& partner, Step& step, Step::End end) {

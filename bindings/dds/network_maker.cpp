@@ -30,7 +30,7 @@ public:
     Expected<void> reach(std::string_view path, const Port& other) override {
         if (path.starts_with(of_ros))
             return failure(
-                fmt::format("{}: what the node has is said in ros {{ publish = ..., subscribe = ... }}", shown(path)));
+                fmt::format("{}: the node's ports are set by ros {{ publish = ..., subscribe = ... }}", shown(path)));
         if (hosts_ != nullptr) return hosts_->reach(path, other);
         return failure(
             fmt::format("{} is on another host: that needs the word network in the system's file", shown(path)));
@@ -156,7 +156,7 @@ Expected<DdsTransport*> Domains::join(std::int64_t domain, const std::string& in
     if (const auto found = joined_.find(domain); found != joined_.end()) {
         if (found->second.xml == xml) return found->second.transport.get();
         return failure(
-            fmt::format("domain {} was joined by another interface or with other peers: start nezumi anew", domain));
+            fmt::format("domain {} was joined by another interface or with other peers: restart nezumi", domain));
     }
     auto transport = open_({.domain = static_cast<std::uint32_t>(domain), .xml = xml, .loopback = interface.empty()});
     if (!transport) return Unexpected(transport.error());

@@ -30,7 +30,7 @@ std::string Strangers::look(double now) {
     }
     if (who.empty()) return "";
     told_ = true;
-    return fmt::format("{} is there, and refused: let both say the same `secret = FILE`, or both `open = true`", who);
+    return fmt::format("{} is there, but refused: set the same `secret = FILE` on both, or `open = true` on both", who);
 }
 
 }  // namespace nezumi::dds

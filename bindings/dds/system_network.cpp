@@ -158,7 +158,7 @@ void SystemNetwork::refuse(const Ends& ends, const std::string& why) {
     if (++told_ > most_told) return;
     system_.log(LogLevel::warn, fmt::format("host {} may not connect({}, {}): {}", other_of(ends), local(ends.first),
                                             local(ends.second), why));
-    if (told_ == most_told) system_.log(LogLevel::warn, "network: what else is refused to other hosts is not told");
+    if (told_ == most_told) system_.log(LogLevel::warn, "network: further refusals to other hosts are not reported");
 }
 
 // True if both ends of a connection with this host exist; an error if they can't be connected.
@@ -208,7 +208,7 @@ bool SystemNetwork::make_what_others_want(const std::vector<Ends>& present, cons
             }
             if (++made_now > most_made) continue;  // at the next check
             if (!settings_.writable && ++looked_ > most_looked) {
-                refuse(ends, "others have looked at too many ports");
+                refuse(ends, "other hosts have connected to too many ports");
                 continue;
             }
             const auto made = act(Connect{local(want.from), local(want.to)}, {Actor::Kind::network, name});

@@ -55,7 +55,7 @@ Expected<Secret> user_secret(const std::filesystem::path& file) {
         if (const int problem = make_file(file); problem != 0) return refused(file, std::strerror(problem));
         if (lstat(file.c_str(), &status) != 0) return refused(file, std::strerror(errno));
     }
-    if (!S_ISREG(status.st_mode) || status.st_uid != geteuid()) return refused(file, "it is no file of this user's");
+    if (!S_ISREG(status.st_mode) || status.st_uid != geteuid()) return refused(file, "it is not a file of this user");
     return read_secret(file.string(), file.string());
 }
 

@@ -198,7 +198,7 @@ void to_ros(const CameraIntrinsics& from, CameraInfo& to) {
 Expected<void> from_ros(const CameraInfo& from, CameraIntrinsics& to) {
     constexpr std::uint32_t most = std::numeric_limits<std::uint16_t>::max();
     if (from.distortion_model != "plumb_bob" && !from.d.empty())
-        return failure(fmt::format("a lens of model '{}': expected plumb_bob", shown(from.distortion_model)));
+        return failure(fmt::format("the distortion model '{}': expected plumb_bob", shown(from.distortion_model)));
     if (from.width > most || from.height > most)
         return failure(fmt::format("a camera of {} x {} pixels", from.width, from.height));
     const auto d = [&](std::size_t i) { return i < from.d.size() ? from.d[i] : 0; };

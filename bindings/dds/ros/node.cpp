@@ -66,7 +66,7 @@ Expected<void> RosNode::make_port(System& system, const RosTopic& topic, bool pu
     const auto mapping = ros::find_mapping(type, topic.type, !publishes);
     if (!mapping) return refuse(mapping.error().message);
     const std::string name = port_name(topic.topic);
-    if (find_port(name) != nullptr) return refuse(fmt::format("the topic {} is there already", topic.topic));
+    if (find_port(name) != nullptr) return refuse(fmt::format("the topic {} exists already", topic.topic));
     const std::string doc = fmt::format("{}, {}", topic.topic, (*mapping)->type);
     if (publishes) {
         const bool newest = type == type_index<Velocity2D>() || type == type_index<CameraImage>();
@@ -134,7 +134,7 @@ void RosNode::before_tick(const MessageDoor& deliver) {
         });
         if (problem.empty() || problem == taken.told) continue;
         taken.told = problem;
-        log(LogLevel::warn, fmt::format("a message is not taken: {}", problem));
+        log(LogLevel::warn, fmt::format("a message was rejected: {}", problem));
     }
 }
 

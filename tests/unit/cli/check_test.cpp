@@ -211,12 +211,10 @@ TEST_CASE("the secret of a network is checked as a run would read it", "[cli][ch
             none});
     checked.with("systems/nofile", "abc");
     std::filesystem::permissions(checked.files.path("systems/nofile"), std::filesystem::perms::owner_read);
-    CHECK(
-        checked.check("systems/s.lua") ==
-        Lines{
-            "systems/s.lua:2: network: the secret 'nofile' is no secret: `nezumi network secret FILE` makes one, to be "
-            "copied to each host",
-            none});
+    CHECK(checked.check("systems/s.lua") == Lines{"systems/s.lua:2: network: the secret 'nofile' is not a secret: "
+                                                  "`nezumi network secret FILE` makes one, to be "
+                                                  "copied to each host",
+                                                  none});
 }
 
 TEST_CASE("robots that overlap, unknown models and fields are found in a system", "[cli][check]") {

@@ -39,7 +39,7 @@ std::string text(const Expected<PlainData>& answer) {
 
 }  // namespace
 
-TEST_CASE("a component of another host says what it is, and does what it is told", "[dds][network]") {
+TEST_CASE("a component of another host shows its state and executes requests", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     REQUIRE(ev3.part->parameters().declare({.name = "speed", .initial = 0.5, .min = 0.0, .max = 1.0}));
@@ -61,7 +61,7 @@ TEST_CASE("a component of another host says what it is, and does what it is told
                             "SetParameter by network pi"});
 }
 
-TEST_CASE("what another host refuses is told with its name", "[dds][network]") {
+TEST_CASE("a refusal by another host is reported with its name", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     REQUIRE(ev3.part->parameters().declare({.name = "speed", .initial = 0.5, .min = 0.0, .max = 1.0}));
@@ -78,7 +78,7 @@ TEST_CASE("what another host refuses is told with its name", "[dds][network]") {
     CHECK(text(pi.ask(none, ev3)) == "! pi is this host: its components have their own names");
 }
 
-TEST_CASE("where others may only look, they look at components and change nothing", "[dds][network]") {
+TEST_CASE("read-only hosts can see components but change nothing", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3", false), pi(room, "pi");
     pass(room, 3, ev3, pi);
@@ -87,8 +87,7 @@ TEST_CASE("where others may only look, they look at components and change nothin
     CHECK(ev3.part->state() == LifeState::active);
 }
 
-TEST_CASE("a host that does not answer is told after 2 s, and what was asked then is not done later",
-          "[dds][network]") {
+TEST_CASE("a missing answer is reported after 2 s, and the request is not executed later", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     pass(room, 3, ev3, pi);
@@ -102,7 +101,7 @@ TEST_CASE("a host that does not answer is told after 2 s, and what was asked the
     CHECK(ev3.part->state() == LifeState::active);
 }
 
-TEST_CASE("what gets lost is asked again, and done once", "[dds][network]") {
+TEST_CASE("a lost request is repeated and executed once", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     pass(room, 3, ev3, pi);
@@ -129,7 +128,7 @@ TEST_CASE("what gets lost is asked again, and done once", "[dds][network]") {
     CHECK(ev3.part->state() == LifeState::active);
 }
 
-TEST_CASE("a request that somebody recorded is not done again after its host was away", "[dds][network][secret]") {
+TEST_CASE("a recorded request is not executed again after its host was away", "[dds][network][secret]") {
     Room room;
     HostRig rig(room, "me");
     const auto place = room.domain.join(), others = room.domain.join();

@@ -85,7 +85,7 @@ bool is_same(const Value& a, const Value& b) {
 
 }  // namespace
 
-TEST_CASE("each type of ROS is the bytes on the wire that its definition gives, both ways", "[dds][ros]") {
+TEST_CASE("each type of ROS is encoded and decoded as in its definition", "[dds][ros]") {
     const auto golden = golden_messages();
     for (const ros::Mapping& mapping : ros::mappings()) {
         const auto message = golden.find(fmt::format("{} {}", message_type_names[mapping.port_type], mapping.type));

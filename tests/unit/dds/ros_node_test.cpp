@@ -41,7 +41,7 @@ struct CommandRig : NodeRig {
 
 }  // namespace
 
-TEST_CASE("a node publishes what ports carry, stamped by the simulation's time, and tells that time", "[dds][ros]") {
+TEST_CASE("a node publishes ports' messages with the simulation's time, and publishes that time", "[dds][ros]") {
     NodeRig rig(spec_of({{"part.speed", "/velocity", "geometry_msgs/msg/TwistStamped"}}, {}));
     REQUIRE(rig.refusal.empty());
     const auto mapping = ros::find_mapping(type_index<Velocity2D>(), "geometry_msgs/msg/TwistStamped", false);
@@ -64,7 +64,7 @@ TEST_CASE("a node publishes what ports carry, stamped by the simulation's time, 
     CHECK(time.clock == ros::Time{0, 10'000'000});
 }
 
-TEST_CASE("a node of real robots stamps by the time of day and has no clock of its own", "[dds][ros]") {
+TEST_CASE("a node of real robots uses the time of day and publishes no clock", "[dds][ros]") {
     NodeRig rig(spec_of({{"part.speed", "/velocity", "geometry_msgs/msg/TwistStamped"}}, {}), true);
     const auto mapping = ros::find_mapping(type_index<Velocity2D>(), "geometry_msgs/msg/TwistStamped", false);
     const auto reader = rig.other->read(ros::topic_of("/velocity", **mapping, false));
@@ -79,7 +79,7 @@ TEST_CASE("a node of real robots stamps by the time of day and has no clock of i
     for (const std::string& topic : rig.domain.topics()) CHECK(topic.find("rt/clock") == std::string::npos);
 }
 
-TEST_CASE("a node takes what comes on topics, and nothing that is no message", "[dds][ros]") {
+TEST_CASE("a node takes valid messages from topics and rejects others", "[dds][ros]") {
     NodeRig rig(spec_of({}, {{"part.target", "/cmd_vel"}}));
     REQUIRE(rig.refusal.empty());
     rig.tick();
@@ -103,11 +103,11 @@ TEST_CASE("a node takes what comes on topics, and nothing that is no message", "
     rig.tick();
     CHECK(rig.part->targets.size() == 1);
     REQUIRE(rig.log.size() == 2);
-    CHECK(rig.log[0].find("a message is not taken: byte 4") == 0);
-    CHECK(rig.log[1] == "a message is not taken: a number is not finite");
+    CHECK(rig.log[0].find("a message was rejected: byte 4") == 0);
+    CHECK(rig.log[1] == "a message was rejected: a number is not finite");
 }
 
-TEST_CASE("a velocity that came while time stood moves nothing afterwards", "[dds][ros]") {
+TEST_CASE("a velocity that came while time stood has no effect afterwards", "[dds][ros]") {
     const bool real = GENERATE(true, false);
     NodeRig rig(spec_of({}, {{"part.target", "/cmd_vel"}}), real);
     REQUIRE(rig.refusal.empty());
@@ -136,7 +136,7 @@ TEST_CASE("a simulation that is slower than the clock takes every velocity", "[d
     CHECK(rig.arrivals.size() == 1);
 }
 
-TEST_CASE("a range of Humble, which has no variance, is taken as well", "[dds][ros]") {
+TEST_CASE("a range of Humble, without variance, is accepted", "[dds][ros]") {
     const auto mapping = ros::find_mapping(type_index<RangeData>(), "sensor_msgs/msg/Range", true);
     REQUIRE(mapping.has_value());
     FakeDomain domain;
@@ -154,7 +154,7 @@ TEST_CASE("a range of Humble, which has no variance, is taken as well", "[dds][r
     CHECK(taken.ranges == std::vector<double>{0.5});
 }
 
-TEST_CASE("a node says which topic it can't have", "[dds][ros]") {
+TEST_CASE("an impossible topic of a node is refused with its name", "[dds][ros]") {
     RosTopic topic{"part.sped", "/a"};
     topic.place = {"s.lua", 3, 5};
     CHECK(NodeRig(spec_of({topic}, {})).refusal ==
@@ -162,7 +162,7 @@ TEST_CASE("a node says which topic it can't have", "[dds][ros]") {
     CHECK(NodeRig(spec_of({{"part.target", "/a"}}, {})).refusal == "ros: part.target: an in-port can't be published");
     CHECK(NodeRig(spec_of({}, {{"part.speed", "/a"}})).refusal == "ros: /a: an out-port takes nothing from a topic");
     CHECK(NodeRig(spec_of({{"part.speed", "/a"}, {"part.count", "/a"}}, {})).refusal ==
-          "ros: part.count: the topic /a is there already");
+          "ros: part.count: the topic /a exists already");
 }
 
 TEST_CASE("an emergency stop sends zero to robots of ROS in every tick, until rearm", "[dds][ros][stop]") {
@@ -180,7 +180,7 @@ TEST_CASE("an emergency stop sends zero to robots of ROS in every tick, until re
     CHECK(speeds(*rig.robot) == std::vector<double>{0.5});
 }
 
-TEST_CASE("a robot of ROS is sent zero once when its port falls silent", "[dds][ros][stop]") {
+TEST_CASE("zero is sent once to a robot of ROS when its port becomes silent", "[dds][ros][stop]") {
     CommandRig rig;
     rig.clock += 0.4;
     rig.node().between_ticks();
@@ -191,7 +191,7 @@ TEST_CASE("a robot of ROS is sent zero once when its port falls silent", "[dds][
     CHECK(speeds(*rig.robot) == std::vector<double>{0});
 }
 
-TEST_CASE("a robot of ROS is sent zero when the run ends", "[dds][ros][stop]") {
+TEST_CASE("zero is sent to a robot of ROS when the run ends", "[dds][ros][stop]") {
     CommandRig rig;
     rig.system.stop(1);
     CHECK(speeds(*rig.robot) == std::vector<double>{0});

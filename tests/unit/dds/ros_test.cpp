@@ -53,7 +53,7 @@ TEST_CASE("the hashes of types are those that ROS 2 publishes", "[dds][ros]") {
           "RIHS01_7170d3d8f841f7be3172ce5f4f59f3a4d7f63b0447e8b33327601ad64d83d6e2");
 }
 
-TEST_CASE("topics and types are called as ROS 2 calls them on the wire", "[dds][ros]") {
+TEST_CASE("topics and types have ROS 2's names on the wire", "[dds][ros]") {
     const auto twist = ros::find_mapping(type_index<Velocity2D>(), "", false);
     REQUIRE(twist.has_value());
     const dds::Topic written = ros::topic_of("/cmd_vel", **twist, true);
@@ -70,7 +70,7 @@ TEST_CASE("topics and types are called as ROS 2 calls them on the wire", "[dds][
     CHECK_FALSE(ros::topic_of("/scan", **scan, true).reliable);
 }
 
-TEST_CASE("a type that a port does not become is told with those that it does", "[dds][ros]") {
+TEST_CASE("an impossible type for a port is refused with the possible ones", "[dds][ros]") {
     CHECK(ros::find_mapping(type_index<Velocity2D>(), "geometry_msgs/msg/Twst", false).error().message ==
           "TimedVelocity2D becomes no 'geometry_msgs/msg/Twst' (did you mean 'geometry_msgs/msg/Twist'?); there are "
           "geometry_msgs/msg/Twist, geometry_msgs/msg/TwistStamped");
@@ -81,7 +81,7 @@ TEST_CASE("a type that a port does not become is told with those that it does", 
               .message.find("TimedPose2D is made of no 'tf2_msgs/msg/TFMessage'") == 0);
 }
 
-TEST_CASE("a stamped message is the bytes that the definitions of ROS give", "[dds][ros]") {
+TEST_CASE("a stamped message is encoded as in ROS's definition", "[dds][ros]") {
     ros::TwistStamped message;
     message.header = {{1, 2}, "odom"};
     message.twist.linear.x = 1;
@@ -94,7 +94,7 @@ TEST_CASE("a stamped message is the bytes that the definitions of ROS give", "[d
     CHECK(bytes_of(odometry).size() == 4 + 8 + 4 + 1 + 3 + 4 + 1 + 3 + 56 + 288 + 48 + 288);
 }
 
-TEST_CASE("what goes to ROS and back is the same", "[dds][ros]") {
+TEST_CASE("conversion to ROS and back gives the same message", "[dds][ros]") {
     const Velocity2D velocity{0.25, -0.5, 1.5};
     CHECK(around<ros::Twist>(velocity) == velocity);
     CHECK(around<ros::TwistStamped>(velocity) == velocity);
@@ -154,7 +154,7 @@ TEST_CASE("times are whole nanoseconds", "[dds][ros]") {
     CHECK(ros::to_seconds({1, 500'000'000}) == 1.5);
 }
 
-TEST_CASE("the documentation has the table of types of ROS as it is", "[dds][ros]") {
+TEST_CASE("the documentation's table of ROS types is up to date", "[dds][ros]") {
     std::ifstream page(source_root() + "/docs/network.md");
     std::ostringstream text;
     text << page.rdbuf();
