@@ -1,4 +1,4 @@
-// Many RTCs are asked at once, so that those which do not answer cost one second and not each its own.
+// Asks many RTCs in parallel, so that several silent ones cost one second in all.
 #include "bindings/openrtm/orb/asker.hpp"
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 namespace nezumi::openrtm {
 namespace {
 
-// RTCs that are asked at once; and how long any is begun to be asked.
+// RTCs asked in parallel, and the time during which further ones are started.
 constexpr std::size_t most_at_once = 16;
 constexpr std::chrono::seconds patience{3};
-// Questions that wait.
+// Waiting questions.
 constexpr std::size_t most_questions = 16;
 
-// "ConsoleOut0" of "pc.host_cxt/ConsoleOut0".
+// Returns "ConsoleOut0" of "pc.host_cxt/ConsoleOut0".
 std::string last_of(const std::string& name) { return name.substr(name.rfind('/') + 1); }
 
 }  // namespace
@@ -112,7 +112,7 @@ PeerAnswer Asker::look_at_all() {
     try {
         for (std::size_t i = 1; i < std::min(all.size(), most_at_once); ++i) helpers.push_back(start_thread(look));
     } catch (const std::system_error&) {
-        // The system gives no further thread: those that there are, look.
+        // No further thread can be made: the existing ones do the work.
     }
     look();
     for (std::thread& helper : helpers) helper.join();

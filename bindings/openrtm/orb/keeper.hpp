@@ -1,4 +1,4 @@
-// The thread that keeps RTCs in the name service, and their connections alive.
+// The thread that registers RTCs in the name service and keeps their connections alive.
 #pragma once
 
 #include <chrono>
@@ -20,12 +20,12 @@ namespace nezumi::openrtm {
 class Keeper {
 public:
     Keeper(const Home& home, const OrbOptions& options);
-    /// Takes all RTCs out of the name service, and disconnects them.
+    /// Removes all RTCs from the name service and disconnects them.
     ~Keeper();
     Keeper(const Keeper&) = delete;
     Keeper& operator=(const Keeper&) = delete;
 
-    // From the thread that ticks: none of it waits for a peer.
+    // For the ticking thread: does not wait for a peer.
     void show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links);
     WantedOrders wanted(std::string_view path);
     bool is_made(const RtcLink& link);
@@ -41,10 +41,10 @@ private:
 
     struct Link {
         RtcLink wanted{};
-        RTC::PortService_var theirs{};                ///< the other port, when it has been made
-        std::string id{};                             ///< of the connection that there was last
-        std::optional<Clock::time_point> ended_at{};  ///< when somebody was seen to have ended that
-        bool is_ended = false;                        ///< and meant it
+        RTC::PortService_var theirs{};                ///< the other port, after the connection was made
+        std::string id{};                             ///< of the last connection
+        std::optional<Clock::time_point> ended_at{};  ///< when its end by another side was noticed
+        bool is_ended = false;                        ///< it was ended on purpose
     };
 
     bool is_ending();
@@ -63,11 +63,11 @@ private:
 
     const Home home_;
     NameService names_;
-    std::vector<Link> links_;                  // of the thread alone, as the next two
-    std::map<std::string, std::string> told_;  // what was said last, by what it was about
+    std::vector<Link> links_;                  // used only by the thread, as the next two
+    std::map<std::string, std::string> told_;  // the last messages, by subject
     int rounds_ = 0;
 
-    Mutex mutex_;  // of all below; never held while a peer is called
+    Mutex mutex_;  // for all members below; never held while a peer is called
     std::condition_variable changed_;
     std::vector<Rtc> rtcs_;
     std::vector<RtcLink> made_;
