@@ -23,7 +23,7 @@ std::string_view to_text(PeerSnapshot::State state) {
                                                     "CREATED",
                                                     "without a state",
                                                     "does not answer",
-                                                    "is not there: a program that has crashed left its name",
+                                                    "is gone: its program has crashed and left its name",
                                                     "was not asked: too many others do not answer"};
     return texts[static_cast<std::size_t>(state)];
 }

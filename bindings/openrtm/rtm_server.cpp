@@ -94,7 +94,7 @@ std::vector<RtcLink> RtmServer::fitting_links() {
 void RtmServer::follow_changes() {
     if (starts_ == host_.starts() && layout_ == host_.system().layout() && wanted_ == host_.spec().rtm_connections)
         return;
-    if (auto shown = show(); !shown) host_.say(true, "rtm: nothing is exported any more: " + describe(shown.error()));
+    if (auto shown = show(); !shown) host_.say(true, "rtm: nothing is exported now: " + describe(shown.error()));
 }
 
 void RtmServer::take_snapshots() {

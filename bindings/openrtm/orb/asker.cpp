@@ -46,7 +46,7 @@ std::future<Expected<std::string>> Asker::ask(PeerQuestion question, TellPeers* 
         if (asked_.size() < most_questions) {
             asked_.push_back(std::move(asked));
         } else {
-            asked.promise.set_value(failure("too many questions wait already"));
+            asked.promise.set_value(failure("too many questions are already waiting"));
         }
     }
     changed_.notify_all();
@@ -88,7 +88,7 @@ PeerAnswer Asker::answer(const PeerQuestion& question) {
         } catch (const CORBA::TIMEOUT&) {
             return {.problem = "'" + question.name + "' does not answer"};
         } catch (const CORBA::Exception&) {
-            return {.problem = "'" + question.name + "' is not there: what the name service has is stale"};
+            return {.problem = "'" + question.name + "' is not there: its entry in the name service is stale"};
         }
     } catch (const CORBA::Exception&) {
         return {.problem = "no name service answers at " + names_.address() + ": start one, as omniNames"};

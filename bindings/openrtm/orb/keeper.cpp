@@ -200,7 +200,7 @@ void Keeper::register_all() {
             const auto bound = names_.bound(name, rtc->reference());
             if (bound == NameService::Bound::ours) continue;
             if (bound == NameService::Bound::other) {
-                tell_once(name, true, "rtm: " + name + " is another program's now: ours is not to be found");
+                tell_once(name, true, "rtm: " + name + " now belongs to another program: our RTC can't be found");
                 continue;
             }
             names_.rebind(name, rtc->reference());
@@ -210,7 +210,7 @@ void Keeper::register_all() {
     } catch (const CORBA::Exception&) {
         tell_once(about, true,
                   "rtm: no name service answers at " + names_.address() +
-                      ": start one, as omniNames; nobody finds us "
+                      ": start one, as omniNames; our RTCs can't be found "
                       "until then");
     }
 }

@@ -21,7 +21,7 @@ std::string_view reason_for(RTC::ReturnCode_t code) {
         case RTC::PRECONDITION_NOT_MET: return "it says that they are connected already (PRECONDITION_NOT_MET)";
         case RTC::RTC_ERROR: break;
     }
-    return "it refuses it (RTC_ERROR)";
+    return "it refuses the connection (RTC_ERROR)";
 }
 
 // Returns why a port with this profile can't be connected to ours, or "".
@@ -76,7 +76,7 @@ std::string link(NameService& names, PortObject& ours, const RtcLink& wanted, RT
     } catch (const CORBA::TIMEOUT&) {
         return "the RTC does not answer";
     } catch (const CORBA::Exception&) {
-        return "what the name service has is stale: the RTC is not there";
+        return "its entry in the name service is stale: the RTC is not there";
     }
     return "the RTC has no port '" + wanted.port + "'";
 }

@@ -101,11 +101,11 @@ extern "C" __attribute__((visibility("default"))) nezumi::openrtm::Orb* nezumi_o
         const CORBA::ORB_var orb = nezumi::openrtm::begin(options);
         return std::make_unique<nezumi::openrtm::OmniOrb>(orb.in(), site, options).release();
     } catch (const CORBA::INITIALIZE&) {
-        problem = "nothing can listen at " + options.interface + ": is that an address of this computer?";
+        problem = "can't listen at " + options.interface + ": is that an address of this computer?";
     } catch (const CORBA::Exception& error) {
-        problem = "CORBA can't begin at " + options.interface + ": " + error._name();
+        problem = "CORBA can't start at " + options.interface + ": " + error._name();
     } catch (const std::exception& error) {
-        problem = std::string("CORBA can't begin: ") + error.what();
+        problem = std::string("CORBA can't start: ") + error.what();
     }
     return nullptr;
 }
