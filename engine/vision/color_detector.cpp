@@ -1,4 +1,4 @@
-// A picture's colours become hues, those in the range are marked, and the largest connected part is the thing.
+// Converts colours to hues, marks those in the range, and takes the largest connected region.
 #include "engine/vision/color_detector.hpp"
 
 #include <fmt/format.h>
@@ -12,16 +12,16 @@
 namespace nezumi {
 namespace {
 
-// [px] Noise makes holes in a thing, and specks elsewhere.
+// [px] Noise makes holes in an object, and spots elsewhere.
 constexpr double smoothing = 1;
-// OpenCV's hues of 8 bits: so many go once round.
+// OpenCV's hues with 8 bits: a full circle.
 constexpr int hues = 256;
 constexpr double degrees_round = 360, brightest = 255;
 
 }  // namespace
 
 std::optional<Blob> find_color(const ColorImage& image, const ColorRange& range) {
-    // OpenCV has no matrix that is not to be written; this one is only read.
+    // cv::Mat has no constructor for const data; this one is only read.
     const cv::Mat rgb(image.height, image.width, CV_8UC3, const_cast<std::uint8_t*>(image.pixels.data()));
     cv::Mat hsv;
     cv::GaussianBlur(rgb, hsv, {}, smoothing);
@@ -42,7 +42,7 @@ std::optional<Blob> find_color(const ColorImage& image, const ColorRange& range)
     const double to = std::round(range.hue_to * hues / degrees_round);
     const bool through_red = to < from;
     mark(from, through_red ? hues - 1 : to, marked);
-    if (through_red || to == hues) {  // a full turn ends where it began, at red
+    if (through_red || to == hues) {  // a full circle ends at red again
         cv::Mat beyond;
         mark(0, through_red ? to : 0, beyond);
         cv::bitwise_or(marked, beyond, marked);
