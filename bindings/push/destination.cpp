@@ -62,7 +62,7 @@ std::string what_it_is(const fs::path& folder) {
         const fs::path home = fs::weakly_canonical(named, none);
         if (is_same_folder(folder, home)) return "is a home folder";
         for (fs::path above = home.parent_path(); above != above.root_path(); above = above.parent_path()) {
-            if (is_same_folder(folder, above)) return fmt::format("has the home folder {} in it", shown(home.string()));
+            if (is_same_folder(folder, above)) return fmt::format("contains the home folder {}", shown(home.string()));
         }
     }
     return "";
@@ -115,7 +115,7 @@ Expected<Destination> find_destination(const std::string& named) {
         return destination;
     }
     return failure(
-        fmt::format("{} has files and was not pushed to before: choose another folder by --to, or move it away "
+        fmt::format("{} has files and was not pushed to before: choose another folder with --to, or move it away "
                     "there",
                     shown(named)));
 }

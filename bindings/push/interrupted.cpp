@@ -61,7 +61,7 @@ Expected<void> finish_interrupted_push(const fs::path& file) {
             if (finished) return {};
             return failure(
                 fmt::format("a push to this folder was interrupted and can't be finished ({}): push again, or "
-                            "run `nezumi receive --finish {}` as the user that it was pushed by",
+                            "run `nezumi receive --finish {}` as the user who pushed it",
                             describe(finished.error()), folder.string()),
                 {.file = folder.string()});
         }

@@ -96,7 +96,7 @@ Expected<PushedFolder> PushedFolder::open(const fs::path& folder, double longest
     auto own = files->below(own_path.filename());
     if (!own) return Unexpected(own.error());
     if (!lock(own->descriptor(), longest_wait))
-        return failure("another push to it is going on: wait for its end", {.file = folder.string()});
+        return failure("another push to it is running: wait for its end", {.file = folder.string()});
     if (mkdirat(own->descriptor(), "new", folder_mode) != 0 && errno != EEXIST)
         return problem_with((own_path / "new").string(), errno);
     auto staged = own->below("new");

@@ -99,7 +99,7 @@ Expected<void> receive(const PushConnection& connection) {
     const auto kept = folder->finish();
     if (!kept) {
         Error why = kept.error();
-        why.message += ": some files are there already; when this is mended, push again";
+        why.message += ": some files were already changed there; correct this and push again";
         return Unexpected(std::move(why));
     }
     if (auto said = connection.put(say_done); !said) return said;

@@ -76,7 +76,7 @@ Expected<Sent> send_project(const PushConnection& connection, const ProjectScan&
     const auto is_told = send_contents(connection, project, sent->changes);
     if (!is_told) return Unexpected(is_told.error());
     const auto word =
-        take_word(connection, *is_told ? "push again, which finishes this push or undoes it" : nothing_changed);
+        take_word(connection, *is_told ? "push again: that finishes this push or undoes it" : nothing_changed);
     if (!word) return Unexpected(word.error());
     auto kept = take_changes(connection);
     if (kept) add_kept(sent->changes, std::move(*kept));

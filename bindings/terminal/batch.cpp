@@ -184,7 +184,7 @@ void Batch::show(const Event& event) {
             return;
         case Event::Kind::error: tell(place(event.text)); return;
         case Event::Kind::log: tell(event.text); return;
-        case Event::Kind::lost: left_out_ = true; return tell(fmt::format("({} more were left out)", event.count));
+        case Event::Kind::lost: left_out_ = true; return tell(fmt::format("({} more were dropped)", event.count));
         case Event::Kind::answer:
         case Event::Kind::completions:
         case Event::Kind::keys:

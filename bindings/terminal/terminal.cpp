@@ -133,7 +133,7 @@ bool Prompt::leaves_at_second() {
     const auto now = std::chrono::steady_clock::now();
     if (asked_ && now - *asked_ <= leave_wait) return true;
     asked_ = now;
-    editor_->print(options_.attached ? "Ctrl-C again, or Ctrl-D, leaves; the system goes on\n"
+    editor_->print(options_.attached ? "Ctrl-C again, or Ctrl-D, leaves; the system continues\n"
                                      : "Ctrl-C again, or Ctrl-D, ends the run\n");
     return false;
 }
@@ -241,7 +241,7 @@ void Prompt::show(const Event& event, std::string& text) {
         case Event::Kind::error:
         case Event::Kind::log: text += coloured(event) + "\n"; return;
         case Event::Kind::lost:
-            text += "(" + std::to_string(event.count) + " more came faster than this terminal shows them)\n";
+            text += "(" + std::to_string(event.count) + " more were dropped: this terminal is too slow)\n";
             return;
         case Event::Kind::keys: keys_ = event.ok; return;
         case Event::Kind::status:

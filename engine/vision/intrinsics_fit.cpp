@@ -80,13 +80,13 @@ Expected<IntrinsicsFit> fit_intrinsics(const std::vector<Corners>& views, const 
         error = cv::calibrateCamera(places, seen, {width, height}, matrix, distortion, rotations, shifts, deviations,
                                     cv::noArray(), cv::noArray());
     } catch (const cv::Exception& thrown) {
-        return failure(fmt::format("no lens fits these views of the board: {}", thrown.err));
+        return failure(fmt::format("no lens model fits these views of the board: {}", thrown.err));
     }
     const double fx = matrix(0, 0), fy = matrix(1, 1);
     const bool is_sure = std::max(deviations[0] / fx, deviations[1] / fy) < most_uncertainty;
     if (!is_sure || !(largest_turn(rotations) > least_turn))
         return failure(
-            "the views are too much alike to tell the focal length: hold the board tilted, to all sides, by "
+            "the views are too similar to determine the focal length: hold the board tilted, to all sides, by "
             "30 degrees or more");
     if (!(error < most_error * width))
         return failure(

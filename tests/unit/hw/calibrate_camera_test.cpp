@@ -129,10 +129,10 @@ TEST_CASE("views that are all alike do not determine the lens and are refused", 
         {.views = 8});
     REQUIRE_FALSE(fit);
     INFO(fit.error().message);
-    CHECK(
-        fit.error().message ==
-        "the views are too much alike to tell the focal length: hold the board tilted, to all sides, by 30 degrees or "
-        "more");
+    CHECK(fit.error().message ==
+          "the views are too similar to determine the focal length: hold the board tilted, to all sides, by 30 degrees "
+          "or "
+          "more");
 }
 
 TEST_CASE("a board that never moves, or is not there, ends the calibration after a while",
