@@ -227,7 +227,7 @@ TEST_CASE("Ctrl-C with nothing to drop says how to leave, and a second one soon 
         PtyProgram other({"attach"}, home.home);
         REQUIRE(other.wait_for_prompt("nezumi>"));
         other.type(ctrl_c);
-        CHECK(other.wait_for_row("Ctrl-C again, or Ctrl-D, leaves; the system goes on"));
+        CHECK(other.wait_for_row("Ctrl-C again, or Ctrl-D, leaves; the system continues"));
         other.type(ctrl_c);
         CHECK(other.wait() == 0);
     }

@@ -60,7 +60,7 @@ TEST_CASE("the root folder and a folder above a home are refused by any of their
     for (const std::string& name : std::vector<std::string>{"..", "~/..", robot.scratch.path("").string()}) {
         CAPTURE(name);
         CHECK(refusal(robot, name) ==
-              shown(name) + " has the home folder " + shown(fs::canonical(robot.home()).string()) + " in it" + own);
+              shown(name) + " contains the home folder " + shown(fs::canonical(robot.home()).string()) + own);
     }
     CHECK(tree_of(robot.home()) == robot.before);
 }
