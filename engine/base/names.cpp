@@ -1,4 +1,4 @@
-// Lua's keywords, and the words that components can't be called.
+// Lua's keywords and other names that components can't have.
 #include "engine/base/names.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Paths are compared without their links, which may lead out of the project.
+// Compares paths after resolving links, which may lead out of the project.
 #include "engine/project/writable_folder.hpp"
 
 #include <fmt/format.h>

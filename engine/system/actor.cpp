@@ -1,4 +1,4 @@
-// Actors as text.
+// Converts actors to text and back.
 #include "engine/system/actor.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// A drawing is a lattice: posts where row and column are even, walls between them, cells where both are odd.
+// A drawing is a lattice: posts at even rows and columns, walls between them, cells where both are odd.
 #include "engine/world/maze.hpp"
 
 #include <fmt/format.h>
@@ -11,13 +11,13 @@
 namespace nezumi {
 namespace {
 
-// A place in a drawing's lattice: columns from the west, rows from the north. Even ones are posts and walls.
+// A place in the lattice: columns from the west, rows from the north. Even ones are posts and walls.
 struct Lattice {
     const std::vector<std::string>& rows;
 
     int columns() const { return static_cast<int>(rows.front().size()) / 3 * 2 + 1; }
     int lines() const { return static_cast<int>(rows.size()); }
-    // What is drawn there: a column of posts is one letter wide, one between posts two.
+    // The drawn text there: a column of posts has one letter, one between posts two.
     std::string_view at(int column, int line) const {
         const auto first = static_cast<std::size_t>(column / 2 * 3 + column % 2);
         return std::string_view(rows[static_cast<std::size_t>(line)]).substr(first, column % 2 == 0 ? 1 : 2);
@@ -25,7 +25,7 @@ struct Lattice {
     bool is_solid(int column, int line) const { return at(column, line).front() != ' '; }
 };
 
-// A box from the middle of one post to that of another, its ends square around them.
+// A box from one post's middle to another's, with square ends.
 BoxSpec wall_between(const Point2D& from, const Point2D& to) {
     BoxSpec box;
     box.at = {(from.x + to.x) / 2, (from.y + to.y) / 2, maze_height / 2};
@@ -43,7 +43,7 @@ std::vector<std::string> draw_maze(const MazePlan& plan) {
         for (int column = 0; column < columns; ++column) row += line % 2 == 0 ? "--+" : "  |";
         rows.push_back(std::move(row));
     }
-    // A cell's place in the drawing; rows of cells are counted from the south.
+    // The place of a cell in the drawing; rows of cells are counted from the south.
     const auto letter = [](int column) { return static_cast<std::size_t>(3 * column + 1); };
     const auto line_of = [&](int row) { return static_cast<std::size_t>(lines - 2 - 2 * row); };
 
@@ -67,10 +67,10 @@ std::vector<std::string> draw_maze(const MazePlan& plan) {
             way.pop_back();
             continue;
         }
-        // The first step is north where there is a north. The remainder favours none by more than 2^-61.
+        // The first step is north if possible. The modulo's bias is below 2^-61.
         const std::size_t which = way.size() == 1 ? 0 : static_cast<std::size_t>(random() % fresh.size());
         const Step step = fresh[which];
-        // A wall that is gone, between cells beside each other or above each other.
+        // A removed wall between two neighbouring cells.
         if (step.column == 0) {
             std::string& line = rows[line_of(here.row) - static_cast<std::size_t>(step.row)];
             line[letter(here.column)] = line[letter(here.column) + 1] = ' ';
