@@ -31,8 +31,8 @@ Expected<std::vector<std::string>> read_texts(const FileTable& table, std::strin
     return texts;
 }
 
-Expected<BehaviorWish> read_wish(const std::string& name, const FileTable& table) {
-    BehaviorWish wish{.name = name};
+Expected<BehaviorRequest> read_behavior_request(const std::string& name, const FileTable& table) {
+    BehaviorRequest request{.name = name};
     for (const FileField& field : table.fields) {
         if (std::find(fields.begin(), fields.end(), field.name) != fields.end()) continue;
         return failure(fmt::format("there is no field '{}'{}; known are {}", shown(field.name),
@@ -40,16 +40,16 @@ Expected<BehaviorWish> read_wish(const std::string& name, const FileTable& table
     }
     if (const FileValue* doc = table.find("doc"); doc != nullptr) {
         if (doc->text() == nullptr) return failure("doc: expected a text");
-        wish.doc = *doc->text();
+        request.doc = *doc->text();
     }
     for (const auto& [field, texts] :
-         {std::pair{"inputs", &wish.inputs}, std::pair{"outputs", &wish.outputs}, std::pair{"params", &wish.parameters},
-          std::pair{"callbacks", &wish.callbacks}}) {
+         {std::pair{"inputs", &request.inputs}, std::pair{"outputs", &request.outputs},
+          std::pair{"params", &request.parameters}, std::pair{"callbacks", &request.callbacks}}) {
         auto read = read_texts(table, field);
         if (!read) return Unexpected(read.error());
         *texts = std::move(*read);
     }
-    return wish;
+    return request;
 }
 
 }  // namespace
@@ -64,11 +64,11 @@ Expected<CommandEnd> command_new(Session::Parts& parts, const Arguments& argumen
     const auto table = read_file_value(arguments.lua, arguments.index(2));
     if (!table) return Unexpected(table.error());
     if (table->table() == nullptr) return failure("expected a table of " + fmt::format("{}", fmt::join(fields, ", ")));
-    const auto wish = read_wish(*name->text(), *table->table());
-    if (!wish) return Unexpected(wish.error());
+    const auto request = read_behavior_request(*name->text(), *table->table());
+    if (!request) return Unexpected(request.error());
     const auto home = parts.at_system([&] { return writable_folder(parts.live.project(), parts.live.spec().file); });
     if (home.empty()) return failure("interrupted");
-    const auto written = parts.options.author(home, *wish);
+    const auto written = parts.options.author(home, *request);
     if (!written) return Unexpected(written.error());
     parts.show(fmt::format("wrote {}", fmt::join(*written, ", ")));
     return CommandEnd::done;

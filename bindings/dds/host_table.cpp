@@ -103,7 +103,7 @@ bool HostTable::heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, d
             return false;
     }
     std::sort(whole.ports.begin(), whole.ports.end(), by_name);
-    Said& said = said_[writer];
+    HeardHost& said = said_[writer];
     if (is_new) said.since = now;
     said.head = std::move(head);
     said.understood = understood;
@@ -167,7 +167,7 @@ void HostTable::keep(std::span<const std::uint64_t> writers, double now) {
     tell_namesakes(now);
 }
 
-void HostTable::tell_of(const Said& said) {
+void HostTable::tell_of(const HeardHost& said) {
     if (said.head.host == own_.host)
         return;  // reported only if it stays: usually it is this host's previous run, which was killed
     if (!said.understood) {

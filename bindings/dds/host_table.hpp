@@ -51,7 +51,7 @@ public:
     std::vector<News> take_news() { return std::exchange(news_, {}); }
 
 private:
-    struct Said {
+    struct HeardHost {
         AnnouncementHead head;
         Announcement announcement;  // empty if incompatible
         bool understood = false;
@@ -60,7 +60,7 @@ private:
         bool told_twice = false;
     };
     void follow(const std::string& host, std::uint64_t run);
-    void tell_of(const Said& said);
+    void tell_of(const HeardHost& said);
     void tell_namesakes(double now);
 
     AnnouncementHead own_;
@@ -68,7 +68,7 @@ private:
     bool answered_;
     std::map<std::string, std::uint64_t, std::less<>> runs_;  // by name: the newest run
     std::set<std::uint64_t> ended_;                           // runs that were followed by a newer one of their host
-    std::map<std::uint64_t, Said> said_;                      // by writer
+    std::map<std::uint64_t, HeardHost> said_;                 // by writer
     std::map<std::string, std::uint64_t, std::less<>> here_;  // by name: the writer that counts
     std::vector<News> news_;
 };

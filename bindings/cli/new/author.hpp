@@ -12,6 +12,7 @@ namespace nezumi::cli {
 
 /// Writes the behaviour's file and a scenario for it below `root`, as `nezumi new behavior` does. Returns their names.
 /// Nothing is ever overwritten.
-Expected<std::vector<std::string>> write_new_behavior(const std::filesystem::path& root, const BehaviorWish& wish);
+Expected<std::vector<std::string>> write_new_behavior(const std::filesystem::path& root,
+                                                      const BehaviorRequest& request);
 
 }  // namespace nezumi::cli

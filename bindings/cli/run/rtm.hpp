@@ -20,7 +20,7 @@ public:
     static Expected<std::unique_ptr<RunRtm>> open(RunLoop& loop, std::function<void(const LogLine&)> log);
 
     /// Asks RTCs of other programs what a console wants to know, or to have done.
-    std::future<Expected<std::string>> ask(const PeerWish& wish);
+    std::future<Expected<std::string>> ask(const PeerRequest& request);
 
     bool serve(Pacer::Clock::time_point until) override;
     void add_files(std::vector<int>& files) const override { files.push_back(bell_.get()); }

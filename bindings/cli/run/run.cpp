@@ -236,7 +236,7 @@ private:
         console_.emplace(*loop_, name_of_system());
         loop_->add(*console_);
         console_->server().ask_peers_by(
-            [this](const PeerWish& wish) { return rtm_ ? rtm_->ask(wish) : refused_peers(); });
+            [this](const PeerRequest& request) { return rtm_ ? rtm_->ask(request) : refused_peers(); });
         loop_->after_tick([this] { console_->after_tick(); });
         if (options_.batch) loop_->end_waits_while([this] { return console_->batch_works(); });
         // A run that nobody can attach to is better than none.

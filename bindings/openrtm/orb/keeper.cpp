@@ -85,7 +85,7 @@ bool Keeper::is_ending() {
 
 void Keeper::run() {
     for (;;) {
-        Wanted wanted;
+        Exports wanted;
         bool is_new = false;
         {
             Lock lock(mutex_);
@@ -113,7 +113,7 @@ void Keeper::note_made() {
     made_ = std::move(made);
 }
 
-void Keeper::take_wanted(const Wanted& wanted) {
+void Keeper::take_wanted(const Exports& wanted) {
     take_links(wanted.links);
     std::vector<Rtc> gone;
     std::vector<RtcProfile> fresh;

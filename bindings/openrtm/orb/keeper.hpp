@@ -34,7 +34,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     using Rtc = PortableServer::Servant_var<RtcObject>;
-    struct Wanted {
+    struct Exports {
         std::vector<RtcProfile> profiles{};
         std::vector<RtcLink> links{};
     };
@@ -49,7 +49,7 @@ private:
 
     bool is_ending();
     void run();
-    void take_wanted(const Wanted& wanted);
+    void take_wanted(const Exports& wanted);
     void take_links(const std::vector<RtcLink>& wanted);
     void withdraw(const std::vector<Rtc>& gone);
     std::string free_instance(const std::string& component);
@@ -71,7 +71,7 @@ private:
     std::condition_variable changed_;
     std::vector<Rtc> rtcs_;
     std::vector<RtcLink> made_;
-    Wanted wanted_;
+    Exports wanted_;
     bool is_new_ = false;
     bool ends_ = false;
     std::thread thread_;

@@ -53,7 +53,7 @@ TEST_CASE("pictures and graphs are drawn within the project by whoever can draw"
     std::string drawn;
     const Scratch outside;
     SessionOptions options;
-    options.draughtsman = [&drawn](Drawn what) -> Drawing {
+    options.drawing_maker = [&drawn](Drawn what) -> Drawing {
         return [&drawn, what](const std::string& file) -> Expected<void> {
             drawn +=
                 (what == Drawn::world ? "world " : "wiring ") + std::filesystem::path(file).filename().string() + ";";

@@ -17,8 +17,8 @@ using namespace nezumi::web;
 
 namespace {
 
-Certificate find(const CertificateRequest& wish) {
-    const auto found = find_certificate(wish);
+Certificate find(const CertificateRequest& request) {
+    const auto found = find_certificate(request);
     if (!found) FAIL(found.error().message);
     return *found;
 }
@@ -33,13 +33,14 @@ unsigned mode_of(const std::string& file) {
 
 TEST_CASE("a certificate is made once and stored only for its owner", "[web][certificate]") {
     const Scratch scratch;
-    const CertificateRequest wish{.folder = scratch.path("state/nezumi"), .address = "192.168.1.20", .host = "mouse"};
-    const Certificate first = find(wish);
+    const CertificateRequest request{
+        .folder = scratch.path("state/nezumi"), .address = "192.168.1.20", .host = "mouse"};
+    const Certificate first = find(request);
     CHECK(first.is_new);
     CHECK(first.fingerprint.size() == 32 * 3 - 1);
     CHECK(first.fingerprint.find_first_not_of("0123456789ABCDEF:") == std::string::npos);
     CHECK(mode_of(first.key) == 0600);
-    const Certificate again = find(wish);
+    const Certificate again = find(request);
     CHECK_FALSE(again.is_new);
     CHECK(again.fingerprint == first.fingerprint);
     CHECK(again.file == first.file);
@@ -47,23 +48,23 @@ TEST_CASE("a certificate is made once and stored only for its owner", "[web][cer
 
 TEST_CASE("a certificate that is no longer valid is renewed", "[web][certificate]") {
     const Scratch scratch;
-    CertificateRequest wish{.folder = scratch.path(), .address = "192.168.1.20", .host = "a name, IP:1.2.3.4"};
-    const Certificate first = find(wish);
+    CertificateRequest request{.folder = scratch.path(), .address = "192.168.1.20", .host = "a name, IP:1.2.3.4"};
+    const Certificate first = find(request);
     CHECK(first.is_new);
-    SECTION("for another address") { wish.address = "192.168.1.21"; }
+    SECTION("for another address") { request.address = "192.168.1.21"; }
     SECTION("when others may have read its key") { chmod(first.key.c_str(), 0644); }
     SECTION("when its file is spoilt") { scratch.write("page_certificate.pem", "-----BEGIN CERTIFICATE-----\n"); }
     SECTION("when its key is another's") {
         const Scratch other;
-        const Certificate foreign = find({.folder = other.path(), .address = wish.address});
+        const Certificate foreign = find({.folder = other.path(), .address = request.address});
         std::ifstream in(foreign.key);
         const std::string key((std::istreambuf_iterator<char>(in)), {});
         scratch.write("page_key.pem", key);
     }
-    const Certificate next = find(wish);
+    const Certificate next = find(request);
     CHECK(next.is_new);
     CHECK(next.fingerprint != first.fingerprint);
-    CHECK_FALSE(find(wish).is_new);
+    CHECK_FALSE(find(request).is_new);
 }
 
 TEST_CASE("a certificate that can't be stored is an error", "[web][certificate]") {
