@@ -193,12 +193,11 @@ void HostTable::tell_namesakes(double now) {
         said.told_twice = true;
         news_.push_back(
             {LogLevel::error,
-             is_own
-                 ? fmt::format("another host is also called {}: neither reaches the other; give one of them "
-                               "another name: network {{ name = ... }}",
-                               own_.host)
-                 : fmt::format("two hosts are called {}: the one that came last counts; give one of them another name",
-                               said.head.host)});
+             is_own ? fmt::format("another host is also called {}: neither reaches the other; give one of them "
+                                  "another name: network {{ name = ... }}",
+                                  own_.host)
+                    : fmt::format("two hosts have the name {}: the last one is used; give one of them another name",
+                                  said.head.host)});
     }
 }
 

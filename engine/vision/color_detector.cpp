@@ -69,11 +69,11 @@ ColorDetector::ColorDetector(std::string name, bool wait)
     };
     bound("hue_from", 340, degrees_round, "deg", "first hue of the colour: 0 red, 60 yellow, 120 green, 240 blue");
     bound("hue_to", 20, degrees_round, "deg", "last hue; below hue_from: from there through red (360, 0) to here");
-    bound("saturation_from", 0.4, 1, "", "palest of the colour: 0 grey");
-    bound("saturation_to", 1, 1, "", "purest of the colour");
-    bound("value_from", 0.2, 1, "", "darkest of the colour: 0 black");
-    bound("value_to", 1, 1, "", "brightest of the colour");
-    bound("least_area", 0.0005, 1, "", "share of the picture; what is smaller is not seen");
+    bound("saturation_from", 0.4, 1, "", "lowest saturation: 0 grey");
+    bound("saturation_to", 1, 1, "", "highest saturation");
+    bound("value_from", 0.2, 1, "", "lowest value: 0 black");
+    bound("value_to", 1, 1, "", "highest value");
+    bound("least_area", 0.0005, 1, "", "smallest area, as a share of the picture");
     declare_latency();
     use_one_thread();
 }

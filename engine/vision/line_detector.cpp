@@ -45,7 +45,7 @@ LineDetector::LineDetector(std::string name, bool wait)
                                "where its centre is: 1 at the left edge of the picture, -1 at the right one; silent "
                                "while no line is in sight")),
       angle_(add_out_port<double>("angle",
-                                  "[rad] which way it runs in the picture: 0 straight ahead, positive to the left; "
+                                  "[rad] its angle in the picture: 0 straight ahead, positive to the left; "
                                   "together with offset")) {
     declare(
         {.name = "dark", .initial = true, .doc = "a dark line on a light floor; false: a light one on a dark floor"});
@@ -54,18 +54,18 @@ LineDetector::LineDetector(std::string name, bool wait)
              .min = 0,
              .max = 1,
              .widget = "slider",
-             .doc = "how much line and floor differ at least: 1 is black against white"});
+             .doc = "least difference of line and floor: 1 is black against white"});
     declare({.name = "top",
              .initial = 0.5,
              .min = 0,
              .max = 0.95,
              .widget = "slider",
-             .doc = "share of the picture, from above, that is not looked at"});
+             .doc = "upper share of the picture that is ignored"});
     declare({.name = "least_area",
              .initial = 0.005,
              .min = 0,
              .max = 1,
-             .doc = "share of the picture; what is smaller is no line"});
+             .doc = "smallest area of a line, as a share of the picture"});
     declare_latency();
     use_one_thread();
 }

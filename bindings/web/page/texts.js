@@ -81,7 +81,7 @@ const EN = {
     in: "in", out: "out", add: "Add…", save: "Save…", save_now: "Save", save_as: "Save the system as it is now, within its project, as",
     saved: (name) => `Saved as ${name}; the console says where.`,
   },
-  add: { title: "Add a behaviour", name: "name", name_hint: "small letters, digits and _", is_new: "write a new file for it", script: "script",
+  add: { title: "Add a behaviour", name: "name", name_hint: "lower-case letters, digits and _", is_new: "write a new file for it", script: "script",
     script_hint: "the name of a behaviour of the project", doc: "a sentence: what it does", input: "in-port", output: "out-port", port: "port",
     type: "message type", about: "its content", param: "parameter", callbacks: "callbacks besides on_execute", param_hint: "name=default, as in gain=0.5", add: "Add" },
   states: { INACTIVE: "inactive", ACTIVE: "active", ERROR: "error", CREATED: "created", REMOTE: "on another host" },

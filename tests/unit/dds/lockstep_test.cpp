@@ -258,7 +258,7 @@ TEST_CASE("different tick rates are refused at both hosts", "[dds][lockstep]") {
     CHECK(two.told(
         "error: lockstep: host one has 100 ticks a second, this one 50: say rate(100) here or rate(50) there"));
     CHECK(one.ticks() == 0);
-    CHECK(one.told("time stands at 0.00 s: host two has another number of ticks a second"));
+    CHECK(one.told("time stands at 0.00 s: host two has another tick rate"));
 }
 
 TEST_CASE("a host that is not in lockstep is reported, and hosts do not wait for it", "[dds][lockstep]") {

@@ -166,7 +166,7 @@ TEST_CASE("two hosts with one name are reported at both and at a third", "[dds][
     pass(room, 60, one, two, pi);
     CHECK(one.told("error: another host is also called ev3"));
     CHECK(two.told("error: another host is also called ev3"));
-    CHECK(pi.told("error: two hosts are called ev3"));
+    CHECK(pi.told("error: two hosts have the name ev3"));
 }
 
 TEST_CASE("hosts of different versions are reported", "[dds][network]") {
