@@ -1,4 +1,4 @@
-// Questions go to standard error, so that standard output has the results alone.
+// Questions go to standard error, so that standard output has only results.
 #include "bindings/cli/guided/person.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Where `nezumi new` puts them.
+// Uses the same places as `nezumi new`.
 #include "bindings/cli/new/author.hpp"
 
 #include <system_error>

@@ -11,7 +11,7 @@
 namespace nezumi::cli {
 
 /// Writes the behaviour's file and a scenario for it below `root`, as `nezumi new behavior` does. Returns their names.
-/// Nothing is ever overwritten.
+/// Never overwrites a file.
 Expected<std::vector<std::string>> write_new_behavior(const std::filesystem::path& root,
                                                       const BehaviorRequest& request);
 

@@ -1,4 +1,4 @@
-// RTCs act through the live system's one door.
+// Acts of RTCs are performed like all others.
 #include "bindings/cli/run/rtm.hpp"
 
 #include <sys/eventfd.h>
@@ -32,7 +32,7 @@ Expected<std::unique_ptr<RunRtm>> RunRtm::open(RunLoop& loop, std::function<void
                                   .wake =
                                       [rings] {
                                           const std::uint64_t one = 1;
-                                          // Full, it is readable as well.
+                                          // If the counter is full, the file is readable too.
                                           if (write(rings, &one, sizeof one) < 0) return;
                                       }});
     if (!server) return Unexpected(server.error());
