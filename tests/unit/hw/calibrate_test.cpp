@@ -1,4 +1,4 @@
-// Guided calibrations, tried on robots whose truth differs from their model.
+// Guided calibrations of robots that differ from their model.
 #include "hw/calibrate/odometry.hpp"
 
 #include <catch2/catch.hpp>
@@ -23,7 +23,7 @@ namespace {
 constexpr double step = 0.005;  // [s] of physics
 constexpr int steps = 2;        // in a tick
 
-// A robot in a world of its own that is not quite what its driver believes: as a real one.
+// A robot in its own world that differs slightly from its driver's model, as real robots do.
 class TrueRobot final : public RobotBody {
 public:
     TrueRobot(const RobotSpec& believed, RobotSpec truth, const ArenaSpec& arena)
@@ -42,7 +42,7 @@ public:
         return body_->read_sensors(now, period);
     }
     std::span<const double> sensor_values(std::size_t index) const override { return body_->sensor_values(index); }
-    // The driver turns a speed into a rate of the motor by the wheel that it believes in.
+    // The driver converts a speed to a motor rate with the wheel radius of its model.
     void set_wheel_speeds(Wheels speeds) override {
         const DriveSpec &believed = believed_.drive, &truth = truth_.drive;
         body_->set_wheel_speeds({.left = speeds.left * truth.radius_of_left() / believed.radius_of_left(),
@@ -63,7 +63,7 @@ RobotSpec model() {
     return *read_robot_file(file, Project::of(file));
 }
 
-// A robot that believes to be `believed` and is `truth`.
+// A robot with the model `believed` and the properties `truth`.
 struct Mistaken {
     Mistaken(RobotSpec believed, const RobotSpec& truth, const ArenaSpec& arena = {}) {
         SystemSpec spec;
@@ -83,7 +83,7 @@ struct Mistaken {
         REQUIRE(made);
         robot = std::move(*made);
     }
-    // A tape measure that is read to a millimetre, from where the robot was.
+    // Measures like a person with a tape: to a millimetre, from the robot's start.
     Point2D measured_from(const Pose2D& start) const {
         const Pose2D now = body->pose();
         const double dx = now.position.x - start.position.x, dy = now.position.y - start.position.y;
@@ -96,7 +96,7 @@ struct Mistaken {
     std::unique_ptr<GuidedRobot> robot;
 };
 
-// How far [m] the odometry is off after a course that is none of the calibration's.
+// The odometry error [m] after a course that was not used for the calibration.
 double odometry_error(const RobotSpec& believed, const RobotSpec& truth) {
     Mistaken mouse(believed, truth);
     for (const auto& [distance, angle] :
@@ -109,7 +109,7 @@ double odometry_error(const RobotSpec& believed, const RobotSpec& truth) {
     return std::hypot(said.position.x - is.position.x, said.position.y - is.position.y);
 }
 
-// Of a mouse whose light sensors are weaker than the model's, each by its own, and noisy.
+// A mouse with noisy light sensors that are weaker than the model's, each by a different factor.
 RobotSpec with_weak_sensors() {
     RobotSpec truth = model();
     double weakness = 0.55;

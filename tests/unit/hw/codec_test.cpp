@@ -1,4 +1,4 @@
-// What the mouse's driver says, word for word, and what is no word of it.
+// The texts of the mouse's driver, and invalid texts.
 #include "hw/raspimouse/codec.hpp"
 
 #include <catch2/catch.hpp>

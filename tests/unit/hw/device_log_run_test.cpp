@@ -1,4 +1,4 @@
-// `nezumi run --device-log` on the fake mouse, and what was logged played without it.
+// `nezumi run --device-log` on the fake mouse, and the replay of the log without it.
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>

@@ -1,4 +1,4 @@
-// Device logs: lines that are written and read again, what is refused, and how writes are compared.
+// Device logs: writing, reading, errors, and comparison of writes.
 #include "hw/log/device_log.hpp"
 
 #include <catch2/catch.hpp>
@@ -70,7 +70,7 @@ TEST_CASE("a device log says when the ticks began and ended, and a torn last lin
     CHECK(log->is_torn);
     CHECK(log->calls.size() == 1);
     CHECK(log->start == 0);
-    CHECK(log->length == Approx(0.1));  // of a run that was cut off: its last call
+    CHECK(log->length == Approx(0.1));  // of an interrupted run: its last call
 }
 
 TEST_CASE("a file that is not a device log is refused with line, content and expectation", "[hw][log]") {
@@ -111,7 +111,7 @@ TEST_CASE("a long written text is logged as its length and a fingerprint", "[hw]
 TEST_CASE("equal writes at about the same time match", "[hw][log]") {
     auto it = comparison({{1, "run", 5}, {3, "stop", 6}});
     it.wrote("/dev/m", 1.1, "run");
-    it.wrote("/dev/m", 2.0, "run");  // again: it is in force
+    it.wrote("/dev/m", 2.0, "run");  // again: the value is in force
     it.wrote("/dev/m", 2.9, "stop");
     CHECK(it.compare(10).empty());
     CHECK(it.compared() == 5);
@@ -131,7 +131,7 @@ TEST_CASE("a difference between two runs is reported once until they agree again
     it.wrote("/dev/m", 1, "400");
     it.wrote("/dev/m", 2, "100");
     it.wrote("/dev/m", 3, "90");
-    CHECK(it.compare(2.1).empty());  // the log may have it in a moment
+    CHECK(it.compare(2.1).empty());  // the log may have it a moment later
     CHECK(it.compare(3.5) ==
           std::vector<std::string>{"x.log: at 2.000 s '100' is written to /dev/m, and the log has '400' (line 5)"});
     it.wrote("/dev/m", 5, "0");

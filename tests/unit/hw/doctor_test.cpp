@@ -1,4 +1,4 @@
-// What `nezumi doctor` finds on machines that are folders.
+// The findings of `nezumi doctor` on machines made of folders.
 #include "hw/doctor/doctor.hpp"
 
 #include <grp.h>
@@ -22,7 +22,7 @@ using namespace nezumi::hw;
 
 namespace {
 
-// A Raspberry Pi 4 with a mouse that lacks nothing.
+// A Raspberry Pi 4 as a complete mouse.
 struct MouseMachine {
     MouseMachine() {
         for (const char* node :
@@ -55,7 +55,7 @@ struct MouseMachine {
     std::string cameras;  // why nezumi can't use them
 };
 
-// "wrong driver: rtmouse is not loaded -> sudo modprobe rtmouse", a line each, of what is not well.
+// The findings that are not good, one line each: "wrong driver: rtmouse is not loaded -> sudo modprobe rtmouse".
 std::string not_well(const Examination& examination) {
     std::string text;
     for (const Finding& finding : examination.findings) {
@@ -270,7 +270,7 @@ TEST_CASE("a camera can't be used without nezumi's module for cameras", "[hw][do
     CHECK(found(machine.examine(), "camera") == "video0: USB Camera");
     CHECK(not_well(machine.examine()) ==
           "camera: nezumi can't use it -> libopencv_videoio.so.406 is not there. Install it\n");
-    machine.cameras = "";  // the program that runs this test can
+    machine.cameras = "";  // the program of this test can use cameras
     CHECK(not_well(machine.examine()).empty());
 }
 

@@ -1,4 +1,4 @@
-// A real robot whose run writes to what takes nothing: it is driven on, and the run ends.
+// A real robot drives on and the run ends even if its output blocks.
 #include <fcntl.h>
 #include <sys/stat.h>
 
@@ -27,7 +27,7 @@ void write_turning_system(const FakeMouse& fake, const std::string& more) {
                       "connect('driver.out', 'mouse.target_velocity_in')\n");
 }
 
-// Waits until it has turned: what the run writes to has not held it.
+// Waits until it has turned: then the blocked output has not stopped it.
 bool turns(FakeMouse& fake) {
     return FakeMouse::wait_until([&] { return fake.motion().left < -10 && fake.motion().right > 10; }, 20);
 }
@@ -73,7 +73,7 @@ TEST_CASE("a second signal ends the program after the guard has braked", "[hw][e
     write_turning_system(fake, "");
     Program run({"run", "system.lua", "--hw", "--headless", "--dev-root", fake.dev()}, fake.folder.path("").string());
     REQUIRE(FakeMouse::wait_until([&] { return fake.motion().left > 390; }, 20));
-    // Two of one kind could arrive as one.
+    // Two signals of one kind could be merged.
     run.send(SIGTERM);
     run.send(SIGINT);
     const auto status = run.wait_unread(30);

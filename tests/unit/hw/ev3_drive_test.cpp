@@ -1,4 +1,4 @@
-// An EV3 drives on the fake brick: wheels, arm, sensors, lights, screen, and each of them unplugged in motion.
+// An EV3 drives on the fake brick: wheels, arm, sensors, lights, screen; each of them is also unplugged in motion.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -76,7 +76,7 @@ TEST_CASE("an EV3's sensors give their values in SI units", "[hw][ev3][fakes][th
     CHECK(ev3.published<std::string>("color") == "black");
     CHECK(ev3.published<double>("gyro") == Approx(0.5).margin(0.1));
     CHECK(ev3.published<double>("gyro_rate") == Approx(1).margin(0.15));
-    CHECK_FALSE(ev3.speaks("light_ambient"));  // another mode of the sensor that tells colours
+    CHECK_FALSE(ev3.speaks("light_ambient"));  // another mode of the colour sensor
     CHECK(ev3.log.empty());
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("an EV3's arm gets its target once, with its speed, and turns there", 
     CHECK(count("outA/position_sp '90'") == 1);
     CHECK(count("outA/speed_sp '92'") == 1);
     CHECK(count("outA/command 'run-to-abs-pos'") == 1);
-    // It stays where it is when its cable has been out, and counts on.
+    // It keeps its position after its cable was out, and counts on.
     fake.say("unplug outA");
     ev3.run(0.6);
     CHECK(ev3.said("motor 'medium_motor': "));
@@ -125,7 +125,7 @@ TEST_CASE("an EV3 with a low battery stops, reports it once, and drives again wh
     ev3.run(0.5, {.vx = 0.1});
     fake.say("battery 6100000");
     ev3.run(1.2, {.vx = 0.1});
-    CHECK(fake.moves());  // motors that start pull it down for a moment
+    CHECK(fake.moves());  // starting motors lower the voltage for a moment
     REQUIRE(ev3.run(3, {.vx = 0.1}, [&] { return !fake.moves(); }));
     CHECK(ev3.log == std::vector<std::string>{"battery: is low, below 6.2 V: the robot stands until it is charged, or "
                                               "its cells are changed"});
@@ -140,7 +140,7 @@ namespace {
 
 struct Unplugged {
     const char* port;
-    const char* fault;  // "unplug", or a fault of the node that follows
+    const char* fault;  // "unplug", or a fault of the following node
     const char* node;
     const char* said;
     bool drives;
@@ -166,7 +166,7 @@ TEST_CASE("each device of an EV3 that fails in motion is reported once and used 
     INFO(fault.port << " " << fault.fault);
     FakeEv3 fake;
     DrivenEv3 ev3(fake);
-    // A command that changes all the time: the motors' nodes are written.
+    // A command that changes all the time, so that the motors' nodes are written.
     const auto drive = [&](double seconds, const std::function<bool()>& until = nullptr) {
         const double end = ev3.system.now().seconds + seconds;
         for (int i = 0; ev3.system.now().seconds < end; ++i) {
@@ -227,7 +227,7 @@ TEST_CASE("an EV3 with one touch sensor gives two values, and the missing sensor
     fake.say("press left 1");
     ev3.run(1);
     CHECK(ev3.published<std::vector<bool>>("touch") == std::vector<bool>{true, true});
-    // From now on there are two: without one of them nothing is known.
+    // Now there are two sensors; without one of them the values are unknown.
     fake.say("unplug in1");
     ev3.run(0.6);
     CHECK_FALSE(ev3.speaks("touch"));
@@ -270,7 +270,7 @@ TEST_CASE("an EV3 whose motor fails repeatedly stops and reports it once", "[hw]
     DrivenEv3 ev3(fake);
     REQUIRE(ev3.run(5, {.vx = 0.1}, [&] { return fake.moves(); }));
     fake.fault(node, "eio");
-    // A new command in every tick: the motors' nodes are written.
+    // A new command in every tick, so that the motors' nodes are written.
     const auto drive = [&](double seconds, const std::function<bool()>& until = nullptr) {
         const double end = ev3.system.now().seconds + seconds;
         for (int i = 0; ev3.system.now().seconds < end; ++i) {
@@ -281,7 +281,7 @@ TEST_CASE("an EV3 whose motor fails repeatedly stops and reports it once", "[hw]
     };
     CHECK(drive(5, [&] { return !fake.moves(); }));
     const Pose2D stood = fake.truth();
-    drive(2);  // it is tried again every half a second
+    drive(2);  // it is tried again every half second
     CHECK(std::abs(fake.truth().position.x - stood.position.x) < 0.005);
     INFO(ev3.all_log());
     CHECK(ev3.log.size() == 1);

@@ -1,4 +1,5 @@
-// `nezumi run --hw` of shipped systems on the fake EV3: what ends or stalls the program, and how soon the wheels stand.
+// `nezumi run --hw` of shipped systems on the fake EV3: events that end or stall the program, and the time until the
+// wheels stand.
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
@@ -38,7 +39,7 @@ struct Ev3Run {
     Ev3Run(const Ev3Run&) = delete;
     Ev3Run& operator=(const Ev3Run&) = delete;
 
-    // How long after `cause` the wheels stood [s].
+    // The time [s] from `cause` until the wheels stand.
     double time_to_stand(const std::function<void()>& cause) {
         const double begin = clock_seconds();
         cause();

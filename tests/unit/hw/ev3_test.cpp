@@ -1,4 +1,4 @@
-// The EV3's driver against ev3dev's true behaviour: driver, fake nodes, physics, fake nodes, driver.
+// The EV3's driver on fake nodes that behave like ev3dev, with simulated physics.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -67,7 +67,7 @@ TEST_CASE("an EV3's motors are at the ports of its robot file", "[hw][ev3]") {
     auto body = Ev3Body::make(spec, roots);
     REQUIRE(body);
     (*body)->set_motor_power(true);
-    const auto turns = [&] {  // once the guard has proved that it can stop them
+    const auto turns = [&] {  // after the guard has proved that it can stop them
         (*body)->set_wheel_speeds({.left = -360 * degree * spec.drive.radius, .right = 0});
         return text_of(folder.path("class/tacho-motor/motor2/command")) == "run-timed";
     };
@@ -109,7 +109,7 @@ TEST_CASE("a gyro's angle continues over its wrap and after it was unplugged", "
     };
     CHECK(says(32700, 1) == 0);
     CHECK(says(-32736, 1) == -100);  // clockwise, 65536 on
-    CHECK(says(0, 2) == -100);       // its zero is where it was plugged in again
+    CHECK(says(0, 2) == -100);       // its zero is the position where it was plugged in again
     CHECK(says(-30, 2) == -70);
 }
 

@@ -86,7 +86,7 @@ TEST_CASE("a fake brick's speed of zero is no power: the motor rolls and is not 
     motor.write("command", "stop", 12);
     CHECK(motor.mode(12) == Ev3Motor::Mode::hold);
     motor.write("stop_action", "coast", 13);
-    CHECK(motor.mode(13) == Ev3Motor::Mode::hold);  // as the speed, with the next command
+    CHECK(motor.mode(13) == Ev3Motor::Mode::hold);  // like the speed, it takes effect with the next command
     motor.write("command", "stop", 13);
     CHECK(motor.mode(13) == Ev3Motor::Mode::roll);
 }

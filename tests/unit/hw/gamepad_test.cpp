@@ -1,4 +1,4 @@
-// The gamepad's driver against event devices that behave as Linux has them.
+// The gamepad's driver on event devices that behave like Linux.
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <fstream>
@@ -67,7 +67,7 @@ TEST_CASE("a gamepad's stick, axes and buttons arrive on the ports", "[hw][gamep
     REQUIRE(driven.points_to({0, 0}));
     fake.set("ABS_X", 32767);
     CHECK(driven.points_to({150, 0}));
-    fake.set("ABS_X", 128);  // a stick that is let go stands a little beside its middle
+    fake.set("ABS_X", 128);  // a released stick is slightly beside its middle
     fake.set("ABS_Y", -32768);
     CHECK(driven.points_to({0, 150}));
     CHECK(driven.port("vel").read()[0] == Approx(150 * std::sqrt(0.5F)));
@@ -77,8 +77,8 @@ TEST_CASE("a gamepad's stick, axes and buttons arrive on the ports", "[hw][gamep
     fake.set("ABS_HAT0X", 1);
     CHECK(driven.run(3, [&] { return driven.port("axes").read().at(6) == 1; }));
     CHECK(driven.port("axes").read().size() == 8);
-    CHECK(driven.port("axes").read()[1] == -1);  // as Linux has it: down is positive
-    CHECK(driven.port("axes").read()[2] == -1);  // ABS_Z, a trigger that nobody pulls
+    CHECK(driven.port("axes").read()[1] == -1);  // on Linux, down is positive
+    CHECK(driven.port("axes").read()[2] == -1);  // ABS_Z, a released trigger
     CHECK(driven.port("axes").read()[5] == 1);
     fake.set("BTN_WEST", 1);
     CHECK(driven.run(3, [&] { return driven.port<std::vector<bool>>("buttons").read().at(3); }));
@@ -111,7 +111,7 @@ TEST_CASE("an unplugged gamepad sends its middle position once, is silent, and i
     INFO(driven.all_log());
     CHECK(driven.times_said("gamepad: ") == 1);
     CHECK(driven.times_said("input/event3: no such device: it is unplugged: plug it in again") == 1);
-    // Who holds the stick on the screen drives without it.
+    // The stick on the screen can be used without the dead-man button.
     driven.stick->find_in_port("stick")->inject(Floats{0, 50});
     CHECK(driven.points_to({0, 50}, 0.1));
     CHECK(driven.points_to({0, 0}, 0.1));
@@ -236,7 +236,7 @@ TEST_CASE("a foreign program can use the fake gamepad", "[hw][gamepad][fakes][wa
 
 namespace {
 
-// Runs a Python program on the fake gamepad, whose stick moves meanwhile; skipped where it can't import what it needs.
+// Runs a Python program on the fake gamepad while its stick moves; skipped if a needed module is missing.
 std::string output_of_python(const std::string& needs, const std::string& package, const std::string& program) {
     if (std::system(("/usr/bin/python3 -c '" + needs + "' 2> /dev/null").c_str()) != 0)
         throw std::runtime_error("SKIPPED: " + package + " is not installed: sudo apt install " + package);

@@ -1,4 +1,4 @@
-// What a guard proves: that it could stop the motors, or which node keeps it from that.
+// The guard's proofs: it can stop the motors, or it names the node that prevents this.
 #include <fcntl.h>
 #include <pty.h>
 #include <sched.h>
@@ -22,7 +22,7 @@ using namespace nezumi::hw;
 
 namespace {
 
-// A beat's answer, which comes within 0.3 s: nothing when there is none.
+// The answer to a beat, which comes within 0.3 s; nothing if there is none.
 std::optional<bool> proof_of(Guard& guard) {
     const double begin = clock_seconds();
     guard.beat(begin);
@@ -36,7 +36,7 @@ std::optional<bool> proof_of(Guard& guard) {
     return std::nullopt;
 }
 
-// A proof from before is good for a while.
+// An earlier proof stays valid for a while.
 bool finds_trouble(Guard& guard) {
     const double begin = clock_seconds();
     while (!guard.trouble() && clock_seconds() - begin < 5) {
@@ -78,7 +78,7 @@ TEST_CASE("a guard with the order to brake stops its nodes at once and prevents 
     };
     std::thread([] { Guard::brake_all(); }).join();
     CHECK(stops());
-    // A thread that drives may write once more before it looks at the guard.
+    // A driving thread may write once more before it checks the guard.
     folder.write("motor", "400");
     guard_sleep(0.02);
     (*guard)->beat(clock_seconds());
@@ -122,14 +122,14 @@ TEST_CASE("a guard gives no proof for a removed or new node, and says which",
         guard_sleep(0.02);
         REQUIRE(finds_trouble(**guard));
         CHECK(describe(*(*guard)->trouble()) == motor.string() + ": no such file or directory");
-        // Under the same lease it is taken up.
+        // It is accepted under the same lease.
         REQUIRE(guard_file(**guard, 1, motor));
         CHECK(proof_of(**guard) == true);
         guard->reset();
         CHECK(guarded_text(motor) == "0");
     }
     SECTION("a device that has gone") {
-        // As one of a USB port, or of sysfs: its descriptor is open, and takes no writes.
+        // Like a node of a USB port or of sysfs: its descriptor is open but accepts no writes.
         int master = -1, device = -1;
         REQUIRE(openpty(&master, &device, nullptr, nullptr, nullptr) == 0);
         const std::string path = ttyname(device);
@@ -187,7 +187,7 @@ TEST_CASE("a guard that was suspended with its engine stops the motors before it
     kill((*guard)->process(), SIGSTOP);
     guard_sleep(0.02);
     (*guard)->beat(clock_seconds());
-    guard_sleep(beat_timeout + 0.1);  // as an engine does that is stopped
+    guard_sleep(beat_timeout + 0.1);  // as a suspended engine does
     CHECK_FALSE((*guard)->is_proved(clock_seconds()));
     kill((*guard)->process(), SIGCONT);
     guard_sleep(0.1);

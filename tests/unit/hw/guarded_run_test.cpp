@@ -1,4 +1,4 @@
-// A driving mouse whose nodes are changed under it: it can be stopped, or it stands.
+// A driving mouse whose nodes are changed: it can still be stopped, or it stands.
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
@@ -15,14 +15,14 @@ namespace {
 
 const std::vector<std::string> motor_nodes{"rtmotoren0", "rtmotor_raw_l0", "rtmotor_raw_r0"};
 
-// The folder of nodes leads to an empty one: as where another /dev is mounted over it.
+// The folder of nodes is replaced by an empty one, as if another /dev was mounted over it.
 void hide_nodes(const HardwareRun& run) {
     std::filesystem::create_directory(run.fake.folder.path("empty"));
     std::filesystem::remove(run.dev());
     std::filesystem::create_directory_symlink(run.fake.folder.path("empty"), run.dev());
 }
 
-// Whether anything that was written since the log was cleared makes a motor turn, or gives it power.
+// True if any write since the log was cleared turns a motor or switches it on.
 bool was_driven(FakeMouse& fake) {
     const auto writes = fake.writes();
     return std::any_of(writes.begin(), writes.end(), [](const std::string& write) {
@@ -53,7 +53,7 @@ TEST_CASE("a mouse with a reloaded driver drives again, and its guard can stop i
     run.fake.say("reload");
     REQUIRE(FakeMouse::wait_until([&] { return run.fake.moves(); }, 5));
     run.get_going();
-    for (const auto& node : motor_nodes) run.fake.fault(node, "denied");  // by its own descriptors, then
+    for (const auto& node : motor_nodes) run.fake.fault(node, "denied");  // then by its own descriptors
     CHECK(run.time_to_stand([&] { run.program->send(SIGKILL); }) < 0.05);
 }
 

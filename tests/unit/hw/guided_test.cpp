@@ -60,7 +60,7 @@ TEST_CASE("the doctor turns each wheel of an EV3 both ways, then releases them",
 
 namespace {
 
-// A person who measures exactly: answers with where the robot stands in the frame of the drive's start.
+// A person who measures exactly: answers with the robot's position in the frame of the drive's start.
 class Measurer {
 public:
     explicit Measurer(FakeRobot& fake) : fake_(fake), answers_(fake.folder.path("answers").string()) {

@@ -1,4 +1,4 @@
-// Who may drive a robot: one program of the machine.
+// Leases: only one program of a machine may drive a robot.
 #include "hw/guard/lease.hpp"
 
 #include <unistd.h>
@@ -36,13 +36,13 @@ TEST_CASE("a robot's lease is still valid after its nodes were made again", "[hw
     folder.write("rtmotoren0", "1");
     CHECK_FALSE(Lease::take("test", node.string()));
     CHECK(Lease::take("other", node.string()));
-    // By another path to the same folder as well.
+    // Also by another path to the same folder.
     std::filesystem::create_directory_symlink(folder.path(""), folder.path("same"));
     CHECK_FALSE(Lease::take("test", folder.path("same/rtmotoren0").string()));
 }
 
 TEST_CASE("a machine has one robot per driver for the kernel's nodes, by any path", "[hw][guard][safety]") {
-    const std::string driver = "test " + std::to_string(getpid());  // others may test on this machine as well
+    const std::string driver = "test " + std::to_string(getpid());  // other tests may run on this machine
     const auto nodes = Lease::take(driver, "/dev/null");
     REQUIRE(nodes);
     CHECK_FALSE(Lease::take(driver, "/dev/zero"));

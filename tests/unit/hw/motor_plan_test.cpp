@@ -65,9 +65,9 @@ TEST_CASE("after an unexpected stop a motor accelerates as from standstill", "[h
     CHECK(wheel.next(0.5, 500, 0.01) == 500);
     CHECK(wheel.next(0.5, 0, 0.01) == StepRate::at_once);
     CHECK(wheel.next(0.5, 50, 0.01) == 65);
-    CHECK(wheel.next(0.5, 65, 5.0) == 215);  // a gap is no run-up
+    CHECK(wheel.next(0.5, 65, 5.0) == 215);  // after a gap the speed must not jump
     CHECK(wheel.next(-0.5, 215, 0.01) == -StepRate::at_once);
-    CHECK(wheel.next(0.1, 500, 0.01) == 100);  // braking is the robot's
+    CHECK(wheel.next(0.1, 500, 0.01) == 100);  // braking is limited by the robot, not here
 }
 
 TEST_CASE("a rate stays within what the driver takes", "[hw][mouse]") {

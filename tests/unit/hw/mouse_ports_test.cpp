@@ -1,4 +1,4 @@
-// Which device of a mouse a sensor of its robot file is.
+// Assignment of a mouse's devices to the sensors of its robot file.
 #include <algorithm>
 
 #include "hw/raspimouse/mouse_body.hpp"
@@ -38,7 +38,7 @@ TEST_CASE("a mouse's light sensors are in the driver's order: right front, right
         return static_cast<std::size_t>(sensor - spec.sensors.begin());
     };
     const auto read = [&] {
-        const Scratch folder;  // of its own: a guard may hold the motors of the one before for a moment
+        const Scratch folder;  // a new folder, because a guard may hold the previous motors for a moment
         for (const char* node : {"rtmotoren0", "rtmotor_raw_l0", "rtmotor_raw_r0"}) folder.write(node, "");
         folder.write("rtlightsensor0", "10 200 300 400\n");
         auto body = MouseBody::make(spec, {.dev = folder.path("").string(), .sys = ""});
@@ -50,7 +50,7 @@ TEST_CASE("a mouse's light sensors are in the driver's order: right front, right
         return values;
     };
     CHECK(read() == std::vector<double>{10, 200, 300, 400});
-    // Another robot has them elsewhere.
+    // Another robot has them at other places.
     spec.sensors[place("right_front")].port = "3";
     spec.sensors[place("left_front")].port = "";
     CHECK(read() == std::vector<double>{400, 200, 300, 10});

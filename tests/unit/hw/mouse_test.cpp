@@ -1,4 +1,4 @@
-// The mouse's driver against the driver's true behaviour: driver, fake nodes, physics, fake nodes, driver.
+// The mouse's driver on fake nodes that behave like the real driver's, with simulated physics.
 #include "hw/raspimouse/mouse_body.hpp"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ TEST_CASE("a drive makes exactly these writes", "[hw][mouse][fakes][wallclock]")
     {
         auto body = MouseBody::make(mouse_spec(), fake.roots());
         REQUIRE(body);
-        // Each command is given again, as a loop does, until the nodes have it.
+        // The command is repeated, as in a loop, until the nodes have it.
         const auto tell = [&](const std::function<void()>& command,
                               const std::function<bool(FakeMouse::Motion)>& done) {
             CHECK(FakeMouse::wait_until(
@@ -92,7 +92,7 @@ TEST_CASE("a drive makes exactly these writes", "[hw][mouse][fakes][wallclock]")
     }
     Lines written = fake.writes();
     REQUIRE(written.size() > 3);
-    // The guard stops the power and both motors each on its own, in any order: here in that of their names.
+    // The guard stops the power and both motors in any order; here they are sorted by name.
     std::sort(written.end() - 3, written.end());
     CHECK(written == Lines{// the start: no power, no motion
                            "rtmotoren0 '0'", "rtmotor_raw_l0 '0'", "rtmotor_raw_r0 '0'",
@@ -131,7 +131,7 @@ TEST_CASE("a control loop that stalls leaves the wheels standing until it comman
     DrivenMouse mouse(fake);
     mouse.run(0.6, {.vx = 0.1});
     REQUIRE(fake.moves());
-    // The driver's threads go on, as while a script runs without end.
+    // The driver's threads continue, as during an endless script.
     sleep_for(0.25);
     bool has_moved = false;
     for (int i = 0; i < 75; ++i) {
@@ -215,9 +215,9 @@ namespace {
 struct FaultCase {
     const char* node;
     const char* fault;
-    const char* said;    // part of what is told; "": nothing
-    bool drives;         // whether the robot goes on
-    const char* silent;  // the port that says nothing meanwhile; "": none
+    const char* said;    // part of the message; "": none
+    bool drives;         // true if the robot continues to drive
+    const char* silent;  // the silent port; "": none
 };
 
 }  // namespace
@@ -239,7 +239,7 @@ TEST_CASE("each device that fails in motion stops the robot or only its port, is
     INFO(fault.node << " " << fault.fault);
     FakeMouse fake;
     DrivenMouse mouse(fake);
-    // A command that changes all the time: the motors' nodes are written.
+    // A command that changes all the time, so that the motors' nodes are written.
     const auto drive = [&](double seconds, const std::function<bool()>& until = nullptr) {
         const double end = mouse.system.now().seconds + seconds;
         for (int i = 0; mouse.system.now().seconds < end; ++i) {
@@ -257,7 +257,7 @@ TEST_CASE("each device that fails in motion stops the robot or only its port, is
     for (const auto& line : mouse.log) log += line + "\n";
     INFO(log);
     CHECK(fake.moves() == fault.drives);
-    // The mouse needs its light sensors: it stands without them, and tells that as well.
+    // The mouse needs its light sensors: without them it stands and reports that too.
     const bool is_blind = std::string_view(fault.silent) == "ir_sensor_out";
     CHECK(mouse.log.size() == (*fault.said == '\0' ? 0 : is_blind ? 2 : 1));
     CHECK(mouse.said("stands: without ") == is_blind);
@@ -305,7 +305,7 @@ TEST_CASE("a mouse stops while its Raspberry Pi has too little voltage, then dri
     fake.folder.write("sys/class/hwmon/hwmon3/in0_lcrit_alarm", "0\n");
     DrivenMouse mouse(fake);
     REQUIRE(mouse.run(3, {.vx = 0.1}, [&] { return fake.motion().left > 250; }));
-    // In place, as the kernel's file: it is never empty.
+    // Written in place like the kernel's file, so it is never empty.
     const auto set_alarm = [&](char on) {
         std::fstream file(fake.folder.path("sys/class/hwmon/hwmon3/in0_lcrit_alarm"));
         file.put(on);

@@ -1,4 +1,4 @@
-// Device nodes: kept open, taken up again, their errors in words.
+// Device nodes: kept open, used again after a loss, errors as text.
 #include "hw/device/node.hpp"
 
 #include <catch2/catch.hpp>

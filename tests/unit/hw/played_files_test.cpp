@@ -1,4 +1,4 @@
-// Device files that are logged, and a log that stands for devices.
+// Logged device files, and a log that replaces devices.
 #include "hw/log/played_files.hpp"
 
 #include <fcntl.h>
@@ -129,7 +129,7 @@ TEST_CASE("a replayed reading gives the log's value at the log's time", "[hw][lo
     const auto at = [&](double tm) { sleep_for(std::max(0.0, begin + tm - clock_seconds())); };
     Node node({"/dev/x", files}, Access::read);
     CHECK(said(node) == "1");
-    CHECK(said(node) == "1");  // again: it is what is known
+    CHECK(said(node) == "1");  // again: the last known value
     at(0.53);
     CHECK(said(node) == "2");
     CHECK(clock_seconds() - begin >= 0.6);  // it took its time
@@ -220,7 +220,7 @@ TEST_CASE("with a robot's log the drivers give the same readings and make the sa
     robot.run(0.5);
     drive(robot);
     const Pose2D pose = robot.published<Pose2D>(pose_port);
-    // A few milliseconds in which a wheel's direction is the other one are some pulses.
+    // A few milliseconds with the other direction make a difference of some pulses.
     CHECK(pose.position.x == Approx(recorded.position.x).margin(0.02));
     CHECK(pose.heading == Approx(recorded.heading).margin(0.2));
     CHECK(robot.log == told);

@@ -1,4 +1,4 @@
-// Pulses that are counted, and readings that are not believed.
+// Counted pulses and ignored readings.
 #include "hw/raspimouse/pulse_counter.hpp"
 
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@ namespace {
 
 using Verdict = PulseCounter::Verdict;
 
-// A motor that turns at a rate, read every 10 ms, and what its counter would say.
+// A motor that turns at a rate, read every 10 ms, and its counter's value.
 struct Wheel {
     // Turns for 10 ms.
     void turn(int rate) {
@@ -119,7 +119,7 @@ TEST_CASE("a counter with a new starting value is accepted at the third reading"
     wheel.turn(500);
     CHECK(wheel.read() == Verdict::jumped);
     CHECK(wheel.counter.pulses() == 515);  // those of the jump are those commanded
-    wheel.zero = 40000;                    // opened again, it may count from anywhere once more
+    wheel.zero = 40000;                    // opened again: it may start at any value
     wheel.drive(-500, 10);
     CHECK(wheel.counter.pulses() == 465);
 }
@@ -128,7 +128,7 @@ TEST_CASE("a counter that was away may start at any value", "[hw][mouse][odometr
     Wheel wheel;
     REQUIRE(wheel.read() == Verdict::taken);
     wheel.drive(500, 10);
-    wheel.zero = -50;  // loaded anew: it would fit what it said last
+    wheel.zero = -50;  // reloaded: the value would fit the last one
     for (int i = 0; i < 10; ++i) wheel.turn(500);
     wheel.counter.begin_anew();
     CHECK(wheel.read() == Verdict::taken);

@@ -1,4 +1,4 @@
-// `nezumi run --hw` where motors can't be used: one line that says why, exit status 2, and nothing has moved.
+// `nezumi run --hw` without usable motors: one line with the reason, exit status 2, and no motion.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>

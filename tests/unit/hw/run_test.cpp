@@ -1,4 +1,4 @@
-// `nezumi run --hw` on the fake mouse: what ends or stalls the program, and how soon the wheels stand.
+// `nezumi run --hw` on the fake mouse: events that end or stall the program, and the time until the wheels stand.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -65,7 +65,7 @@ TEST_CASE("the wheels stand within 250 ms of a script's endless loop", "[hw][run
     HardwareRun run;
     run.get_going();
     const double time = run.time_to_stand([&] { run.fake.say("button 2 1"); });
-    constexpr double reading = 0.04;  // of the button, at most
+    constexpr double reading = 0.04;  // longest reading of the button
     CHECK(time < reading + 0.25);
     CHECK(run.program->wait_for_error("ran for more than 0.1 s: is there an endless loop?", 5));
     WARN("stopped " << time * 1e3 << " ms after the button that starts the loop was pressed");

@@ -1,4 +1,4 @@
-// A robot's loudspeaker: which programs are run, what they get, and what is said when they are missing.
+// A robot's loudspeaker: the programs it runs, their input, and the messages if they are missing.
 #include "hw/sound/speaker.hpp"
 
 #include <sys/stat.h>
@@ -15,10 +15,10 @@ using namespace nezumi::hw;
 
 namespace {
 
-// A folder of programs that is all the PATH there is.
+// A folder of programs as the whole PATH.
 struct Programs {
     explicit Programs(const std::vector<std::string>& installed, const std::string& player_does = "") {
-        // Each keeps what it was told and what it read; the synthesizer's speech is what it read.
+        // Each program stores its arguments and its input; the synthesizer's speech is its input.
         const std::string keep = "i=$(ls \"$0\".* 2>/dev/null | wc -l)\nprintf '%s\\n' \"$*\" > \"$0.$i\"\n";
         for (const std::string& name : installed) {
             if (name == "the real espeak-ng") {
@@ -35,7 +35,7 @@ struct Programs {
     Programs(const Programs&) = delete;
     Programs& operator=(const Programs&) = delete;
 
-    // Its words on the first line, and what it read: of the call of this number.
+    // The arguments on the first line, then the input, of the call with this number.
     std::string call(const std::string& program, int number) const {
         std::ifstream file(folder.path(program + "." + std::to_string(number)), std::ios::binary);
         return {std::istreambuf_iterator<char>(file), {}};
@@ -62,7 +62,7 @@ private:
 Sound tone(double hertz, double seconds) { return {Sound::Kind::tone, hertz, seconds, {}}; }
 Sound speech(const std::string& text) { return {Sound::Kind::speech, 0, 0, text}; }
 
-// Lets it do all that waits.
+// Lets it process all that waits.
 void serve(Speaker& speaker) {
     while (speaker.run() == 0) continue;
 }

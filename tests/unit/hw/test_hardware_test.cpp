@@ -39,7 +39,7 @@ std::string scenario(const std::string& body) { return "scenario('it', function(
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-// The seminar's scenarios of a file, on fakes; the truth comes from their hosts.
+// The seminar's scenarios of a file, on fakes; the truth comes from the fakes.
 Outcome seminar(const std::string& file, const std::string& filter, const std::string& rig, const std::string& dev,
                 const std::string& sys) {
     std::vector<std::string> words{"test", "tests/scenarios/" + file, "--filter", filter, "--hw", "--rig", rig};
@@ -113,7 +113,7 @@ TEST_CASE("a failure on the robot is reported with the command that repeats it, 
     CHECK(has(run.out, "always 'stays' held until"));
     CHECK(has(run.out, "--seed 124 --hw --rig mouse=" + fake.socket_path()));
     CHECK(has(run.out, "trace.csv"));
-    CHECK(fake.truth().position.x < 0.12);  // a second run would have begun at 0 and come as far
+    CHECK(fake.truth().position.x < 0.12);  // a second run would have started at 0 and come as far
     CHECK(std::count_if(std::filesystem::recursive_directory_iterator(fake.folder.path("failures")), {},
                         [](const auto& entry) { return entry.path().filename() == "trace.csv"; }) == 1);
 }
@@ -204,7 +204,7 @@ TEST_CASE("a missing or silent rig is reported and ends the run", "[hw][test][fa
 
 TEST_CASE("the seminar's scenarios of the mouse pass on the fake mouse", "[.seminar][hw][fakes]") {
     Mouse fake({front_of_wall});
-    // Slower it comes to stand where the sensor says 30 or 31, and rocks between the two.
+    // At a lower speed it stops where the sensor gives 30 or 31, and moves to and fro between the two.
     const std::string stops = "stops in front of the wall at every speed ";
     for (const std::string& filter :
          {stops + "[speed=0.1]", stops + "[speed=0.2]", stops + "[speed=0.3]", stops + "[speed=0.5]",

@@ -1,4 +1,4 @@
-// Devices' threads: woken, left behind when they hang, and what the loop gets from them.
+// Threads of devices: waking, abandoning, and the samples for the loop.
 #include "hw/device/worker.hpp"
 
 #include <atomic>
@@ -19,7 +19,7 @@ bool soon(const std::function<bool()>& is_so) {
     return is_so();
 }
 
-// Counts how often it was called, and hangs when it is told to.
+// Counts its calls, and hangs on request.
 struct CountingJob final : DeviceJob {
     struct Seen {
         std::atomic<int> runs = 0;
@@ -36,7 +36,7 @@ struct CountingJob final : DeviceJob {
     Seen& seen;
 };
 
-// Answers with a number that grows, or not.
+// Answers with a growing number, or not.
 struct Thermometer final : Sampler<int> {
     Thermometer() : Sampler("thermometer", 0.001) {}
     tl::expected<std::optional<int>, std::string> sample(double) override {

@@ -93,7 +93,7 @@ TEST_CASE("a picture does not depend on the camera's place in the world", "[sim]
         std::size_t others = 0;
         for (std::size_t i = 0; i < here.pixels.size(); ++i) others += here.pixels[i] != there.pixels[i] ? 1 : 0;
         CAPTURE(x, y);
-        CHECK(others < 200);  // of 230 400: where an edge is rounded otherwise
+        CHECK(others < 200);  // of 230 400 pixels: an edge may be rounded differently
     }
 }
 

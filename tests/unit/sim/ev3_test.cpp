@@ -1,4 +1,4 @@
-// The EV3's body in the simulator: touch, ultrasonic beam, servo, eyes for the floor, a hand that rolls it.
+// The EV3's body in the simulator: touch, ultrasonic beam, servo, colour sensor, and pushing.
 #include <png.h>
 #include <unistd.h>
 
@@ -196,7 +196,7 @@ TEST_CASE("a damaged or missing picture of the floor gives one clear error", "[s
     };
     CHECK(refusal() == "none");
     const std::string start = "system.lua:7: floor: '" + file.path.string() + "' can't be read as a PNG: ";
-    fs::resize_file(file.path, fs::file_size(file.path) / 2);  // torn
+    fs::resize_file(file.path, fs::file_size(file.path) / 2);  // truncated
     CHECK(refusal().substr(0, start.size()) == start);
     std::ofstream(file.path) << "no picture";
     CHECK(refusal().substr(0, start.size()) == start);

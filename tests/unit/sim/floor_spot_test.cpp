@@ -1,4 +1,4 @@
-// What a sensor that looks down sees: places on the picture, colours, brightness.
+// Downward-looking sensors: places on the picture, colours, brightness.
 #include <catch2/catch.hpp>
 
 #include <limits>
@@ -29,7 +29,7 @@ TEST_CASE("outside the floor's picture no colour is seen", "[sim][floor]") {
     for (const Point2D& at : {Point2D{1.01, 0}, {-1.01, 0}, {0, 0.51}, {0, -0.51}, {1e300, 0}, {nan, 0}, {0, nan}}) {
         CHECK_FALSE(floor_spot_color(four, size, at).has_value());
     }
-    CHECK(floor_spot_color(four, size, {0.999, 0.499}) == 0x00ff00u);  // half of the spot is beside it
+    CHECK(floor_spot_color(four, size, {0.999, 0.499}) == 0x00ff00u);  // half of the spot is outside
 }
 
 TEST_CASE("a spot on an edge has the mean colour of both sides", "[sim][floor]") {
@@ -75,9 +75,9 @@ TEST_CASE("a fixed limit separates the names of two colours", "[sim][floor]") {
         Rgb beyond;
         FloorColor expected_beyond;
     };
-    for (const Limit& limit : {Limit{0x2c0000, black, 0x2d0000, red},   // how bright a colour is at least
-                               {0x6d6d6d, black, 0x6e6e6e, white},      // how bright white is at least
-                               {0xc8a1a1, white, 0xc8a0a0, red},        // how colourful a colour is at least
+    for (const Limit& limit : {Limit{0x2c0000, black, 0x2d0000, red},   // least brightness of a colour
+                               {0x6d6d6d, black, 0x6e6e6e, white},      // least brightness of white
+                               {0xc8a1a1, white, 0xc8a0a0, red},        // least saturation of a colour
                                {0xff3200, red, 0xff3500, red},          // 12 degrees: bright, no limit
                                {0xb32300, red, 0xb32500, brown},        // dark, it is one
                                {0xff6800, red, 0xff6d00, yellow},       // 25

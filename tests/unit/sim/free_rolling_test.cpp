@@ -1,4 +1,4 @@
-// Robots that roll freely move as ODE's solver would move them.
+// Robots that roll freely move as with ODE's solver.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -26,7 +26,7 @@ RobotSpec odd_spec() {
     return spec;
 }
 
-// One robot that rolls as it may, and one that ODE alone moves, each in a world of its own.
+// One robot that may roll freely, and one that only ODE moves, each in its own world.
 struct Pair {
     explicit Pair(RobotSpec robot, double length = step, const ArenaSpec& arena = {})
         : spec(std::move(robot)),
@@ -40,7 +40,7 @@ struct Pair {
     void drive(Wheels speeds) {
         for (const auto& body : bodies) body->set_wheel_speeds(speeds);
     }
-    // Of the next step. Whether the first robot has rolled freely in it.
+    // Takes the next step. Returns true if the first robot has rolled freely.
     bool take_step() {
         rolled.step(1);
         solved.step(1);
@@ -60,7 +60,7 @@ struct Pair {
     std::vector<std::unique_ptr<RobotBody>> bodies;
 };
 
-// Somewhere, nodding and rolling a little, moving about as its wheels turn.
+// A random pose with some pitch and roll, moving as its wheels turn.
 struct RandomState {
     std::mt19937_64 random{17};
     double height = 0;  // [m] of the centre at rest
@@ -86,7 +86,7 @@ struct RandomState {
     }
 };
 
-// Speeds that somebody might drive at, now and then changed at once: [m/s].
+// Random driving speeds [m/s], now and then changed at once.
 struct RandomDriver {
     std::mt19937_64 random{5};
     Wheels speeds{}, wanted{};
@@ -94,7 +94,7 @@ struct RandomDriver {
     Wheels next() {
         std::uniform_real_distribution<double> any(-0.4, 0.4);
         if (random() % 200 == 0) wanted = {any(random), any(random)};
-        if (random() % 2000 == 0) speeds = wanted;  // a jolt
+        if (random() % 2000 == 0) speeds = wanted;  // a sudden change
         const auto follow = [](double& speed, double to) { speed += std::clamp(to - speed, -0.01, 0.01); };
         follow(speeds.left, wanted.left);
         follow(speeds.right, wanted.right);
@@ -102,7 +102,7 @@ struct RandomDriver {
     }
 };
 
-// Robots that drive about at random, bump into each other and into boxes, and are pushed now and then.
+// Robots that drive at random, collide with each other and with boxes, and are sometimes pushed.
 struct Crowd {
     explicit Crowd(std::size_t count, WorkerPool* threads = nullptr)
         : world(arena(count), {.step = 0.01, .seed = 1}, nullptr), spec(swarm_spec()) {
@@ -151,11 +151,11 @@ struct Crowd {
     std::mt19937_64 random{7};
 };
 
-// What twenty robots do in ten seconds that drive on until they bump into something, and then turn away.
+// Twenty robots for ten seconds: each drives until it collides with something, then turns away.
 struct Bustle {
-    double speed = 0;       // [m/s] in the mean
-    double collisions = 0;  // a robot-minute
-    double spread = 0;      // [m] from the middle, root of the mean square, at the end
+    double speed = 0;       // [m/s] mean
+    double collisions = 0;  // per robot and minute
+    double spread = 0;      // [m] root mean square distance from the middle at the end
 };
 
 Bustle bustle(std::uint64_t seed, bool by_ode) {
@@ -342,7 +342,7 @@ TEST_CASE("a robot that rolled freely is not seen after its removal", "[sim][rol
 }
 
 TEST_CASE("colliding robots move the same on average over twenty seeds", "[sim][rolling]") {
-    // Collisions are chaotic: rounding decides who meets whom a minute later.
+    // Collisions are chaotic: rounding decides which robots meet a minute later.
     constexpr double seeds = 20;
     const auto compare = [](const char* what, double Bustle::*figure, const std::vector<Bustle>& a,
                             const std::vector<Bustle>& b) {

@@ -1,4 +1,4 @@
-// Which movers are solved together, and when there are too many of them.
+// Which movers are solved together, and when an island is too large.
 #include "sim/islands.hpp"
 
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@ using nezumi::sim::Islands;
 
 namespace {
 
-// So many movers, each linked to the next.
+// A chain of movers, each linked to the next.
 Islands chain(unsigned length, unsigned beside = 0) {
     Islands islands;
     for (unsigned i = 0; i < length + beside; ++i) islands.add_mover();

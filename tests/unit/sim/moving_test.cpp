@@ -1,4 +1,4 @@
-// Boxes, walls and cylinders that a hand carries elsewhere, and whole poses of robots.
+// Boxes, walls and cylinders that are moved, and poses of robots.
 #include <algorithm>
 #include <cmath>
 
@@ -38,7 +38,7 @@ std::string refusal(TryWorld& w, const std::string& name, Pose2D pose) {
 }  // namespace
 
 TEST_CASE("a moved wall is seen and touched at its new place only", "[sim][moving]") {
-    for (const int others : {0, 12}) {  // few are looked at one by one, many are found in a grid
+    for (const int others : {0, 12}) {  // few are tested one by one, many are found in a grid
         ArenaSpec arena = furnished();
         for (int i = 0; i < others; ++i) arena.boxes.push_back({.at = {-1.5, 0.1 * i, 0.1}, .size = {0.05, 0.05, 0.2}});
         TryWorld w(arena);

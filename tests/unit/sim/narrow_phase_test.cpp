@@ -1,4 +1,4 @@
-// Where two shapes touch, and what a wheel rolls over.
+// Where two shapes touch, and what a wheel can roll over.
 #include "sim/narrow_phase.hpp"
 
 #include <catch2/catch.hpp>
@@ -56,7 +56,7 @@ TEST_CASE("shapes whose surfaces only meet do not touch", "[sim][narrow]") {
     CHECK(n.phase.collide(square, box({0, 0, 1}, {0.5, 0.5, 0.5})).empty());
     CHECK(n.phase.collide(round, disc({0, 0, 1}, 0.25)).empty());
     CHECK(n.phase.collide(square, disc({2, 0, 0}, 0.25)).empty());
-    // And a hair nearer they do.
+    // Slightly nearer they do.
     CHECK(n.phase.collide(round, disc({0.4999, 0, 0}, 0.25)).size() == 1);
     CHECK(n.phase.collide(square, disc({0.7499, 0, 0}, 0.25)).size() == 1);
     CHECK_FALSE(n.phase.collide(square, box({0.9999, 0, 0}, {0.5, 0.5, 0.5})).empty());

@@ -1,4 +1,4 @@
-// Things that lie in each other, and robots that leave the arena.
+// Overlapping things, and robots that leave the arena.
 #include "tests/unit/sim/try_world.hpp"
 
 #include <ctime>
@@ -36,7 +36,7 @@ TEST_CASE("movable things that overlap something are refused, with place and bot
     arena.cylinders.push_back({.at = {0.99, 0, 0.1}, .radius = 0.05, .height = 0.2, .mass = 1, .place = {"a.lua", 2}});
     CHECK(refusal(arena) ==
           "a.lua:2: cylinder 1 at x = 0.99, y = 0 overlaps the arena's wall by 40 mm: move one of them");
-    arena.cylinders[0].mass = 0;  // what stands still may stand where it likes
+    arena.cylinders[0].mass = 0;  // fixed things may overlap
     CHECK(refusal(arena) == "made");
 
     arena = {};
@@ -46,7 +46,7 @@ TEST_CASE("movable things that overlap something are refused, with place and bot
 
 TEST_CASE("a step ends with any number of overlaps, and one warning is given", "[sim][world]") {
     ArenaSpec arena;
-    // So thin that they may all lie in one place.
+    // So thin that they may all be in one place.
     const BoxSpec plate{.at = {0, 0, 0.0004}, .size = {0.2, 0.2, 0.0008}, .mass = 0.01};
     arena.boxes.assign(300, plate);
     TryWorld heap(arena);

@@ -18,7 +18,7 @@ Shape cylinder(Vec3 centre, double radius, double height) {
     return {Shape::Kind::cylinder, centre, Rotation::Identity(), {radius, radius, height / 2}};
 }
 
-// The first place along the ray where `inside` holds, in steps of 0.5 mm: slow, and independent of the formulas.
+// The first place along the ray where `inside` is true, in steps of 0.5 mm: slow, but independent of the formulas.
 double march(const Shape& shape, Vec3 from, Vec3 direction, double range) {
     for (double t = 0; t <= range; t += 5e-4) {
         const Vec3 p = rotate_back(shape.rotation, from + direction * t - shape.centre);
@@ -73,7 +73,7 @@ TEST_CASE("ray distances agree with stepping along the rays", "[sim][ray]") {
         const Vec3 direction = (shape.centre + Vec3{u(random), u(random), u(random)} * 0.4 - from).normalized();
         const double expected = march(shape, from, direction, 1.5);
         const double actual = cast_ray(shape, from, direction, 1.5);
-        // A ray that only grazes an edge may slip between two steps of the march.
+        // A ray that grazes an edge may pass between two steps.
         if (expected == nothing) {
             if (actual < nothing)
                 CHECK(march(shape, from + direction * (actual - 1e-3), direction * 0.01, 0.4) < nothing);

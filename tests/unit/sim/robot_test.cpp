@@ -1,4 +1,4 @@
-// One robot on the floor: how it drives, stands, slips and turns.
+// One robot on the floor: driving, standing, slipping and turning.
 #include "tests/unit/sim/try_world.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ TEST_CASE("a robot does not flip over at 1.5 m/s with the limit lifted", "[sim][
             w.add(spec, 0, 0);
             double tilt = 0;
             const auto look = [&] { tilt = std::max(tilt, w.truth().tilt); };
-            // From standstill to full speed at once, on into full reverse, and a stop: the hardest that can be asked.
+            // From standstill to full speed at once, to full reverse, and a stop: the hardest commands.
             w.bodies[0]->set_wheel_speeds({1.5, 1.5});
             w.run(1, look);
             CHECK(w.truth().velocity.vx == Approx(1.5).epsilon(0.01));
@@ -258,7 +258,7 @@ TEST_CASE("a mouse drives up a ramp of 10 degrees", "[sim][robot]") {
         w.run(0.9 / speed);
         CHECK(w.truth().height > 0.09);
         CHECK(w.truth().tilt == Approx(slope).margin(0.04));
-        // Where it stops there it stays: a loaded wheel creeps no faster than this.
+        // It stays where it stops: a loaded wheel creeps no faster than this.
         w.bodies[0]->set_wheel_speeds({0, 0});
         w.run(0.5);
         CHECK(std::abs(w.truth().velocity.vx) < 0.003);

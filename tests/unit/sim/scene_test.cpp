@@ -1,4 +1,4 @@
-// Who is found near a place: fixed shapes and movers, few of them and many.
+// Searches by place: fixed shapes and movers, few of them and many.
 #include "sim/scene.hpp"
 
 #include <catch2/catch.hpp>
@@ -20,7 +20,7 @@ std::vector<Scene::Index> movers_near(const Scene& scene, double x, double y, do
     return found;
 }
 
-// A row of discs 1 m apart: 4 are looked at one by one, 40 are found in a grid.
+// A row of discs 1 m apart: 4 are tested one by one, 40 are found in a grid.
 Scene row(int count) {
     Scene scene;
     for (int i = 0; i < count; ++i) scene.add_mover(disc(i, 0), 0.1);

@@ -1,4 +1,4 @@
-// What a simulated robot's devices make of what is the case: responses, limits, noise, drift, pulses.
+// A simulated robot's readings from true values: response curves, limits, noise, drift, pulses.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -11,7 +11,7 @@ using namespace nezumi;
 
 namespace {
 
-// Feels what it is told. Its spec is that of the fake mouse: a distance, a response, a gyro, a button.
+// Returns given values. Its spec is that of the fake mouse: a distance, a response, a gyro, a button.
 struct Felt final : sim::SimulatedBody {
     explicit Felt(RobotSpec made = fake_mouse(), std::uint64_t seed = 1, double rate = 100)
         : Felt(std::make_unique<RobotSpec>(std::move(made)), seed, 1 / rate) {}
@@ -127,7 +127,7 @@ TEST_CASE("the noise of a robot is relative to each value of its sensors", "[sim
         distances += std::pow(all[metre].value / 0.3 - 1, 2);
         values += std::pow(all[response].value / table(0.2) - 1, 2);
         rates += std::pow(all[gyro].physical - 1, 2);
-        // The distance is what the noisy value says, as of a real sensor.
+        // The distance follows from the noisy value, as with a real sensor.
         REQUIRE(all[response].physical == distance_at(table, all[response].value));
         REQUIRE(all[button].value == 1);
     }
@@ -213,7 +213,7 @@ TEST_CASE("encoders count whole pulses without losing any", "[sim][sensor]") {
     CHECK(counted(0.8, -0.8) == WheelPulses{1, -1});
     for (int i = 0; i <= 4000; ++i) counted(0.1 * i, 0.1 * i);
     CHECK(body.wheels.pulses == WheelPulses{400, 400});
-    // How fast the rims are is known better than that.
+    // The speed of the rims is known more exactly.
     counted(400.5, 400.25);
     CHECK(body.wheels.speeds.left == Approx(0.5 * pulse * 0.02 * 100));
     CHECK(body.wheels.speeds.right == Approx(0.25 * pulse * 0.02 * 100));

@@ -1,4 +1,4 @@
-// What simulated robots say, as files.
+// Sounds of simulated robots as files.
 #include <catch2/catch.hpp>
 
 #include <sys/stat.h>
@@ -22,7 +22,7 @@ namespace {
 
 struct Folder : Scratch {
     std::string read(const std::string& name) const { return text_of_file(path(name)); }
-    // A program that takes the place of espeak-ng.
+    // A program that replaces espeak-ng.
     std::string program(const std::string& script) const {
         const fs::path file = write("speaker", "#!/bin/sh\n" + script + "\n");
         fs::permissions(file, fs::perms::owner_all);
@@ -130,7 +130,7 @@ TEST_CASE("a sound does not wait for the one before", "[sim][sound][wallclock]")
         const auto begin = std::chrono::steady_clock::now();
         for (int i = 0; i < 3; ++i) files.play("ev3", speech("slow"));
         CHECK(std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(400));
-        // Until the thread takes the first one, all but it wait.
+        // Until the thread takes the first one, all others wait.
         for (std::size_t i = 0; i < SoundFiles::most_waiting; ++i) files.play("ev3", {Sound::Kind::tone, 0, 0, {}});
         files.tell();
         CHECK(warnings.size() >= 1);

@@ -1,4 +1,4 @@
-// A hand that pushes a robot: the velocities it forces, and what the wheels make of it.
+// A velocity constraint on a robot: the forced velocities and the effect on the wheels.
 #include <cmath>
 
 #include "tests/unit/sim/try_world.hpp"
@@ -15,7 +15,7 @@ TEST_CASE("a velocity constraint forces its velocities on a robot whose motors h
     CHECK(w.truth().velocity.vx == Approx(0.2).epsilon(0.02));
     CHECK(w.truth().pose.position.x == Approx(0.4).epsilon(0.03));
     CHECK(w.bodies[0]->wheel_angles() == Wheels{});  // stepping motors that hold: the wheels slip
-    CHECK(w.truth().tilt < 0.01);                    // and the hand holds it level
+    CHECK(w.truth().tilt < 0.01);                    // and the robot is held level
     w.world->disturb(0, {.vx = -0.1, .vy = 0.05, .va = 1.0});
     w.run(1);
     CHECK(w.truth().velocity.vx == Approx(-0.1).margin(0.005));
@@ -52,7 +52,7 @@ TEST_CASE("coasting wheels turn with the ground when the robot is pushed", "[sim
     w.run(1);
     CHECK((w.bodies[0]->wheel_angles().right - before.right) * 0.024 == Approx(0.0925 / 2).epsilon(0.03));
     CHECK((w.bodies[0]->wheel_angles().left - before.left) * 0.024 == Approx(-0.0925 / 2).epsilon(0.03));
-    // Let go, it rolls on for a while; a command takes the wheels again.
+    // After the release it rolls on for a while; a command controls the wheels again.
     w.world->disturb(0, {.vx = 0.3});
     w.run(1);
     w.world->disturb(0, {});

@@ -1,4 +1,4 @@
-// A world that loses a robot, and one that can't go on.
+// A world from which a robot is removed, and one that can't continue.
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +25,7 @@ TEST_CASE("a world that the physics can't continue reports it and stands still",
 }
 
 TEST_CASE("a removed robot is not seen or touched, and its place is free", "[sim][world]") {
-    for (const int others : {0, 12}) {  // few are looked at one by one, many are found in a grid
+    for (const int others : {0, 12}) {  // few are tested one by one, many are found in a grid
         ArenaSpec arena;
         arena.cylinders.push_back({.at = {0.3, 0, 0.2}, .radius = 0.02, .height = 0.02, .mass = 0.02});
         TryWorld w(arena);

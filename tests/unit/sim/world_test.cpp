@@ -11,7 +11,7 @@ using namespace nezumi::sim;
 
 namespace {
 
-// Twelve discs and mice that drive into each other, a wall and movable things: islands of every size.
+// Twelve discs and mice that collide with each other, a wall and movable things: islands of every size.
 TryWorld make_crowd(std::uint64_t seed) {
     ArenaSpec arena;
     arena.size = Point2D{1.6, 1.6};
@@ -87,7 +87,7 @@ TEST_CASE("when two robots touch, each one reports the other", "[sim][world]") {
         CHECK(w.world->collided_with(0) == "right");
         CHECK(w.world->collided_with(1) == "left");
         CHECK_FALSE(w.world->collided(2));
-        // Hulls touch, they don't sink into each other; pushing, they lean a little.
+        // Hulls touch without overlapping; while pushing, they lean slightly.
         CHECK(w.truth(1).pose.position.x - w.truth(0).pose.position.x == Approx(spec->body.size.x).margin(0.005));
     }
 }
@@ -133,7 +133,7 @@ TEST_CASE("a robot pushes a movable box, but not a too heavy one", "[sim][world]
             CHECK(box.pose.position.x == Approx(0.3).margin(1e-3));
         }
         CHECK(box.pose.position.z == Approx(0.05).margin(1e-3));
-        // Left alone it comes to rest and stays where it is.
+        // After the release it comes to rest and stays.
         w.ramp(0, {-0.2, -0.2}, 0.2);
         w.run(1);
         const double x = w.world->things()[0].pose.position.x;
@@ -174,7 +174,7 @@ TEST_CASE("movable boxes stack, sleep and wake", "[sim][world]") {
     }
     w.bodies[0]->set_wheel_speeds({0.5, 0.5});
     w.run(4);
-    for (const ThingPose& thing : w.world->things()) {  // the tower falls, nothing hangs in the air
+    for (const ThingPose& thing : w.world->things()) {  // the tower falls; nothing hangs in the air
         CHECK(thing.pose.position.z > 0.02);
         CHECK(thing.pose.position.z < 0.16);
     }
@@ -238,7 +238,7 @@ TEST_CASE("many robots in a pile stay finite, upright and within the walls", "[s
     for (int i = 0; i < 25; ++i) {
         w.add(i % 3 == 0 ? mouse : disc, 0.22 * (i % 5 - 2), 0.22 * (i / 5 - 2), i);
     }
-    // All to the middle, over and over, at speeds beyond any limit.
+    // All drive to the middle, repeatedly, at speeds beyond any limit.
     double tilt = 0;
     std::mt19937 random(1);
     for (int k = 0; k < 40; ++k) {

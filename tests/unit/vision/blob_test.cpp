@@ -1,4 +1,4 @@
-// The largest connected part of a mask: which one that is, and what is told of it.
+// The largest connected region of a mask, and its properties.
 #include "engine/vision/blob.hpp"
 
 #include <catch2/catch.hpp>
@@ -10,7 +10,7 @@ using namespace nezumi;
 
 namespace {
 
-// A mask as it is drawn: what is not a point is marked.
+// A mask as a drawing: every character other than a point is marked.
 GrayImage mask_of(const std::vector<std::string>& rows) {
     GrayImage mask{static_cast<int>(rows[0].size()), static_cast<int>(rows.size()), {}};
     for (const std::string& row : rows) {

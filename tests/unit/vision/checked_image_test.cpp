@@ -1,4 +1,4 @@
-// Pictures that are none, and what is said of them.
+// Invalid pictures and their errors.
 #include <catch2/catch.hpp>
 
 #include "engine/vision/checked_image.hpp"

@@ -1,4 +1,4 @@
-// Colours in pictures: which pixels count, which thing, where it is; then the component around that.
+// Colours in pictures: pixels, objects and positions; then the component.
 #include "engine/vision/color_detector.hpp"
 
 #include <chrono>
@@ -13,12 +13,12 @@ namespace {
 
 constexpr Color ground{200, 200, 200}, red{255, 0, 0}, green{0, 255, 0}, blue{0, 0, 255};
 
-// Of saturated, bright colours.
+// Saturated, bright colours.
 ColorRange hues(double from, double to) {
     return {.hue_from = from, .hue_to = to, .saturation_from = 0.5, .value_from = 0.5};
 }
 
-// Whether anything of a picture of this colour alone is in the range.
+// True if a picture with only this colour has pixels in the range.
 bool has(Color color, const ColorRange& range) { return find_color(Canvas(8, 8, color).colors(), range).has_value(); }
 
 struct ColorWatch : Watched<ColorDetector> {
@@ -68,14 +68,14 @@ TEST_CASE("a range of hues whose end is below its beginning goes through red", "
     CHECK_FALSE(has(crimson, hues(5, 20)));
     CHECK_FALSE(has(green, hues(340, 20)));
     CHECK(has(green, hues(20, 340)));
-    // 0 and 360 are one hue, whichever way it is written.
+    // 0 and 360 are the same hue.
     CHECK(has(red, hues(340, 360)));
     CHECK(has(red, hues(0, 20)));
     CHECK(has(red, hues(360, 20)));
     CHECK(has(red, hues(360, 360)));
     CHECK(has(red, hues(0, 0)));
     CHECK_FALSE(has(green, hues(360, 20)));
-    // The two halves of a thing on both sides of red are one thing.
+    // Two halves of an object on both sides of red are one object.
     const auto both = find_color(
         Canvas(100, 80, ground).paint(20, 10, 20, 20, crimson).paint(40, 10, 20, 20, scarlet).colors(), hues(340, 20));
     REQUIRE(both);
@@ -245,7 +245,7 @@ TEST_CASE("a colour is published after the detector's latency, of the newest pic
     watch.run(1);
     CHECK(watch.port("centre").count() == 1);
     CHECK(watch.left() == Approx(0.8).margin(0.01));
-    watch.run(10);  // the second one was passed over
+    watch.run(10);  // the second one was skipped
     CHECK(watch.port("centre").count() == 2);
     CHECK(watch.left() == Approx(0).margin(0.01));
 }

@@ -1,4 +1,4 @@
-// What detectors take memory for while they look at one picture after the other.
+// Memory that detectors allocate for a series of pictures.
 #include "engine/vision/color_detector.hpp"
 #include "engine/vision/line_detector.hpp"
 #include "engine/vision/marker_detector.hpp"
@@ -18,7 +18,7 @@ CameraImage picture(const std::string& format) {
             .pixels = Octets(static_cast<std::size_t>(320 * 240 * bytes), 100)};
 }
 
-// By the thread that ticks, for some pictures after the first.
+// Allocated by the ticking thread for some pictures after the first.
 template <class Detector>
 std::size_t allocations_for(const std::string& format) {
     Watched<Detector> watch({}, {}, {{"frame_rate", 0.01}}, false);

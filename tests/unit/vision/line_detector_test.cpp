@@ -1,4 +1,4 @@
-// Lines in pictures: what counts as one, where it is and which way it runs; then the component around that.
+// Lines in pictures: detection, position and angle; then the component.
 #include "engine/vision/line_detector.hpp"
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr Color floor_of_room{210, 210, 210}, black{20, 20, 20}, white{250, 250, 250};
 
-// A line 9 px wide through (x, y) that runs this way [rad], 0 upright and positive to the left.
+// A line 9 px wide through (x, y) with this angle [rad], 0 vertical and positive to the left.
 Canvas with_line(double x, double y, double angle, Color line = black, Color ground = floor_of_room) {
     Canvas canvas(160, 120, ground);
     canvas.paint_where(line, [&](int column, int row) {
@@ -33,7 +33,7 @@ struct LineWatch : Watched<LineDetector> {
     double angle() { return value<double>("angle"); }
 };
 
-// A floor that the camera, 0.1 m above the origin, looks at from a height: the line that an EV3 follows.
+// A floor seen by a camera 0.1 m above the origin, with the line that an EV3 follows.
 ArenaSpec floor_with_line() {
     ArenaSpec arena;
     arena.floor = FloorSpec{.image = source_root() + "/behaviors/line.png", .size = {1.6, 1.2}};
@@ -65,7 +65,7 @@ TEST_CASE("a line that leans to the left has a positive angle", "[vision][line]"
         const auto line = line_in(with_line(80, 90, angle));
         REQUIRE(line);
         CHECK(line->x == Approx(80).margin(1));
-        CHECK(line->angle == Approx(angle).margin(0.05));  // its ends are cut level
+        CHECK(line->angle == Approx(angle).margin(0.05));  // its ends are cut horizontally
     }
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("a camera that looks down sees the line of a floor, left of it or righ
     CHECK(ahead == Approx(0).margin(0.1));
     CHECK(seen(-0.37, 0).first > 0.15);
     CHECK(seen(-0.33, 0).first < -0.15);
-    // Looking to the right of where it runs, the line goes to the left.
+    // If the camera looks to the right of the line's direction, the line goes to the left.
     CHECK(seen(-0.35, -0.4).second > 0.2);
     CHECK(seen(-0.35, 0.4).second < -0.2);
     const auto [noisy, noisy_angle] = seen(-0.37, 0.1, {{"noise", 13.0}, {"blur", 1.5}});

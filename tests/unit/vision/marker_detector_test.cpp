@@ -1,4 +1,4 @@
-// The detector as a component: when it publishes what.
+// The detector as a component: when it publishes.
 #include "tests/unit/vision/seen.hpp"
 
 #include <string>
@@ -21,7 +21,7 @@ struct MarkerWatch : Watched<MarkerDetector> {
 
 TEST_CASE("what a picture shows is published after the camera's and the detector's latency", "[vision][detector]") {
     MarkerWatch watch(one_marker(), {{"latency", 0.03}}, {{"latency", 0.05}});
-    watch.run(8);  // ticks 0 to 7: exposed in tick 0, published in tick 5, looked at from then on
+    watch.run(8);  // ticks 0 to 7: exposed in tick 0, published in tick 5, processed from then on
     CHECK(watch.port("pos").count() == 0);
     CHECK(watch.port("visible").count() == 0);
     watch.run(1);
@@ -122,7 +122,7 @@ TEST_CASE("each of the detector's intrinsics is used, and those that are 0 follo
     CHECK(plain.y == Approx(0.1).margin(0.002));
     CHECK(plain.z == Approx(0.05).margin(0.002));
     CHECK(seen({{"fy", c.fx}, {"cx", c.cx}, {"cy", c.cy}}) == plain);
-    // 20 pixels farther to the right, or farther down, the middle makes it lie so much more to the left, or higher.
+    // If the middle is 20 pixels farther right or down, the marker is farther left or up by the same angle.
     CHECK(seen({{"cx", c.cx + 20}}).y - plain.y == Approx(20 / c.fx * 0.6).epsilon(0.1));
     CHECK(seen({{"cy", c.cy + 20}}).z - plain.z == Approx(20 / c.fx * 0.6).epsilon(0.1));
     CHECK(seen({{"fy", 1.2 * c.fx}}).z < 0.95 * plain.z);
@@ -167,7 +167,7 @@ TEST_CASE("a distorted marker is found at its true place", "[vision][detector]")
     CHECK(watch.pos().position.x == Approx(at.x).margin(0.007));
     CHECK(watch.pos().position.y == Approx(at.y).margin(0.003));
     CHECK(watch.pos().position.z == Approx(at.z - 0.1).margin(0.003));
-    // Taken for a pinhole's, the same picture tells another place.
+    // With a pinhole's intrinsics, the same picture gives another position.
     MarkerWatch blind(one_marker(at), {{"fx", pinhole(640, 480, field_of_view).fx}}, barrel);
     blind.run(20);
     REQUIRE(blind.visible());
@@ -244,7 +244,7 @@ TEST_CASE("all markers in sight come at once, the nearest first", "[vision][dete
         CHECK(seen[i].pose.position.y == Approx(at.y).margin(0.01));
         CHECK(seen[i].pose.position.z == Approx(at.z - 0.1).margin(0.01));
     }
-    // The first of them is the one that pos and id tell.
+    // pos and id belong to the first of them.
     CHECK(watch.value<std::int32_t>("id") == 1);
     CHECK(watch.pos() == seen[0].pose);
 

@@ -1,4 +1,4 @@
-// Where tags are found, against the truth of the simulated world.
+// Positions of tags, compared with the truth of the simulated world.
 #include "tests/unit/vision/seen.hpp"
 
 using namespace nezumi;
@@ -29,7 +29,7 @@ TEST_CASE("a marker turned to the left has a positive yaw, and a tilted one a pi
         CHECK(only_tag(*world).pose.orientation.y == Approx(turn).margin(0.03));
     }
     for (const double tilt : {-0.5, 0.5}) {
-        // Its front goes down, seen from the camera its picture leans towards it.
+        // Its front is turned down, so in the picture it leans towards the camera.
         REQUIRE(world->move_marker("target", {{0.5, 0, 0.1}, {.p = tilt, .y = M_PI}}));
         CHECK(only_tag(*world).pose.orientation.p == Approx(-tilt).margin(0.03));
     }

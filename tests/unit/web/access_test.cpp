@@ -1,4 +1,4 @@
-// Who is let in: nobody without the token, from another page, or by another name of this computer.
+// Access control: requests without the token, from another page or under another host name are refused.
 #include "bindings/web/access.hpp"
 
 #include <catch2/catch.hpp>
@@ -79,7 +79,7 @@ TEST_CASE("requests under another host name are refused, also for files", "[web]
         CHECK(browser.ask("GET / HTTP/1.1\r\nHost: " + host + "\r\n").substr(9, 3) == refused);
     }
     CHECK(status_of(rig, "", "http://" + rig.host(), protocols) != "101");
-    // A tunnel has a port of its own.
+    // A tunnel has its own port.
     CHECK(status_of(rig, "localhost:9000", "http://localhost:9000", protocols) == "101");
 }
 

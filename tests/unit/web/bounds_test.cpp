@@ -1,4 +1,4 @@
-// Browsers that say too much, listen too little or talk nonsense harm nobody but themselves.
+// Browsers that send too much, receive too little or send nonsense harm only themselves.
 #include <catch2/catch.hpp>
 #include <vector>
 

@@ -1,4 +1,4 @@
-// What a browser is shown of a running system, and what it does to it.
+// What a browser is shown of a running system, and its actions on it.
 #include <catch2/catch.hpp>
 
 #include "engine/values/cdr.hpp"
@@ -19,7 +19,7 @@ Json drive_message(bool take) {
     return {{"do", "drive"}, {"port", "mouse.target_velocity_in"}, {"value", velocity}, {"take", take}};
 }
 
-// The next frame, past all texts.
+// The next frame; skips texts.
 WebFrame next_frame(RawBrowser& browser) {
     for (;;) {
         const auto got = browser.next();
@@ -164,7 +164,7 @@ TEST_CASE("driving a port of another user is refused, or taken over on request, 
     rig.paused = false;
     RawBrowser browser = rig.open(), other = rig.open();
     const Actor first{Actor::Kind::browser, "1"};
-    // What holds without a word of its browser, so that no time is measured.
+    // A hold that does not depend on browser messages, so that no time matters.
     REQUIRE(rig.live->act(Hold{"mouse.target_velocity_in", Velocity2D{.vx = 0.1}}, first));
     REQUIRE(other.send_frame(drive_message(false).dump()));
     const auto refused = Json::parse(other.next_text("\"is\":\"drive\""));

@@ -1,4 +1,4 @@
-// Certificates: kept as long as they are good, and nobody else's to read.
+// Certificates: stored while they are valid, readable only by the user.
 #include "bindings/web/certificate.hpp"
 
 #include <sys/stat.h>

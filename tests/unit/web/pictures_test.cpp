@@ -1,4 +1,4 @@
-// What is taken of cameras' pictures while the system ticks, to be encoded beside it.
+// Memory for cameras' pictures that are copied in ticks and encoded outside them.
 #include <catch2/catch.hpp>
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// What a browser is told besides numbers that change: the log before it came, the floor, markers, what is set by hand.
+// What a browser is shown besides changing numbers: earlier log lines, the floor, markers, changes by hand.
 #include <catch2/catch.hpp>
 
 #include <map>
@@ -23,7 +23,7 @@ Json next_system(RawBrowser& browser, std::string_view with = "") {
     }
 }
 
-// The next message of this kind, without the four bytes that say it.
+// The next message of this kind, without its four bytes for the kind.
 std::string next_binary(RawBrowser& browser, char kind) {
     for (;;) {
         const auto got = browser.next();

@@ -1,4 +1,4 @@
-// The world as a browser is shown it, and carried about by it.
+// The world as shown to a browser, and moved by it.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 using Json = WebRig::Json;
 
-// The first robot as it is told next.
+// The next state of the first robot.
 WebRobot next_robot(RawBrowser& browser) {
     for (;;) {
         const auto got = browser.next();
@@ -69,8 +69,7 @@ robot "mouse" { model = "raspimouse", pose = { x = -0.1, y = 0, heading = 0 } }
     WebRobot robot = next_robot(browser);
     CHECK(robot.contacts.empty());
     while (!is_at_the_wall(robot)) robot = next_robot(browser);
-    // It bounces as it arrives, and climbs a little as it pushes: which moment a browser is shown depends on the
-    // machine.
+    // It bounces on arrival and climbs slightly while it pushes; which moment a browser sees depends on the machine.
     const auto is_tilted_up = [](const WebRobot& shown) { return shown.pitch < -0.05 && shown.pitch > -0.25; };
     for (int i = 0; i < 300 && !(is_at_the_wall(robot) && is_tilted_up(robot)); ++i) robot = next_robot(browser);
     CHECK(robot.collided);
