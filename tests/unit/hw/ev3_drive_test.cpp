@@ -127,8 +127,8 @@ TEST_CASE("an EV3 with a low battery stops, reports it once, and drives again wh
     ev3.run(1.2, {.vx = 0.1});
     CHECK(fake.moves());  // starting motors lower the voltage for a moment
     REQUIRE(ev3.run(3, {.vx = 0.1}, [&] { return !fake.moves(); }));
-    CHECK(ev3.log == std::vector<std::string>{"battery: is low, below 6.2 V: the robot stands until it is charged, or "
-                                              "its cells are changed"});
+    CHECK(ev3.log == std::vector<std::string>{"battery: is low, below 6.2 V: the robot stands until the battery is "
+                                              "charged or its cells are changed"});
     fake.say("battery 6300000");
     ev3.run(1, {.vx = 0.1});
     CHECK_FALSE(fake.moves());

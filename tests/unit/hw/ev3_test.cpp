@@ -90,7 +90,7 @@ TEST_CASE("a robot file that the driver ev3 can't serve is refused", "[hw][ev3]"
     RobotSpec two_arms = ev3_spec();
     two_arms.actuators.push_back(two_arms.actuators.front());
     for (ActuatorSpec& actuator : two_arms.actuators) actuator.kind = ActuatorSpec::Kind::servo;
-    CHECK(refusal(two_arms).find("the driver ev3 has one servo, and model 'ev3' needs ") == 0);
+    CHECK(refusal(two_arms).find("the driver ev3 has one servo, but model 'ev3' needs ") == 0);
     RobotSpec same_port = ev3_spec();
     for (SensorSpec& sensor : same_port.sensors) {
         if (sensor.name == "left") sensor.port = "in3";

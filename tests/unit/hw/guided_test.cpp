@@ -33,7 +33,7 @@ TEST_CASE("the doctor turns each wheel both ways, then switches the motors off",
     CHECK(broken.status == 1);
     CHECK(
         broken.out.find("wrong  wheels: right wheel forward: 0.000 m counted, 0.050 m expected\n       do: its counter "
-                        "or its motor is not connected: look at their cables\n") != std::string::npos);
+                        "or its motor is not connected: check their cables\n") != std::string::npos);
     CHECK_FALSE(fake.motion().power);
 }
 

@@ -71,9 +71,10 @@ TEST_CASE("a folder that has files and was not pushed to before is refused by an
     for (const std::string name :
          {"Documents", "Documents/", "./Documents", "papers", "~/Documents", "here/Documents"}) {
         CAPTURE(name);
-        CHECK(refusal(robot, name) == name +
-                                          " has files and was not pushed to before: choose another folder by --to, or "
-                                          "move it away there");
+        CHECK(refusal(robot, name) ==
+              name +
+                  " has files and was not pushed to before: choose another folder with --to, or "
+                  "move it away there");
     }
     CHECK(refusal(robot, "Documents/letter") == "Documents/letter: Not a directory");
     CHECK(refusal(robot, "~pi") ==
