@@ -284,24 +284,6 @@ TEST_CASE("a line is painted from point to point", "[lua][system_file]") {
     CHECK(spec.arena.lines[1].place.line == 2);
 }
 
-TEST_CASE("a line needs points, and a floor to be painted on", "[lua][system_file]") {
-    const auto said = [](const std::string& line) {
-        return system_error("arena { size = { 2, 2 }, line { " + line + " } }");
-    };
-    CHECK(said("width = 0.1").find("line: field 'points' is missing: expected { { x, y }, ... } in m") !=
-          std::string::npos);
-    CHECK(said("points = { { 0, 0 } }").find("line: field 'points' expected two points or more, got 1") !=
-          std::string::npos);
-    CHECK(said("points = { { 0, 0 }, { 1 } }").find("line: field 'points[2]' expected { x, y }, two numbers in m") !=
-          std::string::npos);
-    CHECK(said("points = { { 0, 0 }, { 0, 1 } }, width = 0").find("'width' expected a positive number, got 0") !=
-          std::string::npos);
-    CHECK(said("points = { { 0, 0 }, { 0, 1.1 } }") ==
-          "s.lua:1: line: the point { 0, 1.1 } lies outside of the arena, 2 x 2 m");
-    CHECK(system_error("arena { line { points = { { 0, 0 }, { 0, 1 } } } }") ==
-          "s.lua:1: line: there is nothing that it could be painted on: give the arena a size or a floor");
-}
-
 TEST_CASE("what a map of ROS has occupied stands in the arena", "[lua][system_file]") {
     const Scratch scratch;
     scratch.write("behaviors/rooms/map.yaml", "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
