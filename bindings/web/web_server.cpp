@@ -188,7 +188,7 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
 
 Expected<WebServer::Reply> WebServer::restart(ClientId client, std::int64_t id, const Browser& browser) {
     if (clock_.is_hardware()) return failure(std::string(only_real_time));
-    if (!worker_.is_idle()) return failure("somebody is about to restart it already");
+    if (!worker_.is_idle()) return failure("a restart is being prepared already");
     restart_ = {client, id, browser.who};
     worker_.start(live_.prepare(Restart{}));
     return Reply::later;

@@ -987,17 +987,17 @@ function robot_model(fields) end
 ---A port as seen from outside: looking at it consumes nothing.
 ---@class Port
 ---@field age number how long ago its stamp was [s]; math.huge before anything came
----@field connected boolean whether somebody is at its other end
+---@field connected boolean whether another port is connected to it
 ---@field count integer messages since the start
 ---@field direction "in"|"out" whether its component reads or writes it
----@field doc string what its component says that it is
----@field drop fun(self: Port) nothing gets through, until release
----@field freeze fun(self: Port) the present value again and again, until release
----@field hold fun(self: Port, value: any, options?: HoldOptions) this value and nothing else, until release
----@field holder string? whose hand is on it, or nil
+---@field doc string its description
+---@field drop fun(self: Port) no message gets through until release
+---@field freeze fun(self: Port) the present value is repeated until release
+---@field hold fun(self: Port, value: any, options?: HoldOptions) only this value gets through until release
+---@field holder string? who holds, drops or freezes it, or nil
 ---@field inject fun(self: Port, value: any) one message, as from a connection
 ---@field name string its name
----@field note string what its robot says of it: that commands are ignored, for example
+---@field note string a note of its robot, for example that commands are ignored
 ---@field override string "held", "dropped", "frozen" or ""
 ---@field path string "name.port"
 ---@field peers string[] the ports at its other end
@@ -1016,8 +1016,8 @@ function robot_model(fields) end
 ---@field commands string[] the names of its commands
 ---@field config table<string, ParameterValue> its parameters, read and written within their bounds
 ---@field deactivate fun(self: Component): string makes it INACTIVE; gives the status that follows
----@field disturb fun(self: Component, velocities?: VelocityConstraintFields) of robots: a hand forces these speeds on it; without them the hand lets go
----@field error string? what went wrong last, or nil
+---@field disturb fun(self: Component, velocities?: VelocityConstraintFields) of robots: forces these speeds on it, as a hand would; without them it moves freely again
+---@field error string? its last error, or nil
 ---@field leds boolean[] of robots: which of its lights are on
 ---@field limits table<string, number> of robots: the highest speeds and accelerations that it obeys
 ---@field name string its name
@@ -1032,7 +1032,7 @@ function robot_model(fields) end
 ---@field state table a copy of what its script keeps in `state`
 ---@field status "INACTIVE"|"ACTIVE"|"ERROR" "INACTIVE", "ACTIVE" or "ERROR"
 ---@field tasks table<string, TaskView> its tasks: status, since, waiting and line of each
----@field teleport fun(self: Component, pose: PoseFields) of robots: carries it to a pose, at rest
+---@field teleport fun(self: Component, pose: PoseFields) of robots: puts it at a pose, at rest
 ---@field touching string? of robots: what it touches, or nil
 ---@field truth { pose: Pose2D, velocity: Velocity2D, height: number, tilt: number } of robots: what the simulation knows of it: pose, velocity, height, tilt
 ---@field type string its component type

@@ -65,7 +65,7 @@ int list_network(const ListOptions& options) {
         for (const dds::TopicSample& sample : reader->take()) hosts.heard(sample.writer, sample.bytes, 0);
     }
     const std::string text = dds::list_domain(hosts.all(), (*place)->seen());
-    put_text(stdout, text.empty() ? fmt::format("nobody is in domain {}\n", options.domain) : text);
+    put_text(stdout, text.empty() ? fmt::format("domain {} is empty\n", options.domain) : text);
     return exit_done;
 }
 

@@ -16,7 +16,7 @@ namespace nezumi::cli {
 
 Expected<void> Person::is_there() const {
     if (is_sure_ || isatty(STDIN_FILENO) != 0) return {};
-    return failure("somebody has to stand beside the robot: run this on a terminal, or with --yes");
+    return failure("a person has to stand beside the robot: run this on a terminal, or with --yes");
 }
 
 void Person::tell(const std::string& text) const { put_text(stderr, text + "\n"); }
@@ -52,7 +52,7 @@ Expected<std::string> Person::line() {
         if (length == 1 || (length < 0 && errno == EINTR && end_ == 0)) continue;
         put_text(stderr, "\n");
         return failure(end_ != 0 ? "ended before it was done: the robot stands"
-                                 : "nobody answers: standard input has ended");
+                                 : "there is no answer: standard input has ended");
     }
 }
 

@@ -240,7 +240,7 @@ private:
         loop_->after_tick([this] { console_->after_tick(); });
         if (options_.batch) loop_->end_waits_while([this] { return console_->batch_works(); });
         // A run that nobody can attach to is better than none.
-        if (auto ok = console_->listen(); !ok) screen_.say("nobody can attach: " + ok.error().message);
+        if (auto ok = console_->listen(); !ok) screen_.say("no console can attach: " + ok.error().message);
         if (options_.batch) return console_->open_batch();
         const std::string page = open_web();
         if (prompt_) return console_->open_prompt(page);

@@ -85,7 +85,7 @@ Expected<std::string> parameter_help(const Component& component, std::string_vie
     if (parameter != nullptr) {
         return fmt::format("{}.config.{}\n  its default is {}, {}", component.name(), parameter_text(*parameter),
                            to_text(parameter->spec.initial),
-                           parameter->set ? "and somebody set it" : "which it follows");
+                           parameter->set ? "and it was set" : "and it was not set");
     }
     std::vector<std::string> names;
     for (const auto& each : component.parameters().all()) names.push_back(each.spec.name);

@@ -225,7 +225,7 @@ TEST_CASE("who is in a domain is listed", "[cli][network][wallclock]") {
     for (int i = 0; i < 10 && out.find("host one") == std::string::npos; ++i)
         out = run_nezumi({"network", "list", "--domain", "221", "--seconds", "2"}).out;
     CHECK(out.find("host one  nezumi 0.") != std::string::npos);
-    CHECK(run_nezumi({"network", "list", "--domain", "225", "--seconds", "0.2"}).out == "nobody is in domain 225\n");
+    CHECK(run_nezumi({"network", "list", "--domain", "225", "--seconds", "0.2"}).out == "domain 225 is empty\n");
     CHECK(run_nezumi({"network", "list", "--domain", "300"}).error ==
           "nezumi: network list: --domain: expected 0 to 232, got 300\n");
 }

@@ -28,10 +28,10 @@ TEST_CASE("help explains components, ports, parameters and members", "[console][
           "controller.config.speed_x = 0.25  m/s, -1.5 to 1.5  straight-ahead speed\n  its default is 0.25, which it "
           "follows");
     CHECK_THAT(it.type("controller.config.stop_d = 31 step(1) help 'controller.config.stop_d'"),
-               Contains("stop_d = 31\n  its default is 30, and somebody set it"));
+               Contains("stop_d = 31\n  its default is 30, and it was set"));
     CHECK(it.type("help(controller.config)") == it.type("print(controller.config)"));
     CHECK(it.type("help 'controller.status'") == "controller.status  \"INACTIVE\", \"ACTIVE\" or \"ERROR\"");
-    CHECK(it.type("help 'mouse:teleport'") == "mouse:teleport(pose)  carries it to a pose, at rest");
+    CHECK(it.type("help 'mouse:teleport'") == "mouse:teleport(pose)  puts it at a pose, at rest");
     CHECK(it.type("help 'controller:add'") == "controller:add(...)  counts up");
     CHECK_THAT(it.type("help(mouse.truth)"), StartsWith("mouse.truth  what the simulation knows of it"));
     CHECK_THAT(it.type("help 'controller.truth'"), StartsWith("! help: controller has no 'truth'"));

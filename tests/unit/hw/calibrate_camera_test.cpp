@@ -187,7 +187,7 @@ TEST_CASE("a camera that can't be calibrated is told in one line", "[hw][calibra
     CHECK(said({"free.lua", "--sim"}) ==
           "free.lua:2: camera 'eye' is on no robot, whose calibration would have it: give it one by on = \"NAME\"\n");
     CHECK(said({"one.lua"}) ==
-          "nezumi: somebody has to stand beside the robot: run this on a terminal, or with --yes\n");
+          "nezumi: a person has to stand beside the robot: run this on a terminal, or with --yes\n");
     CHECK(said({"one.lua", "--sim", "--board", "9"})
               .find("expected its inner corners as COLUMNSxROWS, from 3 to 50, "
                     "as 9x6") != std::string::npos);

@@ -225,7 +225,7 @@ TEST_CASE("what can't be calibrated is told in one line", "[hw][calibration]") {
     CHECK(said({"ir", "two.lua", "--yes", "--robot", "c"}) == "nezumi: there is no robot 'c' in two.lua\n");
     CHECK(said({"ir", "none.lua", "--yes"}) == "nezumi: none.lua has no robot\n");
     CHECK(said({"odometry", "two.lua", "--robot", "a"}) ==
-          "nezumi: somebody has to stand beside the robot: run this on a terminal, or with --yes\n");
+          "nezumi: a person has to stand beside the robot: run this on a terminal, or with --yes\n");
     CHECK(said({"odometry", "two.lua", "--robot", "a", "--yes", "--dev-root", folder}).find("rtmotoren0") !=
           std::string::npos);
 }

@@ -69,7 +69,7 @@ TEST_CASE("without a rig a scenario that asks for the truth, collisions or a han
           "[hw][test][fakes][wallclock]") {
     Mouse fake;
     const std::string why =
-        "mouse is a real robot, and nobody sees it from outside: run this in simulation, or give --rig mouse=SOCKET";
+        "mouse is a real robot, whose true pose is not known: run this in simulation, or give --rig mouse=SOCKET";
     for (const std::string body :
          {"s:load 'ahead.lua' s:always('x', function() return s.mouse.truth.pose.position.x < 9 end) s:run(1)",
           "s:load 'ahead.lua' s:never('x', function() return s.mouse.collided end) s:run(1)",

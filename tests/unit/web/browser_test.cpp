@@ -193,7 +193,7 @@ TEST_CASE("a drive that somebody takes over is told to who has lost it", "[web]"
     CHECK(told.empty());
     REQUIRE(rig.live->act(Hold{message.port, Velocity2D{}, true}, {Actor::Kind::console}));
     drives.serve(now);
-    CHECK(told == "1 mouse.target_velocity_in: somebody else drives it, or it is gone");
+    CHECK(told == "1 mouse.target_velocity_in: another user drives it, or it was removed");
 }
 
 TEST_CASE("a drive rests for a tick after half a second of silence, and is let go then", "[web]") {
