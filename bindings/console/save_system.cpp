@@ -71,8 +71,9 @@ Expected<void> bring_up_to_date(ComponentEntry& entry, const Component& componen
 // How a person would name this file within `named_in`: the shortest name that finds it again, else its path from there
 // when both are in the project, else its whole path.
 std::string name_of(const Project& project, const std::filesystem::path& file, const std::filesystem::path& named_in) {
-    const auto whole = std::filesystem::absolute(file).lexically_normal();
-    const auto naming = std::filesystem::absolute(named_in).lexically_normal().parent_path();
+    const std::filesystem::path working = project.files().working_folder();
+    const auto whole = (working / file).lexically_normal();
+    const auto naming = (working / named_in).lexically_normal().parent_path();
     std::vector<std::filesystem::path> folders{naming};
     if (!project.root().empty()) folders.push_back(project.root() / "behaviors");
     for (const auto& installed : project.installed()) folders.push_back(installed / "behaviors");

@@ -148,6 +148,21 @@ TEST_CASE("a value set by hand is saved in the set in use that names it, else in
     CHECK(named.config.at("p") == whole(2));
 }
 
+TEST_CASE("a save whose working folder has been deleted says so, and the session goes on", "[console][session]") {
+    SessionRig it;
+    const Scratch scratch;
+    const std::filesystem::path before = std::filesystem::current_path();
+    const std::filesystem::path gone = scratch.path("gone");
+    std::filesystem::create_directory(gone);
+    std::filesystem::current_path(gone);
+    std::filesystem::remove(gone);
+    const std::string answer = it.type("save 'saved.lua'");
+    std::filesystem::current_path(before);
+    CHECK(answer ==
+          "! save: 'saved.lua' can't be saved: the working folder is not known: No such file or directory");
+    CHECK(it.type("1 + 1") == "2");
+}
+
 TEST_CASE("a system is saved as a Lua file within its project, and nowhere else", "[console][session]") {
     SessionRig it;
     const Scratch outside;
