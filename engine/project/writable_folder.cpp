@@ -17,7 +17,7 @@ Expected<void> check_is_within(const std::filesystem::path& home, const std::fil
     std::error_code problem;
     const auto whole = std::filesystem::absolute(path, problem);
     if (problem)
-        return failure(fmt::format("'{}' can't be saved: the working folder is not known: {}", shown, problem.message()));
+        return failure(fmt::format("'{}': the working folder is not known: {}", shown, problem.message()));
     const auto real = std::filesystem::weakly_canonical(whole, problem);
     const auto within = std::filesystem::weakly_canonical(home, problem);
     const auto inside = real.lexically_relative(within);

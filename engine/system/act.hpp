@@ -163,8 +163,8 @@ struct Disturb {
 
     static constexpr std::tuple fields{
         Field{"robot", &Disturb::robot, "", ""},
-        Field{"vx", &Disturb::vx, "m/s", "speeds forced on it, in its frame; free when left out;"},
-        Field{"vy", &Disturb::vy, "m/s", "none at all: it moves freely again"},
+        Field{"vx", &Disturb::vx, "m/s", "speeds that a hand forces on it, in its frame; free when left out;"},
+        Field{"vy", &Disturb::vy, "m/s", "none at all: the hand lets go"},
         Field{"va", &Disturb::va, "rad/s", ""},
     };
 };
