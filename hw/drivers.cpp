@@ -1,4 +1,4 @@
-// One line for each driver of a robot or a device.
+// The drivers, one line each.
 #include "hw/drivers.hpp"
 
 #include "engine/devices/camera.hpp"

@@ -1,4 +1,4 @@
-// The drivers of real robots and devices by name: the one door of this room.
+// The drivers of real robots and devices by name: the public interface of this room.
 #pragma once
 
 #include "engine/system/build_system.hpp"
@@ -6,11 +6,10 @@
 
 namespace nezumi::hw {
 
-/// Makers of real robots' bodies by the name of their driver, which is their backend.
+/// Makers of real robots' bodies, by the driver's name (the backend).
 ByBackend<BodyMaker> drivers(const DeviceRoots& roots);
 
-/// Makers of components that are real devices, by type and by the name of their driver: the first of a type is its
-/// usual one.
+/// Makers of real devices as components, by type and driver name. The first driver of a type is the default.
 decltype(Makers::components) device_drivers(const DeviceRoots& roots);
 
 }  // namespace nezumi::hw

@@ -1,4 +1,4 @@
-// What moves in a world: robots and things, each a body of ODE.
+// The bodies that move in a world: robots and things.
 #pragma once
 
 #include <ode/ode.h>
@@ -17,7 +17,7 @@
 
 namespace nezumi::sim {
 
-/// A body of ODE, read through the pointers that it keeps for life.
+/// A view of an ODE body. Its pointers stay valid as long as the body lives.
 struct BodyView {
     explicit BodyView(dBodyID body)
         : id(body),
@@ -30,21 +30,21 @@ struct BodyView {
     Rotation rotation() const { return Eigen::Map<const RowMajor3x4>(r).leftCols<3>(); }
     Vec3 velocity() const { return Eigen::Map<const Vec3>(v); }
     Vec3 spin() const { return Eigen::Map<const Vec3>(w); }
-    /// Velocity [m/s] of the point that is now at `from_centre` from the centre, in the world's directions.
+    /// Velocity [m/s], in the world frame, of the body's point that is now at `from_centre` from the centre.
     Vec3 velocity_at(const Vec3& from_centre) const { return velocity() + spin().cross(from_centre); }
-    /// Whether it is somewhere and no faster than anything here can be.
+    /// True if position and velocities are finite and the speed is plausible (below 1000 m/s).
     bool is_sound() const { return centre().allFinite() && spin().allFinite() && velocity().squaredNorm() < 1e6; }
-    /// Puts it there, at rest.
+    /// Places the body at rest.
     void put(const Vec3& centre, const Rotation& rotation) const;
     BodyState state() const;
-    /// Puts it to where a state of it has got by `BodyState::advance`.
+    /// Places the body where `BodyState::advance` has moved `state`.
     void arrive(const BodyState& state) const;
 
     dBodyID id;
     const dReal *p, *r, *v, *w;
 };
 
-/// Puts the hull of a robot to where its body is.
+/// Moves the hull of a robot to the pose of its body.
 inline void place_hull(Shape& hull, const RobotModel& model, const Vec3& centre, const Rotation& rotation) {
     hull.rotation = rotation;
     hull.centre = centre + hull.rotation.col(2) * model.hull_drop;
@@ -53,13 +53,13 @@ inline void place_hull(Shape& hull, const RobotModel& model, const BodyView& bod
     place_hull(hull, model, body.centre(), body.rotation());
 }
 
-/// Who is near a mover: the only ones that are looked at in a step.
+/// The shapes near a mover. A step checks only these for contact.
 struct Neighbours {
     std::vector<Scene::Index> fixed;
     std::vector<Scene::Index> movers;
 };
 
-/// What a robot can touch: a fixed shape of the scene, or a mover.
+/// An obstacle that a robot can touch: a fixed shape of the scene, or a mover.
 struct Obstacle {
     bool moves = false;
     Scene::Index index = 0;
@@ -74,35 +74,35 @@ struct SimRobot {
           pressed(model->spec->sensors.size(), false),
           servos(model->spec->actuators.size(), 0.0) {}
 
-    /// The rays of its range sensors with the servos as they are.
+    /// The rays of its range sensors at the present servo angles.
     const RayFan& fan() const { return turned_fan != nullptr ? *turned_fan : model->fan; }
-    /// Whether ODE's solver moves it in the step that comes.
+    /// Sets whether ODE's solver moves the robot in the next step.
     void leave_to_ode(bool solved_by_ode);
-    /// Whether nothing but how it moves keeps it from rolling freely.
+    /// True if the robot can roll freely, provided that its motion allows it.
     bool may_roll() const { return !kept_by_ode && !meets && !coasting && !constraint; }
-    /// Whether its wheels are held where they are.
+    /// True if the motors hold the wheels at standstill.
     bool is_held() const { return !coasting && speeds.left == 0 && speeds.right == 0; }
-    /// Turns its driven wheels as in so many steps of `step` [s].
+    /// Turns the driven wheels by `steps` steps of `step` [s].
     void turn_wheels(double step, int steps = 1);
 
     BodyView body;
-    RobotModel* model;  // its contacts are filled in on the way to ODE
+    RobotModel* model;  // not const: its contacts are filled in before ODE gets them
     Scene::Index mover;
-    bool gone = false;  // removed: nobody meets or sees it any more, and its number is not given again
-    bool left = false;  // the arena, once
+    bool gone = false;  // removed: it is invisible and touches nothing; its number is not used again
+    bool left = false;  // has left the arena; reported once
     bool has_neighbours = false;
-    bool meets = false;        // touches something else than the flat floor, in this step
+    bool meets = false;        // touches something other than the flat floor in this step
     bool by_ode = true;        // ODE's solver moves it; otherwise it rolls freely
-    bool kept_by_ode = false;  // always: for tests that compare the two
+    bool kept_by_ode = false;  // ODE's solver always moves it: for tests that compare the two ways
     bool coasting = false;
     bool on_slope = false;  // a wheel or skid stands on a slope, in this step
     Wheels speeds;          // [m/s]
     Wheels angles;          // [rad]
     ConstraintMotors constraint;
-    std::unique_ptr<RayFan> turned_fan;  // once a servo that carries a sensor has moved
-    Motion rolling{};                    // of one that rolls freely, after the step
-    std::optional<Obstacle> touched;     // first in this call of `step`
-    std::vector<Vec3> contact_points;    // of the latest step of this call in which it touched something
+    std::unique_ptr<RayFan> turned_fan;  // set when a servo that carries a sensor has moved
+    Motion rolling{};                    // motion after the step, if it rolls freely
+    std::optional<Obstacle> touched;     // the first obstacle touched in this call of `step`
+    std::vector<Vec3> contact_points;    // points of the latest step of this call in which it touched something
     Neighbours near;
     std::string name;
     std::vector<bool> pressed;   // by sensor of the spec
@@ -113,9 +113,9 @@ struct SimRobot {
 struct Thing {
     Thing(dBodyID id, Scene::Index its_mover, double its_mass) : body(id), mover(its_mover), mass(its_mass) {}
 
-    /// Somebody touches it: it moves again, if it slept.
+    /// Wakes the thing after a touch, so that it moves again.
     void wake();
-    /// Lies still from now on, at no cost, until it is touched.
+    /// The thing lies still, without cost, until it is touched.
     void sleep();
 
     BodyView body;
@@ -126,7 +126,7 @@ struct Thing {
     Neighbours near;
 };
 
-/// All that move. As movers of the scene, the things come first, then the robots.
+/// All movers. In the scene, the things come first, then the robots.
 struct Movers {
     std::vector<Thing> things;
     std::vector<SimRobot> robots;

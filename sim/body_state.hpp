@@ -1,4 +1,4 @@
-// Where bodies are and how they move, apart from ODE: of one robot, or of several in lanes.
+// Pose and velocities of bodies, independent of ODE: of one robot, or of several robots in lanes.
 #pragma once
 
 #include <array>
@@ -8,13 +8,13 @@
 
 namespace nezumi::sim {
 
-// Real is double, or Lanes: the same for several robots.
+// `Real` is double, or Lanes for several robots at once.
 template <class Real>
 using Vector = Eigen::Matrix<Real, 3, 1>;
 template <class Real>
 using Matrix = Eigen::Matrix<Real, 3, 3>;
 
-/// How a body moves: its centre [m/s], and about it [rad/s], in the world's directions.
+/// Velocity of the centre [m/s] and angular velocity [rad/s], in the world frame.
 template <class Real>
 struct MotionOf {
     Vector<Real> velocity;
@@ -22,15 +22,15 @@ struct MotionOf {
 };
 using Motion = MotionOf<double>;
 
-/// Where a body is and how it moves: what a step needs of it.
+/// The pose and the motion of a body: the input of a step.
 template <class Real>
 struct BodyStateOf {
     Vector<Real> centre;       ///< [m]
     Matrix<Real> rotation;     ///< the same as `turn`
-    std::array<Real, 4> turn;  ///< a quaternion of length 1, its scalar first
+    std::array<Real, 4> turn;  ///< unit quaternion, scalar part first
     MotionOf<Real> motion;
 
-    /// Moves it for `step` [s], as a step of ODE does at its end, to the last bit.
+    /// Moves the body for `step` [s], bit for bit as ODE does at the end of a step.
     void advance(const MotionOf<Real>& how, double step);
 };
 using BodyState = BodyStateOf<double>;
@@ -45,7 +45,7 @@ void BodyStateOf<Real>::advance(const MotionOf<Real>& how, double step) {
     const Vector<Real> less = spin.cwiseProduct(along);
     Real w = turn[0] - (less.x() + less.y() + less.z()) * Real(step / 2);
     Real x = turned.x(), y = turned.y(), z = turned.z();
-    // As dNormalize4 and dQtoR do it.
+    // The same formulas as dNormalize4 and dQtoR.
     const Real scale = 1 / root(w * w + x * x + y * y + z * z);
     turn = {w *= scale, x *= scale, y *= scale, z *= scale};
     const Real xx = 2 * x * x, yy = 2 * y * y, zz = 2 * z * z;

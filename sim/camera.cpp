@@ -1,4 +1,4 @@
-// An exposure copies what stands where; developing it paints, distorts, blurs and adds noise.
+// The camera of the simulation: an exposure copies the scene; developing paints it, distorts, blurs and adds noise.
 #include "sim/camera.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ SimCamera::SimCamera(const OdeWorld& world, std::optional<RobotId> carrier, cons
       intrinsics_(settings.intrinsics()),
       distortion_(std::move(distortion)),
       noise_(settings.noise, settings.seed) {
-    // A camera shall cost one core: others run behaviours. What it sees does not depend on the number.
+    // A camera uses one core, because behaviours need the others. The picture does not depend on the number of threads.
     cv::setNumThreads(1);
 }
 
@@ -76,7 +76,8 @@ Expected<std::unique_ptr<CameraSource>> OdeWorld::open_camera(const CameraMount&
         return failure(fmt::format("there is no robot '{}' that could carry a camera", shown(mount.robot)));
     const CameraIntrinsics wanted = settings.intrinsics();
     std::optional<Distortion> distortion;
-    if (std::array{wanted.k1, wanted.k2, wanted.p1, wanted.p2, wanted.k3} != std::array<double, 5>{}) {
+    if (std::array{wanted.k1, wanted.k2, wanted.p1, wanted.p2, wanted.k3, wanted.k4, wanted.k5, wanted.k6} !=
+        std::array<double, 8>{}) {
         auto made = Distortion::make(wanted);
         if (!made) return Unexpected(made.error());
         distortion = std::move(*made);

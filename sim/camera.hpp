@@ -14,11 +14,11 @@ namespace nezumi::sim {
 
 class OdeWorld;
 
-/// Paints walls, boxes, cylinders, markers, the floor and the other robots, these as their hulls; who carries it does
-/// not see itself.
+/// Paints walls, boxes, cylinders, markers, the floor and the hulls of the other robots. The robot that carries the
+/// camera is not painted.
 class SimCamera final : public CameraSource {
 public:
-    /// `world` must outlive it. `distortion` is that of the settings, if there is one.
+    /// `world` must outlive it. `distortion` comes from the camera's settings, if they have one.
     SimCamera(const OdeWorld& world, std::optional<RobotId> carrier, const CameraMount& mount,
               const CameraSettings& settings, std::optional<Distortion> distortion);
 
@@ -34,8 +34,8 @@ private:
     CameraIntrinsics intrinsics_;
     std::optional<Distortion> distortion_;
     ImageNoise noise_;
-    std::vector<std::uint8_t> undistorted_;  // kept for its memory
-    std::map<int, Picture> tags_;            // by id, as far as they have been seen
+    std::vector<std::uint8_t> undistorted_;  // a buffer, kept to avoid allocation
+    std::map<int, Picture> tags_;            // by id: the tags that were painted before
 
     // The exposure:
     Scenery scenery_;

@@ -1,4 +1,4 @@
-// A linear and an angular motor of ODE.
+// A linear and an angular motor of ODE that force velocities.
 #include "sim/constraint_motors.hpp"
 
 #include "sim/bodies.hpp"
@@ -6,7 +6,7 @@
 namespace nezumi::sim {
 namespace {
 
-// [N] Strong enough against the wheels' grip, too weak to press a robot into a wall.
+// Motor force [N]: stronger than the wheels' grip, but too weak to press a robot into a wall.
 double strength(const RobotModel& model) { return 3 * model.mass * gravity; }
 
 }  // namespace
@@ -24,9 +24,9 @@ void ConstraintMotors::hold_linear(dWorldID world, const SimRobot& robot, const 
     const Rotation r = robot.body.rotation();
     const Vec3 first = r.col(constraint.vx ? 0 : 1);
     const double force = strength(*robot.model);
-    // `1`: the axis turns with the robot.
+    // `1`: the axis is relative to the robot's body.
     dJointSetLMotorAxis(motor, 0, 1, first.x(), first.y(), first.z());
-    // The velocities are those of the body frame's origin, the motor's those of the hull's centre.
+    // The constraint is for the origin of the body frame, but the motor acts at the hull's centre.
     const double side = constraint.va.value_or(0) * -robot.model->origin.x();
     dJointSetLMotorParam(motor, dParamVel, constraint.vx ? *constraint.vx : *constraint.vy + side);
     dJointSetLMotorParam(motor, dParamFMax, force);
@@ -42,7 +42,7 @@ void ConstraintMotors::hold_angular(dWorldID world, const SimRobot& robot, const
     const dJointID motor = angular_.get();
     dJointAttach(motor, robot.body.id, nullptr);
     dJointSetAMotorNumAxes(motor, 3);
-    // Roll and pitch are held too: else wheels that grip would make the robot nod or fall.
+    // Roll and pitch are held as well. Otherwise the grip of the wheels would tip the robot.
     const Rotation r = robot.body.rotation();
     const double torque = strength(*robot.model) * robot.model->spec->drive.track;
     dJointSetAMotorAxis(motor, 0, 1, r(0, 0), r(1, 0), r(2, 0));

@@ -1,4 +1,4 @@
-// Velocities forced on a robot from outside, as motors between it and the world.
+// Velocities forced on a robot from outside, by ODE motors between the robot and the world.
 #pragma once
 
 #include "engine/world/world.hpp"
@@ -8,11 +8,11 @@ namespace nezumi::sim {
 
 struct SimRobot;
 
-/// Empty, or the motors that hold a robot at the velocities of a `VelocityConstraint`. Must not outlive its world.
+/// The motors that hold a robot at the velocities of a `VelocityConstraint`, or none. Must not outlive its world.
 class ConstraintMotors {
 public:
     ConstraintMotors() = default;
-    /// Of the robot as it stands now: the axes then turn with it.
+    /// Uses the present heading of the robot; from then on the axes turn with it.
     ConstraintMotors(dWorldID world, const SimRobot& robot, const VelocityConstraint& constraint);
 
     explicit operator bool() const { return linear_ || angular_; }

@@ -1,4 +1,4 @@
-// What touches what, where, on which springs.
+// Finds the contacts of a step: which shapes touch, where, and with which spring.
 #include "sim/contacts.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ void set_touch(dContact& contact, const Touch& touch) {
     contact.geom.depth = touch.depth;
 }
 
-// Steeper than 0.1 degrees: gravity would make a standing robot creep by more than 0.4 mm a minute.
+// Steeper than 0.1 degrees: there gravity would make a standing robot creep by more than 0.4 mm a minute.
 bool is_slope(const Vec3& normal) { return normal.z() < 0.999998; }
 
 }  // namespace
@@ -94,7 +94,7 @@ void Contacts::add_contact(dBodyID a, dBodyID b, const Touch& touch, const Sprin
     attach(contact, a, b);
 }
 
-// The motor turns the wheel: its rim moves backwards under the axle, so the robot is driven along the friction's first
+// The motor turns the wheel. The rim moves backwards below the axle, so the robot moves along the first friction
 // direction.
 void Contacts::add_wheel_contact(SimRobot& robot, int side, const Touch& touch, const Vec3& forward, dBodyID other) {
     RobotModel& model = *robot.model;
@@ -129,7 +129,7 @@ void Contacts::touch_floor(SimRobot& robot) {
     if (hull.centre.z() < hull.half_height()) touch_floor_with(hull, robot.body.id, model.firm, hull_friction);
 }
 
-// The four deepest corners, or points on the rims.
+// Uses the four lowest corners of a box, or points on the rims of a cylinder.
 void Contacts::touch_floor_with(const Shape& shape, dBodyID body, const Spring& spring, double friction) {
     std::array<Vec3, 8> points;
     std::size_t count = 0;
@@ -142,7 +142,7 @@ void Contacts::touch_floor_with(const Shape& shape, dBodyID body, const Spring& 
             points[count++] = shape.centre + rotate(r, local);
         }
     } else {
-        // On each rim: the lowest point, and three more a quarter of a turn apart.
+        // On each rim: the lowest point, and three more at intervals of 90 degrees.
         const Vec3 slope = Vec3::UnitZ() - r.col(2) * r(2, 2);
         const double steep = slope.norm();
         const Vec3 low = steep > 1e-6 ? Vec3(slope * (-1 / steep)) : Vec3(r.col(0));
@@ -224,13 +224,13 @@ void Contacts::touch_robot(SimRobot& robot, SimRobot& other) {
     islands_.link(robot.mover, other.mover);
 }
 
-// Wheels and skids on a kerb, a ramp or something that lies on the floor, fixed (`other` is null) or movable.
+// Adds contacts of wheels and skids with a kerb, a ramp or a thing on the floor. `other` is null if the shape is fixed.
 bool Contacts::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
     const RobotModel& model = *robot.model;
     const Vec3 centre = robot.body.centre();
     const Rotation rotation = robot.body.rotation();
     bool touches = false;
-    // A wall is nothing to roll over, and most that is near is a wall.
+    // A robot can't roll over a wall, and most near shapes are walls.
     const double top = shape.is_upright() ? shape.centre.z() + shape.half.z() : -nothing;
     for (int side = 0; side < 2; ++side) {
         const Vec3 axle = centre + rotate(rotation, model.wheels[static_cast<std::size_t>(side)]);
@@ -242,7 +242,7 @@ bool Contacts::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
         }
     }
     for (const Vec3& skid : model.skids) {
-        // What reaches higher than the hull's bottom stops the hull before it comes under a skid.
+        // If it is higher than the hull's bottom, it touches the hull before it can reach a skid.
         const Vec3 lowest = centre + rotate(rotation, skid), from = lowest + rotation.col(2) * model.clearance;
         if (top >= from.z()) continue;
         Vec3 normal;
@@ -255,7 +255,7 @@ bool Contacts::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
     return touches;
 }
 
-// Wheels that stand out beside the hull stop at what is beside them.
+// Wheels that extend beyond the hull collide with obstacles beside them.
 int Contacts::touch_beside(SimRobot& robot, const Shape& shape, dBodyID other, const Spring& spring) {
     const RobotModel& model = *robot.model;
     if (model.wheel_overhang <= 0) return 0;
@@ -265,7 +265,7 @@ int Contacts::touch_beside(SimRobot& robot, const Shape& shape, dBodyID other, c
     for (int side = 0; side < 2; ++side) {
         const Vec3 out = rotation.col(1) * (side == 0 ? 1 : -1);
         const Vec3 wheel = centre + rotate(rotation, model.wheels[static_cast<std::size_t>(side)]);
-        // From as deep within the hull as a wheel can be pushed into something.
+        // The ray starts as deep within the hull as a wheel can be pushed into an obstacle.
         const double length = 3 * model.wheel_overhang;
         Vec3 normal;
         const double distance = cast_ray(shape, wheel - out * length, out, length, &normal);
@@ -296,7 +296,7 @@ void Contacts::touch_neighbours(Thing& thing) {
     }
     for (const Scene::Index i : thing.near.movers) {
         if (is_full()) return;
-        if (!movers_.is_thing(i)) continue;  // robots have done it
+        if (!movers_.is_thing(i)) continue;  // contacts with robots exist already
         Thing& other = movers_.things[i];
         if (!other.asleep && i < thing.mover) continue;  // each pair once
         const auto touches = narrow_.collide(shape, scene_.movers()[i]);
@@ -304,7 +304,7 @@ void Contacts::touch_neighbours(Thing& thing) {
         if (touches.empty()) continue;
         islands_.add_equations(thing.mover, 3 * static_cast<int>(touches.size()));
         if (other.asleep) {
-            // It keeps what it has been quiet for: two that rest on each other fall asleep together.
+            // It keeps its count of quiet steps, so that two things that rest on each other fall asleep together.
             other.asleep = false;
             dBodyEnable(other.body.id);
         }

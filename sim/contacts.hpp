@@ -18,29 +18,29 @@ public:
     /// `step` [s] is the length of a step. All must outlive it, the world first.
     Contacts(dWorldID world, double step, const Scene& scene, Movers& movers, Islands& islands);
 
-    /// Makes the contacts of these robots and of the things that are awake with the floor and their neighbours, notes
-    /// who has touched whom, and wakes what is touched. Whoever rolls freely gets no contacts but its
-    /// `SimRobot::rolling`. All robots that have neighbours must be among them. Neighbours and places in the scene must
-    /// be up to date.
+    /// Makes the contacts of these robots, and of the things that are awake, with the floor and their neighbours.
+    /// Records who touched whom and wakes touched things. A robot that rolls freely gets no contacts but its
+    /// `SimRobot::rolling`. `robots` must contain all robots that have neighbours. The neighbour lists and the scene
+    /// must be up to date.
     void find(std::span<SimRobot* const> robots);
-    /// Forgets who has touched whom.
+    /// Clears the records of touches.
     void forget_touches();
-    /// Whether there is anything for ODE in this step.
+    /// True if ODE has something to solve in this step.
     bool any_by_ode() const { return any_by_ode_; }
-    /// Whether there were more than a step has room for in the last `find`: what touches what was left out from there
-    /// on, the floor apart. Things that are heaped up have about 24 each; more means that they lie in each other.
+    /// True if the last `find` had more contacts than a step has room for; the rest was left out, except for contacts
+    /// with the floor. Piled things have about 24 contacts each; more means that they overlap.
     bool is_full() const { return count_ >= most_contacts(); }
     std::size_t most_contacts() const { return 1000 + 32 * (movers_.robots.size() + movers_.things.size()); }
-    /// Removes them after the step.
+    /// Removes the contacts after the step.
     void clear();
-    /// Gives up the joints without destroying them, after a breakdown.
+    /// Gives up the joints without destroying them: for a world that broke down.
     void keep() { OdeLibrary::keep(joints_.release()); }
 
 private:
     bool rolls_freely(SimRobot& robot) const;
     void touch_floor(SimRobot& robot);
     void touch_neighbours(SimRobot& robot);
-    // Notes that it touches this, where the latest contacts are.
+    // Records that the robot touches this obstacle at the latest contacts.
     void meet(SimRobot& robot, const Obstacle& obstacle);
     void touch_fixed(SimRobot& robot, Scene::Index fixed);
     void touch_thing(SimRobot& robot, Scene::Index thing);
@@ -65,7 +65,7 @@ private:
     JointGroupHandle joints_;
     std::size_t count_ = 0;
     std::vector<Scene::Index> touched_;  // movers: robots that have touched something
-    std::vector<Vec3> points_;           // of the contacts of the pair that is looked at
+    std::vector<Vec3> points_;           // contact points of the pair that is being checked
     bool any_by_ode_ = false;
     NarrowPhase narrow_;
 };

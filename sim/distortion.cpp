@@ -1,4 +1,4 @@
-// OpenCV says where each pixel comes from, and draws it from there.
+// Applies lens distortion: OpenCV computes the source of each pixel and maps the picture.
 #include "sim/distortion.hpp"
 
 #include <fmt/format.h>
@@ -11,13 +11,15 @@
 namespace nezumi::sim {
 namespace {
 
-constexpr double most_error = 0.05;   // [px] by which a place, distorted again, may miss its pixel
-constexpr double largest_growth = 3;  // of the pinhole's picture, in width and height
+constexpr double most_error = 0.05;   // [px] largest round-trip error of a distorted point
+constexpr double largest_growth = 3;  // limit of the pinhole picture's width and height, relative to the camera's
 
 cv::Matx33d matrix_of(const CameraIntrinsics& c) { return {c.fx, 0, c.cx, 0, c.fy, c.cy, 0, 0, 1}; }
-cv::Vec<double, 5> coefficients_of(const CameraIntrinsics& c) { return {c.k1, c.k2, c.p1, c.p2, c.k3}; }
+cv::Vec<double, 8> coefficients_of(const CameraIntrinsics& c) {
+    return {c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6};
+}
 
-// Where on the plane at z = 1 each pixel comes from, row by row.
+// The point on the plane z = 1 that each pixel sees, row by row.
 std::vector<cv::Point2d> places_of_pixels(const CameraIntrinsics& intrinsics) {
     std::vector<cv::Point2d> pixels, places;
     for (int row = 0; row < intrinsics.height; ++row) {
@@ -29,7 +31,7 @@ std::vector<cv::Point2d> places_of_pixels(const CameraIntrinsics& intrinsics) {
     return places;
 }
 
-// Whether these places are where the pixels see, and along each row in its order.
+// Checks that the points, distorted again, give their pixels, and that each row is in order.
 bool is_sound(const CameraIntrinsics& intrinsics, const std::vector<cv::Point2d>& places) {
     std::vector<cv::Point3d> points;
     points.reserve(places.size());
@@ -39,7 +41,7 @@ bool is_sound(const CameraIntrinsics& intrinsics, const std::vector<cv::Point2d>
     const std::size_t width = intrinsics.width;
     for (std::size_t i = 0; i < seen.size(); ++i) {
         const std::size_t column = i % width, row = i / width;
-        // Also refuses what is no number.
+        // Written with `!` so that NaN is refused too.
         if (!(std::hypot(seen[i].x - static_cast<double>(column), seen[i].y - static_cast<double>(row)) < most_error))
             return false;
         if (column > 0 && !(places[i].x > places[i - 1].x)) return false;
@@ -56,7 +58,7 @@ Expected<Distortion> Distortion::make(const CameraIntrinsics& intrinsics) {
         std::minmax_element(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
     const auto [top, bottom] =
         std::minmax_element(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
-    // A pixel more on each side, from which the outermost are mixed too.
+    // One more pixel on each side, because the outermost pixels are interpolated.
     const double columns = intrinsics.fx * (right->x - left->x) + 3, rows = intrinsics.fy * (bottom->y - top->y) + 3;
     const bool fits = columns <= largest_growth * intrinsics.width && rows <= largest_growth * intrinsics.height;
     if (!fits || !is_sound(intrinsics, places)) {
@@ -94,7 +96,7 @@ void Distortion::apply(std::vector<std::uint8_t>& painted, int channels, std::ve
     distorted.resize(weights_.size() * static_cast<std::size_t>(channels));
     const cv::Mat from(pinhole_.height, pinhole_.width, CV_8UC(channels), painted.data());
     cv::Mat to(intrinsics_.height, intrinsics_.width, CV_8UC(channels), distorted.data());
-    // OpenCV has no matrix that is not to be written; these two are only read.
+    // cv::Mat has no constructor for const data; these two are only read.
     const cv::Mat places(to.size(), CV_16SC2, const_cast<std::int16_t*>(places_.data()));
     const cv::Mat weights(to.size(), CV_16UC1, const_cast<std::uint16_t*>(weights_.data()));
     cv::remap(from, to, places, weights, cv::INTER_LINEAR, cv::BORDER_REPLICATE);

@@ -1,4 +1,4 @@
-// The distortion of a camera's lens, put on the picture of a pinhole.
+// Lens distortion, applied to the picture of a pinhole camera.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,23 @@
 
 namespace nezumi::sim {
 
-/// For each pixel of the distorted picture, where a pinhole sees the same. The pinhole's picture is larger or smaller:
-/// as large as what the lens shows.
+/// Stores, for each pixel of the distorted picture, its source in the pinhole picture. The pinhole picture has the size
+/// that covers the lens's field of view.
 class Distortion {
 public:
-    /// An error when a pixel has no place, or one far out, in a pinhole's picture: the distortion folds it over.
+    /// Fails if a pixel has no source in the pinhole picture, or one far outside: then the distortion folds the
+    /// picture.
     static Expected<Distortion> make(const CameraIntrinsics& intrinsics);
 
-    /// The pinhole to paint with.
+    /// The intrinsics of the pinhole picture to be painted.
     const CameraIntrinsics& pinhole() const { return pinhole_; }
-    /// Draws the distorted picture from the pinhole's, both of `channels` bytes a pixel.
+    /// Draws the distorted picture from the pinhole picture. Both have `channels` bytes per pixel.
     void apply(std::vector<std::uint8_t>& painted, int channels, std::vector<std::uint8_t>& distorted) const;
 
 private:
     CameraIntrinsics intrinsics_;
     CameraIntrinsics pinhole_;
-    // By pixel, in OpenCV's fixed point: where it lies in the pinhole's picture, and the index of its weights.
+    // Per pixel, in OpenCV's fixed-point format: its source in the pinhole picture, and the index of its weights.
     std::vector<std::int16_t> places_;
     std::vector<std::uint16_t> weights_;
 };

@@ -1,4 +1,4 @@
-// Looks down on a picture.
+// Reads the floor's colour from its picture.
 #include "sim/floor_spot.hpp"
 
 #include <cmath>
@@ -22,7 +22,7 @@ Parts parts_of(Rgb color) {
 std::optional<Parts> pixel_at(const Picture& picture, const Point2D& size, double x, double y) {
     const double column = std::floor((x / size.x + 0.5) * picture.width);
     const double row = std::floor((0.5 - y / size.y) * picture.height);
-    // Also refuses what is no number.
+    // Written with `!` so that NaN is refused too.
     if (!(column >= 0 && column < picture.width && row >= 0 && row < picture.height)) return std::nullopt;
     const auto index = static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width);
     return parts_of(picture.pixels[index + static_cast<std::size_t>(column)]);

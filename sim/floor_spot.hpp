@@ -1,4 +1,4 @@
-// What a sensor that looks down sees of the floor's picture.
+// What a downward-looking sensor sees of the floor's picture.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,9 @@
 
 namespace nezumi::sim {
 
-/// The mean colour of a spot of 4 mm radius about `at` [m] on a picture of this size [m], centred on the origin, its
-/// top where y is largest. Parts of the spot beside the picture don't count; nothing when its centre is beside it.
+/// Returns the mean colour of a spot of 4 mm radius about `at` [m]. The picture has this size [m], is centred on the
+/// origin, and its top is at the largest y. Parts of the spot outside the picture don't count. Returns nothing if the
+/// centre of the spot is outside.
 std::optional<Rgb> floor_spot_color(const Picture& picture, const Point2D& size, const Point2D& at);
 
 }  // namespace nezumi::sim

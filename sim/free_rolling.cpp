@@ -19,8 +19,8 @@ namespace {
 template <class Real>
 using Holds = decltype(Real() > Real());
 
-// What a row of a product sums up, in the order in which Eigen does it with doubles: lanes, which it would sum up in
-// another one, get the same bits.
+// Sums a row of a product in the order that Eigen uses for doubles. Eigen would use another order for lanes; so both
+// get the same bits.
 template <class Real>
 Real sum_of_row(int row, Real a, Real b, Real c) {
     return row < 2 ? (a + b) + c : a + (b + c);
@@ -33,7 +33,7 @@ Vector<Real> product(const Matrix<Real>& m, const Vector<Real>& v) {
     return all;
 }
 
-// The inertia about its own axes of what has turned so.
+// The inertia tensor in the outer frame of a body with this rotation.
 template <class Real>
 Matrix<Real> turn_inertia(const Vec3& own, const Matrix<Real>& turned) {
     Matrix<Real> all;
@@ -50,26 +50,26 @@ Real square(const Vector<Real>& v) {
     return v.x() * v.x() + v.y() * v.y() + v.z() * v.z();
 }
 
-// A wheel that is lent less friction than this part of its limit grips.
+// A wheel that uses less than this part of its friction limit does not slip.
 constexpr double grips = 0.97;
-// The cosine of a tilt that is no nodding any more.
+// The cosine of the tilt above which a robot no longer stands on its wheels.
 constexpr double least_upright = 0.99;
 
-// The axes in turn, each known to the compiler.
+// Calls `Do` for each axis, as a compile-time constant.
 template <int... axes, class Do>
 void each_axis(Do&& act) {
     (act.template operator()<axes>(), ...);
 }
 constexpr int next(int axis) { return (axis + 1) % 3; }
 
-// A symmetric matrix of three rows.
+// A symmetric 3 x 3 matrix.
 template <class Real>
 struct Symmetric {
     Matrix<Real> upper;
 
     Real& at(int i, int j) { return upper(std::min(i, j), std::max(i, j)); }
 
-    // Cholesky's decomposition without roots.
+    // Cholesky decomposition without square roots (LDL^T).
     Vector<Real> solve(const Vector<Real>& right) const {
         const Real xy = upper(0, 1) / upper(0, 0), xz = upper(0, 2) / upper(0, 0);
         const Real y = upper(1, 1) - xy * upper(0, 1), off = upper(1, 2) - xz * upper(0, 1), yz = off / y;
@@ -80,15 +80,16 @@ struct Symmetric {
     }
 };
 
-// Mass and contacts: A [linear; spin] = b. A contact along an axis turns about the other two only.
+// Mass and contacts: A [linear; spin] = b. A contact along an axis gives torques about the other two axes only.
 template <class Real>
 struct Equations {
     Vector<Real> linear;   // A's diagonal
-    Matrix<Real> coupled;  // row: a linear velocity, column: a spin; none about its own axis
+    Matrix<Real> coupled;  // row: linear velocity; column: spin. The diagonal is empty: a force gives no torque about
+                           // its own axis
     Symmetric<Real> spin;
     Vector<Real> linear_right, spin_right;
 
-    // `axes` are those of the velocities that are coupled to spins.
+    // `axes` are those whose velocities are coupled to spins.
     template <int... axes>
     MotionOf<Real> solve() const {
         const Vector<Real> inverse = linear.cwiseInverse();
@@ -108,7 +109,7 @@ struct Equations {
     }
 };
 
-// Holds the velocity of the contact at `arm` along an axis at `target` [m/s], softened.
+// Holds the velocity of the contact at `arm` along an axis at `target` [m/s], with softness.
 template <int axis, class Real>
 struct Equation {
     static constexpr int i = next(axis), j = next(i);
@@ -117,7 +118,7 @@ struct Equation {
     SoftEquation soft;
 
     void add_to(Equations<Real>& equations) const {
-        // `arm` cross the axis
+        // `arm` x axis
         const Real weight = soft.weight, about_i = arm[j], about_j = -arm[i];
         equations.linear[axis] += weight;
         equations.coupled(axis, i) += weight * about_i;
@@ -141,7 +142,7 @@ struct SupportsOf {
     Holds<Real> wheels_stand;
 };
 
-// As geometry.hpp has it.
+// The same formula as in geometry.hpp.
 template <class Real>
 Vector<Real> turned_by(const Matrix<Real>& r, const Vec3& v) {
     return r.col(0) * Real(v.x()) + r.col(1) * Real(v.y()) + r.col(2) * Real(v.z());
@@ -150,7 +151,7 @@ Vector<Real> turned_by(const Matrix<Real>& r, const Vec3& v) {
 template <class Real>
 SupportsOf<Real> find_supports(const RobotModel& model, const Vector<Real>& centre, const Matrix<Real>& rotation) {
     SupportsOf<Real> supports;
-    // The lowest point of a wheel lies below its axle by `down`, the vertical within the wheel's plane.
+    // The lowest point of a wheel is `down` below its axle: the vertical, projected into the plane of the wheel.
     const Vector<Real> axis = rotation.col(1);
     const Real flat = root(greater(Real(0.0), 1 - axis.z() * axis.z()));
     supports.wheels_stand = flat > Real(0.3);
@@ -164,7 +165,7 @@ SupportsOf<Real> find_supports(const RobotModel& model, const Vector<Real>& cent
     return supports;
 }
 
-// Whether it stands upright on its wheels and skids, its hull off the floor.
+// True if the robot stands upright on wheels and skids and its hull is off the floor.
 template <class Real>
 Holds<Real> stands(const RobotModel& model, const BodyStateOf<Real>& body) {
     const Real upright = body.rotation(2, 2);
@@ -172,7 +173,7 @@ Holds<Real> stands(const RobotModel& model, const BodyStateOf<Real>& body) {
     return both(upright >= Real(least_upright), bottom >= Real(0));
 }
 
-// Whether robots of this model, which stand, roll freely; then `to` is how.
+// True if standing robots of this model roll freely; then `to` is their motion.
 template <class Real>
 Holds<Real> roll(const RobotModel& model, const BodyStateOf<Real>& body, const std::array<Real, 2>& speeds, double step,
                  MotionOf<Real>& to) {
@@ -208,7 +209,7 @@ Holds<Real> roll(const RobotModel& model, const BodyStateOf<Real>& body, const s
                       is_wheel ? model.wheel_normal : model.skid_normal};
         normals[i].add_to(equations);
     }
-    // ODE takes the limits of friction from how the robot would stand without it.
+    // ODE computes the friction limits from the forces of the same step without friction.
     const MotionOf<Real> standing = equations.template solve<2>();
     const std::array<Equation<0, Real>, Supports::wheels> along{
         {{normals[0].arm, speeds[0], model.wheel_along}, {normals[1].arm, speeds[1], model.wheel_along}}};
@@ -228,7 +229,7 @@ Holds<Real> roll(const RobotModel& model, const BodyStateOf<Real>& body, const s
     return both(rolls, square(to.velocity) < Real(1e6));
 }
 
-// Robots of one model; `rolling` is which have rolled freely in all steps.
+// Robots of one model. `rolling` tells which of them have rolled freely in all steps.
 template <class Real>
 void take_steps(const RobotModel& model, BodyStateOf<Real>& body, const std::array<Real, 2>& speeds, double step,
                 std::span<double> fastest, Holds<Real>& rolling) {
@@ -242,7 +243,7 @@ void take_steps(const RobotModel& model, BodyStateOf<Real>& body, const std::arr
     }
 }
 
-// Inlined to the end, so that all of it is compiled for the processor that it runs on.
+// Inlined completely, so that all of it is compiled for the chosen processor.
 struct AnyProcessor {
     [[gnu::flatten]] static void take_steps_side_by_side(const RobotModel& model, BodyStateOf<Lanes>& body,
                                                          const std::array<Lanes, 2>& speeds, double step,
@@ -261,7 +262,7 @@ struct AnyProcessor {
 };
 
 #if defined(__x86_64__)
-// The same operations, on four numbers at a time or with three operands, and therefore the same bits.
+// The same operations with AVX2, four numbers at a time and with three operands: the same bits.
 struct Avx2 {
     [[gnu::flatten, gnu::target("avx2")]] static void take_steps_side_by_side(const RobotModel& model,
                                                                               BodyStateOf<Lanes>& body,

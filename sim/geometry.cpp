@@ -1,4 +1,4 @@
-// Rotations about an axis, written out: what an axis-angle formula leaves of their zeros and ones is not exact.
+// Rotations about an axis, written out: an axis-angle formula does not give exact zeros and ones.
 #include "sim/geometry.hpp"
 
 #include <cmath>

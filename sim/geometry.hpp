@@ -1,4 +1,4 @@
-// Vectors and rotations: Eigen's, under short names, with what keeps traces the same to the last bit.
+// Vectors and rotations: short names for Eigen's, and operations whose results are the same to the last bit.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -8,13 +8,13 @@
 namespace nezumi::sim {
 
 using Vec3 = Eigen::Vector3d;
-/// From the rotated frame to the outer one: its columns are the images of the axes.
+/// From the rotated frame to the outer one. The columns are the axes of the rotated frame.
 using Rotation = Eigen::Matrix3d;
-/// As ODE keeps a rotation, the last column unused.
+/// ODE's layout of a rotation; the last column is unused.
 using RowMajor3x4 = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
 
-// Sums of three in the order of the axes. Eigen's own operators add the last two first, which is as good and another
-// last bit: what moves goes through these, so that traces stay what they were.
+// Sums three terms in the order of the axes. Eigen adds the last two first, which changes the last bit. Simulated
+// motion uses these functions, so that traces stay the same.
 inline double dot(const Vec3& a, const Vec3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
 /// From the rotated frame to the outer one.
 inline Vec3 rotate(const Rotation& r, const Vec3& v) { return r.col(0) * v.x() + r.col(1) * v.y() + r.col(2) * v.z(); }
@@ -23,7 +23,7 @@ inline Vec3 rotate_back(const Rotation& r, const Vec3& v) {
     return {dot(r.col(0), v), dot(r.col(1), v), dot(r.col(2), v)};
 }
 
-/// About the vertical.
+/// Rotation about the vertical axis [rad].
 Rotation yaw_rotation(double angle);
 /// First about the y axis (positive: nose down), then about the vertical.
 Rotation yaw_pitch_rotation(double yaw_angle, double pitch_angle);

@@ -1,4 +1,4 @@
-// A uniform grid over the floor, hashed so that it needs no bounds: who is near a place.
+// A uniform grid over the floor for searches by place. Cells are hashed, so the grid has no bounds.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace nezumi::sim {
 
-/// Numbers kept by square cells of the floor. What it visits, and in which order, depends on what was inserted and on
-/// nothing else. Reading it from several threads at once is safe.
+/// Stores numbers in square cells of the floor. The visited numbers and their order depend only on what was inserted.
+/// Several threads may read at once.
 class Grid {
 public:
     /// `cell` is the edge of a cell [m].
@@ -23,23 +23,24 @@ public:
         heads_.assign(heads_.size(), no_node);
     }
 
-    /// Keeps `id` in the cell that holds (x, y).
+    /// Stores `id` in the cell that contains (x, y).
     void insert(std::uint32_t id, double x, double y) { insert_in_cell(id, index(x), index(y)); }
 
-    /// Keeps `id` in the cell with these indices, as `index` gives them.
+    /// Stores `id` in the cell with these indices, as `index` gives them.
     void insert_in_cell(std::uint32_t id, std::int32_t column, std::int32_t row) {
         if (nodes_.size() * 2 >= heads_.size()) grow();
         link({column, row, id, no_node});
     }
 
-    /// The column of an x, or the row of a y. Far away (a million cells) all places share the outermost cells.
+    /// The column of an x, or the row of a y. Beyond a million cells from the origin, all points are in the outermost
+    /// cells.
     std::int32_t index(double at) const {
         const double cell = std::floor(at * inverse_);
         return static_cast<std::int32_t>(cell < -1e6 ? -1e6 : (cell > 1e6 ? 1e6 : cell));
     }
 
-    /// Calls `visit(id)` for everything kept in a cell that the square of half-edge `reach` about (x, y) touches. What
-    /// lies in several cells is visited once for each.
+    /// Calls `visit(id)` for everything stored in a cell that the square of half edge `reach` about (x, y) touches. An
+    /// id stored in several cells is visited once for each.
     template <class Visit>
     void for_each_near(double x, double y, double reach, Visit&& visit) const {
         const std::int32_t right = index(x + reach), top = index(y + reach), bottom = index(y - reach);
@@ -84,7 +85,7 @@ private:
 
     double cell_;
     double inverse_;
-    std::vector<std::uint32_t> heads_;  // a power of two of them
+    std::vector<std::uint32_t> heads_;  // size is a power of two
     std::vector<Node> nodes_;
 };
 

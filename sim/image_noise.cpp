@@ -1,4 +1,4 @@
-// Blur by OpenCV; noise from a table, because drawing it anew for each picture takes longer than all else.
+// Blur by OpenCV; noise from a table, because new random numbers for each picture would take most of the time.
 #include "sim/image_noise.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace nezumi::sim {
 namespace {
 
-constexpr std::size_t offsets = 65'536;  // places in the table at which a row may begin
+constexpr std::size_t offsets = 65'536;  // start positions in the table for a row
 
 }  // namespace
 
@@ -24,7 +24,7 @@ ImageNoise::ImageNoise(double sigma, std::uint64_t seed) : seed_(seed) {
     if (sigma <= 0) return;
     table_.resize(offsets + most_row);
     cv::Mat values(1, static_cast<int>(table_.size()), CV_16SC1, table_.data());
-    // Rounded here: a value of a picture is whole, and so the sum would be rounded to the same.
+    // Rounded here: pixel values are integers, so rounding the sum would give the same.
     cv::RNG(seed).fill(values, cv::RNG::NORMAL, 0.0, sigma);
 }
 

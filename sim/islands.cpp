@@ -1,4 +1,4 @@
-// Union and find over the links of a step.
+// Union-find over the links of a step.
 #include "sim/islands.hpp"
 
 #include <algorithm>

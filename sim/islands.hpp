@@ -1,4 +1,4 @@
-// Movers that touch each other form an island; which islands are too large for the exact solver.
+// Islands of movers that touch each other, and which of them are too large for the exact solver.
 #pragma once
 
 #include <utility>
@@ -8,34 +8,33 @@
 
 namespace nezumi::sim {
 
-/// `dWorldStep` is exact, and its cost grows with the cube of the equations in the island: with 20 (a mouse at a wall)
-/// 5 us a robot, 40 (two of them) 11, 60 (three) 28, 80 (four) 74. `dWorldQuickStep` iterates and stays at 5.
+/// `dWorldStep` is exact, but its cost grows with the cube of an island's equations. Measured: 20 equations (a mouse at
+/// a wall) 5 us per robot, 40 (two mice) 11, 60 (three) 28, 80 (four) 74. `dWorldQuickStep` iterates and stays at 5.
 class Islands {
 public:
-    /// Up to so many equations exactness is worth its time.
+    /// Up to this number the exact solver is worth its time.
     static constexpr int most_equations = 45;
-    /// A mover that touches nothing that moves (a plate on a row of pillars) is solved with up to so many: 300 take 1
-    /// ms.
+    /// Limit for a mover that touches no other mover (a plate on pillars): 300 equations take 1 ms.
     static constexpr int most_alone = 300;
-    /// Of a robot that stands on the floor; a thing on its corners has 12.
+    /// For a robot on the floor. A thing on its corners has 12.
     static constexpr int equations_on_floor = 8;
 
-    /// The movers' numbers are given in the order of adding, as in a `Scene`.
+    /// Movers are numbered in the order of adding, as in a `Scene`.
     void add_mover();
 
-    /// Begins a step: nobody touches anybody.
+    /// Begins a step without links.
     void clear();
-    /// Counts equations of contacts with something else than the floor for `mover`.
+    /// Adds `count` equations of contacts with anything other than the floor.
     void add_equations(Scene::Index mover, int count) {
         equations_[mover] += count;
         crowded_ = crowded_ || equations_[mover] > most_alone;
     }
-    /// The two touch each other.
+    /// Records that the two touch.
     void link(Scene::Index a, Scene::Index b) { links_.emplace_back(a, b); }
 
-    /// Fills in `is_large`. False when no island is large.
+    /// Computes `is_large`. Returns false if no island is large.
     bool find_large();
-    /// Whether `mover` is part of a large island, as found last.
+    /// True if `mover` is part of a large island, as last computed.
     bool is_large(Scene::Index mover) const { return large_[mover]; }
 
 private:
@@ -45,7 +44,7 @@ private:
     bool crowded_ = false;  // a mover has more than `most_alone`
     // By mover:
     std::vector<int> equations_;
-    std::vector<Scene::Index> parents_;  // of the search; each its own when idle
+    std::vector<Scene::Index> parents_;  // of union-find; each mover is its own parent outside a search
     std::vector<bool> large_;
 };
 

@@ -1,4 +1,4 @@
-// Several numbers that a processor computes with at once: what is done to robots alike is done to as many in one go.
+// Several numbers that a processor handles at once, so that robots are computed in groups.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,12 +9,11 @@
 
 namespace nezumi::sim {
 
-/// One number for each of `Lanes::count` robots. Every operation does to each of them what it does to a `double`, to
-/// the last bit.
+/// One number for each of `Lanes::count` robots. Each operation gives the same bits as with a `double`.
 struct Lanes {
     static constexpr std::size_t count = 4;
     using Vector = double __attribute__((vector_size(count * sizeof(double))));
-    // Eigen aligns what it holds to no more than this.
+    // Eigen aligns its members to 16 bytes at most.
     using Numbers __attribute__((aligned(16))) = Vector;
 
     Lanes() = default;
@@ -37,7 +36,7 @@ struct Lanes {
     Numbers numbers;
 };
 
-/// What is so of each of them.
+/// A truth value for each lane.
 struct LaneMask {
     using Vector = std::int64_t __attribute__((vector_size(Lanes::count * sizeof(std::int64_t))));
     using Bits __attribute__((aligned(16))) = Vector;
@@ -78,7 +77,7 @@ inline Lanes root(Lanes x) {
     return roots;
 }
 
-// As std::min and std::max, which of two equal ones included.
+// The same as std::min and std::max, also for equal arguments.
 template <class Real>
 Real lesser(Real a, Real b) {
     return choose(b < a, b, a);

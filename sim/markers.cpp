@@ -1,4 +1,4 @@
-// What cameras see is read from the world for each picture, so that a marker may come and go at any tick.
+// Markers. Cameras read them from the world for each picture, so a marker may appear or vanish at any tick.
 #include "sim/markers.hpp"
 
 #include <fmt/format.h>
@@ -71,7 +71,7 @@ Expected<void> OdeWorld::move_marker(std::string_view name, const Pose3D& pose) 
 
 Expected<void> OdeWorld::add_marker(const MarkerSpec& marker) {
     if (find_marker(markers_, marker.name) != markers_.end())
-        return failure(fmt::format("marker: the name '{}' is taken by another", shown(marker.name)), marker.place);
+        return failure(fmt::format("marker: another marker has the name '{}'", shown(marker.name)), marker.place);
     if (auto ok = check_marker(marker); !ok) return ok;
     markers_.push_back(pose_of(marker));
     return {};

@@ -1,4 +1,4 @@
-// Markers of a world: they hang where they are and touch nothing.
+// Markers of a world: fixed in place, without collision.
 #pragma once
 
 #include "engine/base/error.hpp"
@@ -7,10 +7,10 @@
 
 namespace nezumi::sim {
 
-/// An error, with the marker's place, when it is none that can be seen.
+/// Fails, with the marker's place, if the marker is not valid.
 Expected<void> check_marker(const MarkerSpec& marker);
 
-/// Where it hangs at first.
+/// The initial pose of a marker.
 MarkerPose pose_of(const MarkerSpec& marker);
 
 }  // namespace nezumi::sim

@@ -1,4 +1,4 @@
-// What stands in the arena: where it is, and how a hand carries it elsewhere.
+// Gives the poses of objects in the arena and moves them on request.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,8 +47,8 @@ std::vector<ThingPose> OdeWorld::things() const {
     return poses;
 }
 
-// Puts the shape there if it may be there. `self` is its number as a mover; `Scene::nobody` when it stands still: then
-// it may lie in others that do, as the walls of a maze do.
+// Moves the shape if the place is free. `self` is its number as a mover, or `Scene::nobody` if it is fixed. A fixed
+// shape may overlap other fixed shapes, as the walls of a maze do.
 Expected<void> OdeWorld::move_label(const Label& label, Shape& shape, const Pose2D& pose, Scene::Index self) {
     if (auto inside = check_inside(label.name, pose.position); !inside) return inside;
     const double heading = std::atan2(shape.rotation(1, 0), shape.rotation(0, 0));
@@ -89,7 +89,7 @@ Expected<void> OdeWorld::move_thing(std::string_view name, const Pose2D& pose) {
         }
         return failure(fmt::format("there is no thing '{}'{}", shown(name), did_you_mean(name, names)));
     }
-    // What stood on it falls, and what it is put beside notices it.
+    // Things that stood on it must fall, and things at its new place must notice it.
     for (Thing& thing : movers_.things) thing.wake();
     place_movers();
     scene_.refresh();

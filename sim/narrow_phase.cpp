@@ -1,4 +1,4 @@
-// Contacts of upright discs by their own formulas, of everything else by ODE.
+// Contacts of upright discs by our own formulas, all others by ODE.
 #include "sim/narrow_phase.hpp"
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 namespace nezumi::sim {
 namespace {
 
-// The heights that both reach.
+// The range of heights that both shapes occupy.
 struct Overlap {
     double low, high;
     double height() const { return high - low; }
@@ -17,7 +17,7 @@ Overlap overlap_of(const Shape& a, const Shape& b) {
     return {std::max(a.centre.z() - ha, b.centre.z() - hb), std::min(a.centre.z() + ha, b.centre.z() + hb)};
 }
 
-// ODE's cylinder against cylinder lets one robot slip past another, so discs are computed as discs.
+// In ODE's cylinder-cylinder contact one robot can slip past another, so discs have their own formula.
 Touch disc_at_disc(const Shape& a, const Shape& b, double z) {
     const double dx = a.centre.x() - b.centre.x(), dy = a.centre.y() - b.centre.y(), distance = std::hypot(dx, dy);
     Touch touch;
@@ -39,7 +39,7 @@ Touch disc_at_box(const Shape& disc, const Shape& box, double z) {
     if (distance > 1e-9) {
         normal = {dx / distance, dy / distance, 0};
         touch.depth = disc.half.x() - distance;
-    } else {  // the centre is inside: out by the nearest face
+    } else {  // the centre is inside: push it out through the nearest face
         const double out_x = box.half.x() - std::abs(from.x()), out_y = box.half.y() - std::abs(from.y());
         if (out_x < out_y) {
             normal = {from.x() < 0 ? -1.0 : 1.0, 0, 0};
@@ -66,7 +66,7 @@ void set_geom(dGeomID geom, const Shape& shape) {
     dGeomSetRotation(geom, matrix.data());
 }
 
-// A convex polygon in the plane of a wheel, whose centre is the origin: u forward, v up.
+// A convex polygon in the plane of a wheel. The origin is the wheel's centre: u forward, v up.
 struct Polygon {
     struct Corner {
         double u = 0, v = 0;
@@ -78,7 +78,7 @@ struct Polygon {
     }
 };
 
-// What the wheel's plane cuts out of a box.
+// The intersection of the wheel's plane with a box.
 void cut_box(const Shape& box, const Vec3& centre, const Vec3& axis, const Vec3& forward, const Vec3& up,
              Polygon& cut) {
     const Rotation& r = box.rotation;
@@ -132,7 +132,7 @@ std::span<const Touch> NarrowPhase::collide(const Shape& a, const Shape& b) {
     const Overlap overlap = overlap_of(a, b);
     if (overlap.height() <= 0) return {};
     const bool a_disc = a.kind == Shape::Kind::cylinder, b_disc = b.kind == Shape::Kind::cylinder;
-    // A robot nods a little while it drives; a thing leans or lies. `0.97` is 14 degrees.
+    // A driving robot pitches a little; a fallen thing leans or lies. The limit of 0.97 is 14 degrees.
     const auto stands = [](const Shape& s) { return std::abs(s.rotation(2, 2)) > 0.97; };
     if ((a_disc || b_disc) && stands(a) && stands(b)) {
         Touch touch;
@@ -149,7 +149,7 @@ std::span<const Touch> NarrowPhase::collide(const Shape& a, const Shape& b) {
             touches_[0] = touch;
             return std::span(touches_).first(1);
         }
-        // Deeper than high: one stands on the other, which is ODE's to answer.
+        // If it is deeper than high, one stands on the other: ODE computes that.
     }
     return collide_by_ode(a, b);
 }

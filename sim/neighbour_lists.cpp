@@ -1,4 +1,4 @@
-// Searches the scene about every mover.
+// Searches the scene around every mover.
 #include "sim/neighbour_lists.hpp"
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 namespace nezumi::sim {
 namespace {
 
-// Whether there is anybody.
+// Returns true if there is a neighbour.
 bool list_about(const Scene& scene, Scene::Index mover, const BodyView& body, double reach, Neighbours& near) {
     const double x = body.p[0], y = body.p[1];
     near.fixed.clear();
@@ -15,7 +15,7 @@ bool list_about(const Scene& scene, Scene::Index mover, const BodyView& body, do
         if (distance_from_above(shape, x, y) <= reach) near.fixed.push_back(i);
     });
     scene.for_each_mover_near(x, y, reach, mover, [&](Scene::Index i, const Shape&) { near.movers.push_back(i); });
-    // In the order of adding, and each once, whatever the grid looks like.
+    // Sorted in the order of adding and without repeats, so that the grid has no influence.
     std::sort(near.fixed.begin(), near.fixed.end());
     near.fixed.erase(std::unique(near.fixed.begin(), near.fixed.end()), near.fixed.end());
     std::sort(near.movers.begin(), near.movers.end());

@@ -1,4 +1,4 @@
-// Who is near whom, listed anew only when somebody could have come near since.
+// Lists of neighbours, renewed only when another mover could have come near since.
 #pragma once
 
 #include "sim/bodies.hpp"
@@ -8,28 +8,28 @@ namespace nezumi::sim {
 
 class NeighbourLists {
 public:
-    /// [m] Neighbours are listed up to this distance.
+    /// Neighbours are listed up to this distance [m].
     static constexpr double skin = 0.06;
 
-    /// Whether two that are not neighbours may touch by now.
+    /// True if two movers that are not listed as neighbours may touch by now.
     bool expired() const { return may_travel_ < 0; }
     void expire() { may_travel_ = -1; }
-    /// Nobody has moved farther than this [m] since the last call.
+    /// Every mover has moved at most this distance [m] since the last call.
     void travel(double distance) {
         may_travel_ -= distance;
         travelled_ = distance;
     }
-    /// For how many steps the lists will hold if all go on as fast: at least 1, at most `most`. A guess.
+    /// An estimate of the number of steps for which the lists stay valid at the present speeds: 1 to `most`.
     int steps_left(int most) const {
         return may_travel_ < travelled_ * most ? static_cast<int>(may_travel_ / travelled_) + 1 : most;
     }
 
-    /// Fills in the neighbours of all movers; the scene must be refreshed.
+    /// Lists the neighbours of all movers. The scene must be refreshed.
     void list(const Scene& scene, Movers& movers);
 
 private:
-    double may_travel_ = -1;  // [m]
-    double travelled_ = 0;    // [m] in the step before
+    double may_travel_ = -1;  // [m] left until the lists expire
+    double travelled_ = 0;    // [m] in the previous step
 };
 
 }  // namespace nezumi::sim

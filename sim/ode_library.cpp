@@ -1,4 +1,4 @@
-// Counting the users of ODE, and catching what it says.
+// Counts the users of ODE and catches its messages.
 #include "sim/ode_library.hpp"
 
 #include <array>
@@ -10,19 +10,19 @@
 namespace nezumi::sim {
 namespace {
 
-// ODE knows one initialisation and one set of handlers a process; these are the counterpart to that.
+// ODE has one initialisation and one set of handlers per process. This is our part of that state.
 struct Process {
     Mutex mutex;
     int users = 0;
     Mutex random_numbers;
-    std::vector<void*>* kept = nullptr;  // never freed: what it keeps stays known to the end of the process
+    std::vector<void*>* kept = nullptr;  // never freed: these objects must exist until the process ends
 };
 Process& process() {
     static Process the;
     return the;
 }
 
-// ODE's handlers take no user data: the thread tells whose message it is.
+// ODE's handlers have no user data, so the receiver is stored per thread.
 const OdeMessages::Sink*& thread_sink() {
     thread_local const OdeMessages::Sink* the = nullptr;
     return the;
@@ -34,7 +34,7 @@ std::string format(const char* message, va_list arguments) {
     return std::string("physics: ") + text.data();
 }
 
-// ODE's solver says so when a step of its search has length 0 but for rounding: it has found the contacts' forces.
+// ODE's solver reports this when a search step has length 0 within rounding: then it has found the contact forces.
 bool is_no_news(int number, va_list arguments) {
     if (number != d_ERR_LCP) return false;
     va_list copy;
@@ -50,7 +50,7 @@ void on_message(int number, const char* message, va_list arguments) {
     if (sink != nullptr && *sink) (*sink)(format(message, arguments));
 }
 
-// ODE ends the process when this returns.
+// ODE ends the process if this returns.
 void on_error(int, const char* message, va_list arguments) {
     const std::string text = format(message, arguments);
     if (thread_sink() != nullptr) throw OdeFailure{text};

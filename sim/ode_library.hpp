@@ -1,4 +1,4 @@
-// ODE's library state and handles, tied to scopes.
+// ODE's library state and handles as RAII objects.
 #pragma once
 
 #include <ode/ode.h>
@@ -11,8 +11,8 @@
 
 namespace nezumi::sim {
 
-/// Keeps ODE initialised as long as one of these lives; any number may, on any thread. While one does, what ODE has to
-/// say goes to the `OdeMessages` of the thread instead of the terminal.
+/// Keeps ODE initialised while at least one instance exists, on any thread. Meanwhile ODE's messages go to the
+/// `OdeMessages` of the thread instead of the terminal.
 class OdeLibrary {
 public:
     OdeLibrary();
@@ -20,15 +20,15 @@ public:
     OdeLibrary(const OdeLibrary&) = delete;
     OdeLibrary& operator=(const OdeLibrary&) = delete;
 
-    /// To be called on a thread before it steps or collides; costs next to nothing when it was called before.
+    /// Must be called on a thread before it steps or collides. Repeated calls cost almost nothing.
     static void use_on_this_thread();
 
-    /// Keeps an object of a world that broke down in the middle of a step until the process ends: ODE ends the process
+    /// Keeps an object of a world that broke down within a step until the process ends, because ODE ends the process
     /// when such an object is destroyed.
     static void keep(void* object);
 
-    /// ODE draws from one generator for the whole process. Runs `work` with the generator set to `seed`, alone, and
-    /// leaves in `seed` where it has got to: each world draws its own numbers, whoever else runs.
+    /// ODE has one random generator per process. Runs `work` alone with the generator set to `seed` and stores its new
+    /// state in `seed`. So each world has its own sequence of random numbers.
     template <class Work>
     static void with_random_numbers(unsigned long& seed, Work&& work) {
         const std::scoped_lock lock(random_numbers());
@@ -41,13 +41,13 @@ private:
     static Mutex& random_numbers();
 };
 
-/// Thrown through ODE by an error after which it would end the process, while an `OdeMessages` lives on the thread. The
-/// world at hand must not be stepped again.
+/// Thrown through ODE by an error after which ODE would end the process, while an `OdeMessages` exists on the thread.
+/// The world must not be stepped again.
 struct OdeFailure {
     std::string text;
 };
 
-/// Where ODE's messages on this thread go, for the lifetime of this object.
+/// Receives ODE's messages on this thread during its lifetime.
 class OdeMessages {
 public:
     using Sink = std::function<void(const std::string&)>;
@@ -61,7 +61,7 @@ private:
     const Sink* before_;
 };
 
-/// Owns one of ODE's objects.
+/// Owns an ODE object.
 template <class Id, void (*destroy)(Id)>
 class OdeHandle {
 public:
@@ -77,7 +77,7 @@ public:
     }
 
     Id get() const { return id_; }
-    /// From now on the caller owns it.
+    /// The caller becomes the owner.
     Id release() { return std::exchange(id_, nullptr); }
     explicit operator bool() const { return id_ != nullptr; }
 

@@ -1,4 +1,4 @@
-// Building a world, and answering for it between steps.
+// Builds a world and answers queries between steps.
 #include "sim/ode_world.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 namespace nezumi::sim {
 namespace {
 
-constexpr double least_overlap = 1e-6;  // [m] to touch is not to overlap
+constexpr double least_overlap = 1e-6;  // [m] touching is not overlapping
 constexpr const char* border_color = "#5c6470";
 
 }  // namespace
@@ -27,13 +27,14 @@ OdeWorld::OdeWorld(const ArenaSpec& arena, const PhysicsSpec& physics, std::func
       inside_(arena.border ? arena.size : std::nullopt),
       random_(static_cast<unsigned long>((physics.seed ^ (physics.seed >> 32)) & 0xffffffffu)),
       warn_([this, warn = std::move(warn)](const std::string& text) {
-          // ODE says how much something is off, each time another number.
+          // ODE's message contains the size of the error, which differs each time; so only the text before it is
+          // compared.
           if (warn && warned_.insert(text.substr(0, text.find(" (s="))).second) warn(text);
       }),
       world_(dWorldCreate()),
       ahead_(movers_, scene_, step_),
       contacts_(world_.get(), step_, scene_, movers_, islands_) {
-    // The default is one set of job lists for the whole process: worlds on two threads would corrupt each other's.
+    // By default the whole process shares one set of job lists; worlds on two threads would corrupt it.
     threading_ = ThreadingHandle(dThreadingAllocateSelfThreadedImplementation());
     dWorldSetStepThreadingImplementation(world_.get(), dThreadingImplementationGetFunctions(threading_.get()),
                                          threading_.get());
@@ -89,7 +90,7 @@ void OdeWorld::add_shape(const Shape& shape, double mass, Label label) {
     const dMass m = mass_of(shape, mass);
     dBodySetMass(body, &m);
     BodyView(body).put(shape.centre, shape.rotation);
-    // A cylinder on its side would roll for ever.
+    // Otherwise a cylinder on its side would never stop rolling.
     dBodySetAngularDamping(body, 0.01);
     islands_.add_mover();
     movers_.things.emplace_back(body, scene_.add_mover(shape), mass);
@@ -97,7 +98,8 @@ void OdeWorld::add_shape(const Shape& shape, double mass, Label label) {
 }
 
 Expected<void> OdeWorld::check_things() {
-    for (std::size_t i = movers_.things.size(); i-- > 0;) {  // the last first: it is the one that was put into another
+    for (std::size_t i = movers_.things.size();
+         i-- > 0;) {  // the last first, because it is the one that was placed wrongly
         const Thing& thing = movers_.things[i];
         const Shape& shape = scene_.movers()[thing.mover];
         const auto overlap = find_overlap(shape, shape.reach(), thing.mover, least_overlap_of_things);
@@ -144,7 +146,7 @@ Expected<std::unique_ptr<RobotBody>> OdeWorld::add_robot(const std::string& name
     const dBodyID body = dBodyCreate(world_.get());
     const dMass m = mass_of(model.hull, model.mass);
     dBodySetMass(body, &m);
-    dBodySetGyroscopicMode(body, 0);  // wheels hold it upright: nothing to gain, and time to lose
+    dBodySetGyroscopicMode(body, 0);  // not needed, since wheels hold the robot upright; saves time
     const BodyView view(body);
     view.put(rest_centre(model, pose, Scene::nobody), yaw_rotation(pose.heading));
     Shape hull = model.hull;
@@ -152,7 +154,27 @@ Expected<std::unique_ptr<RobotBody>> OdeWorld::add_robot(const std::string& name
     islands_.add_mover();
     neighbours_.expire();
     movers_.robots.emplace_back(body, model, scene_.add_mover(hull, model.reach), name);
+    warn_of_high_rays(name, spec);
     return std::make_unique<SimRobotBody>(*this, movers_.robots.size() - 1, spec, mix(seed_, std::string_view(name)));
+}
+
+// A ray that meets nothing is no error, but where all walls and boxes end below it somebody has counted otherwise.
+void OdeWorld::warn_of_high_rays(const std::string& name, const RobotSpec& spec) const {
+    constexpr double kerb = 0.01;  // [m] nobody means to see what is lower
+    double top = 0;
+    for (const ThingPose& thing : things()) {
+        if (thing.shape == ThingPose::Shape::box) top = std::max(top, thing.pose.position.z + thing.size.z / 2);
+    }
+    if (top <= kerb) return;
+    for (const SensorSpec& sensor : spec.sensors) {
+        if (sensor.kind != SensorSpec::Kind::range && sensor.kind != SensorSpec::Kind::scan) continue;
+        if (sensor.at.z <= top) continue;
+        warn_(
+            fmt::format("robot '{}': the rays of '{}' pass over every wall: they start {:g} m over the "
+                        "floor, as a sensor's `at` counts from the hull's centre, and the highest wall ends at {:g} m",
+                        name, sensor.name, sensor.at.z, top));
+        return;
+    }
 }
 
 void OdeWorld::remove_robot(RobotId id) {
@@ -167,14 +189,14 @@ void OdeWorld::remove_robot(RobotId id) {
     scene_.remove_mover(robot.mover);
     neighbours_.expire();
     for (Thing& thing : movers_.things) {
-        // What lay on it falls.
+        // Things that lay on it must fall.
         const auto& near = thing.near.movers;
         if (std::find(near.begin(), near.end(), robot.mover) != near.end()) thing.wake();
     }
 }
 
-// Where the hull's centre is when the robot stands there: on the floor, or on the highest of what its wheels and skids
-// would otherwise stick in.
+// The hull's centre for a robot that stands at this pose: on the floor, or on the highest shape below its wheels and
+// skids.
 Vec3 OdeWorld::rest_centre(const RobotModel& model, const Pose2D& pose, Scene::Index self) const {
     const Rotation rotation = yaw_rotation(pose.heading);
     const Vec3 centre = Vec3{pose.position.x, pose.position.y, 0} - rotate(rotation, model.origin);
@@ -218,8 +240,7 @@ Truth OdeWorld::truth(RobotId id) const {
     const Vec3 to_origin = rotate(rotation, robot.model->origin);
     const Vec3 origin = robot.body.centre() + to_origin, velocity = robot.body.velocity_at(to_origin);
     const double heading = std::atan2(rotation(1, 0), rotation(0, 0));
-    // The step's velocity held in the frame in which the step began; in that of its end a turning robot would seem to
-    // skid.
+    // Uses the frame at the beginning of the step. In the frame at its end, a turning robot would seem to skid.
     const Point2D speed = turned({velocity.x(), velocity.y()}, robot.body.w[2] * step_ - heading);
     Truth truth;
     truth.pose = {{origin.x(), origin.y()}, heading};
@@ -241,7 +262,7 @@ Expected<void> OdeWorld::teleport(RobotId id, Pose2D pose) {
 
 void OdeWorld::disturb(RobotId id, const VelocityConstraint& constraint) {
     SimRobot& robot = this->robot(id);
-    robot.constraint = {};  // ODE's order of joints is that of making them
+    robot.constraint = {};  // ODE's order of joints is that of their creation
     robot.constraint = ConstraintMotors(world_.get(), robot, constraint);
 }
 

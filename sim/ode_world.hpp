@@ -1,4 +1,4 @@
-// A world of robots and things on ODE.
+// A world of robots and things in ODE.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@
 
 namespace nezumi::sim {
 
-/// [m] Things that stand on each other a little carelessly do not overlap.
+/// [m] Slightly careless stacking of things is not an overlap.
 inline constexpr double least_overlap_of_things = 1e-3;
 
 class OdeWorld final : public World {
@@ -37,10 +37,10 @@ public:
 
     Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& spec,
                                                    Pose2D pose) override;
-    /// Whether what can move lies in nothing else, apart from what rounding and a careless stack leave. Before robots
-    /// are added.
+    /// Checks that no movable thing overlaps another shape, beyond rounding and careless stacking. Call it before
+    /// robots are added.
     Expected<void> check_things();
-    /// Takes a robot out of the world, for good.
+    /// Removes a robot from the world permanently.
     void remove_robot(RobotId robot);
     void step(int count) override;
     void use_threads(WorkerPool* threads) override { ahead_.use(threads); }
@@ -64,7 +64,7 @@ public:
     Expected<std::unique_ptr<CameraSource>> open_camera(const CameraMount& mount,
                                                         const CameraSettings& settings) override;
 
-    // What a camera asks.
+    // For cameras.
     View frame_of(RobotId robot) const;
     void list_solids(std::optional<RobotId> except, Rgb robots, std::vector<Solid>& solids) const;
     const Picture* floor_picture() const { return floor_ ? &*floor_ : nullptr; }
@@ -74,23 +74,24 @@ public:
         floor_size_ = size;
     }
 
-    // What a `RobotBody` asks.
+    // For `RobotBody`.
     SimRobot& robot(RobotId id) { return movers_.robots[id]; }
     const SimRobot& robot(RobotId id) const { return movers_.robots[id]; }
-    void read_ranges(const SimRobot& robot, std::span<double> distances) const;
+    void read_ranges(const SimRobot& robot, std::span<double> distances, std::span<const std::uint8_t> due) const;
     bool touches_something(const SimRobot& robot, const SensorSpec& touch_sensor) const;
-    /// What a sensor that looks down sees: nothing beside the floor's picture, or from too high.
+    /// The floor's colour for a downward-looking sensor. Nothing outside the floor's picture, or if the sensor is too
+    /// high.
     std::optional<Rgb> floor_under(const SimRobot& robot, const SensorSpec& sensor) const;
     void play(const SimRobot& robot, const Sound& sound) {
         if (sounds_ != nullptr) sounds_->play(robot.name, sound);
     }
-    /// How many robots had to take the last steps one by one.
+    /// The number of robots that took the last steps one by one.
     std::size_t one_by_one() const { return ahead_.others().size(); }
-    /// From now on sounds become files in this folder.
+    /// Writes sounds to files in this folder from now on.
     void keep_sounds(const std::string& folder) { sounds_ = std::make_unique<SoundFiles>(folder, warn_); }
 
 private:
-    // Building and answering (ode_world.cpp).
+    // Building and queries (ode_world.cpp).
     struct Label {
         std::string name;
         std::string color;
@@ -101,19 +102,20 @@ private:
     void add_shape(const Shape& shape, double mass, Label label);
     void add_border(const ArenaSpec& arena);
     RobotModel& model_of(const RobotSpec& spec);
-    /// Whether a robot could stand there, and if not, why.
+    /// Fails with the reason if the robot can't stand there.
     Expected<void> check_free(const RobotModel& model, const std::string& name, const Pose2D& pose, Scene::Index self);
+    void warn_of_high_rays(const std::string& name, const RobotSpec& spec) const;
     Vec3 rest_centre(const RobotModel& model, const Pose2D& pose, Scene::Index self) const;
     std::string name_of(const Obstacle& obstacle) const;
     struct Overlap {
-        std::string other;  // as a sentence names it
+        std::string other;  // as named in messages
         double depth;       // [m]
     };
-    /// The first that the shape lies in deeper than `least`, `self` apart.
+    /// Returns the first shape, except `self`, that overlaps this shape by more than `least`.
     std::optional<Overlap> find_overlap(const Shape& shape, double reach, Scene::Index self, double least,
                                         bool looks_at_fixed = true);
     Expected<void> check_inside(const std::string& what, const Point2D& at) const;
-    // Moving what stands in the arena (moving.cpp).
+    // Moving objects in the arena (moving.cpp).
     Expected<void> move_label(const Label& label, Shape& shape, const Pose2D& pose, Scene::Index self);
 
     // Stepping (stepping.cpp).
@@ -134,13 +136,13 @@ private:
 
     double step_;
     std::uint64_t seed_;             // of the sensors' noise
-    std::optional<Point2D> inside_;  // [m] size of an arena that robots can't be outside of
-    unsigned long random_;           // ODE's generator, as far as this world has drawn from it
+    std::optional<Point2D> inside_;  // [m] size of an arena that robots can't leave
+    unsigned long random_;           // state of ODE's generator for this world
     OdeMessages::Sink warn_;
     std::set<std::string> warned_;
     std::optional<Error> breakdown_;
 
-    // Declaration order is destruction order reversed: the library must die last, joints before their world.
+    // Members are destroyed in reverse order: the library must be last, and joints before their world.
     OdeLibrary library_;
     ThreadingHandle threading_;
     WorldHandle world_;
@@ -148,7 +150,7 @@ private:
     Scene scene_;
     Movers movers_;
     std::map<const RobotSpec*, std::unique_ptr<RobotModel>> models_;
-    NarrowPhase narrow_;  // of what is asked between steps
+    NarrowPhase narrow_;  // for queries between steps
     Islands islands_;
     NeighbourLists neighbours_;
     RollingAhead ahead_;
@@ -158,7 +160,7 @@ private:
     std::vector<MarkerPose> markers_;
     std::optional<Picture> floor_;
     Point2D floor_size_{};
-    std::unique_ptr<SoundFiles> sounds_;  // dies before what it warns through
+    std::unique_ptr<SoundFiles> sounds_;  // must be destroyed before the members that its warnings use
 };
 
 }  // namespace nezumi::sim

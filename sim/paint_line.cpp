@@ -1,4 +1,4 @@
-// A piece of a line is a rectangle, a point of it a disc; both as polygons, since a pixel need not be square.
+// A segment of a line is a rectangle and a point a disc. Both are polygons, because a pixel may not be square.
 #include "sim/paint_line.hpp"
 
 #include <algorithm>
@@ -28,13 +28,13 @@ Picture plain_floor(const Point2D& size) {
 }
 
 void paint_line(Picture& floor, const Point2D& size, const LineSpec& line) {
-    // OpenCV takes a polygon's corners in fractions of a pixel, whose middle is a whole number.
+    // OpenCV takes corners in fractions of a pixel; the centre of a pixel is an integer.
     constexpr int shift = 6;
     constexpr double fraction = 1 << shift;
     static_assert(sizeof(Rgb) == 4);
     cv::Mat canvas(floor.height, floor.width, CV_8UC4, floor.pixels.data());
     const Rgb color = parse_color(line.color);
-    const cv::Scalar bytes(color & 0xff, color >> 8 & 0xff, color >> 16 & 0xff, 0);  // as they lie in memory
+    const cv::Scalar bytes(color & 0xff, color >> 8 & 0xff, color >> 16 & 0xff, 0);  // in memory order
     const auto pixel = [&](double x, double y) {
         return cv::Point(static_cast<int>(std::lround(((x / size.x + 0.5) * floor.width - 0.5) * fraction)),
                          static_cast<int>(std::lround(((0.5 - y / size.y) * floor.height - 0.5) * fraction)));

@@ -1,7 +1,7 @@
 // Painting with a depth buffer, a few rows at a time so that it stays in the cache.
 //
-// No sorting from far to near: whatever stands in a room, some pair of faces has no such order. One over the depth is
-// an affine function of the place in the picture, so the comparison costs one multiplication.
+// Faces are not sorted from far to near, because such an order does not always exist. The inverse depth is an affine
+// function of the picture coordinates, so a comparison costs one multiplication.
 #include "sim/painter.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Corner {
     double column, row;
 };
 
-// A face as it is seen: columns and rows are those of the samples.
+// A visible face. Columns and rows are those of the samples.
 struct SeenFace {
     std::vector<Corner> corners;
     int first_row, end_row;
@@ -36,7 +36,7 @@ struct SeenFace {
 };
 
 CameraIntrinsics of_samples(const CameraIntrinsics& pinhole) {
-    // The samples of the first pixel, whose centre is 0, are at -0.25 and 0.25: numbers 0 and 1.
+    // The centre of the first pixel is 0. Its samples, numbers 0 and 1, are at -0.25 and 0.25.
     const auto centre = [](double c) { return samples_per_side * (c + 0.5) - 0.5; };
     return {.fx = samples_per_side * pinhole.fx,
             .fy = samples_per_side * pinhole.fy,
@@ -56,7 +56,7 @@ std::vector<Vec3> cut_near(const std::vector<Vec3>& corners) {
     return kept;
 }
 
-// `direction` dot the ray through a sample, as a function of its place.
+// The dot product of `direction` and the ray through a sample, as a function of the sample's place.
 Plane along_ray(const Vec3& direction, const CameraIntrinsics& pinhole) {
     return {direction.z() - direction.x() * pinhole.cx / pinhole.fx - direction.y() * pinhole.cy / pinhole.fy,
             direction.x() / pinhole.fx, direction.y() / pinhole.fy};
@@ -67,14 +67,14 @@ Plane operator-(const Plane& a, const Plane& b) {
 }
 Plane operator*(const Plane& a, double s) { return {a.at_origin * s, a.per_column * s, a.per_row * s}; }
 
-// How far a point is along an edge of the picture, in pixels, times 1 / z.
+// The position of a point along an edge of the picture, in pixels, times 1 / z.
 Plane along_edge(const Face& face, const Vec3& edge, int pixels, const Plane& inverse_depth,
                  const CameraIntrinsics& pinhole) {
     const double scale = pixels / edge.squaredNorm();
     return along_ray(edge * scale, pinhole) - inverse_depth * (edge.dot(face.top_left) * scale);
 }
 
-// Whether anything of it is in sight, and if so, how.
+// Computes how the face is seen. Returns false if none of it is visible.
 bool see(const Face& face, const CameraIntrinsics& pinhole, int columns, int rows, SeenFace& seen) {
     const std::vector<Vec3> corners = cut_near(face.corners);
     if (corners.size() < 3) return false;
@@ -87,7 +87,7 @@ bool see(const Face& face, const CameraIntrinsics& pinhole, int columns, int row
         normal = -normal;
         distance = -distance;
     }
-    if (distance < 1e-6) return false;  // seen edge on
+    if (distance < 1e-6) return false;  // seen edge-on
 
     double top = rows, bottom = 0, left = columns, right = 0;
     for (const Vec3& corner : corners) {
@@ -108,11 +108,11 @@ bool see(const Face& face, const CameraIntrinsics& pinhole, int columns, int row
     seen.color = face.color;
     seen.picture = face.picture;
     if (face.picture != nullptr) {
-        // The exact depth here, not the one with which it hides what is behind it.
+        // Uses the exact depth here, not the one shifted by `lift`.
         seen.u = along_edge(face, face.right, face.picture->width, inverse_depth, pinhole);
         seen.v = along_edge(face, face.down, face.picture->height, inverse_depth, pinhole);
         const double back = std::max(distance - face.lift, distance / 2) / distance;
-        // `inverse_depth` is what a sample divides by.
+        // Samples divide by `inverse_depth`.
         seen.u = seen.u * (1 / back);
         seen.v = seen.v * (1 / back);
     }
@@ -133,13 +133,13 @@ std::pair<int, int> span_of(const SeenFace& face, int row, int columns) {
             static_cast<int>(std::ceil(std::min(right, static_cast<double>(columns))))};
 }
 
-// The pixel before which `place` lies, and how much of the next one a sample of this width catches.
+// The pixel left of `place`, and the weight of the next one for a sample of this width.
 struct Blend {
     int first, second;
     float of_second;
 };
 Blend blend(float place, float width, int count) {
-    // Sharp when a pixel of the picture is wide, soft when it is narrow: what a box of this width sees.
+    // Sharp where a pixel of the picture is wide, soft where it is narrow: a box filter of this width.
     const float edge = std::floor(place + 0.5F);
     const float part = std::clamp((place - edge) / std::min(std::max(width, 1e-6F), 1.0F) + 0.5F, 0.0F, 1.0F);
     const int second = static_cast<int>(edge);
@@ -203,10 +203,10 @@ void paint_picture(const SeenFace& face, int row, int first, int end, float* inv
     }
 }
 
-// The mean of the samples of each pixel of a row of the picture.
+// Averages the samples of each pixel of a row of the picture.
 void resolve(const Rgb* samples_of_row, int columns, int width, bool color, std::uint8_t* out) {
     for (int pixel = 0; pixel < width; ++pixel) {
-        // Two channels at a time: red and blue lie 16 bits apart, the sum of four needs 10.
+        // Two channels at a time: red and blue are 16 bits apart, and the sum of four needs 10 bits.
         Rgb red_blue = 0, green = 0;
         for (int row = 0; row < samples_per_side; ++row) {
             for (int column = 0; column < samples_per_side; ++column) {

@@ -1,4 +1,4 @@
-// A software painter: flat faces before a pinhole, the nearest in sight, each pixel the mean of four samples.
+// A software renderer: flat faces in front of a pinhole camera, with a depth buffer and four samples per pixel.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,19 @@
 
 namespace nezumi::sim {
 
-/// A flat, convex face. Everything is in the camera's frame [m]: x right, y down, z ahead.
+/// A flat, convex face. All vectors are in the camera frame [m]: x right, y down, z ahead.
 struct Face {
     std::vector<Vec3> corners;  ///< in order around it
     Rgb color = 0;
-    const Picture* picture = nullptr;  ///< what it shows instead of the colour; must outlive the painting
+    const Picture* picture = nullptr;  ///< drawn instead of the colour; must outlive the painting
     Vec3 top_left = Vec3::Zero();      ///< of the picture
-    Vec3 right = Vec3::Zero();         ///< from there to its top right corner
-    Vec3 down = Vec3::Zero();          ///< and to its bottom left corner, at right angles to `right`
-    double lift = 0;                   ///< [m] it hides what lies less than so far before it: for what sticks on a wall
+    Vec3 right = Vec3::Zero();         ///< vector to the picture's top right corner
+    Vec3 down = Vec3::Zero();          ///< vector to its bottom left corner, perpendicular to `right`
+    double lift = 0;  ///< [m] the face hides what is less than this in front of it: for pictures on a wall
 };
 
-/// Paints faces, in any order, over a background, as a pinhole without distortion sees them. Writes 3 bytes a pixel
-/// (red, green, blue), or 1 (grey), row by row.
-/// What is nearer than 1 cm is cut off.
+/// Paints faces, in any order, over a background, as a pinhole camera without distortion sees them. Writes rows of 3
+/// bytes (red, green, blue) or 1 byte (grey) per pixel. Cuts off what is nearer than 1 cm.
 void paint(const std::vector<Face>& faces, Rgb background, const CameraIntrinsics& pinhole, bool color,
            std::vector<std::uint8_t>& pixels);
 

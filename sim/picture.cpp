@@ -1,4 +1,4 @@
-// PNG by libpng's short interface, other formats by a module, tags by AprilTag's own tables.
+// Reads PNG by libpng, other formats by a module; paints tags by the tables of AprilTag.
 #include "sim/picture.hpp"
 
 #include <apriltag/apriltag.h>
@@ -11,21 +11,13 @@
 #include <filesystem>
 #include <memory>
 
-#include "engine/base/module.hpp"
 #include "engine/base/whole_file.hpp"
-#include "sim/image_module.hpp"
 
 namespace nezumi::sim {
 namespace {
 
-constexpr std::int64_t most_pixels = 64'000'000;                 // 8000 x 8000
 constexpr std::size_t largest_picture = std::size_t{256} << 20;  // bytes
 constexpr Rgb grey = 0x8a8f98;
-
-std::string too_large(std::int64_t width, std::int64_t height) {
-    if (width * height <= most_pixels) return "";
-    return fmt::format("it has {} x {} pixels, expected at most {} million", width, height, most_pixels / 1'000'000);
-}
 
 // Why these bytes are no PNG, or "".
 std::string read_png(std::string_view bytes, Picture& picture) {
@@ -33,7 +25,7 @@ std::string read_png(std::string_view bytes, Picture& picture) {
     image.version = PNG_IMAGE_VERSION;
     const std::unique_ptr<png_image, decltype(&png_image_free)> freed(&image, png_image_free);
     if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) return image.message;
-    if (std::string problem = too_large(image.width, image.height); !problem.empty()) return problem;
+    if (std::string problem = too_many_pixels(image.width, image.height); !problem.empty()) return problem;
     image.format = PNG_FORMAT_RGB;
     std::vector<png_byte> rgb(PNG_IMAGE_SIZE(image));
     const png_color white{255, 255, 255};
@@ -43,17 +35,6 @@ std::string read_png(std::string_view bytes, Picture& picture) {
     for (std::size_t i = 0; i + 2 < rgb.size(); i += 3)
         picture.pixels.push_back(Rgb{rgb[i]} << 16 | Rgb{rgb[i + 1]} << 8 | rgb[i + 2]);
     return "";
-}
-
-// Why these bytes are no picture of another format, or "".
-std::string read_other(std::string_view bytes, Picture& picture) {
-    static const auto decodes = load_function(
-        {.file = image_module, .function = decode_in_module, .part = "pictures", .needs = "libopencv-imgcodecs406"});
-    if (!decodes) return decodes.error().message;
-    std::string problem;
-    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
-    if (!reinterpret_cast<DecodeInModule*>(*decodes)(data, bytes.size(), picture, problem)) return problem;
-    return too_large(picture.width, picture.height);
 }
 
 }  // namespace
@@ -66,10 +47,13 @@ Expected<Picture> read_picture(const std::string& file) {
     };
     if (!text) return refuse(text.error().message);
     Picture picture;
-    const bool is_png = is_called_png || text->starts_with("\x89PNG");
-    if (const std::string problem = is_png ? read_png(*text, picture) : read_other(*text, picture); !problem.empty())
-        return refuse(problem);
-    return picture;
+    if (is_called_png || text->starts_with("\x89PNG")) {
+        if (const std::string problem = read_png(*text, picture); !problem.empty()) return refuse(problem);
+        return picture;
+    }
+    auto decoded = decode_picture(*text);
+    if (!decoded) return refuse(decoded.error().message);
+    return decoded;
 }
 
 Rgb parse_color(const std::string& text) {
@@ -95,7 +79,7 @@ Picture paint_tag(int id) {
     }
     const std::uint64_t code = family->codes[id];
     for (std::uint32_t bit = 0; bit < family->nbits; ++bit) {
-        // The first bit is the most significant.
+        // The first bit is the most significant one.
         if ((code >> (family->nbits - 1 - bit) & 1) != 0) cell(family->bit_x[bit], family->bit_y[bit]) = white;
     }
     return picture;

@@ -1,4 +1,4 @@
-// Makes pictures that lie on surfaces: from a file, of a marker.
+// Pictures on surfaces: read from a file, or painted as a marker.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace nezumi::sim {
 
-/// Reads a picture's file: PNG, or with a module that is loaded then, what else OpenCV can read. Transparent parts are
-/// white. An error says what the matter with the file is.
+/// Reads a picture file: PNG, or by a module loaded on demand any format of OpenCV. Transparent parts become white. An
+/// error gives the reason.
 Expected<Picture> read_picture(const std::string& file);
 
 /// "#rrggbb" as a colour; grey for anything else.
 Rgb parse_color(const std::string& text);
 
-/// The tag `id` of AprilTag's family 36h11 with its white margin: a pixel for each cell.
+/// Paints tag `id` of AprilTag's family 36h11 with its white margin, one pixel per cell.
 Picture paint_tag(int id);
 
 }  // namespace nezumi::sim

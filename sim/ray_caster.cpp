@@ -1,4 +1,4 @@
-// Casting a fan of rays: first who is near at all, then ray by ray.
+// Casts a fan of rays: first selects the near shapes, then tests each ray.
 #include "sim/ray_caster.hpp"
 
 #include <algorithm>
@@ -7,19 +7,20 @@
 namespace nezumi::sim {
 namespace {
 
-// Whether a ray can meet a shape that, seen from above, lies within `reach` of (x, y) from the ray's start.
+// True if a ray can hit a shape that, seen from above, lies within `reach` of (x, y) relative to the ray's start.
 bool may_meet(double x, double y, double reach, const Vec3& direction, double range) {
     const double along = x * direction.x() + y * direction.y();
     const double flat = direction.x() * direction.x() + direction.y() * direction.y();
-    // Nearest point of the ray to the shape's axis; what is behind the start can still hold the start.
+    // The ray's nearest point to the shape's axis. A shape behind the start can still contain the start.
     const double t = flat > 1e-12 ? std::clamp(along / flat, 0.0, range) : 0.0;
     const double dx = x - t * direction.x(), dy = y - t * direction.y();
     return dx * dx + dy * dy <= reach * reach;
 }
 
 void cast_at(const Shape& shape, double reach, const RayFan& fan, const Vec3& centre, const Rotation& rotation,
-             std::span<double> distances) {
+             std::span<double> distances, std::span<const std::uint8_t> due) {
     for (const RayFan::RayFrom& ray : fan.rays) {
+        if (!due.empty() && due[ray.sensor] == 0) continue;
         const Vec3 from = centre + rotate(rotation, ray.from);
         const Vec3 direction = rotate(rotation, ray.direction);
         double& nearest = distances[ray.sensor];
@@ -38,15 +39,15 @@ void RayFan::add(const RayFrom& ray) {
 }
 
 void cast_rays(const Scene& scene, const RayFan& fan, const Vec3& centre, const Rotation& rotation, Scene::Index self,
-               std::span<double> distances) {
+               std::span<double> distances, std::span<const std::uint8_t> due) {
     assert(distances.size() >= fan.sensors);
     std::fill(distances.begin(), distances.end(), nothing);
     scene.for_each_fixed_near(centre.x(), centre.y(), fan.reach, [&](Scene::Index, const Shape& shape) {
         if (distance_from_above(shape, centre.x(), centre.y()) > fan.reach) return;
-        cast_at(shape, shape.reach(), fan, centre, rotation, distances);
+        cast_at(shape, shape.reach(), fan, centre, rotation, distances, due);
     });
     scene.for_each_mover_near(centre.x(), centre.y(), fan.reach, self, [&](Scene::Index, const Shape& shape) {
-        cast_at(shape, shape.reach(), fan, centre, rotation, distances);
+        cast_at(shape, shape.reach(), fan, centre, rotation, distances, due);
     });
 }
 

@@ -1,7 +1,8 @@
-// All rays of a robot at once: the first thing that each meets.
+// Casts all rays of a robot at once and finds the first hit of each.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,17 +10,17 @@
 
 namespace nezumi::sim {
 
-/// The rays of one robot in its own frame, whose origin is its centre.
+/// The rays of one robot in its own frame, with the origin at its centre.
 struct RayFan {
     struct RayFrom {
         Vec3 from = Vec3::Zero();        ///< [m]
         Vec3 direction = Vec3::UnitX();  ///< a unit vector
         double range = 0;                ///< [m]
-        std::size_t sensor = 0;          ///< which distance it is measured for; of several rays the nearest hit counts
+        std::size_t sensor = 0;          ///< the index of its distance; several rays of one sensor give the nearest hit
     };
     std::vector<RayFrom> rays;
-    std::size_t sensors = 0;  ///< how many distances there are
-    double reach = 0;         ///< [m] none of the rays leaves the upright cylinder of this radius about the centre
+    std::size_t sensors = 0;  ///< the number of distances
+    double reach = 0;         ///< [m] radius of an upright cylinder about the centre that contains all rays
 
     /// Adds a ray.
     void add(const RayFrom& ray);
@@ -27,11 +28,12 @@ struct RayFan {
 
 /// Writes, for each sensor of the fan, the distance [m] to the first thing its rays meet, or `nothing`. The fan sits
 /// at `centre`, turned by `rotation`; the mover `self` is not seen. The floor is not seen: a robot that nods while it
-/// brakes would take it for a wall. Depends on the poses of the scene's last refresh and nothing else.
+/// brakes would take it for a wall. Sensors for which `due` says 0 are left out; empty: none are. Depends on the poses
+/// of the scene's last refresh and nothing else.
 void cast_rays(const Scene& scene, const RayFan& fan, const Vec3& centre, const Rotation& rotation, Scene::Index self,
-               std::span<double> distances);
+               std::span<double> distances, std::span<const std::uint8_t> due = {});
 
-/// Distance of a single ray in the world, as above.
+/// Returns the distance of a single ray in the world frame, as above.
 double cast_ray(const Scene& scene, const Vec3& from, const Vec3& direction, double range, Scene::Index self);
 
 }  // namespace nezumi::sim

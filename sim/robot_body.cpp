@@ -1,4 +1,4 @@
-// A robot's sensors and motors, by its number in the world.
+// A robot's sensors and motors in the world, by its number.
 #include "sim/robot_body.hpp"
 
 #include <cassert>
@@ -13,7 +13,9 @@ SimRobotBody::~SimRobotBody() { world_.remove_robot(id_); }
 
 Wheels SimRobotBody::wheel_angles() const { return world_.robot(id_).angles; }
 
-void SimRobotBody::read_ranges(std::span<double> distances) const { world_.read_ranges(world_.robot(id_), distances); }
+void SimRobotBody::read_ranges(std::span<double> distances, std::span<const std::uint8_t> due) const {
+    world_.read_ranges(world_.robot(id_), distances, due);
+}
 
 double SimRobotBody::yaw_rate() const { return world_.robot(id_).body.w[2]; }
 

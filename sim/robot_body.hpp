@@ -1,4 +1,4 @@
-// What the engine holds of a simulated robot.
+// A simulated robot as the engine sees it.
 #pragma once
 
 #include "sim/simulated_body.hpp"
@@ -9,7 +9,7 @@ class OdeWorld;
 
 class SimRobotBody final : public SimulatedBody {
 public:
-    /// `world` and `spec` must outlive it; destroying it takes the robot out of the world. `seed` is of its noise.
+    /// `world` and `spec` must outlive it. The destructor removes the robot from the world. `seed` is for sensor noise.
     SimRobotBody(OdeWorld& world, RobotId id, const RobotSpec& spec, std::uint64_t seed)
         : SimulatedBody(spec, seed), world_(world), id_(id) {}
     ~SimRobotBody() override;
@@ -18,7 +18,8 @@ public:
 
     RobotId id() const override { return id_; }
     Wheels wheel_angles() const override;
-    void read_ranges(std::span<double> distances) const override;
+    using SimulatedBody::read_ranges;
+    void read_ranges(std::span<double> distances, std::span<const std::uint8_t> due) const override;
     bool is_pressed(std::size_t index) const override;
     double yaw_rate() const override;
     PlaceMotion motion(std::size_t index) const override;

@@ -1,4 +1,4 @@
-// Deriving a robot's physics: where it rests, on which springs, and its rays.
+// Derives a robot's physics: its pose at rest, its springs and its rays.
 #include "sim/robot_model.hpp"
 
 #include <algorithm>
@@ -7,10 +7,10 @@
 namespace nezumi::sim {
 namespace {
 
-// No hull hangs lower [m]: one that rests on the floor would brake the robot.
+// The lowest clearance of a hull [m]: a hull on the floor would brake the robot.
 constexpr double least_clearance = 0.004;
 
-// [m] No skid is nearer to the axle: with both under the axle no robot would stand.
+// The smallest distance of a skid from the axle [m]: with both skids below the axle a robot would tip over.
 constexpr double least_skid = 0.005;
 
 }  // namespace
@@ -40,11 +40,11 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     const dMass solid = mass_of(hull, mass);
     inertia = {solid.I[0], solid.I[5], solid.I[10]};
 
-    // At rest the wheels carry the load and each skid 15 % of it, more or less where the hull's centre is before or
-    // behind the axle, so that the robot stands level. Each is longer by what its spring then gives.
+    // At rest the wheels carry most of the load and each skid about 15 %, depending on where the hull's centre is
+    // relative to the axle, so that the robot stands level. Each is made longer by the compression of its spring.
     const DriveSpec& drive = robot.drive;
     const double arm = std::max(drive.skid, least_skid);
-    const double shift = std::clamp(robot.body.at.x / arm, -0.9, 0.9);  // front less rear, as a part of the weight
+    const double shift = std::clamp(robot.body.at.x / arm, -0.9, 0.9);  // front minus rear, as a part of the weight
     double front = 0.15 + shift / 2, rear = 0.15 - shift / 2;
     if (front < 0) {
         rear -= front;
@@ -58,11 +58,11 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     const double axle = origin.z() + drive.radius;
     wheels = {Vec3{origin.x(), origin.y() + drive.track / 2, axle},
               Vec3{origin.x(), origin.y() - drive.track / 2, axle}};
-    // A disc is as wide at the axle as its circle is there.
+    // The half width of a disc at the axle is less than its radius.
     const double x = origin.x(),
                  half_width = box ? hull.half.y() : std::sqrt(std::max(0.0, hull.half.x() * hull.half.x() - x * x));
     wheel_overhang = drive.track / 2 - (half_width + origin.y());
-    // A tall robot would fall over soft skids: a single one brings it upright with three times what gravity tilts it.
+    // A tall robot would fall over soft skids. One skid alone must give three times the tilting torque of gravity.
     const double stiffness = std::max(per_kilogram::skid, 3 * gravity * robot.body.at.z / (arm * arm));
     const double damping = per_kilogram::skid_damping * std::sqrt(stiffness / per_kilogram::skid);
     const double skid_give = gravity / stiffness;
@@ -76,8 +76,8 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     wheel_contact.surface.soft_erp = firm.erp;
     wheel_contact.surface.soft_cfm = firm.cfm;
     coasting_contact = wheel_contact;
-    // Creep keeps a driven wheel calm, but would let a robot that stands glide down any slope. With what the skids
-    // carry, which have no friction, the wheels hold to the angle of friction.
+    // Creep makes a driven wheel smooth, but a standing robot would glide down any slope. The skids carry a part of the
+    // weight without friction; the larger mu lets the robot stand up to the angle of friction all the same.
     held_contact = wheel_contact;
     held_contact.surface.mu = robot.friction / (1 - front - rear);
     held_contact.surface.slip1 = held_contact.surface.slip2 = per_kilogram::held_creep / mass;
@@ -109,7 +109,7 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
 
 RayFan RobotModel::fan_at(const std::vector<double>& servo_angles) const {
     RayFan rays;
-    std::size_t slot = 0;  // of the distances
+    std::size_t slot = 0;  // index of the distance
     for (const std::size_t index : range_sensors) {
         const SensorSpec& sensor = spec->sensors[index];
         Vec3 at = to_vec(sensor.at);

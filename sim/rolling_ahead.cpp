@@ -1,4 +1,4 @@
-// Step after step in closed form, in registers and the nearest cache.
+// Advances robots step by step in closed form, within registers and the nearest cache.
 #include "sim/rolling_ahead.hpp"
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 namespace nezumi::sim {
 namespace {
 
-// Fewer steps of robots than this are quicker on one thread: a thread that sleeps takes as long to come.
+// With fewer robot-steps than this, one thread is faster: waking a sleeping thread takes as long.
 constexpr std::size_t worth_threads = 500;
 
 }  // namespace
 
-// Calls `action(begin, end, thread)` for shares of the robots, for each of whom it takes the time of so many steps.
+// Calls `action(begin, end, thread)` for shares of the robots. The cost per robot is that of `steps` steps.
 template <class Action>
 void RollingAhead::share_out(int steps, const Action& action) {
     const std::size_t count = movers_.robots.size();
@@ -27,7 +27,7 @@ void RollingAhead::share_out(int steps, const Action& action) {
     }
 }
 
-// Of one model, at most as many as there are lanes. Those that get through are put there.
+// Robots of one model, at most one per lane. Only robots that roll freely to the end are moved.
 void RollingAhead::roll(std::span<const std::size_t> robots, int steps, std::vector<double>& fastest) {
     std::array<Rolling, Lanes::count> all;
     const std::span<Rolling> rolling = std::span(all).first(robots.size());
@@ -48,7 +48,7 @@ void RollingAhead::roll(std::span<const std::size_t> robots, int steps, std::vec
     }
 }
 
-// Those of [begin, end) that are `wanted`, from where they were before.
+// Moves those of [begin, end) that are `wanted`, from where they were before.
 template <class Wanted>
 void RollingAhead::roll_all(std::size_t begin, std::size_t end, int steps, std::vector<double>& fastest,
                             const Wanted& wanted) {

@@ -1,4 +1,4 @@
-// Robots that nobody is near take the steps of a whole tick in one go, so that each one's memory is walked once a tick.
+// Robots without neighbours take all steps of a tick at once, so that the memory of each is read once a tick.
 #pragma once
 
 #include <cstdint>
@@ -14,25 +14,24 @@ class WorkerPool;
 
 namespace nezumi::sim {
 
-/// While neighbours' lists hold, a robot without neighbours meets nobody and nobody meets it: whether it is ahead of
-/// the others makes no difference to the result. Where it was before is kept, as the lists may turn out not to have
-/// held for as long.
+/// While neighbour lists are valid, a robot without neighbours touches no other mover. So the result is the same if it
+/// is ahead of the others. Its previous state is kept, because the lists may expire early.
 class RollingAhead {
 public:
     /// `step` [s] is the length of a step. All must outlive it.
     RollingAhead(Movers& movers, Scene& scene, double step) : movers_(movers), scene_(scene), step_(step) {}
 
-    /// Threads that share out the robots; the result is the same with any number. Null: none.
+    /// Threads that share the robots; null for none. The result does not depend on their number.
     void use(WorkerPool* workers) { workers_ = workers; }
 
-    /// Puts all robots that have no neighbours and roll freely for so many steps to where these lead, and their hulls
-    /// with them. Lists of neighbours must be up to date.
+    /// Advances all robots that have no neighbours and roll freely by `steps` steps, with their hulls. Neighbour lists
+    /// must be up to date.
     void go(int steps);
-    /// The robots that have to take their steps one by one, in the order of adding: all others that are there.
+    /// The robots that must take their steps one by one, in the order of adding: all those that are not ahead.
     std::span<SimRobot* const> others() const { return others_; }
-    /// The speed [m/s], squared, of the fastest of those that are ahead, after step `i` from 0.
+    /// The squared speed [m^2/s^2] of the fastest robot that is ahead, after step `i`, counted from 0.
     double fastest_squared(int i) const { return fastest_.empty() ? 0 : fastest_[static_cast<std::size_t>(i)]; }
-    /// Puts those that are ahead to where they were after the first `steps`, when the others have not taken more.
+    /// Moves the robots that are ahead back to their state after `steps`, when the others have taken no more.
     void go_back_to(int steps);
 
 private:
@@ -52,9 +51,9 @@ private:
     double step_;
     WorkerPool* workers_ = nullptr;
     int taken_ = 0;                                // steps
-    std::vector<Before> before_;                   // by robot, where it was, of those that are ahead
+    std::vector<Before> before_;                   // state before, by robot that is ahead
     std::vector<std::uint8_t> is_ahead_;           // by robot
-    std::vector<SimRobot*> others_;                // good within a call of `OdeWorld::step`
+    std::vector<SimRobot*> others_;                // valid within a call of `OdeWorld::step`
     std::vector<double> fastest_;                  // by step
     std::vector<std::vector<double>> fastest_of_;  // by thread and step
 };

@@ -29,7 +29,7 @@ Scene::Index Scene::add_fixed(const Shape& shape) {
     for (auto column = fixed_grid_.index(bounds.min_x); column <= fixed_grid_.index(bounds.max_x); ++column) {
         for (auto row = fixed_grid_.index(bounds.min_y); row <= fixed_grid_.index(bounds.max_y); ++row) {
             const double half = cell_size / 2;
-            // A slanting wall's rectangle holds many cells that the wall itself is far from.
+            // The bounding rectangle of a slanting wall covers many cells far from the wall.
             if (distance_from_above(shape, column * cell_size + half, row * cell_size + half) <= cell_size * 0.7072) {
                 fixed_grid_.insert_in_cell(index, column, row);
             }
@@ -62,7 +62,7 @@ Scene::Index Scene::add_mover(const Shape& shape, double reach) {
 }
 
 void Scene::remove_mover(Index index) {
-    // Nothing reaches as far; the grid forgets it at the next refresh.
+    // Beyond all reach; the grid drops it at the next refresh.
     constexpr double nowhere = std::numeric_limits<double>::infinity();
     movers_[index].centre = {nowhere, nowhere, 0};
     spots_[index].x = spots_[index].y = nowhere;

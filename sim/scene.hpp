@@ -1,4 +1,4 @@
-// The shapes of a world and who is near whom: what stands still, and what may move.
+// The shapes of a world and searches by place, for fixed shapes and movers.
 #pragma once
 
 #include <algorithm>
@@ -11,35 +11,35 @@
 
 namespace nezumi::sim {
 
-/// Shapes by number, in the order of adding. Fixed ones and movers are numbered apart, each from 0. Looking is safe
-/// from several threads at once as long as nobody adds, moves or refreshes.
+/// Shapes by number, in the order of adding. Fixed shapes and movers are numbered separately, from 0. Several threads
+/// may search at once while no other one adds, moves or refreshes.
 class Scene {
 public:
     using Index = std::uint32_t;
     static constexpr Index nobody = ~Index{0};
 
     Index add_fixed(const Shape& shape);
-    /// `reach` [m] is that of the shape and whatever else moves with it.
+    /// `reach` [m] is the radius of the shape and of everything that moves with it.
     Index add_mover(const Shape& shape, double reach);
     Index add_mover(const Shape& shape) { return add_mover(shape, shape.reach()); }
 
-    /// From now on no search finds it. Its number stays its own.
+    /// Searches no longer find it. Its number is not used again.
     void remove_mover(Index index);
 
-    /// Puts a fixed shape elsewhere.
+    /// Moves a fixed shape.
     void move_fixed(Index index, const Shape& shape);
 
     const std::vector<Shape>& fixed() const { return fixed_; }
     const std::vector<Shape>& movers() const { return movers_; }
 
-    /// For moving a mover. Searches still find it where it was at the last refresh.
+    /// For moving a mover. Searches use its place at the last refresh.
     Shape& mover(Index index) { return movers_[index]; }
 
-    /// Lets searches find all movers where they are now.
+    /// Searches use the present places of all movers from now on.
     void refresh();
 
-    /// Calls `visit(index, shape)` for every fixed shape that may lie within `reach` of (x, y) as seen from above; some
-    /// may be farther, and one may be visited twice. Without order.
+    /// Calls `visit(index, shape)` for every fixed shape that may lie within `reach` of (x, y), seen from above. Some
+    /// may be farther away, and one may be visited twice. The order is not defined.
     template <class Visit>
     void for_each_fixed_near(double x, double y, double reach, Visit&& visit) const {
         const auto look = [&](Index i) {
@@ -71,18 +71,18 @@ public:
 
 private:
     static constexpr double cell_size = 0.5;      // [m]
-    static constexpr std::size_t few = 8;         // up to so many, looking at each beats the grid
-    static constexpr double large_reach = 0.5;    // [m] reach from which on a mover is kept out of the grid
+    static constexpr std::size_t few = 8;         // up to this number a linear search is faster than the grid
+    static constexpr double large_reach = 0.5;    // [m] a mover with this reach or more is kept out of the grid
     static constexpr double most_cells = 20'000;  // a fixed shape over more cells is kept out of the grid
 
-    // The rectangle that holds a shape as seen from above.
+    // The bounding rectangle of a shape seen from above.
     struct Bounds {
         double min_x, max_x, min_y, max_y;
         bool touches(double x, double y, double reach) const {
             return x + reach >= min_x && x - reach <= max_x && y + reach >= min_y && y - reach <= max_y;
         }
     };
-    // What the search for movers looks at: small, so that many fit into a cache line.
+    // The data for the search of movers: small, so that many fit into a cache line.
     struct Spot {
         double x, y, reach;
     };

@@ -1,4 +1,4 @@
-// Boxes, prisms for cylinders, signs and the floor, lit from above.
+// Makes boxes, prisms for cylinders, signs and the floor, with light from above.
 #include "sim/scenery.hpp"
 
 #include <array>
@@ -7,11 +7,11 @@
 namespace nezumi::sim {
 namespace {
 
-constexpr Rgb back_color = 0xd8d8d8;  // of a sign
+constexpr Rgb back_color = 0xd8d8d8;  // back of a sign
 constexpr double floor_reach = 200;   // [m]
 constexpr int prism_sides = 24;
-constexpr double sign_lift = 0.002;    // [m] a sign on a wall is before the wall
-constexpr double floor_lift = 0.0005;  // [m] the floor's picture is before the floor
+constexpr double sign_lift = 0.002;    // [m] a sign on a wall is in front of the wall
+constexpr double floor_lift = 0.0005;  // [m] the floor's picture is above the floor
 
 Rgb lit(Rgb color, const Vec3& normal) {
     // Light from above and a little from the side, so that the faces of a box differ.
@@ -27,7 +27,7 @@ class Looker {
 public:
     Looker(const View& view, std::vector<Face>& faces) : view_(view), faces_(faces) {}
 
-    // From the world into the camera's frame: x right, y down, z ahead.
+    // From the world frame to the camera frame: x right, y down, z ahead.
     Vec3 direction(const Vec3& d) const {
         const Vec3 body = view_.rotation.transpose() * d;
         return {-body.y(), -body.z(), body.x()};

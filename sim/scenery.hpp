@@ -1,4 +1,4 @@
-// What there is to see at one moment, and the faces that a camera would see of it.
+// The visible objects at one moment, and the faces that a camera sees of them.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ struct Solid {
     Rgb color = 0;
 };
 
-/// A picture on an upright or tilted square without thickness; its back is plain. The frame has x out of the picture, y
-/// to the right of who looks at it, z up.
+/// A picture on a square without thickness; its back is plain. In its frame x points out of the picture, y to the
+/// viewer's right, z up.
 struct Sign {
     const Picture* picture = nullptr;
     double edge = 0;  ///< [m]
@@ -29,21 +29,21 @@ struct Scenery {
     std::vector<Solid> solids;
     std::vector<Sign> signs;
     const Picture* floor = nullptr;  ///< nullptr: a plain floor
-    Point2D floor_size{};            ///< [m] of the picture, centred on the origin; its top is where y is largest
+    Point2D floor_size{};            ///< [m] size of the picture, centred on the origin; its top is at the largest y
 };
 
-/// From where it is looked at; the frame has x forward, y left, z up.
+/// The viewer's pose: x forward, y left, z up.
 struct View {
     Vec3 at = Vec3::Zero();
     Rotation rotation = Rotation::Identity();
 };
 
-/// Of a floor without a picture.
+/// The colour of a floor without a picture.
 inline constexpr Rgb plain_floor_color = 0xc9c4ba;
-/// The colour over the horizon.
+/// The colour above the horizon.
 inline constexpr Rgb sky = 0xdfe6ee;
 
-/// The faces that are turned towards the view, in its camera frame. The pictures must outlive them.
+/// Returns the faces turned towards the view, in the camera frame. The pictures must outlive them.
 std::vector<Face> faces_of(const Scenery& scenery, const View& view);
 
 }  // namespace nezumi::sim

@@ -1,4 +1,4 @@
-// What sensors of a simulated robot feel and see of the world.
+// Touch and colour sensors of simulated robots.
 #include <cassert>
 #include <cmath>
 
@@ -7,18 +7,19 @@
 
 namespace nezumi::sim {
 
-void OdeWorld::read_ranges(const SimRobot& robot, std::span<double> distances) const {
+void OdeWorld::read_ranges(const SimRobot& robot, std::span<double> distances,
+                           std::span<const std::uint8_t> due) const {
     const RayFan& fan = robot.fan();
     if (fan.sensors == 0) return;
-    cast_rays(scene_, fan, robot.body.centre(), robot.body.rotation(), robot.mover, distances);
+    cast_rays(scene_, fan, robot.body.centre(), robot.body.rotation(), robot.mover, distances, due);
 }
 
-// A touch sensor is a plunger that sticks out by its travel. It is closed once something has pushed it in, as seen by
-// three rays across its tip that start behind the hull's surface.
+// A touch sensor is a plunger that extends by its travel. It closes when an obstacle has pushed it in: three rays
+// across its tip test this, starting behind the hull's surface.
 bool OdeWorld::touches_something(const SimRobot& robot, const SensorSpec& sensor) const {
     constexpr double half_tip = 0.006;  // [m] half the width of the tip
-    constexpr double behind = 0.005;    // [m] contacts give a little
-    constexpr double nearly = 0.0015;   // [m] of the travel that need not be used up: a robot that pushes leans back
+    constexpr double behind = 0.005;    // [m] because contacts are soft
+    constexpr double nearly = 0.0015;   // [m] part of the travel that may remain: a robot that pushes leans back
     const Rotation rotation = robot.body.rotation();
     const Vec3 at = to_vec(sensor.at) + robot.model->origin;
     const Vec3 out{std::cos(sensor.yaw), std::sin(sensor.yaw), 0}, aside{-out.y(), out.x(), 0};
@@ -32,7 +33,7 @@ bool OdeWorld::touches_something(const SimRobot& robot, const SensorSpec& sensor
 }
 
 std::optional<Rgb> OdeWorld::floor_under(const SimRobot& robot, const SensorSpec& sensor) const {
-    constexpr double highest = 0.018;  // [m] its lamp does not reach farther
+    constexpr double highest = 0.018;  // [m] the lamp lights the floor up to this height
     if (!floor_) return std::nullopt;
     const Vec3 from = to_vec(sensor.at) + robot.model->origin;
     const Vec3 at = robot.body.centre() + rotate(robot.body.rotation(), from);

@@ -1,4 +1,4 @@
-// Intersections of rays with boxes and cylinders, each in the shape's own frame.
+// Ray intersections with boxes and cylinders, in the shape's own frame.
 #include "sim/shape.hpp"
 
 #include <algorithm>
@@ -6,7 +6,8 @@
 namespace nezumi::sim {
 namespace {
 
-// Narrows [near, far], the part of the line within the slab |from + t * direction| <= half. False when nothing is left.
+// Narrows [near, far], the part of the line within the slab |from + t * direction| <= half. Returns false if nothing is
+// left.
 bool clip_to_slab(double from, double direction, double half, double& near, double& far, bool& entered) {
     entered = false;
     if (direction == 0) return std::abs(from) <= half;
@@ -47,7 +48,7 @@ double cast_at_cylinder(double radius, double half_height, const Vec3& from, con
     double near = 0, far = range;
     bool by_cap = false, by_side = false;
     if (!clip_to_slab(from.z(), direction.z(), half_height, near, far, by_cap)) return nothing;
-    // |from + t * direction|^2 = radius^2 as seen along the axis.
+    // |from + t * direction|^2 = radius^2, seen along the axis.
     const double a = direction.x() * direction.x() + direction.y() * direction.y();
     const double b = from.x() * direction.x() + from.y() * direction.y();
     const double c = from.x() * from.x() + from.y() * from.y() - radius * radius;

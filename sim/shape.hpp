@@ -1,4 +1,4 @@
-// Boxes and cylinders in the world, and where a ray meets them.
+// Boxes and cylinders in the world, and ray intersections with them.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace nezumi::sim {
 
-/// No hit, nothing in sight.
+/// The distance if there is no hit.
 inline constexpr double nothing = std::numeric_limits<double>::infinity();
 
 /// A box, or a cylinder about its own z axis.
@@ -21,11 +21,11 @@ struct Shape {
     Rotation rotation = Rotation::Identity();  ///< from the shape's frame to the world
     Vec3 half = Vec3::Zero();  ///< [m] half the edges of a box; a cylinder: radius, radius, half its height
 
-    /// [m] Radius of the upright cylinder about the centre that holds the shape, however it has turned.
+    /// Radius [m] of the upright cylinder about the centre that contains the shape at any rotation.
     double reach() const;
-    /// [m] Half the height of the shape as it stands now.
+    /// Half the height [m] of the shape at its present rotation.
     double half_height() const { return half_height_at(rotation); }
-    /// The same as if it stood so.
+    /// The same at another rotation.
     template <class Real>
     Real half_height_at(const Eigen::Matrix<Real, 3, 3>& how) const;
     /// Whether its own z axis is vertical, up or down, within 0.01 rad.
@@ -39,11 +39,12 @@ Real Shape::half_height_at(const Eigen::Matrix<Real, 3, 3>& how) const {
     return along + half.x() * root(greater(Real(0.0), 1 - how(2, 2) * how(2, 2)));
 }
 
-/// Distance along the ray from `from` in direction `direction` (a unit vector) to the shape, at most `range`. 0 when
-/// `from` lies inside, `nothing` when there is no hit. With `normal`, the outward normal of the surface that was hit.
+/// Returns the distance along the ray from `from` in direction `direction` (a unit vector) to the shape, at most
+/// `range`: 0 if `from` is inside, `nothing` if there is no hit. `normal`, if given, gets the outward normal of the
+/// surface at the hit.
 double cast_ray(const Shape& shape, const Vec3& from, const Vec3& direction, double range, Vec3* normal = nullptr);
 
-/// Distance [m] from (x, y) to the shape as seen from above: 0 inside. Exact for upright shapes, and never too large.
+/// Distance [m] from (x, y) to the shape seen from above: 0 inside. Exact for upright shapes, otherwise a lower bound.
 double distance_from_above(const Shape& shape, double x, double y);
 
 }  // namespace nezumi::sim

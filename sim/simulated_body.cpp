@@ -10,13 +10,13 @@
 namespace nezumi::sim {
 namespace {
 
-// A number in (0, 1] from a hash.
+// Returns a number in (0, 1] from a hash.
 double uniform(std::uint64_t hash) { return (static_cast<double>(hash >> 11) + 1.0) * 0x1p-53; }
 
-// So many distances fit on the stack while they are made into readings: nobody needs them afterwards.
+// Up to this number, distances are stored on the stack: they are needed only here.
 constexpr std::size_t few_rays = 64;
 
-// How many distances a sensor measures.
+// The number of distances that a sensor measures.
 std::size_t rays_of(const SensorSpec& sensor) {
     if (sensor.kind == SensorSpec::Kind::scan) return static_cast<std::size_t>(sensor.rays);
     return sensor.kind == SensorSpec::Kind::range ? 1 : 0;
@@ -37,10 +37,10 @@ SimulatedBody::SimulatedBody(const RobotSpec& spec, std::uint64_t seed)
 }
 
 double SimulatedBody::with_noise(const Draw& draw, double value, double deviation) const {
-    // Two that are independent of each other.
+    // Two independent deviations are added.
     const double both = spec_.noise > 0 ? std::hypot(deviation, spec_.noise * value) : deviation;
     if (both <= 0) return value;
-    // Box and Muller (1958), from hashes of (seed, sensor, tick): no state, so any tick can be drawn again.
+    // Box and Muller (1958), from hashes of (seed, sensor, tick). There is no state, so any tick can be computed again.
     std::uint64_t hash = mix(mix(seed_, draw.sensor), static_cast<std::uint64_t>(draw.tick));
     if (draw.part > 0) hash = mix(hash, draw.part + 1);
     const double radius = std::sqrt(-2 * std::log(uniform(hash)));
@@ -66,7 +66,7 @@ WheelReading SimulatedBody::read_wheels(const Time& now, double period) {
     return reading;
 }
 
-// An echo that does not come back has no length that could be measured wrongly.
+// Without an echo there is no distance to add noise to.
 double SimulatedBody::seen_by(const SensorSpec& sensor, const Draw& draw, double distance) const {
     if (distance >= sensor.range) return sensor.range;
     return std::clamp(with_noise(draw, std::max(distance, sensor.minimum), sensor.noise), sensor.minimum, sensor.range);
@@ -83,12 +83,13 @@ void SimulatedBody::measure_range(const Draw& draw, double seen, SensorReading& 
     if (sensor.noise <= 0 && spec_.noise <= 0) return;
     const double noisy = with_noise(draw, reading.value, sensor.noise);
     if (noisy == reading.value) return;
-    // What lies behind a noisy value is known from that value alone.
+    // Whether the value is out of range is decided from the noisy value alone.
     reading.value = sensor.response.clamp(noisy);
     reading.physical = std::clamp(distance_at(sensor.response, reading.value), sensor.minimum, sensor.range);
 }
 
-// An accelerometer feels what holds it: at rest, gravity upwards. Accelerations are the mean since the last reading.
+// An accelerometer measures the supporting force: gravity upwards at rest. Accelerations are the mean since the last
+// reading.
 void SimulatedBody::measure_motion(std::int64_t tick, double period) {
     constexpr double gravity = 9.81;  // [m/s^2]
     const auto dot = [](const Point3D& a, const Point3D& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
@@ -113,7 +114,16 @@ void SimulatedBody::measure_motion(std::int64_t tick, double period) {
 std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, double period) {
     std::array<double, few_rays> few;
     const std::span<double> seen = seen_.empty() ? std::span(few).first(rays_) : std::span(seen_);
-    read_ranges(seen);
+    // What was seen before stays where nobody asks.
+    if (due_.empty()) {
+        read_ranges(seen);
+    } else if (std::any_of(due_.begin(), due_.end(), [](std::uint8_t due) { return due != 0; })) {
+        fresh_.resize(rays_);
+        read_ranges(fresh_, due_);
+        for (std::size_t i = 0; i < rays_; ++i) {
+            if (due_[i] != 0) seen[i] = fresh_[i];
+        }
+    }
     measure_motion(now.tick, period);
     std::size_t ray = 0;
     for (std::size_t i = 0; i < spec_.sensors.size(); ++i) {
@@ -141,8 +151,9 @@ std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, doub
             case SensorSpec::Kind::ambient: reading.value = percent(sensor.level); break;
             case SensorSpec::Kind::range: measure_range({i, now.tick}, seen[ray++], reading); break;
             case SensorSpec::Kind::scan:
-                for (std::size_t part = 0; part < rays_of(sensor); ++part, ++ray)
-                    seen[ray] = seen_by(sensor, {i, now.tick, part}, seen[ray]);
+                for (std::size_t part = 0; part < rays_of(sensor); ++part, ++ray) {
+                    if (due_.empty() || due_[ray] != 0) seen[ray] = seen_by(sensor, {i, now.tick, part}, seen[ray]);
+                }
                 break;
             case SensorSpec::Kind::imu: break;
         }
@@ -155,9 +166,19 @@ std::span<const double> SimulatedBody::sensor_values(std::size_t index) const {
         if (each.sensor == index) return each.values;
     }
     if (spec_.sensors[index].kind != SensorSpec::Kind::scan) return {};
+    return std::span(seen_).subspan(first_ray(index), rays_of(spec_.sensors[index]));
+}
+
+std::size_t SimulatedBody::first_ray(std::size_t index) const {
     std::size_t first = 0;
     for (std::size_t i = 0; i < index; ++i) first += rays_of(spec_.sensors[i]);
-    return std::span(seen_).subspan(first, rays_of(spec_.sensors[index]));
+    return first;
+}
+
+void SimulatedBody::set_due(std::size_t index, bool due) {
+    due_.resize(rays_, 1);
+    const auto begin = due_.begin() + static_cast<std::ptrdiff_t>(first_ray(index));
+    std::fill_n(begin, rays_of(spec_.sensors[index]), due ? 1 : 0);
 }
 
 double SimulatedBody::servo_angle(std::size_t index) const { return servos_[index].angle; }

@@ -1,4 +1,4 @@
-// A robot's body as if it were a device: perfect senses behind responses, noise, drift and encoders.
+// A robot's body as a device: exact measurements become readings with response curves, noise, drift and encoder pulses.
 #pragma once
 
 #include <array>
@@ -12,39 +12,41 @@
 
 namespace nezumi::sim {
 
-/// How a place on a robot moves.
+/// The motion of a point on a robot.
 struct PlaceMotion {
-    std::array<Point3D, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< x, y, z of its frame in the world
-    Point3D velocity{};                                              ///< [m/s] in the world
-    Point3D spin{};                                                  ///< [rad/s] in the world
+    std::array<Point3D, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< axes x, y, z of its frame, in the world frame
+    Point3D velocity{};                                              ///< [m/s] in the world frame
+    Point3D spin{};                                                  ///< [rad/s] in the world frame
 };
 
-/// Who derives from it says what is the case; this makes of it what the robot's devices would tell.
+/// A derived class provides the true values. This class computes from them what the robot's devices would report.
 class SimulatedBody : public RobotBody {
 public:
-    /// `spec` must outlive this. The same `seed` draws the same noise.
+    /// `spec` must outlive this object. The same `seed` gives the same noise.
     SimulatedBody(const RobotSpec& spec, std::uint64_t seed);
 
-    /// Angle [rad] that each wheel has turned since the start, forward positive. Not wrapped.
+    /// Angle [rad] of each wheel since the start, forward positive, not wrapped.
     virtual Wheels wheel_angles() const = 0;
     /// Distances [m] seen by the range sensors and scans of the spec, in its order, one for each and one for each ray
-    /// of a scan; infinity: nothing in sight.
-    virtual void read_ranges(std::span<double> distances) const = 0;
+    /// of a scan; infinity: nothing in sight. Where `due` says 0 for a distance, nobody asks for it; empty: for all.
+    virtual void read_ranges(std::span<double> distances, std::span<const std::uint8_t> due) const = 0;
+    void read_ranges(std::span<double> distances) const { read_ranges(distances, {}); }
     /// Whether sensor `index` of the spec (a button or touch sensor) is closed.
     virtual bool is_pressed(std::size_t index) const = 0;
-    /// Yaw rate [rad/s] of the hull, as a gyro feels it.
+    /// Yaw rate [rad/s] of the hull, as a gyro measures it.
     virtual double yaw_rate() const = 0;
-    /// How the place of sensor `index` of the spec (an imu) moves.
+    /// The motion at sensor `index` of the spec (an IMU).
     virtual PlaceMotion motion(std::size_t index) const = 0;
-    /// The colour that sensor `index` of the spec sees on the floor.
+    /// The floor's colour at sensor `index` of the spec.
     virtual FloorColor floor_color(std::size_t index) const = 0;
-    /// How much light the floor gives back to sensor `index` of the spec: 0 (none) to 100 (as white paper).
+    /// Light reflected by the floor at sensor `index` of the spec: 0 (none) to 100 (white paper).
     virtual double reflected_light(std::size_t index) const = 0;
-    /// Puts servo `index` of the spec's actuators to an angle [rad] at once.
+    /// Sets actuator `index` of the spec (a servo) to an angle [rad] at once.
     virtual void set_servo(std::size_t index, double angle) = 0;
 
     WheelReading read_wheels(const Time& now, double period) final;
     std::span<const SensorReading> read_sensors(const Time& now, double period) final;
+    void set_due(std::size_t index, bool due) final;
     std::span<const double> sensor_values(std::size_t index) const final;
     double servo_angle(std::size_t index) const final;
     void aim_servo(std::size_t index, double angle, double speed) final;
@@ -53,34 +55,38 @@ private:
     struct Servo {
         double angle = 0;   // [rad]
         double wanted = 0;  // [rad]
-        double speed = 0;   // [rad/s]; 0: any
+        double speed = 0;   // [rad/s]; 0: no limit
     };
 
-    // Which random number it is.
+    // Identifies a random number.
     struct Draw {
         std::size_t sensor;
         std::int64_t tick;
-        std::size_t part = 0;  // of what the sensor measures in this tick
+        std::size_t part = 0;  // index within the sensor's values of this tick
     };
 
-    /// `deviation` is the sensor's own; the robot's `noise`, a part of the value, comes to it.
+    /// Adds noise of the sensor's own `deviation` and of the robot's `noise`, which is relative to the value.
     double with_noise(const Draw& draw, double value, double deviation) const;
     double seen_by(const SensorSpec& sensor, const Draw& draw, double distance) const;
     void measure_range(const Draw& draw, double seen, SensorReading& reading) const;
     void measure_motion(std::int64_t tick, double period);
     void turn_servos(double period);
+    // The first ray of a sensor among all.
+    std::size_t first_ray(std::size_t index) const;
 
     const RobotSpec& spec_;
     std::uint64_t seed_;
-    // An imu: its index in the spec, what it says, and how fast it was [m/s].
+    // An IMU: its index in the spec, its reading, and its last velocity [m/s].
     struct Inertial {
         std::size_t sensor;
         std::array<double, 6> values{};
         std::optional<Point3D> before{};
     };
 
-    std::size_t rays_ = 0;      // of all range sensors and scans, in the order of the spec
-    std::vector<double> seen_;  // by those rays, where a scan is among them or they are many
+    std::size_t rays_ = 0;           // of all range sensors and scans, in the order of the spec
+    std::vector<double> seen_;       // by those rays, where a scan is among them or they are many
+    std::vector<std::uint8_t> due_;  // of the distances, which are asked for now; empty: all
+    std::vector<double> fresh_;      // distances, while not all are due
     std::vector<Inertial> inertial_;
     std::vector<SensorReading> readings_;  // of all sensors
     std::vector<Servo> servos_;            // by actuator of the spec

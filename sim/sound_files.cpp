@@ -1,4 +1,4 @@
-// The thread that writes sounds; text goes to the speaker's standard input, never through a shell.
+// The thread that writes sound files. Text goes to the speaker's standard input, never through a shell.
 #include "sim/sound_files.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What simulated robots say, as WAV files: tones are computed, speech comes from espeak-ng.
+// The sounds of simulated robots as WAV files: tones are computed, speech comes from espeak-ng.
 #pragma once
 
 #include <condition_variable>
@@ -16,23 +16,22 @@
 
 namespace nezumi::sim {
 
-/// Writes `ROBOT-0001.wav`, `ROBOT-0002.wav`, ... into a folder, and beside each speech its text as `ROBOT-0001.txt`.
-/// Works on a thread of its own, which begins with the first sound; nobody waits for it but the destructor, which lets
-/// it write what is left.
+/// Writes `ROBOT-0001.wav`, `ROBOT-0002.wav`, ... into a folder, and the text of each speech as `ROBOT-0001.txt`. Works
+/// on its own thread, which starts with the first sound. Only the destructor waits for the remaining files.
 class SoundFiles {
 public:
     using Warn = std::function<void(const std::string&)>;
-    static constexpr std::size_t most_waiting = 64;  ///< sounds; what comes while so many wait is left out
+    static constexpr std::size_t most_waiting = 64;  ///< longest queue; further sounds are dropped
 
-    /// The folder must exist. `speaker` is the program that turns standard input into speech as espeak-ng does.
-    /// `warn` is called in `play`, `tell` and the destructor only.
+    /// The folder must exist. `speaker` is a program that turns standard input into speech as espeak-ng does. `warn` is
+    /// called only within `play`, `tell` and the destructor.
     SoundFiles(std::filesystem::path folder, Warn warn, std::string speaker = "espeak-ng");
     SoundFiles(const SoundFiles&) = delete;
     SoundFiles& operator=(const SoundFiles&) = delete;
     ~SoundFiles();
 
     void play(const std::string& robot, const Sound& sound);
-    /// Tells what went wrong meanwhile.
+    /// Reports the errors since the last call.
     void tell();
 
 private:
@@ -49,7 +48,7 @@ private:
     std::filesystem::path folder_;
     Warn warn_;
     std::string speaker_;
-    std::map<std::string, int> counts_;  // of sounds, by robot
+    std::map<std::string, int> counts_;  // number of sounds, by robot
     bool has_looked_for_speaker_ = false;
     bool can_speak_ = false;
 

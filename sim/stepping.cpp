@@ -9,7 +9,7 @@
 namespace nezumi::sim {
 namespace {
 
-// A thing that has moved no faster than this [m/s, rad/s] for so many steps sleeps until it is touched.
+// A thing slower than this [m/s, rad/s] for this number of steps sleeps until it is touched.
 constexpr double quiet_speed = 2e-3, quiet_spin = 2e-2;
 constexpr int steps_to_sleep = 60;
 
@@ -31,19 +31,19 @@ void OdeWorld::step(int count) {
     scene_.refresh();
 }
 
-// Large wheels climb a border, and a hand pushes a robot over it.
+// Large wheels can climb the border, and users can push a robot over it.
 void OdeWorld::tell_who_left() {
     if (!inside_) return;
     for (SimRobot& robot : movers_.robots) {
         const double x = robot.body.p[0], y = robot.body.p[1];
         if (robot.gone || robot.left || (std::abs(x) <= inside_->x / 2 && std::abs(y) <= inside_->y / 2)) continue;
         robot.left = true;
-        warn_(fmt::format("physics: '{}' has left the arena of {:g} x {:g} m, over its border (told once)", robot.name,
-                          inside_->x, inside_->y));
+        warn_(fmt::format("physics: '{}' has left the arena of {:g} x {:g} m, over its border (reported once)",
+                          robot.name, inside_->x, inside_->y));
     }
 }
 
-// Takes steps, at most so many, while lists of neighbours hold. Returns how many it has taken.
+// Takes at most `most` steps while the neighbour lists are valid. Returns the number taken.
 int OdeWorld::step_together(int most) {
     if (neighbours_.expired()) {
         place_movers();
@@ -60,13 +60,13 @@ int OdeWorld::step_together(int most) {
     return taken;
 }
 
-// Step `index`, from 0, of those that the robots ahead have taken already.
+// Step `index`, counted from 0, for the robots that are not ahead.
 void OdeWorld::step_others(int index) {
     place_awake();
     islands_.clear();
     contacts_.find(ahead_.others());
     if (contacts_.is_full())
-        warn_("physics: so much lies in each other that a step has no room for all contacts: some are left out");
+        warn_("physics: too many shapes overlap: a step has no room for all contacts: some are left out");
     advance();
     contacts_.clear();
     turn_wheels();
@@ -80,7 +80,7 @@ void OdeWorld::place(const Thing& thing) {
     shape.rotation = thing.body.rotation();
 }
 
-// All movers to where their bodies are.
+// Updates all movers from their bodies.
 void OdeWorld::place_movers() {
     for (const Thing& thing : movers_.things) place(thing);
     for (const SimRobot& robot : movers_.robots) {
@@ -88,7 +88,7 @@ void OdeWorld::place_movers() {
     }
 }
 
-// Those that a step is about.
+// Updates the robots and things of this step.
 void OdeWorld::place_awake() {
     for (const Thing& thing : movers_.things) {
         if (!thing.asleep) place(thing);
@@ -98,7 +98,7 @@ void OdeWorld::place_awake() {
     }
 }
 
-// Those that were not ahead get a place where they can be; the others have one.
+// Updates the robots that were not ahead; the others are already in place.
 void OdeWorld::settle() {
     restore_lost_bodies();
     for (const Thing& thing : movers_.things) place(thing);
@@ -119,8 +119,8 @@ void OdeWorld::advance() {
     }
 }
 
-// Steps the bodies of large islands and all others one after the other: those whose turn it isn't are disabled
-// meanwhile. An island is whole in either, so ODE wakes none of them through a joint.
+// Steps the bodies of large islands and then all others; the other group is disabled meanwhile. An island is in one
+// group only, so no joint makes ODE wake a disabled body.
 void OdeWorld::advance_large_islands() {
     const auto enable = [&](bool large_ones) {
         const auto set = [](dBodyID body, bool on) { on ? dBodyEnable(body) : dBodyDisable(body); };
@@ -143,7 +143,7 @@ void OdeWorld::advance_large_islands() {
     }
 }
 
-// A driven wheel turns as its motor does, whether it grips or slips; a coasting one as the ground under it.
+// A driven wheel turns as its motor does, whether it grips or slips. A coasting wheel turns with the ground.
 void OdeWorld::turn_wheels() {
     for (SimRobot* robot : ahead_.others()) {
         if (robot->coasting) {
@@ -163,7 +163,7 @@ void OdeWorld::measure_travel(int index) {
     const auto look_at = [&](const BodyView& body) {
         const double squared = body.velocity().squaredNorm();
         fastest = std::max(fastest, squared);
-        lost = lost || !(squared < 1e6);  // also when it is no number
+        lost = lost || !(squared < 1e6);  // written with `!` so that NaN counts too
     };
     for (const SimRobot* robot : ahead_.others()) look_at(robot->body);
     for (const Thing& thing : movers_.things) look_at(thing.body);
@@ -183,12 +183,12 @@ void OdeWorld::tend_things() {
         thing.quiet_steps = quiet ? thing.quiet_steps + 1 : 0;
         if (thing.quiet_steps < steps_to_sleep) continue;
         thing.sleep();
-        // It is not placed again until it wakes.
+        // It stays in place until it wakes.
         place(thing);
     }
 }
 
-// A body that the solver has thrown into nowhere goes back to where it was before this call of `step`, at rest.
+// If the solver has thrown a body far away, the body returns to its place before this call of `step`, at rest.
 void OdeWorld::restore_lost_bodies() {
     for (std::size_t i = 0; i < movers_.things.size(); ++i) {
         restore(movers_.things[i].body, scene_.movers()[movers_.things[i].mover], 0, thing_labels_[i].name);
@@ -200,7 +200,7 @@ void OdeWorld::restore_lost_bodies() {
 void OdeWorld::restore(const BodyView& body, const Shape& last, double drop, const std::string& name) {
     if (body.is_sound()) return;
     body.put(last.centre - last.rotation.col(2) * drop, last.rotation);
-    warn_("physics: '" + name + "' was lost and is back where it was a tick before");
+    warn_("physics: '" + name + "' got an impossible speed and is back at its place before this tick");
 }
 
 }  // namespace nezumi::sim

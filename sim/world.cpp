@@ -43,7 +43,7 @@ WorldFactory make_worlds_with_sound(std::string folder) {
             std::error_code problem;
             std::filesystem::create_directories(folder, problem);
             if (problem || !std::filesystem::is_directory(folder, problem)) {
-                return failure(fmt::format("'{}' can't be made a folder for sounds{}", folder,
+                return failure(fmt::format("'{}' can't be made as a folder for sounds{}", folder,
                                            problem ? ": " + problem.message() : ""));
             }
             auto world = make_world(arena, physics, std::move(warn));

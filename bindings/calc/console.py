@@ -1,4 +1,4 @@
-"""A console as the spreadsheet's link needs it: one request at a time, and its answer may come later."""
+"""A console client for the spreadsheet's link: one request at a time; its answer may come later."""
 
 import importlib.util
 import os
@@ -36,7 +36,7 @@ class Console:
 
     @property
     def is_waiting(self):
-        """An answer is still to come."""
+        """True while an answer is missing."""
         return self._pending is not None
 
     def ask(self, text, patience):

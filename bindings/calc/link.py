@@ -57,7 +57,7 @@ class Link:
             self._show(state if answer is None else "%s, %s" % (self._system, self._clock(answer["now"])))
 
     def end(self, why):
-        """Leaves the sheets with the reason in every state."""
+        """Writes the reason into every state and leaves the sheets."""
         data = self._sheets.read()
         self._find(data)
         for each in self._linked:
@@ -182,7 +182,7 @@ def refresh_until_the_end(options, office, link, ended):
 
 
 def leave(office, link, why):
-    """A sheet that is no longer linked must not look as if it were."""
+    """A sheet that is no longer linked must show that."""
     try:
         link.end(why)
     except office.Closed:

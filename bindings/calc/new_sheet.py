@@ -45,7 +45,7 @@ def fill(document, ports, types, system, wanted):
 
 
 def choose(ports, wanted):
-    """Those ports of which `wanted` names the path or the component."""
+    """The ports whose path or component is in `wanted`."""
     if not wanted:
         return ports
     chosen = []
@@ -56,7 +56,7 @@ def choose(ports, wanted):
 
 
 def tables_of(ports, direction, types):
-    """Tables in the order in which their headings first come."""
+    """Tables in the order of the first use of their headings."""
     tables = {}
     for port in ports:
         if port.get("direction", "out") != direction or (direction == "in" and types[port["type"]].is_picture):

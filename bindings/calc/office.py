@@ -1,4 +1,4 @@
-"""LibreOffice, the program: reached or started, and its sheets read and written."""
+"""Connects to LibreOffice or starts it, and reads and writes its sheets."""
 
 import itertools
 import os
@@ -44,7 +44,7 @@ def start(profile, is_headless, ended):
     if is_headless:
         words.append("--headless")
     said = tempfile.TemporaryFile()  # no pipe: the office outlives the link
-    # A session of its own: Ctrl-C ends the link, not somebody's documents.
+    # A session of its own: Ctrl-C ends the link, but not LibreOffice.
     process = subprocess.Popen(
         words, stdin=subprocess.DEVNULL, stdout=said, stderr=said, start_new_session=True, umask=0o077
     )

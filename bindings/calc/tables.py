@@ -73,7 +73,7 @@ def _rows_below(sheet, data, heading_row, begin, next_begin):
 
 
 def address(row, column):
-    """As a person reads it: (0, 0) is A1."""
+    """The name of a cell: (0, 0) is A1."""
     letters = ""
     column += 1
     while column > 0:

@@ -1,4 +1,4 @@
-// nezumi: parses the command line and runs the sub-command that it names.
+// nezumi: parses the command line and runs its sub-command.
 #include <csignal>
 #include <exception>
 #include <string>
@@ -14,7 +14,7 @@ using namespace nezumi;
 int main(int count, char** words) {
     cli::open_missing_standard_files();
     if (const std::string problem = cli::stack_problem(); !problem.empty()) return cli::refuse(problem);
-    std::signal(SIGXFSZ, SIG_IGN);  // writing beyond a file's limit is an error like others, also to whoever is started
+    std::signal(SIGXFSZ, SIG_IGN);  // exceeding a file size limit is an ordinary error, also in child processes
     int status = cli::exit_could_not_run;
     std::string problem;
     try {

@@ -1,11 +1,11 @@
-// The whole command line of `nezumi`, as main() runs it and as whatever describes it reads it.
+// The whole command line of `nezumi`, used by main() and by its descriptions.
 #pragma once
 
 #include "bindings/cli/shell/command_line.hpp"
 
 namespace nezumi::cli {
 
-/// With values of its own for all options: one is made for each time that it is parsed.
+/// Has its own values of all options, so a new one is made for each parsing.
 SubCommand program();
 
 }  // namespace nezumi::cli

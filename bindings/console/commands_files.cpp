@@ -10,7 +10,7 @@ namespace nezumi {
 namespace {
 
 Expected<CommandEnd> draw(Session::Parts& parts, const Arguments& arguments, Drawn what, const WrittenFile& written) {
-    if (!parts.options.draughtsman) return failure("nothing is drawn here: `nezumi run` does");
+    if (!parts.options.drawing_maker) return failure("nothing is drawn here: `nezumi run` does");
     const auto name = arguments.text(1, "the name of a file, as in " + std::string(written.word) + " \"x" +
                                             std::string(written.endings.front()) + "\"");
     if (!name) return Unexpected(name.error());
@@ -18,7 +18,7 @@ Expected<CommandEnd> draw(Session::Parts& parts, const Arguments& arguments, Dra
     if (home.empty()) return failure("interrupted");
     const auto file = file_to_write(home, *name, written);
     if (!file) return Unexpected(file.error());
-    const Drawing drawing = parts.at_system([&] { return parts.options.draughtsman(what); });
+    const Drawing drawing = parts.at_system([&] { return parts.options.drawing_maker(what); });
     if (!drawing) return failure("interrupted");
     if (auto drawn = drawing(file->string()); !drawn) return Unexpected(drawn.error());
     parts.show("wrote " + file->string());

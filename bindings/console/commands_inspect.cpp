@@ -10,6 +10,7 @@
 #include "engine/base/visible.hpp"
 #include "engine/live/help_text.hpp"
 #include "engine/live/live_text.hpp"
+#include "engine/values/value_text.hpp"
 
 namespace nezumi {
 namespace {
@@ -48,7 +49,7 @@ void find_in(Finder& finder, const Component& component) {
                                  port->type_name()));
     for (const auto& parameter : component.parameters().all()) {
         finder.offer(parameter.spec.name, parameter.spec.doc,
-                     fmt::format("{}.config.{} = {}", name, parameter.spec.name, to_text(parameter.value)));
+                     fmt::format("{}.config.{} = {}", name, parameter.spec.name, lua_text(parameter.value)));
     }
     for (const CommandDeclaration& command : component.commands())
         finder.offer(command.name, command.doc, fmt::format("{}:{}(...)", name, command.name));

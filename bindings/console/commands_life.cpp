@@ -62,7 +62,7 @@ std::vector<std::string> log_level_names() {
 
 Expected<CommandEnd> command_activate(Session::Parts& parts, const Arguments& arguments) {
     if (auto peer = peer_named(arguments, 1))
-        return ask_peers(parts, {.what = PeerWish::What::activate, .name = std::move(*peer)});
+        return ask_peers(parts, {.what = PeerRequest::What::activate, .name = std::move(*peer)});
     const auto names = wanted(parts, arguments, LifeState::inactive);
     if (!names) return Unexpected(names.error());
     return act_on<Activate>(parts, *names, "ACTIVE now", "nothing is INACTIVE");
@@ -70,7 +70,7 @@ Expected<CommandEnd> command_activate(Session::Parts& parts, const Arguments& ar
 
 Expected<CommandEnd> command_deactivate(Session::Parts& parts, const Arguments& arguments) {
     if (auto peer = peer_named(arguments, 1))
-        return ask_peers(parts, {.what = PeerWish::What::deactivate, .name = std::move(*peer)});
+        return ask_peers(parts, {.what = PeerRequest::What::deactivate, .name = std::move(*peer)});
     auto names = wanted(parts, arguments, LifeState::active);
     if (!names) return Unexpected(names.error());
     // The last first, as at the end of a run: who commands goes before who obeys.

@@ -44,24 +44,25 @@ bool is_taken(const System& system, const std::string& name) {
 Expected<CommandEnd> add_entry(Session::Parts& parts, const Arguments& arguments, const std::string& word) {
     const auto name = read_file_value(arguments.lua, arguments.index(1));
     if (!name) return Unexpected(name.error());
-    if (arguments.count() < 1 || name->text() == nullptr)
+    if (arguments.count() < 1 || name->get_if<std::string>() == nullptr)
         return failure(fmt::format("expected a name, as in {} \"NAME\" {{ ... }}", word));
     if (arguments.count() < 2) return CommandEnd::table;
     const auto fields = read_file_value(arguments.lua, arguments.index(2));
     if (!fields) return Unexpected(fields.error());
     auto present = parts.at_system([&] {
-        return std::make_optional(std::pair{present_of(parts.live), is_taken(parts.live.system(), *name->text())});
+        return std::make_optional(
+            std::pair{present_of(parts.live), is_taken(parts.live.system(), *name->get_if<std::string>())});
     });
     if (!present) return failure("interrupted");
     auto& [at, has_owner] = *present;
     if (has_owner) {
-        return failure(
-            fmt::format("the name '{0}' is taken: remove \"{0}\" frees it, or choose another", shown(*name->text())));
+        return failure(fmt::format("the name '{0}' is taken: remove \"{0}\" frees it, or choose another",
+                                   shown(*name->get_if<std::string>())));
     }
     FileSnapshot files(at.project.files());
     const Project project = at.project.through(files);
     SystemWords words(project, at.spec);
-    auto read = words.entry(call_of(word, at), *name->text(), *fields);
+    auto read = words.entry(call_of(word, at), *name->get_if<std::string>(), *fields);
     if (read) read = words.finish();
     if (!read) return Unexpected(as_typed(read.error(), at));
     const Entry entry = words.spec().entries.back();
@@ -89,7 +90,7 @@ Expected<CommandEnd> command_robot(Session::Parts& parts, const Arguments& argum
 Expected<CommandEnd> command_marker(Session::Parts& parts, const Arguments& arguments) {
     const auto fields = read_file_value(arguments.lua, arguments.index(1));
     if (!fields) return Unexpected(fields.error());
-    if (fields->table() == nullptr)
+    if (fields->get_if<FileTable>() == nullptr)
         return failure("expected a table, as in marker { name = \"target\", id = 7, size = 0.1, at = { 1, 0, 0.1 } }");
     auto present = parts.at_system([&] { return std::make_optional(present_of(parts.live)); });
     if (!present) return failure("interrupted");

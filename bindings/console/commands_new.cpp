@@ -19,37 +19,37 @@ constexpr std::array<std::string_view, 5> fields{"inputs", "outputs", "params", 
 
 Expected<std::vector<std::string>> read_texts(const FileTable& table, std::string_view field) {
     std::vector<std::string> texts;
-    const FileValue* const value = table.find(field);
+    const Value* const value = table.find(field);
     if (value == nullptr) return texts;
     const auto refused =
         failure(fmt::format("{}: expected a list of texts, as in {{ \"distance:TimedShortSeq\" }}", field));
-    if (value->table() == nullptr || !value->table()->fields.empty()) return refused;
-    for (const FileValue& element : value->table()->elements) {
-        if (element.text() == nullptr) return refused;
-        texts.push_back(*element.text());
+    if (value->get_if<FileTable>() == nullptr || !value->get_if<FileTable>()->fields.empty()) return refused;
+    for (const Value& element : value->get_if<FileTable>()->elements) {
+        if (element.get_if<std::string>() == nullptr) return refused;
+        texts.push_back(*element.get_if<std::string>());
     }
     return texts;
 }
 
-Expected<BehaviorWish> read_wish(const std::string& name, const FileTable& table) {
-    BehaviorWish wish{.name = name};
+Expected<BehaviorRequest> read_behavior_request(const std::string& name, const FileTable& table) {
+    BehaviorRequest request{.name = name};
     for (const FileField& field : table.fields) {
         if (std::find(fields.begin(), fields.end(), field.name) != fields.end()) continue;
         return failure(fmt::format("there is no field '{}'{}; known are {}", shown(field.name),
                                    did_you_mean(field.name, {fields.begin(), fields.end()}), fmt::join(fields, ", ")));
     }
-    if (const FileValue* doc = table.find("doc"); doc != nullptr) {
-        if (doc->text() == nullptr) return failure("doc: expected a text");
-        wish.doc = *doc->text();
+    if (const Value* doc = table.find("doc"); doc != nullptr) {
+        if (doc->get_if<std::string>() == nullptr) return failure("doc: expected a text");
+        request.doc = *doc->get_if<std::string>();
     }
     for (const auto& [field, texts] :
-         {std::pair{"inputs", &wish.inputs}, std::pair{"outputs", &wish.outputs}, std::pair{"params", &wish.parameters},
-          std::pair{"callbacks", &wish.callbacks}}) {
+         {std::pair{"inputs", &request.inputs}, std::pair{"outputs", &request.outputs},
+          std::pair{"params", &request.parameters}, std::pair{"callbacks", &request.callbacks}}) {
         auto read = read_texts(table, field);
         if (!read) return Unexpected(read.error());
         *texts = std::move(*read);
     }
-    return wish;
+    return request;
 }
 
 }  // namespace
@@ -58,17 +58,18 @@ Expected<CommandEnd> command_new(Session::Parts& parts, const Arguments& argumen
     if (!parts.options.author) return failure("nothing is written here: `nezumi run` does");
     const auto name = read_file_value(arguments.lua, arguments.index(1));
     if (!name) return Unexpected(name.error());
-    if (arguments.count() < 1 || name->text() == nullptr)
+    if (arguments.count() < 1 || name->get_if<std::string>() == nullptr)
         return failure("expected a name, as in new \"line_follower\" { inputs = { \"light:TimedShortSeq\" } }");
     if (arguments.count() < 2) return CommandEnd::table;
     const auto table = read_file_value(arguments.lua, arguments.index(2));
     if (!table) return Unexpected(table.error());
-    if (table->table() == nullptr) return failure("expected a table of " + fmt::format("{}", fmt::join(fields, ", ")));
-    const auto wish = read_wish(*name->text(), *table->table());
-    if (!wish) return Unexpected(wish.error());
+    if (table->get_if<FileTable>() == nullptr)
+        return failure("expected a table of " + fmt::format("{}", fmt::join(fields, ", ")));
+    const auto request = read_behavior_request(*name->get_if<std::string>(), *table->get_if<FileTable>());
+    if (!request) return Unexpected(request.error());
     const auto home = parts.at_system([&] { return writable_folder(parts.live.project(), parts.live.spec().file); });
     if (home.empty()) return failure("interrupted");
-    const auto written = parts.options.author(home, *wish);
+    const auto written = parts.options.author(home, *request);
     if (!written) return Unexpected(written.error());
     parts.show(fmt::format("wrote {}", fmt::join(*written, ", ")));
     return CommandEnd::done;

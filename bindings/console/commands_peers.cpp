@@ -18,14 +18,14 @@ constexpr std::string_view prefix = "rtm:";
 
 struct Verb {
     std::string_view name;
-    PeerWish::What what;
+    PeerRequest::What what;
 };
-constexpr std::array<Verb, 4> verbs{{{"activate", PeerWish::What::activate},
-                                     {"deactivate", PeerWish::What::deactivate},
-                                     {"reset", PeerWish::What::reset},
-                                     {"use", PeerWish::What::use}}};
+constexpr std::array<Verb, 4> verbs{{{"activate", PeerRequest::What::activate},
+                                     {"deactivate", PeerRequest::What::deactivate},
+                                     {"reset", PeerRequest::What::reset},
+                                     {"use", PeerRequest::What::use}}};
 
-Expected<void> read_verb(PeerWish& wish, const std::string& text, const Arguments& arguments) {
+Expected<void> read_verb(PeerRequest& request, const std::string& text, const Arguments& arguments) {
     const auto* verb = std::find_if(verbs.begin(), verbs.end(), [&](const Verb& each) { return each.name == text; });
     if (verb == verbs.end()) {
         std::vector<std::string_view> names;
@@ -35,22 +35,22 @@ Expected<void> read_verb(PeerWish& wish, const std::string& text, const Argument
         return failure(fmt::format("there is no '{}'{}", shown(text),
                                    near.empty() ? fmt::format(" (there are {})", fmt::join(names, ", ")) : near));
     }
-    wish.what = verb->what;
-    if (wish.what != PeerWish::What::use) return {};
+    request.what = verb->what;
+    if (request.what != PeerRequest::What::use) return {};
     auto set = arguments.text(3, "the name of a set, as in rtm(\"ConsoleOut0\", \"use\", \"default\")");
     if (!set) return Unexpected(set.error());
-    wish.set = std::move(*set);
+    request.set = std::move(*set);
     return {};
 }
 
-Expected<void> read_values(PeerWish& wish, const FileTable& table) {
-    wish.what = PeerWish::What::configure;
+Expected<void> read_values(PeerRequest& request, const FileTable& table) {
+    request.what = PeerRequest::What::configure;
     if (!table.elements.empty() || table.fields.empty())
         return failure("expected values by name, as in rtm(\"ConsoleOut0\", { speed = 0.5 })");
     for (const FileField& field : table.fields) {
         auto value = to_parameter(field.value);
         if (!value) return failure(fmt::format("{}: {}", field.name, value.error().message));
-        wish.values.emplace(field.name, std::move(*value));
+        request.values.emplace(field.name, std::move(*value));
     }
     return {};
 }
@@ -64,11 +64,11 @@ std::optional<std::string> peer_named(const Arguments& arguments, int position) 
     return text.substr(prefix.size());
 }
 
-Expected<CommandEnd> ask_peers(Session::Parts& parts, const PeerWish& wish) {
+Expected<CommandEnd> ask_peers(Session::Parts& parts, const PeerRequest& request) {
     if (!parts.options.peers) return failure("there are no RTCs here: `nezumi run` reaches them");
     std::future<Expected<std::string>> answer;
     const bool answered = parts.worker.perform([&] {
-        if (!answer.valid()) answer = parts.options.peers(wish);
+        if (!answer.valid()) answer = parts.options.peers(request);
         return answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     });
     if (!answered) return failure("interrupted");
@@ -82,17 +82,17 @@ Expected<CommandEnd> command_rtm(Session::Parts& parts, const Arguments& argumen
     if (arguments.count() < 1) return ask_peers(parts, {});
     auto name = arguments.text(1, "an RTC's name, as in rtm \"ConsoleOut0\"");
     if (!name) return Unexpected(name.error());
-    PeerWish wish{.name = is_rtm_path(*name) ? name->substr(prefix.size()) : *name};
-    if (!arguments.has(2)) return ask_peers(parts, wish);
-    if (wish.name.empty()) return failure("which RTC? rtm() lists them");
+    PeerRequest request{.name = is_rtm_path(*name) ? name->substr(prefix.size()) : *name};
+    if (!arguments.has(2)) return ask_peers(parts, request);
+    if (request.name.empty()) return failure("which RTC? rtm() lists them");
     const auto what = read_file_value(arguments.lua, arguments.index(2));
     if (!what) return Unexpected(what.error());
     Expected<void> read =
         failure("expected what to do, as in rtm(\"ConsoleOut0\", \"activate\"), or a table of values");
-    if (what->text() != nullptr) read = read_verb(wish, *what->text(), arguments);
-    if (what->table() != nullptr) read = read_values(wish, *what->table());
+    if (what->get_if<std::string>() != nullptr) read = read_verb(request, *what->get_if<std::string>(), arguments);
+    if (what->get_if<FileTable>() != nullptr) read = read_values(request, *what->get_if<FileTable>());
     if (!read) return Unexpected(read.error());
-    return ask_peers(parts, wish);
+    return ask_peers(parts, request);
 }
 
 }  // namespace nezumi

@@ -18,17 +18,11 @@ namespace {
 constexpr double usual_seconds = 10;
 constexpr double shortest_period = 0.1;  // [s] of simulated time between two drawings
 
-Expected<double> positive(const FileValue& value, std::string_view what) {
-    double number = 0;
-    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
-        number = static_cast<double>(*whole);
-    } else if (const auto* real = std::get_if<double>(&value.data)) {
-        number = *real;
-    } else {
-        return failure(fmt::format("expected {}, got {}", what, kind_of(value)));
-    }
-    if (!(number > 0)) return failure(fmt::format("expected {}, more than 0, got {}", what, number));
-    return number;
+Expected<double> positive(const Value& value, std::string_view what) {
+    const auto number = number_of(value);
+    if (!number) return failure(fmt::format("expected {}, got {}", what, kind_of(value)));
+    if (!(*number > 0)) return failure(fmt::format("expected {}, more than 0, got {}", what, *number));
+    return *number;
 }
 
 // What an argument `m.truth.pose` has become, { m, ".truth.pose" }.
@@ -74,7 +68,7 @@ Expected<PlotRequest> read(const Session::Parts& parts, const Arguments& argumen
             return failure(
                 "expected what to draw, then seconds, then options: plot(port, ..., seconds, { every = 1 })");
         } else if (type == LUA_TSTRING) {
-            plot.names.push_back(*value->text());
+            plot.names.push_back(*value->get_if<std::string>());
         } else if (names_a_path) {
             const auto path = read_path(*parts.objects, arguments.lua, index);
             if (!path) return Unexpected(path.error());

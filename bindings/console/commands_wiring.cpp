@@ -2,14 +2,17 @@
 #include <fmt/format.h>
 
 #include "bindings/console/console_commands.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 namespace {
 
-// "name.port" of a port of the system, or of another program's "rtm:NAME.port" as it is.
+// "name.port" of a port of the system; of another program's "rtm:NAME.port", or another host's "host/name.port", as it
+// is: connecting finds it.
 Expected<std::string> port(const Session::Parts& parts, const Arguments& arguments, int index) {
     if (index > arguments.count()) return failure("expected a port or \"name.port\", got nothing");
     if (peer_named(arguments, index)) return arguments.text(index, "a port");
+    if (auto text = arguments.text(index, "a port"); text && is_remote(*text)) return text;
     const auto at = parts.objects->to_port(arguments.lua, index);
     if (!at) return Unexpected(at.error());
     return at->path();

@@ -83,7 +83,7 @@ Expected<CommandEnd> done(const Expected<Result>& acted) {
 /// The name behind "rtm:", where the argument is such a text.
 std::optional<std::string> peer_named(const Arguments& arguments, int position);
 /// Asks components of other programs, waits for the answer and shows it. For commands that run beside the ticks.
-Expected<CommandEnd> ask_peers(Session::Parts& parts, const PeerWish& wish);
+Expected<CommandEnd> ask_peers(Session::Parts& parts, const PeerRequest& request);
 
 // Each group in its own file.
 using CommandFunction = Expected<CommandEnd>(Session::Parts&, const Arguments&);

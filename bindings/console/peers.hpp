@@ -10,8 +10,8 @@
 
 namespace nezumi {
 
-/// What somebody wants of them.
-struct PeerWish {
+/// A request to one of them, or to all.
+struct PeerRequest {
     enum class What : unsigned char {
         look,  ///< at one of them, or at all
         activate,
@@ -28,6 +28,6 @@ struct PeerWish {
 
 /// Asks, between two ticks, and waits for nobody. The answer, which comes in the end, is what to show; its error says
 /// what was wrong.
-using PeerAsker = std::function<std::future<Expected<std::string>>(const PeerWish& wish)>;
+using PeerAsker = std::function<std::future<Expected<std::string>>(const PeerRequest& request)>;
 
 }  // namespace nezumi

@@ -17,24 +17,12 @@
 namespace nezumi {
 namespace {
 
-// The value that the file would give a parameter when it is read: its set's over its config's over the default.
-ParameterValue configured_value(const Component& component, const ParameterSpec& parameter) {
-    const auto set = component.sets.find(component.set_in_use());
-    for (const auto* values : {set != component.sets.end() ? &set->second : nullptr, &component.configured}) {
-        if (values == nullptr) continue;
-        const auto found = values->find(parameter.name);
-        if (found == values->end()) continue;
-        if (auto value = check_value(parameter, found->second)) return *value;
-    }
-    return parameter.initial;
-}
-
 // Puts each value that the file would not give where it counts: into the set in use if that names it, else into
 // `config`, which loses what no parameter takes any more.
 void bring_up_to_date(ParameterValues& config, ParameterValues* set, const Component& component) {
     for (const auto& parameter : component.parameters().all()) {
         const std::string& name = parameter.spec.name;
-        if (parameter.value == configured_value(component, parameter.spec)) continue;
+        if (parameter.value == component.configured_value(parameter.spec)) continue;
         (set != nullptr && set->contains(name) ? *set : config)[name] = parameter.value;
     }
     std::erase_if(config, [&](const auto& given) {
@@ -71,8 +59,9 @@ Expected<void> bring_up_to_date(ComponentEntry& entry, const Component& componen
 // How a person would name this file within `named_in`: the shortest name that finds it again, else its path from there
 // when both are in the project, else its whole path.
 std::string name_of(const Project& project, const std::filesystem::path& file, const std::filesystem::path& named_in) {
-    const auto whole = std::filesystem::absolute(file).lexically_normal();
-    const auto naming = std::filesystem::absolute(named_in).lexically_normal().parent_path();
+    const std::filesystem::path working = project.files().working_folder();
+    const auto whole = (working / file).lexically_normal();
+    const auto naming = (working / named_in).lexically_normal().parent_path();
     std::vector<std::filesystem::path> folders{naming};
     if (!project.root().empty()) folders.push_back(project.root() / "behaviors");
     for (const auto& installed : project.installed()) folders.push_back(installed / "behaviors");

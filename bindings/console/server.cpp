@@ -212,7 +212,7 @@ Expected<Session*> ConsoleServer::session_of(ClientId id, Console& console) {
     SessionOptions options;
     options.batch = console.batch;
     options.who = console.who;
-    options.draughtsman = draughtsman_;
+    options.drawing_maker = drawing_maker_;
     options.author = author_;
     options.peers = peers_;
     options.bell = &bell_;

@@ -39,7 +39,7 @@ public:
     /// changes.
     Expected<void> listen(std::string_view name, const std::filesystem::path& folder = console_folder());
     /// Lends it what `picture` and `graph` draw with.
-    void draw_by(Draughtsman draughtsman) { draughtsman_ = std::move(draughtsman); }
+    void draw_by(DrawingMaker drawing_maker) { drawing_maker_ = std::move(drawing_maker); }
     /// Lends it what `new` writes with.
     void write_by(BehaviorAuthor author) { author_ = std::move(author); }
     /// Lends it what asks components of other programs.
@@ -95,7 +95,7 @@ private:
 
     RunningSystem& live_;
     ClockControl& clock_;
-    Draughtsman draughtsman_;
+    DrawingMaker drawing_maker_;
     BehaviorAuthor author_;
     PeerAsker peers_;
     Bell bell_;  // of all sessions

@@ -66,7 +66,7 @@ bool look(Session::Parts& parts, PortWatch& watch) {
     const double speed = std::clamp(parts.clock.speed(), 1.0, highest_watched_speed);
     const double period = parts.options.batch ? 0 : parts.options.watch_period * speed;
     if (watch.shown_at >= 0 && now >= watch.shown_at && now < watch.shown_at + period) return true;
-    std::string text = payload_text((*port)->value(), watch_width);
+    std::string text = short_text((*port)->value(), watch_width);
     if (watch.shown_at >= 0 && text == watch.shown) return true;
     parts.show(fmt::format("[{:.3f}] {} = {}", now, watch.path, text));
     watch.shown = std::move(text);
@@ -197,6 +197,8 @@ bool Session::is_complete(std::string_view text) { return is_complete_input(text
 
 void Session::submit(std::string text) {
     if (is_goodbye(text)) text = "quit()";
+    // Nobody who types this in a hurry wants to read what it does.
+    if (trimmed(text) == "stop") text = "stop()";
     parts_->jobs.push_back({.text = std::move(text)});
 }
 
@@ -208,10 +210,22 @@ bool Session::is_busy() const { return parts_->job || !parts_->jobs.empty(); }
 
 bool Session::is_waiting() const {
     const auto& takes_more = parts_->options.output.takes_more;
-    return parts_->job && ((parts_->waiting && parts_->clock.is_advancing()) || (takes_more && !takes_more()));
+    return parts_->job && (parts_->awaits_explanation || (parts_->waiting && parts_->clock.is_advancing()) ||
+                           (takes_more && !takes_more()));
+}
+
+// A behaviour that executes soon is waited for: whoever asked by --eval leaves then.
+bool Session::explains_soon() const {
+    return !parts_->options.batch && !parts_->clock.is_paused() &&
+           std::any_of(parts_->explained.begin(), parts_->explained.end(), [&](const Explained& each) {
+               const Component* component = parts_->live.system().find(each.component);
+               return component != nullptr && component->state() == LifeState::active;
+           });
 }
 
 void Session::finish(bool well) {
+    parts_->awaits_explanation = well && explains_soon();
+    if (parts_->awaits_explanation) return;
     parts_->job.reset();
     if (parts_->options.output.done) parts_->options.output.done(well);
 }
@@ -307,6 +321,7 @@ void Session::after_tick() {
         }
         return true;
     });
+    if (parts.awaits_explanation && !explains_soon()) finish(true);
     std::erase_if(parts.plots, [&parts](PlotRequest& plot) {
         const double now = parts.live.system().now().seconds;
         if (now < plot.next - plot.every) plot.next = now;  // started anew
@@ -331,6 +346,7 @@ void Session::interrupt() {
     if (parts.drive.is_on()) key(Key::escape);
     parts.watches.clear();
     parts.explained.clear();
+    parts.awaits_explanation = false;
     parts.plots.clear();
     parts.worker.serve_posts();
     auto jobs = std::exchange(parts.jobs, {});

@@ -48,23 +48,23 @@ enum class Drawn : unsigned char {
     world,   ///< from above
     wiring,  ///< components, ports and connections
 };
-/// Draws what was looked at to a file that ends in .png or .svg; from any thread.
+/// Draws the copied state to a file that ends in .png or .svg; any thread may call it.
 using Drawing = std::function<Expected<void>(const std::string& file)>;
-/// Looks at the system, between two ticks, for a drawing of it beside them.
-using Draughtsman = std::function<Drawing(Drawn what)>;
+/// Copies the state of the system, between two ticks; the drawing is then made on another thread.
+using DrawingMaker = std::function<Drawing(Drawn what)>;
 
-/// A behaviour that is to be written; what its texts mean is the author's to say.
-struct BehaviorWish {
+/// A behaviour to be written. The author interprets the texts.
+struct BehaviorRequest {
     std::string name;                       ///< line_follower
     std::vector<std::string> inputs{};      ///< "name:Type" or "name:Type:doc"
     std::vector<std::string> outputs{};     ///< the same
     std::vector<std::string> parameters{};  ///< "gain=0.5"
-    std::vector<std::string> callbacks{};   ///< beside on_execute: "on_activated", ...
-    std::string doc{};                      ///< what it does, a sentence
+    std::vector<std::string> callbacks{};   ///< besides on_execute: "on_activated", ...
+    std::string doc{};                      ///< a sentence: what it does
 };
-/// Writes its files below a folder, never over others, and returns their names; from any thread.
-using BehaviorAuthor =
-    std::function<Expected<std::vector<std::string>>(const std::filesystem::path& root, const BehaviorWish& wish)>;
+/// Writes its files below a folder, without overwriting others, and returns their names; any thread may call it.
+using BehaviorAuthor = std::function<Expected<std::vector<std::string>>(const std::filesystem::path& root,
+                                                                        const BehaviorRequest& request)>;
 
 struct SessionOptions {
     SessionOutput output;
@@ -75,7 +75,7 @@ struct SessionOptions {
     /// Time moves only by `step` and `run(seconds)`: a `run()` without end is refused.
     bool batch = false;
     /// Empty: `picture` and `graph` are refused.
-    Draughtsman draughtsman{};
+    DrawingMaker drawing_maker{};
     /// Empty: `new` is refused.
     BehaviorAuthor author{};
     /// Empty: nothing is known of other programs' components.
@@ -136,6 +136,7 @@ private:
     explicit Session(std::unique_ptr<Parts> parts);
     void quit_if_asked();
     void begin_next();
+    bool explains_soon() const;
     void finish(bool well);
     void replace_stuck();
     std::unique_ptr<Parts> parts_;

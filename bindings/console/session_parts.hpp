@@ -97,7 +97,8 @@ struct Session::Parts {
     std::optional<Worker::Clock::time_point> quits;    ///< when a line asked for the run's end
     std::vector<PortWatch> watches;
     std::vector<Explained> explained;
-    std::vector<PlotRequest> plots;  ///< that are drawn again and again
+    bool awaits_explanation = false;  // the job has run, and ends when what it asked for is told
+    std::vector<PlotRequest> plots;   ///< that are drawn again and again
     Drive drive;
 
     // Of the worker, and of what is done for it while it waits:

@@ -10,9 +10,9 @@
 #include <sys/un.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <charconv>
+#include <climits>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -40,6 +40,27 @@ Expected<Descriptor> open_folder(const std::filesystem::path& path) {
     return folder;
 }
 
+// What a system is called in the folder: a file's name without what no file's name may have.
+std::string plain_name(std::string_view name) {
+    constexpr std::size_t longest = NAME_MAX - std::string_view("-4194304.sock").size();
+    std::string plain(name);
+    for (char& letter : plain) {
+        if (letter == '/' || static_cast<unsigned char>(letter) < ' ' || letter == '\x7f') letter = '_';
+    }
+    if (plain.starts_with('.')) plain.front() = '_';
+    if (plain.empty()) plain = "system";
+    if (plain.size() <= longest) return plain;
+    std::size_t end = longest;
+    while (end > 0 && (static_cast<unsigned char>(plain[end]) & 0xc0) == 0x80) --end;  // within a letter
+    return plain.substr(0, end);
+}
+
+// What a person calls a system: by its name, or by its file.
+std::string name_meant(std::string_view which) {
+    const std::filesystem::path path(which);
+    return path.extension() == ".lua" ? path.stem().string() : std::string(which);
+}
+
 sockaddr_un address_in(const Descriptor& folder, std::string_view name) {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
@@ -57,7 +78,12 @@ Descriptor connect_in(const Descriptor& folder, std::string_view name, bool wait
     const auto let_sends_wait = [&](const timeval& time) {
         return setsockopt(socket.get(), SOL_SOCKET, SO_SNDTIMEO, &time, sizeof time) == 0;
     };
-    const sockaddr_un address = address_in(folder, name);
+    // Its name may be longer than an address: the socket itself is opened, which gives it a short one.
+    const Descriptor file(openat(folder.get(), std::string(name).c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC));
+    if (!file) return Descriptor();
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    std::snprintf(address.sun_path, sizeof address.sun_path, "/proc/self/fd/%d", file.get());
     if ((wait && !let_sends_wait(longest_wait)) ||
         connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
         (wait && !let_sends_wait({}))) {
@@ -98,14 +124,8 @@ Expected<Listener> Listener::open(std::string_view name, const std::filesystem::
     auto folder = open_folder(path);
     if (!folder) return Unexpected(folder.error());
 
-    std::string plain;
-    for (const char letter : name.substr(0, 40)) {
-        const bool fits = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
-        plain += fits ? letter : '_';
-    }
-    if (plain.empty()) plain = "system";
     const std::string process = std::to_string(getpid());
-    const std::string file = plain + "-" + process + std::string(suffix);
+    const std::string file = plain_name(name) + "-" + process + std::string(suffix);
     // It gets its name once it listens: whoever looks before would take it for one that nobody listens at.
     const std::string unready = "." + process;
 
@@ -152,8 +172,9 @@ Expected<ReachedSystem> connect_to_system(std::string_view which, const std::fil
     if (systems->empty()) return failure("nothing is running: start a system with `nezumi run FILE`");
 
     std::vector<ListeningSystem> fitting;
+    const std::string name = plain_name(name_meant(which));
     for (const ListeningSystem& system : *systems) {
-        if (which.empty() || system.name == which || std::to_string(system.process) == which) fitting.push_back(system);
+        if (which.empty() || system.name == name || std::to_string(system.process) == which) fitting.push_back(system);
     }
     if (fitting.empty()) {
         std::vector<std::string_view> names;

@@ -19,7 +19,7 @@ std::filesystem::path console_folder();
 /// A running system's socket: NAME-PID.sock in the console folder. Removed at the end.
 class Listener {
 public:
-    /// Listens as `name`, which is shortened to what a file may be called. The folder is made if need be; one that
+    /// Listens as `name`, the system's file without its ending. The folder is made if need be; one that
     /// others own or can enter is refused, as is one that is a link.
     static Expected<Listener> open(std::string_view name, const std::filesystem::path& folder = console_folder());
     ~Listener();
@@ -55,8 +55,8 @@ struct ReachedSystem {
     Descriptor socket;
 };
 
-/// Connects to the one that `which` names (a name or a process number; "": the only one), within 2 s. The error says
-/// what runs.
+/// Connects to the one that `which` names (a name, its file, or a process number; "": the only one), within 2 s. The
+/// error says what runs.
 Expected<ReachedSystem> connect_to_system(std::string_view which,
                                           const std::filesystem::path& folder = console_folder());
 

@@ -1,4 +1,4 @@
-// A place in a domain of Cyclone DDS, which is loaded on first use.
+// A participant in a domain of Cyclone DDS; the library is loaded on first use.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,20 @@
 
 namespace nezumi::dds {
 
-/// How a domain is joined.
+/// Options for joining a domain.
 struct DomainOptions {
     std::uint32_t domain = 0;
     std::string xml;        ///< Cyclone's configuration, as `domain_xml` writes it
-    bool loopback = false;  ///< that of the loopback: nothing that other computers send is heard
+    bool loopback = false;  ///< that of the loopback: ignores what other computers send
 };
 
-/// Joins a domain, or says why not. One place for each domain and process.
+/// Joins a domain. One participant per domain and process.
 Expected<std::unique_ptr<DdsTransport>> open_cyclone(const DomainOptions& options);
 
-// What the program and its module know of each other: they are built together.
+// The interface between the program and its module. Both are built together.
 inline constexpr const char* dds_module = "nezumi_cyclone.so";
 inline constexpr const char* open_in_module = "nezumi_open_cyclone";
-/// The module's one function: a new place, or nullptr with the `problem`. It throws nothing.
+/// The module's only function. Returns a new participant, or nullptr with the `problem`. Never throws.
 using OpenInModule = DdsTransport*(const DomainOptions& options, std::string& problem);
 
 }  // namespace nezumi::dds

@@ -1,4 +1,4 @@
-// A place in a domain of Cyclone DDS: topics, and who has them.
+// A participant in a domain of Cyclone DDS: topics, and discovery of endpoints.
 #include <dds/dds.h>
 #include <dds/ddsi/ddsi_serdata.h>
 #include <dds/ddsi/ddsi_sertype.h>
@@ -28,7 +28,7 @@
 namespace nezumi::dds {
 namespace {
 
-// An entity of Cyclone's that is deleted with its object.
+// Owns an entity of Cyclone DDS.
 class Entity {
 public:
     explicit Entity(dds_entity_t id) : id_(id) {}
@@ -49,12 +49,12 @@ struct FreeQos {
 };
 using Qos = std::unique_ptr<dds_qos_t, FreeQos>;
 
-// [messages] of all instances that a reader or writer keeps at most.
+// [messages] The largest number, over all instances, that a reader or writer keeps.
 constexpr int most_kept = 4096;
 
 Qos qos_of(const Topic& topic) {
     Qos qos(dds_create_qos());
-    // A write never waits: what a slow reader has not acknowledged is replaced.
+    // A write never blocks: messages that a slow reader has not acknowledged are replaced.
     dds_qset_reliability(qos.get(), topic.reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT, 0);
     dds_qset_durability(qos.get(), topic.keeps_last ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
     const int depth = std::clamp(topic.depth, 1, most_kept);
@@ -81,7 +81,7 @@ private:
     Entity writer_;
 };
 
-// A file that is readable from when something comes until it is calmed.
+// A file that is readable from the arrival of a message until it is reset.
 class Alarm {
 public:
     Alarm() : file_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
@@ -95,13 +95,13 @@ public:
         eventfd_t count = 0;
         static_cast<void>(eventfd_read(file_, &count));
     }
-    /// What Cyclone calls, in a thread of its own, while the reader exists.
+    /// Cyclone calls this on its own thread while the reader exists.
     void set_off_by(dds_entity_t reader) const {
         dds_listener_t* listener = dds_create_listener(reinterpret_cast<void*>(static_cast<std::intptr_t>(file_)));
         dds_lset_data_available(listener, [](dds_entity_t /*reader*/, void* file) {
             static_cast<void>(eventfd_write(static_cast<int>(reinterpret_cast<std::intptr_t>(file)), 1));
         });
-        static_cast<void>(dds_set_listener(reader, listener));  // fails only for what is no reader
+        static_cast<void>(dds_set_listener(reader, listener));  // fails only if the entity is not a reader
         dds_delete_listener(listener);
     }
 
@@ -111,7 +111,7 @@ private:
 
 using Admits = decltype(Topic::admits);
 
-// Called by Cyclone's threads: nothing is thrown through it.
+// Called by Cyclone's threads, so it must not throw.
 bool admit(const void* sample, void* admits) {
     if (sample == nullptr) return false;
     try {
@@ -165,14 +165,14 @@ public:
     }
 
 private:
-    // Declaration order is destruction order reversed: what is asked, and what the reader sets off, go last.
+    // Members are destroyed in reverse order: data used by callbacks must outlive the reader.
     std::unique_ptr<Admits> admits_;
     std::optional<Alarm> alarm_;
     Entity topic_;
     Entity reader_;
 };
 
-// What Cyclone says would go to the standard error output: the last line of it explains what fails next.
+// Catches Cyclone's messages, which would go to standard error. The last line explains the next failure.
 class LastWords {
 public:
     LastWords() { dds_set_log_sink(&take, this); }
@@ -262,7 +262,8 @@ private:
     }
 
     Entity make_topic(const Topic& topic) {
-        ddsi_sertype* given = make_octet_type(topic.type.c_str());  // Cyclone's from here on, unless it fails
+        ddsi_sertype* given =
+            make_octet_type(topic.type.c_str());  // owned by Cyclone from here on, unless the call fails
         Entity made(
             dds_create_topic_sertype(participant_->get(), topic.name.c_str(), &given, nullptr, nullptr, nullptr));
         if (!made.ok()) {
@@ -292,7 +293,7 @@ private:
         if (count > 0) dds_return_loan(reader, samples.data(), count);
     }
 
-    // Declaration order is destruction order reversed.
+    // Members are destroyed in reverse order.
     LastWords words_;
     std::optional<Entity> domain_;
     std::optional<Entity> participant_;

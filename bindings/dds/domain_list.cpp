@@ -1,4 +1,4 @@
-// Topics of ROS are called as in ROS; those that carry ports between hosts belong to these and are left out.
+// Lists topics with their ROS names. Topics that carry ports between hosts are listed with the hosts instead.
 #include "bindings/dds/domain_list.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 namespace nezumi::dds {
 namespace {
 
-// "geometry_msgs::msg::dds_::Twist_" as ROS says it: "geometry_msgs/msg/Twist".
+// Converts "geometry_msgs::msg::dds_::Twist_" to ROS's form "geometry_msgs/msg/Twist".
 std::string ros_type(std::string_view type) {
     std::string text(type);
     if (const std::size_t inner = text.find("dds_::"); inner != std::string::npos) text.erase(inner, 6);

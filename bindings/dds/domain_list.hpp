@@ -1,4 +1,4 @@
-// What there is in a domain, as lines for a person.
+// Lists the contents of a domain as text.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace nezumi::dds {
 
-/// A line for each host, then one for each topic that others have, by name. "" when there is nothing.
+/// Returns a line for each host, then one for each topic of other programs, by name. "" for an empty domain.
 std::string list_domain(const std::vector<const Announcement*>& hosts, const std::vector<SeenEndpoint>& seen);
 
 }  // namespace nezumi::dds

@@ -1,4 +1,4 @@
-// Elements as in Cyclone DDS 0.10's configuration reference.
+// The elements are those of the configuration reference of Cyclone DDS 0.10.
 #include "bindings/dds/domain_xml.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ std::string quoted(const std::string& text) {
             case '<': all += "&lt;"; break;
             case '>': all += "&gt;"; break;
             case '"': all += "&quot;"; break;
-            case '$': all += "&#36;"; break;  // Cyclone would put a variable of the environment there
+            case '$': all += "&#36;"; break;  // Cyclone would insert an environment variable there
             default: all += c;
         }
     }
@@ -26,9 +26,9 @@ std::string peer(const std::string& address) { return fmt::format("<Peer address
 }  // namespace
 
 std::string domain_xml(const std::string& interface, const std::vector<std::string>& peers) {
-    // A host that was killed is missed after so long; it says that it is there four times as often.
+    // A killed host is noticed after this time; hosts announce themselves four times as often.
     constexpr const char* lease = "5s";
-    // So many processes of one host are found at an address without multicast.
+    // Number of processes of one host that can be found at an address without multicast.
     constexpr int processes = 32;
     std::string known;
     for (const std::string& address : peers) known += peer(address);

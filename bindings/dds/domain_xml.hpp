@@ -1,4 +1,4 @@
-// Cyclone's configuration for one domain: nothing of it comes from the environment or from a file.
+// The configuration of Cyclone DDS for one domain. Nothing comes from the environment or a file.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace nezumi::dds {
 
-/// The configuration for a place in a domain.
-///   Without an interface it is the loopback's, where processes find each other by asking every port.
-///   With one, hosts find each other by multicast, and those at `peers` without; data goes from host to host, since
-///   Wi-Fi sends what is for all at its lowest rate.
+/// Returns the configuration for a participant in a domain.
+/// Without an interface it uses the loopback, and processes find each other by asking every port.
+/// With an interface, hosts find each other by multicast, and those in `peers` without it. Data are sent by unicast,
+/// because Wi-Fi sends multicast at its lowest rate.
 std::string domain_xml(const std::string& interface, const std::vector<std::string>& peers);
 
 }  // namespace nezumi::dds

@@ -1,4 +1,4 @@
-// Connections on the network, between ports called "host/name.port".
+// Connections over the network, between ports named "host/name.port".
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace nezumi::dds {
 
-/// Both ends of a connection between two hosts: from, to.
+/// The two ends of a connection between hosts: from, to.
 using Ends = std::pair<std::string, std::string>;
 
 }  // namespace nezumi::dds

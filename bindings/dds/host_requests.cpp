@@ -28,7 +28,7 @@ constexpr std::size_t most_askers = 1024, most_writers = 64;
 Octets reply_to(const RemoteRequest& request, const Expected<PlainData>& answer) {
     Reply reply{.to = request.from, .number = request.number, .well = answer.has_value()};
     if (answer) {
-        reply.values = to_wire(*answer);
+        reply.values = *answer;
     } else {
         reply.problem = describe(answer.error());
     }
@@ -60,7 +60,7 @@ Expected<std::uint64_t> HostRequests::ask(const Question& question, const HostTa
                           .what = static_cast<std::uint8_t>(question.what),
                           .component = question.component,
                           .name = question.name,
-                          .values = to_wire(question.values)};
+                          .values = question.values};
     Asked& asked = asked_[request.number];
     asked.host = question.host;
     asked.began = now;
@@ -151,13 +151,12 @@ void HostRequests::take_requests(const HostTable& hosts, const System& system, b
         if (known == replies.end()) {
             if (++done > most_at_once) continue;  // it comes again
             const auto answered = [&]() -> Expected<PlainData> {
-                auto values = from_wire(std::move(request.values));
-                if (!values) return Unexpected(values.error());
+                if (!is_sound(request.values)) return failure("malformed plain data");
                 return dds::answer({.host = host_,
                                     .component = request.component,
                                     .what = static_cast<Question::What>(request.what),
                                     .name = request.name,
-                                    .values = std::move(*values)},
+                                    .values = std::move(request.values)},
                                    system, writable, act, {Actor::Kind::network, from->second});
             }();
             known = replies.emplace(request.number, reply_to(request, answered)).first;
@@ -174,12 +173,9 @@ void HostRequests::take_replies() {
         if (!read_cdr(sample.bytes, on_the_wire, reply) || reply.to != run_) continue;
         const auto asked = asked_.find(reply.number);
         if (asked == asked_.end() || asked->second.answer) continue;
-        if (reply.well) {
-            asked->second.answer = from_wire(std::move(reply.values));
-        } else {
-            asked->second.answer =
-                Expected<PlainData>(failure(fmt::format("host {}: {}", asked->second.host, visible(reply.problem))));
-        }
+        auto& answer = asked->second.answer.emplace(std::move(reply.values));
+        if (!reply.well) answer = failure(fmt::format("host {}: {}", asked->second.host, visible(reply.problem)));
+        if (answer && !is_sound(*answer)) answer = failure("malformed plain data");
     }
 }
 

@@ -1,4 +1,4 @@
-// Requests to other hosts and from them, and the answers.
+// Requests to and from other hosts, with their answers.
 #pragma once
 
 #include <cstdint>
@@ -18,24 +18,24 @@
 
 namespace nezumi::dds {
 
-/// A request is sent again until its answer comes or its time is over; who is asked does it once, and says again what
-/// came of it when that is asked for again.
+/// A request is repeated until its answer arrives or its time is over. The other host executes it once, and repeats the
+/// answer if the request arrives again.
 class HostRequests {
 public:
-    static constexpr double patience = 2;      ///< [s] for an answer
-    static constexpr double repetition = 0.2;  ///< [s] until a request is sent again
+    static constexpr double patience = 2;      ///< [s] to wait for an answer
+    static constexpr double repetition = 0.2;  ///< [s] between repetitions of a request
 
-    /// `host`, `run`: this one's. The transport must outlive it.
+    /// `host`, `run`: of this host. The transport must outlive it.
     HostRequests(DdsTransport& transport, std::string host, std::uint64_t run)
         : transport_(transport), host_(std::move(host)), run_(run) {}
 
-    // `now` [s] by a clock that never falls.
+    // `now` [s] by a monotonic clock.
 
-    /// As of `Network`.
+    /// See `Network`.
     Expected<std::uint64_t> ask(const Question& question, const HostTable& hosts, double now);
     std::optional<Expected<PlainData>> answer(std::uint64_t number, double now);
 
-    /// Does what others ask for, takes what they have answered, asks again.
+    /// Executes requests of others, takes answers, and repeats open requests.
     void serve(const HostTable& hosts, const System& system, bool writable, const ActDoor& act, double now);
 
 private:
@@ -46,11 +46,12 @@ private:
         double sent = 0;
         std::optional<Expected<PlainData>> answer{};
     };
-    // What a run of another host has asked.
+    // The requests of one run of another host.
     struct Asker {
         std::map<std::uint64_t, Octets> replies;  // by request
-        std::uint64_t newest = 0;                 // of the requests that were done
-        std::uint64_t over = 0;  // so far it came before its host was away: what comes again is recorded
+        std::uint64_t newest = 0;                 // of the executed requests
+        std::uint64_t over =
+            0;  // requests up to this one came before the host was away; a repetition of one is a replayed message
     };
 
     void take_requests(const HostTable& hosts, const System& system, bool writable, const ActDoor& act);

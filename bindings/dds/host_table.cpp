@@ -1,4 +1,4 @@
-// Reads announcements; a host that can't be understood is told by the part that never changes.
+// Reads announcements. For an incompatible host only the part common to all versions is used.
 #include "bindings/dds/host_table.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace nezumi::dds {
 namespace {
 
-// What hosts say of themselves is bounded: they may be anybody.
+// Limits on what hosts announce, because they are not trusted.
 constexpr std::size_t most_hosts = 256;
 constexpr std::size_t most_announcement_bytes = std::size_t{1} << 20, most_ports = 16'384, most_connections = 1024;
 constexpr std::size_t longest_reason = 1000;
@@ -21,7 +21,7 @@ constexpr std::size_t most_ended = 4096;
 
 constexpr auto by_name = [](const AnnouncedPort& a, const AnnouncedPort& b) { return a.name < b.name; };
 
-// "vehicle.current_vel", of a connection with its host: "ev3/vehicle.current_vel".
+// "vehicle.current_vel", or with the host of a connection "ev3/vehicle.current_vel".
 bool is_path(std::string_view path, bool of_host) {
     if (path.size() > longest_name) return false;
     if (of_host) {
@@ -32,7 +32,7 @@ bool is_path(std::string_view path, bool of_host) {
     const std::size_t dot = path.find('.');
     if (dot == path.npos || !is_identifier(path.substr(0, dot))) return false;
     const std::string_view port = path.substr(dot + 1);
-    return is_identifier(port) || is_keyword(port);  // as "in"
+    return is_identifier(port) || is_keyword(port);  // such as "in"
 }
 
 bool is_bounded(const AnnouncementHead& head) {
@@ -64,7 +64,7 @@ std::string shown_version(const AnnouncementHead& head) {
 }  // namespace
 
 Topic announcement_topic() {
-    // A reader keeps what so many hosts said last.
+    // A reader keeps the last messages of this number of hosts.
     return {.name = "nezumi/hosts",
             .type = "nezumi::Announcement",
             .reliable = true,
@@ -79,7 +79,7 @@ std::vector<std::uint8_t> write_announcement(const Announcement& announcement) {
 }
 
 bool HostTable::heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, double now) {
-    // Only the head: the rest may be of another protocol, and then nothing is known of it.
+    // Only the head: the rest may belong to another protocol version.
     AnnouncementHead head{};
     detail::CdrReader reader(cdr, on_the_wire);
     reader.read(head);
@@ -88,22 +88,22 @@ bool HostTable::heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, d
     const bool understood = cdr.size() <= most_announcement_bytes && head.protocol == protocol &&
                             read_cdr(cdr, on_the_wire, whole).has_value() && is_bounded(whole);
     if (understood && (whole.run == own_run_ || ended_.contains(whole.run)))
-        return false;  // its own; or kept from earlier
+        return false;  // its own message, or a stored older one
     const auto before = said_.find(writer);
     const bool is_new = before == said_.end();
     if (is_new && said_.size() >= most_hosts) return false;
-    // A writer speaks for one host in one run of it, and as it did before.
+    // A writer belongs to one host and one run, and can't change that.
     if (!is_new && (before->second.head != head || before->second.understood != understood ||
                     before->second.announcement.run != whole.run))
         return false;
-    // What is older than something that was said in this run, by whatever writer, was kept from earlier.
+    // A message older than another one of the same run was stored and replayed.
     for (const auto& [other, said] : said_) {
         if (!understood || !said.understood || said.announcement.run != whole.run) continue;
         if (whole.number < said.announcement.number || (other == writer && whole.number == said.announcement.number))
             return false;
     }
     std::sort(whole.ports.begin(), whole.ports.end(), by_name);
-    Said& said = said_[writer];
+    HeardHost& said = said_[writer];
     if (is_new) said.since = now;
     said.head = std::move(head);
     said.understood = understood;
@@ -123,13 +123,13 @@ bool HostTable::heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, d
     return true;
 }
 
-// This is the host's present run; the one before is over.
+// This is the host's present run; the previous one is over.
 void HostTable::follow(const std::string& host, std::uint64_t run) {
     ended_.erase(run);
     std::uint64_t& present = runs_[host];
     if (present != 0 && present != run) ended_.insert(present);
     present = run;
-    // Runs are only ever many where somebody makes them up.
+    // A very large number of runs can only be invented.
     if (ended_.size() > most_ended) ended_.clear();
     if (runs_.size() > most_ended) runs_.clear();
 }
@@ -151,7 +151,7 @@ void HostTable::keep(std::span<const std::uint64_t> writers, double now) {
             ++host;
             continue;
         }
-        // Another of its name may be there still.
+        // There may be another host with the same name.
         const auto other = std::find_if(said_.begin(), said_.end(), [&](const auto& each) {
             return each.second.counts && each.second.head.host == host->first;
         });
@@ -160,17 +160,18 @@ void HostTable::keep(std::span<const std::uint64_t> writers, double now) {
             follow(host->first, other->second.announcement.run);
             ++host;
         } else {
-            news_.push_back({LogLevel::warn, fmt::format("host {} has gone", host->first)});
+            news_.push_back({LogLevel::warn, fmt::format("host {} has left", host->first)});
             host = here_.erase(host);
         }
     }
     tell_namesakes(now);
 }
 
-void HostTable::tell_of(const Said& said) {
-    if (said.head.host == own_.host) return;  // told when it stays: mostly it is this host before it was killed
+void HostTable::tell_of(const HeardHost& said) {
+    if (said.head.host == own_.host)
+        return;  // reported only if it stays: usually it is this host's previous run, which was killed
     if (!said.understood) {
-        news_.push_back({LogLevel::error, fmt::format("host {} can't be understood: it runs {}, this one {}",
+        news_.push_back({LogLevel::error, fmt::format("host {} is incompatible: it runs {}, this one {}",
                                                       said.head.host, shown_version(said.head), shown_version(own_))});
     } else if (said.head.version != own_.version) {
         news_.push_back({LogLevel::warn, fmt::format("host {} is here; it runs {}, this one {}", said.head.host,
@@ -192,12 +193,11 @@ void HostTable::tell_namesakes(double now) {
         said.told_twice = true;
         news_.push_back(
             {LogLevel::error,
-             is_own
-                 ? fmt::format("another host is called {} as this one: neither reaches the other; give one of them "
-                               "another name: network {{ name = ... }}",
-                               own_.host)
-                 : fmt::format("two hosts are called {}: the one that came last counts; give one of them another name",
-                               said.head.host)});
+             is_own ? fmt::format("another host is also called {}: neither reaches the other; give one of them "
+                                  "another name: network {{ name = ... }}",
+                                  own_.host)
+                    : fmt::format("two hosts have the name {}: the last one is used; give one of them another name",
+                                  said.head.host)});
     }
 }
 

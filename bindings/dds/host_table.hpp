@@ -1,4 +1,4 @@
-// Which other hosts there are, from what they say of themselves.
+// The table of other hosts, from their announcements.
 #pragma once
 
 #include <cstdint>
@@ -16,59 +16,59 @@
 
 namespace nezumi::dds {
 
-/// [s] after which a host that was killed is no longer there; two that are there for longer under one name are two.
+/// [s] after which a killed host counts as gone. Two hosts with one name for a longer time are a conflict.
 inline constexpr double patience = 6;
 
 class HostTable {
 public:
-    /// `own`: this host's name and version; `own_run`: of what it announces itself. `answered`: who has not heard this
-    /// run is not there, so that announcements that somebody has kept from earlier are none.
+    /// `own`: this host's name and version. `own_run`: the run in its announcements. `answered`: a host counts only if
+    /// it has seen this run, so that stored and replayed announcements have no effect.
     HostTable(AnnouncementHead own, std::uint64_t own_run, bool answered = false)
         : own_(std::move(own)), own_run_(own_run), answered_(answered) {}
 
-    /// What a writer has announced. `now` [s] by a clock that never falls. False: it is dropped, and what the writer
-    /// said before counts.
+    /// Takes an announcement of a writer. `now` [s] by a monotonic clock. Returns false if it is rejected; then the
+    /// writer's earlier one stays valid.
     bool heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, double now);
-    /// The writers there are: what others said is forgotten.
+    /// Keeps only these writers; the announcements of others are removed.
     void keep(std::span<const std::uint64_t> writers, double now);
 
-    /// nullptr when it is not there. Of two that call themselves so the one that came last counts: mostly the other one
-    /// was killed and is not missed yet.
+    /// Returns nullptr if the host is missing. Of two with this name the latest counts: usually the other one was
+    /// killed and not yet noticed.
     const Announcement* find(std::string_view host) const;
-    /// The port that is called so, "name.port"; nullptr: there is none. `host` as from here: its ports are sorted.
+    /// The port named "name.port", or nullptr. `host` as returned by this class: its ports are sorted.
     static const AnnouncedPort* find_port(const Announcement& host, std::string_view name);
-    /// Those that are there, by name.
+    /// The present hosts, by name.
     std::vector<const Announcement*> all() const;
 
-    /// The runs of those that were heard, sorted: what this host answers.
+    /// The runs of the hosts that were heard, sorted: part of this host's announcement.
     std::vector<std::uint64_t> heard_runs() const;
 
     struct News {
         LogLevel level;
         std::string text;
     };
-    /// What a person should hear since the last call.
+    /// Returns the messages for people since the last call.
     std::vector<News> take_news() { return std::exchange(news_, {}); }
 
 private:
-    struct Said {
+    struct HeardHost {
         AnnouncementHead head;
-        Announcement announcement;  // empty when it can't be understood
+        Announcement announcement;  // empty if incompatible
         bool understood = false;
-        bool counts = false;  // it is there: understood, and where that is asked for it has heard this run
+        bool counts = false;  // compatible, and has seen this run if that is required
         double since = 0;     // [s]
         bool told_twice = false;
     };
     void follow(const std::string& host, std::uint64_t run);
-    void tell_of(const Said& said);
+    void tell_of(const HeardHost& said);
     void tell_namesakes(double now);
 
     AnnouncementHead own_;
     std::uint64_t own_run_;
     bool answered_;
-    std::map<std::string, std::uint64_t, std::less<>> runs_;  // by name: the newest
-    std::set<std::uint64_t> ended_;                           // runs that a newer one of their host has followed
-    std::map<std::uint64_t, Said> said_;                      // by writer
+    std::map<std::string, std::uint64_t, std::less<>> runs_;  // by name: the newest run
+    std::set<std::uint64_t> ended_;                           // runs that were followed by a newer one of their host
+    std::map<std::uint64_t, HeardHost> said_;                 // by writer
     std::map<std::string, std::uint64_t, std::less<>> here_;  // by name: the writer that counts
     std::vector<News> news_;
 };
@@ -76,7 +76,7 @@ private:
 /// The topic on which hosts announce themselves.
 Topic announcement_topic();
 
-/// An announcement as it travels.
+/// The encoded form of an announcement.
 std::vector<std::uint8_t> write_announcement(const Announcement& announcement);
 
 }  // namespace nezumi::dds

@@ -1,4 +1,4 @@
-// Steps are said again until all have gone on, so nothing depends on what the network loses, nor on who comes first.
+// Steps are repeated until all hosts have continued, so lost messages and the order of start do not matter.
 #include "bindings/dds/lockstep.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace nezumi::dds {
 namespace {}  // namespace
 
 Topic step_topic(const std::string& from, const std::string& to) {
-    // A partner is at most one step ahead; the rest is what was said again.
+    // A partner is at most one step ahead; the rest are repetitions.
     constexpr int most_waiting = 64;
     return {.name = fmt::format("nezumi/{}/steps/{}", from, to),
             .type = "nezumi::Step",
@@ -23,7 +23,7 @@ Topic step_topic(const std::string& from, const std::string& to) {
             .depth = most_waiting};
 }
 
-// Hosts of which this one's file or connections speak.
+// The hosts named in this host's file or connections.
 std::set<std::string> Lockstep::named(const std::vector<Ends>& connections) const {
     std::set<std::string> names(settings_.hosts.begin(), settings_.hosts.end());
     for (const auto& [from, to] : connections)
@@ -49,7 +49,7 @@ void Lockstep::meet(const HostTable& hosts, const std::vector<Ends>& connections
     if (left_) return;
     absent_.clear();
     met_ = connected;
-    // Who has gone and was never heard has told nobody that it went.
+    // A host that is gone and was never heard could not announce its end.
     std::erase_if(partners_,
                   [&](const auto& each) { return !each.second.their_began && hosts.find(each.first) == nullptr; });
     const std::set<std::string> names = named(connections);
@@ -74,13 +74,13 @@ void Lockstep::meet(const HostTable& hosts, const std::vector<Ends>& connections
     follow(connections);
 }
 
-// A host that is there and related: a partner, or why not.
+// Makes a related host a partner, or reports why not.
 void Lockstep::consider(const Announcement& host, bool is_named) {
     const std::string& name = host.head.host;
-    if (over_.contains(host.run)) return;  // one that was killed is there for some seconds more
+    if (over_.contains(host.run)) return;  // a killed host stays visible for some seconds
     if (const auto known = partners_.find(name); known != partners_.end()) {
         if (known->second.run == host.run) return;
-        over_.insert(known->second.run);  // it was killed, and started again
+        over_.insert(known->second.run);  // it was killed and started again
         partners_.erase(known);
     }
     const double rate = system_.settings().rate;
@@ -88,17 +88,16 @@ void Lockstep::consider(const Announcement& host, bool is_named) {
     const bool is_news = told_apart_.emplace(name, host.run).second;
     if (host.lockstep == 0) {
         if (is_news)
-            system_.log(LogLevel::warn,
-                        fmt::format("host {} is not in lockstep as this one is: what comes from it comes "
-                                    "when it comes; say network {{ lockstep = true }} there",
-                                    name));
+            system_.log(LogLevel::warn, fmt::format("host {} is not in lockstep: its messages arrive at any "
+                                                    "time; set network {{ lockstep = true }} there",
+                                                    name));
         return;
     }
     if (is_news)
         system_.log(LogLevel::error, fmt::format("lockstep: host {} has {:g} ticks a second, this one {:g}: say "
                                                  "rate({:g}) here or rate({:g}) there, and restart()",
                                                  name, host.lockstep, rate, host.lockstep, rate));
-    absent_.emplace(name, fmt::format("host {} has another number of ticks a second", name));
+    absent_.emplace(name, fmt::format("host {} has another tick rate", name));
 }
 
 void Lockstep::join(const Announcement& host, bool is_named) {
@@ -120,14 +119,14 @@ void Lockstep::join(const Announcement& host, bool is_named) {
         system_.log(LogLevel::info, fmt::format("lockstep: in step with host {}", name));
     } else {
         system_.log(LogLevel::warn,
-                    fmt::format("lockstep: in step with host {} from {:.2f} s on; runs that are to be the same begin "
+                    fmt::format("lockstep: in step with host {} from {:.2f} s on; for reproducible runs start them "
                                 "together{}",
                                 name, system_.now().seconds,
                                 is_named ? "" : fmt::format(": network {{ hosts = \"{}\" }} waits for it", name)));
     }
 }
 
-// Which ports the partners want.
+// Determines the ports that the partners need.
 void Lockstep::follow(const std::vector<Ends>& connections) {
     std::set<std::string, std::less<>> wanted;
     for (auto& [name, partner] : partners_) {
@@ -156,8 +155,8 @@ void Lockstep::hear(Partner& partner) {
 }
 
 void Lockstep::take(Partner& partner, Step step) {
-    if (partner.their_began && step.began < *partner.their_began) return;  // of an earlier time together
-    if (partner.their_began && step.began > *partner.their_began) {        // it has joined anew
+    if (partner.their_began && step.began < *partner.their_began) return;  // of an earlier partnership
+    if (partner.their_began && step.began > *partner.their_began) {        // it has joined again
         if (partner.in_use) partner.began = tick() + 1;
         partner.in_use = false;
         partner.heard.clear();
@@ -173,12 +172,12 @@ void Lockstep::take(Partner& partner, Step step) {
         partner.end = step.end == Step::parts ? Step::parts : Step::ends;
         partner.last = step.tick;
     }
-    // Before the tick from which both keep in step the first is all that can come.
+    // Before the common first tick, only that tick is expected.
     const std::int64_t next = std::max(their_tick(partner), step.began);
     if (step.tick == next || step.tick == next + 1) partner.heard.try_emplace(step.tick, std::move(step));
 }
 
-// Who is not as far as this host; "": all are.
+// The host that is behind this one; "" if none.
 std::string Lockstep::find_missing() {
     std::string missing;
     double heard_at = std::numeric_limits<double>::infinity();
@@ -189,7 +188,7 @@ std::string Lockstep::find_missing() {
         };
         if (!is_missing()) continue;
         hear(partner);
-        // Of several the one that was heard longest ago: the others may be waiting for it.
+        // Of several, the one that was silent longest: the others may be waiting for it.
         if (is_missing() && partner.heard_at < heard_at) {
             missing = name;
             heard_at = partner.heard_at;
@@ -219,7 +218,7 @@ void Lockstep::deliver(const MessageDoor& give) {
             partner.heard.erase(partner.heard.begin(), std::next(due));
             for (const StepMessage& message : step.messages) deliver(name, message, give);
         } else if (is_over(partner)) {
-            system_.log(LogLevel::info, fmt::format("lockstep: host {} has {}: this one goes on without it", name,
+            system_.log(LogLevel::info, fmt::format("lockstep: host {} has {}: this one continues without it", name,
                                                     partner.end == Step::ends ? "ended" : "parted"));
             if (partner.end == Step::ends) over_.insert(partner.run);
             each = partners_.erase(each);
@@ -229,7 +228,7 @@ void Lockstep::deliver(const MessageDoor& give) {
     }
 }
 
-// As what comes on the topic of a port: an act of that host.
+// Delivered like a message on a port's topic: as an act of that host.
 void Lockstep::deliver(const std::string& host, const StepMessage& message, const MessageDoor& give) {
     const std::string path = fmt::format("{}/{}", host, message.port);
     const auto port = std::as_const(system_).port(path);
@@ -263,7 +262,7 @@ void Lockstep::publish() {
     said_at_ = settings_.clock();
     stands_since_.reset();
     if (std::exchange(told_, "").empty()) return;
-    system_.log(LogLevel::info, "lockstep: time goes on");
+    system_.log(LogLevel::info, "lockstep: time continues");
 }
 
 void Lockstep::say(Partner& partner, Step& step, Step::End end) {
@@ -271,7 +270,7 @@ void Lockstep::say(Partner& partner, Step& step, Step::End end) {
     step.paused = missing_.empty();
     step.waits_for = missing_;
     write_cdr(bytes_, on_the_wire, step);
-    if (!partner.writer->write(bytes_)) said_at_ = 0;  // there was no room: soon again
+    if (!partner.writer->write(bytes_)) said_at_ = 0;  // no space in the queue: try again soon
 }
 
 void Lockstep::serve() {
@@ -299,7 +298,7 @@ std::string Lockstep::why_standing() const {
     return fmt::format("host {} waits for host {}", missing_, other);
 }
 
-// Once, and again where the reason is another one.
+// Reports the reason once, and again when it changes.
 void Lockstep::tell() {
     if (missing_.empty() || !stands_since_ || settings_.clock() - *stands_since_ < patience) return;
     const std::string why = why_standing();
@@ -315,7 +314,7 @@ void Lockstep::leave() {
         if (partner.said.empty())
             partner.said.push_back(
                 {.run = settings_.run, .to = partner.run, .began = partner.began, .tick = partner.began});
-        say(partner, partner.said.front(), Step::goes_on);  // it may be lacked as well
+        say(partner, partner.said.front(), Step::goes_on);  // this step may also be missing
         say(partner, partner.said.back(), Step::ends);
     }
 }

@@ -1,4 +1,4 @@
-// Simulations of several hosts that advance together: a tick waits for what the others have published in theirs.
+// Simulations of several hosts that advance together: each tick waits for the other hosts' messages of their last tick.
 #pragma once
 
 #include <cstdint>
@@ -23,22 +23,22 @@
 
 namespace nezumi::dds {
 
-/// Conservative synchronization: each host tells each partner with every tick what it has published, and runs the next
-/// tick when it has that of all its partners. So what is published in a tick of one is taken in the next tick of the
-/// other, whatever their clocks do. Partners are hosts with a connection between them, and those that one of them
-/// names. Two that meet late begin with the next tick of each: from then on so many ticks of the one are as many of the
-/// other.
+/// Conservative synchronization: with every tick each host sends its published messages to each partner, and starts the
+/// next tick when it has received those of all partners. So a message published in one host's tick is received in the
+/// next tick of the other, independent of their clocks. Partners are hosts with a connection between them, and hosts
+/// named by one of them. When two hosts meet later, they begin with the next tick of each; from then on they make the
+/// same number of ticks.
 class Lockstep {
 public:
-    static constexpr double patience = 1;      ///< [s] that time stands before that is told
-    static constexpr double repetition = 0.2;  ///< [s] until a step is said again while time stands
-    static constexpr std::int64_t most_ticks = std::int64_t{1} << 53;  ///< no run comes so far
+    static constexpr double patience = 1;      ///< [s] of waiting before it is reported
+    static constexpr double repetition = 0.2;  ///< [s] between repetitions of a step while the host waits
+    static constexpr std::int64_t most_ticks = std::int64_t{1} << 53;  ///< more than any run has
 
     struct Settings {
-        std::string host{};                ///< this one
+        std::string host{};                ///< this host
         std::uint64_t run = 0;             ///< as announced
-        std::vector<std::string> hosts{};  ///< to wait for before the first tick, beside those of connections
-        std::function<double()> clock{};   ///< [s], never backwards
+        std::vector<std::string> hosts{};  ///< to wait for before the first tick, besides those of connections
+        std::function<double()> clock{};   ///< [s], monotonic
     };
 
     /// The system and the transport must outlive it.
@@ -48,29 +48,28 @@ public:
     Lockstep(const Lockstep&) = delete;
     Lockstep& operator=(const Lockstep&) = delete;
 
-    // At each look, in this order. `connections`: those there are with other hosts.
+    // Called every time other hosts are checked, in this order. `connections`: the existing ones with other hosts.
 
-    /// Whether others are given connections now: before the first tick when all are there who are waited for, so that
-    /// connections are made in the same order each time.
+    /// True if connections with others may be made now. Before the first tick all expected hosts must be there, so that
+    /// connections are always made in the same order.
     bool may_connect(const HostTable& hosts, const std::vector<Ends>& connections) const;
-    /// Finds partners, and parts from those that are none any more. `connected`: nothing that others want is left to be
-    /// made.
+    /// Finds new partners and ends partnerships. `connected`: no requested connection is missing.
     void meet(const HostTable& hosts, const std::vector<Ends>& connections, bool connected);
-    /// Adds what others must know.
+    /// Adds this host's data for lockstep to its announcement.
     void announce(Announcement& said, const std::vector<Ends>& connections) const;
 
-    /// Between two ticks, as often as may be: hears others, repeats what they may lack, tells who is waited for.
+    /// Called between two ticks, as often as possible: receives, repeats possibly lost steps, reports waiting.
     void serve();
-    /// Whether all partners have come as far. True for ever once this host has left.
+    /// True if all partners have reached this tick, and always after `leave`.
     bool may_tick();
-    /// Before a tick: has what partners published in theirs written.
+    /// Called before a tick: writes the messages that partners published in their last tick.
     void deliver(const MessageDoor& give);
-    /// All ports have latched for a tick: tells it.
+    /// Called when all ports have latched for a tick: sends the step.
     void publish();
-    /// The run is over: the others go on without this host.
+    /// The run is over: the others continue without this host.
     void leave();
 
-    /// Whether messages to and from this host come with its steps.
+    /// True if messages to and from this host are sent with its steps.
     bool carries(std::string_view host) const { return partners_.contains(host); }
     void add_files(std::vector<int>& files) const;
 
@@ -78,17 +77,17 @@ private:
     struct Partner {
         std::uint64_t run = 0;
         std::int64_t began = 0;                     // this host's tick of the first step
-        std::optional<std::int64_t> their_began{};  // the other's, once it has been heard
+        std::optional<std::int64_t> their_began{};  // the other host's, after its first step was received
         std::unique_ptr<Writer> writer{};
         std::unique_ptr<Reader> reader{};
-        std::set<std::string, std::less<>> ports{};  // of this host, "name.port", that the other wants
-        std::deque<Step> said{};                     // the last two: the other may lack both
-        std::map<std::int64_t, Step> heard{};        // by their tick; not taken yet
-        double heard_at = 0;                         // [s] by the clock: the last sign of life
+        std::set<std::string, std::less<>> ports{};  // of this host, "name.port", that the other one needs
+        std::deque<Step> said{};                     // the last two: the other host may have missed both
+        std::map<std::int64_t, Step> heard{};        // received but not used, by the sender's tick
+        double heard_at = 0;                         // [s] by the clock: the last message
         Step::End end = Step::goes_on;
-        std::int64_t last = most_ticks;  // their tick of the last step, once there is one
+        std::int64_t last = most_ticks;  // its tick of the last step, if it has ended
         bool paused = false;
-        bool in_use = false;  // a step was taken
+        bool in_use = false;  // a step was used
         std::string waits_for{};
     };
 
@@ -113,17 +112,17 @@ private:
     DdsTransport& transport_;
     Settings settings_;
     std::map<std::string, Partner, std::less<>> partners_;
-    std::map<std::string, Published, std::less<>> published_;     // ports that partners want, by "name.port"
-    std::uint64_t layout_ = 0;                                    // whose ports those are
-    std::set<std::uint64_t> over_;                                // runs of hosts that have left, or were started again
-    std::map<std::string, std::string, std::less<>> absent_;      // before the first tick: who is waited for, and why
-    std::set<std::pair<std::string, std::uint64_t>> told_apart_;  // hosts and runs that can't keep in step
-    bool met_ = false;                                            // there was a look
+    std::map<std::string, Published, std::less<>> published_;     // ports that partners need, by "name.port"
+    std::uint64_t layout_ = 0;                                    // the layout of these ports
+    std::set<std::uint64_t> over_;                                // runs of hosts that have left or were restarted
+    std::map<std::string, std::string, std::less<>> absent_;      // before the first tick: hosts to wait for, and why
+    std::set<std::pair<std::string, std::uint64_t>> told_apart_;  // incompatible hosts and runs
+    bool met_ = false;                                            // `meet` was called
     bool left_ = false;
     double said_at_ = 0;                  // [s] by the clock
-    std::string missing_;                 // who is waited for; "": nobody
+    std::string missing_;                 // the host that is waited for; "": none
     std::optional<double> stands_since_;  // [s] by the clock
-    std::string told_;                    // why time stands
+    std::string told_;                    // the reported reason of waiting
     Octets bytes_;
 };
 

@@ -1,5 +1,5 @@
-// Cyclone DDS binds what it receives with to every address of the computer, whichever interface it was told to use. The
-// sockets are found by their ports; a filter of the kernel, which needs no privilege, looks at each packet's interface.
+// Cyclone DDS binds its receiving sockets to every address of the computer, regardless of its interface. The sockets
+// are found by their ports. A kernel filter, which needs no privilege, checks each packet's interface.
 #include "bindings/dds/loopback_filter.hpp"
 
 #include <arpa/inet.h>
@@ -18,7 +18,7 @@
 namespace nezumi::dds {
 namespace {
 
-// The port of IPv4 that a socket for datagrams is bound to, at every address.
+// The IPv4 port of a UDP socket that is bound to every address.
 std::optional<std::uint16_t> open_port(int descriptor) {
     int type = 0;
     socklen_t size = sizeof type;
@@ -35,7 +35,7 @@ bool filter(int descriptor, unsigned int interface) {
     std::array<sock_filter, 4> program{{
         {BPF_LD | BPF_W | BPF_ABS, 0, 0, its_interface},
         {BPF_JMP | BPF_JEQ | BPF_K, 0, 1, interface},
-        {BPF_RET | BPF_K, 0, 0, 0xffffffff},  // all of it
+        {BPF_RET | BPF_K, 0, 0, 0xffffffff},  // the whole packet
         {BPF_RET | BPF_K, 0, 0, 0},           // nothing
     }};
     const sock_fprog whole{static_cast<unsigned short>(program.size()), program.data()};

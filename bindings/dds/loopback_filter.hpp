@@ -1,11 +1,11 @@
-// Keeps packets of other computers from sockets that are for this one alone.
+// Blocks packets of other computers on sockets meant for this computer.
 #pragma once
 
 #include <cstdint>
 
 namespace nezumi::dds {
 
-/// Ports of UDP, from `first` on.
+/// UDP ports from `first` on.
 struct PortRange {
     std::uint16_t first = 0;
     std::uint16_t count = 0;
@@ -14,9 +14,9 @@ struct PortRange {
 /// The ports of a domain (DDSI-RTPS 2.5, 9.6.2.3).
 PortRange ports_of(std::uint32_t domain);
 
-/// Every socket of this process that is bound to one of these ports at every address takes from now on only what comes
-/// by the loopback, as all does that this computer sends itself. Returns how many sockets there are; -1: one can't be
-/// so.
+/// Restricts every socket of this process that is bound to one of these ports at every address to packets of the
+/// loopback, which include all packets of this computer. Returns the number of sockets, or -1 if one can't be
+/// restricted.
 int hear_loopback_only(PortRange ports);
 
 }  // namespace nezumi::dds

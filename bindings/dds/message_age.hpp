@@ -1,16 +1,16 @@
-// How old a message is when it comes from a host whose clock is not ours.
+// The age of a message from a host with another clock.
 #pragma once
 
 #include <algorithm>
 
 namespace nezumi::dds {
 
-/// Learns how two clocks differ: the message that was the quickest on its way is taken to be new. Clocks of hosts need
-/// not be set, and may drift.
+/// Estimates the difference of two clocks: the fastest message is assumed to have age 0. Clocks need not be set and may
+/// drift.
 class MessageAge {
 public:
-    /// [s] that this message was longer on its way than the quickest one. `sent`: by the sender's monotonic clock;
-    /// `now`: by ours. Both [s]; `now` never falls.
+    /// Returns by how many [s] this message took longer than the fastest one. `sent`: [s] by the sender's monotonic
+    /// clock; `now`: [s] by ours, never decreasing.
     double of(double sent, double now) {
         const double apart = now - sent;
         if (known_) least_ += drift * (now - last_);
@@ -21,7 +21,7 @@ public:
     }
 
 private:
-    // Quartz clocks differ by less than this; a sender that runs slower by it is still understood.
+    // The largest difference of quartz clocks; a sender slower by this is still measured correctly.
     static constexpr double drift = 2e-4;
 
     bool known_ = false;

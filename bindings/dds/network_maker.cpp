@@ -1,4 +1,4 @@
-// One object stands for both words: a system has one network or none.
+// One object for both kinds of network, because a system has one network or none.
 #include "bindings/dds/network_maker.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ constexpr std::string_view of_ros = "ros/";
 
 class BothNetworks final : public Network {
 public:
-    /// `own`: the transport that it alone uses, or nullptr.
+    /// `own`: the transport used only by it, or nullptr.
     BothNetworks(System& system, std::unique_ptr<DdsTransport> own, std::unique_ptr<SystemNetwork> hosts,
                  std::string node)
         : system_(system), own_(std::move(own)), hosts_(std::move(hosts)), node_(std::move(node)) {}
@@ -30,7 +30,7 @@ public:
     Expected<void> reach(std::string_view path, const Port& other) override {
         if (path.starts_with(of_ros))
             return failure(
-                fmt::format("{}: what the node has is said in ros {{ publish = ..., subscribe = ... }}", shown(path)));
+                fmt::format("{}: the node's ports are set by ros {{ publish = ..., subscribe = ... }}", shown(path)));
         if (hosts_ != nullptr) return hosts_->reach(path, other);
         return failure(
             fmt::format("{} is on another host: that needs the word network in the system's file", shown(path)));
@@ -64,37 +64,38 @@ public:
     }
 
 private:
-    // nullptr when there is none, or it was removed.
+    // nullptr if there is none or it was removed.
     RosNode* node() { return node_.empty() ? nullptr : dynamic_cast<RosNode*>(system_.find(node_)); }
 
     System& system_;
-    std::unique_ptr<DdsTransport> own_;  // of the components of other hosts too: these go before the network does
+    std::unique_ptr<DdsTransport>
+        own_;  // also used by the components of other hosts, which are destroyed before the network
     std::unique_ptr<SystemNetwork> hosts_;
-    std::string node_;  // of ROS: its component; "": none
+    std::string node_;  // name of the ROS component; "": none
 };
 
 double wall_clock() {
-    const auto now = std::chrono::system_clock::now();  // the wall clock: ROS stamps what real robots measure by it
+    const auto now = std::chrono::system_clock::now();  // the wall clock: ROS stamps measurements of real robots by it
     return std::chrono::duration<double>(now.time_since_epoch()).count();
 }
 
-// Another number at each start, on every host.
+// A different number at each start, on every host.
 std::uint64_t new_run() {
     std::random_device random;
     return std::uint64_t{random()} << 32 | random() | 1;
 }
 
-// Whether messages are sealed: with the secret that the file names, on the loopback with that of this user.
+// True if messages are encrypted: with the secret of the file, or on the loopback with this user's secret.
 bool is_sealed(const NetworkSpec& spec) { return !spec.secret.empty() || (spec.interface.empty() && !spec.open); }
 
-// Whether others may do more than look.
+// True if other hosts may write, not only read.
 bool is_writable(const NetworkSpec& spec) { return spec.open || is_sealed(spec); }
 
 Expected<Secret> secret_of(const NetworkSpec& spec) {
     return spec.secret.empty() ? user_secret() : read_secret(spec.secret, spec.secret_path);
 }
 
-// What the word allows and this run does not.
+// Checks what the file allows but this run does not.
 Expected<void> check(const NetworkSpec& spec, const System& system) {
     if (spec.lockstep && system.settings().real_time)
         return failure("network: 'lockstep' is for simulations: time does not wait for real robots", spec.place);
@@ -104,7 +105,7 @@ Expected<void> check(const NetworkSpec& spec, const System& system) {
     return {};
 }
 
-// The place in the domain of `network` or `ros`.
+// The participant in the domain of `network` or `ros`.
 template <class Spec>
 using Join = std::function<Expected<DdsTransport*>(const Spec& part)>;
 
@@ -155,7 +156,7 @@ Expected<DdsTransport*> Domains::join(std::int64_t domain, const std::string& in
     if (const auto found = joined_.find(domain); found != joined_.end()) {
         if (found->second.xml == xml) return found->second.transport.get();
         return failure(
-            fmt::format("domain {} was joined by another interface or with other peers: start nezumi anew", domain));
+            fmt::format("domain {} was joined by another interface or with other peers: restart nezumi", domain));
     }
     auto transport = open_({.domain = static_cast<std::uint32_t>(domain), .xml = xml, .loopback = interface.empty()});
     if (!transport) return Unexpected(transport.error());
@@ -184,7 +185,7 @@ NetworkMaker make_networks(Domains& domains, std::string version) {
 
 namespace {
 
-// `reads_secret`: whether the file of a secret must be one.
+// `reads_secret`: the file of a secret must exist and be valid.
 NetworkMaker make_silent(bool reads_secret) {
     return [reads_secret](const SystemSpec& spec, System& system) {
         auto silent = make_silent_transport();

@@ -1,4 +1,4 @@
-// Makes the networks of systems, each from what its file says: this host among others, and the node among those of ROS.
+// Makes the networks of systems from their files: this host among others, and the ROS node.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@
 
 namespace nezumi::dds {
 
-/// The places in domains that this process has. They stay while systems start anew.
+/// The DDS participants of this process. They stay while systems restart.
 class Domains {
 public:
     using Open = std::function<Expected<std::unique_ptr<DdsTransport>>(const DomainOptions& options)>;
 
     explicit Domains(Open open = open_cyclone) : open_(std::move(open)) {}
-    /// The place in this domain, which is joined when it is asked for first.
+    /// The participant in this domain; joins it at the first call.
     Expected<DdsTransport*> join(std::int64_t domain, const std::string& interface,
                                  const std::vector<std::string>& peers);
 
@@ -34,11 +34,11 @@ private:
     std::map<std::int64_t, Joined> joined_;
 };
 
-/// `domains` must outlive every system; `version`: of nezumi.
+/// `domains` must outlive every system. `version`: of nezumi.
 NetworkMaker make_networks(Domains& domains, std::string version);
-/// Networks on which nobody else is: all is checked, and nothing leaves the process.
+/// Networks without other hosts: everything is checked, but nothing leaves the process.
 NetworkMaker make_silent_networks();
-/// The same for a check of what would run here: the file of a secret is read as well.
+/// The same for a check of a run on this computer: the file of a secret is read too.
 NetworkMaker make_checked_networks();
 
 }  // namespace nezumi::dds

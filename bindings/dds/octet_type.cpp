@@ -1,4 +1,4 @@
-// The functions that Cyclone calls on messages and types. Nothing is thrown through it.
+// Callbacks of Cyclone for messages and types. They must not throw.
 #include "bindings/dds/octet_type.hpp"
 
 #include <dds/ddsi/q_radmin.h>
@@ -14,9 +14,9 @@
 namespace nezumi::dds {
 namespace {
 
-// A message as Cyclone hands it about: without a key, and never looked into.
+// A message as Cyclone stores it: without a key, opaque.
 struct Octeted : ddsi_serdata {
-    std::vector<std::uint8_t> bytes;  // with the header, padded to a multiple of 4 as the protocol sends it
+    std::vector<std::uint8_t> bytes;  // with the header, padded to a multiple of 4 as in the protocol
 
     Octeted(const ddsi_sertype* its_type, ddsi_serdata_kind its_kind) : ddsi_serdata{} {
         ddsi_serdata_init(this, its_type, its_kind);
@@ -33,7 +33,7 @@ private:
 
 const Octeted& octeted(const ddsi_serdata* data) { return *static_cast<const Octeted*>(data); }
 
-// A message of any size, or none when there is no memory for it: nothing is thrown through a C library.
+// A message of any size, or none if memory is exhausted: a C library calls this, so it must not throw.
 template <class Fill>
 ddsi_serdata* make_data(const ddsi_sertype* type, ddsi_serdata_kind kind, std::size_t size, const Fill& fill) {
     try {
@@ -103,7 +103,7 @@ ddsi_serdata* lend_octets(const ddsi_serdata* data, std::size_t offset, std::siz
 
 void take_octets_back(ddsi_serdata* data, const ddsrt_iovec_t* /*lent*/) { ddsi_serdata_unref(data); }
 
-// Messages are taken as they are (dds_takecdr); filters alone ask for a sample, which is a look at the octets.
+// Messages are taken unchanged (dds_takecdr). Only filters ask for a sample, which is a view of the bytes.
 using View = std::span<const std::uint8_t>;
 bool to_sample(const ddsi_serdata* data, void* sample, void** /*buffer*/, void* /*limit*/) {
     if (sample == nullptr) return false;
@@ -156,7 +156,7 @@ void free_type(ddsi_sertype* type) {
     delete type;
 }
 void zero_samples(const ddsi_sertype* /*type*/, void* /*samples*/, std::size_t /*count*/) {}
-// One at a time is all that filters ask for.
+// Filters ask for one sample at a time.
 void realloc_samples(void** samples, const ddsi_sertype* /*type*/, void* old, std::size_t /*before*/,
                      std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) samples[i] = nullptr;
@@ -165,11 +165,13 @@ void realloc_samples(void** samples, const ddsi_sertype* /*type*/, void* old, st
 void free_samples(const ddsi_sertype* /*type*/, void** samples, std::size_t count, dds_free_op_t how) {
     if (count == 1 && (how & DDS_FREE_ALL_BIT) != 0) delete static_cast<View*>(samples[0]);
 }
-bool same_type(const ddsi_sertype* /*a*/, const ddsi_sertype* /*b*/) { return true; }  // their names are
+bool same_type(const ddsi_sertype* /*a*/, const ddsi_sertype* /*b*/) {
+    return true;
+}  // the names are compared elsewhere
 std::uint32_t hash_of_type(const ddsi_sertype* /*type*/) { return 0; }
 ddsi_sertype* derive_type(const ddsi_sertype* type, dds_data_representation_id_t representation,
                           dds_type_consistency_enforcement_qospolicy_t /*how*/) {
-    // Octets are octets: plain CDR, whichever the reader asks for first.
+    // The bytes are plain CDR, which is valid as XCDR1 and XCDR2.
     return representation == DDS_DATA_REPRESENTATION_XCDR1 || representation == DDS_DATA_REPRESENTATION_XCDR2
                ? const_cast<ddsi_sertype*>(type)
                : nullptr;

@@ -1,4 +1,4 @@
-// A type of messages for Cyclone DDS that are octets: what they mean is said by the descriptions in engine/ports.
+// A message type for Cyclone DDS that is a sequence of bytes; the descriptions in engine/ports give it meaning.
 #pragma once
 
 #include <dds/dds.h>
@@ -10,11 +10,11 @@
 
 namespace nezumi::dds {
 
-/// A type of this name without a key, which is released by `ddsi_sertype_unref` where no topic has taken it. What is
-/// written is a `std::span<const std::uint8_t>`: CDR with its header.
+/// Makes a type of this name without a key. Release it with `ddsi_sertype_unref` if no topic has taken it. A written
+/// message is a `std::span<const std::uint8_t>`: CDR with its header.
 ddsi_sertype* make_octet_type(const char* name);
 
-/// The octets of a message of such a type, as long as that lives.
+/// The bytes of a message of such a type, valid while `data` lives.
 std::span<const std::uint8_t> octets_of(const ddsi_serdata& data);
 
 }  // namespace nezumi::dds

@@ -1,4 +1,5 @@
-// Velocities go as the newest alone and are never late; all else is delivered, the oldest first, while there is room.
+// Of velocities only the newest is sent, and late ones are dropped. All other messages are delivered, oldest first,
+// while there is space.
 #include "bindings/dds/port_topic.hpp"
 
 #include <fmt/format.h>
@@ -11,16 +12,16 @@ namespace {
 
 constexpr bool is_velocity(std::size_t type) { return type == type_index<Velocity2D>(); }
 
-// Messages that wait for a host that is slow to take them: a second of a port that publishes at 100 Hz.
+// The queue for a slow host: one second of a port that publishes at 100 Hz.
 constexpr int most_waiting = 128;
-// Pictures are large, and only the newest are of use.
+// Pictures are large, and only the newest are useful.
 constexpr int most_pictures = 2;
 
 }  // namespace
 
 Topic topic_of(std::string_view host, std::string_view port, std::size_t type) {
     const bool picture = type == type_index<CameraImage>();
-    // Names of topics have letters, digits, '_' and '/' (DDS 1.4, annex B).
+    // Names of topics consist of letters, digits, '_' and '/' (DDS 1.4, annex B).
     const std::size_t dot = port.find('.');
     return {.name = fmt::format("nezumi/{}/{}/{}", host, port.substr(0, dot), port.substr(dot + 1)),
             .type = fmt::format("nezumi::{}", message_type_names[type]),
@@ -61,7 +62,7 @@ void Inlet::take(const Octets& bytes, std::uint64_t run, double clock, const Giv
     auto value = read_message(type_, bytes, head);
     const double sent = head.stamp + head.offset;
     const bool fits = value && std::isfinite(sent) && head.run == run;
-    // A number that was there already is a message that comes again.
+    // A number that is not newer belongs to a repeated message.
     if (!fits || head.number <= progress_.number) {
         ++counts_.wrong;
         return;

@@ -1,4 +1,4 @@
-// Messages of one port on their way between hosts: head, stamp and payload as CDR, one topic for each out-port.
+// Messages of a port between hosts: head, stamp and payload as CDR, one topic per out-port.
 #pragma once
 
 #include <bit>
@@ -23,11 +23,11 @@
 
 namespace nezumi::dds {
 
-/// The topic of the out-port "name.port" of a host, whose messages are of this type.
+/// The topic of the out-port "name.port" of a host with messages of this type.
 Topic topic_of(std::string_view host, std::string_view port, std::size_t type);
 
-/// Has each of a map of what ports publish, by "name.port", follow the port that is called so now; drops those whose
-/// port has gone, or is of another type.
+/// Updates a map of published ports, by "name.port", to the present ports; drops entries whose port was removed or has
+/// another type.
 template <class Map>
 void follow_ports(Map& all, const System& system) {
     for (auto each = all.begin(); each != all.end();) {
@@ -41,15 +41,15 @@ void follow_ports(Map& all, const System& system) {
     }
 }
 
-/// Sends what an out-port publishes, while another host wants it.
+/// Sends the messages of an out-port while another host needs them.
 class Outlet : public Published {
 public:
-    /// `number`: of the message sent last on this topic, which goes on where another outlet has ended, and must outlive
-    /// this one.
+    /// `number`: of the last message sent on this topic. It continues from an earlier outlet, and must outlive this
+    /// one.
     Outlet(const System& system, const OutPortBase& port, std::unique_ptr<Writer> writer, std::uint64_t& number)
         : Published(system, port), writer_(std::move(writer)), number_(number) {}
 
-    /// Sends what was published since the last call. `run` as announced; `clock`: the monotonic clock [s].
+    /// Sends what was published since the last call. `run` as announced. `clock`: the monotonic clock [s].
     void send(const Time& now, std::uint64_t run, double clock);
 
 private:
@@ -58,8 +58,8 @@ private:
     Octets bytes_;
 };
 
-/// Reads a message of a type, CDR with its header behind what stands before it, which is described. Nothing when it is
-/// none, or a number of it is not finite.
+/// Reads a message of a type, as CDR with header, after the described head. Returns nothing if it is invalid or
+/// contains a number that is not finite.
 template <class... Head>
 std::optional<Value> read_message(std::size_t type, std::span<const std::uint8_t> bytes, Head&... head) {
     Value value = make_payload(type);
@@ -68,29 +68,29 @@ std::optional<Value> read_message(std::size_t type, std::span<const std::uint8_t
     return value;
 }
 
-/// What became of the messages that came.
+/// Statistics of received messages.
 struct Counts {
     std::uint64_t taken = 0;
-    std::uint64_t missed = 0;  ///< were sent and never came
+    std::uint64_t missed = 0;  ///< sent but not received
     std::uint64_t late = 0;    ///< velocities older than 0.5 s
-    std::uint64_t wrong = 0;   ///< no messages of the port's type, with a number that is not finite, or of another run
+    std::uint64_t wrong = 0;   ///< invalid for the port's type, with a number that is not finite, or of another run
 };
 
-/// How far the messages of a topic were taken: what comes again is older.
+/// The last message taken from a topic; repeated messages are older.
 struct Progress {
     std::optional<std::uint64_t> run{};  ///< of the sender
-    std::uint64_t number = 0;            ///< of the last message of it
+    std::uint64_t number = 0;            ///< of its last message
 };
 
-/// Takes what comes from another host for an out-port of this one.
+/// Receives another host's messages for an out-port of this host.
 class Inlet {
 public:
     using Give = std::function<void(Value value)>;
 
-    /// `type`: of the port. `progress` goes on where another inlet has ended, and must outlive it.
+    /// `type`: of the port. `progress` continues from an earlier inlet, and must outlive this one.
     Inlet(std::size_t type, std::unique_ptr<Reader> reader, Progress& progress);
 
-    /// Gives what has come; only what is of this run of the other host counts.
+    /// Gives the received messages; only those of this run of the other host count.
     void receive(std::optional<std::uint64_t> run, double clock, const Give& give);
     const Counts& counts() const { return counts_; }
 

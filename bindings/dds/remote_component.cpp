@@ -1,4 +1,4 @@
-// Ports come when connections ask for them, and stay.
+// Ports are made when a connection needs them, and stay.
 #include "bindings/dds/remote_component.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// A component of another host as this one sees it: the ports that are connected here.
+// The local representative of another host's component, with the ports that are connected here.
 #pragma once
 
 #include <cstdint>
@@ -21,23 +21,24 @@ public:
     RemoteComponent(std::string_view host, std::string_view component, std::function<double()> clock);
 
     const std::string& host() const { return host_; }
-    /// A port of this name, made when there is none.
+    /// Returns the port of this name; makes it if missing.
     Port& port(const std::string& name, std::size_t type, Direction direction);
 
-    /// From now on this out-port gives what comes from the other host; nullptr: nothing.
+    /// From now on this out-port gives the messages of `reader`; nullptr: none.
     void receive(OutPortBase& port, std::unique_ptr<Reader> reader);
     bool receives(const OutPortBase& port) const { return inlets_.contains(&port); }
-    /// The start of the host whose messages count; none: it is not there.
+    /// The run of the host whose messages count; none: the host is missing.
     void set_run(std::optional<std::uint64_t> run) { run_ = run; }
-    /// What became of the messages of this port; nullptr when it receives nothing.
+    /// Statistics of this port's messages; nullptr if it receives nothing.
     const Counts* counts(const OutPortBase& port) const;
 
-    /// Has what came since the last tick written, as acts of the other host; nothing while this is not ACTIVE.
+    /// Writes the messages received since the last tick, as acts of the other host. Does nothing while it is not
+    /// ACTIVE.
     void receive(const MessageDoor& deliver);
 
-    /// What comes is there before the tick.
+    /// Received messages are written before the tick.
     void sense(const Time& /*now*/) override {}
-    /// What its in-ports take is sent where it is published: `Outlet`.
+    /// The in-ports' messages are sent where they are published: `Outlet`.
     void actuate(const Time& /*now*/) override {}
 
 private:

@@ -1,4 +1,4 @@
-// A random nonce of 24 bytes, then the ciphertext with its tag; the topic's name and type are authenticated beside it.
+// A random nonce of 24 bytes, then the ciphertext with its tag. The topic's name and type are authenticated too.
 #include "bindings/dds/sealed_transport.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ std::string place_of(const Topic& topic) { return topic.name + '\n' + topic.type
 
 const unsigned char* bytes_of(const std::string& text) { return reinterpret_cast<const unsigned char*>(text.data()); }
 
-// Opens a box into `cdr`, or with nullptr looks whether it can be opened.
+// Decrypts a message into `cdr`; with nullptr only tests whether that is possible.
 bool open(unsigned char* cdr, const Octets& box, const Topic& topic, const Secret& secret) {
     if (box.size() < nonce_size + tag_size) return false;
     const std::string place = place_of(topic);
@@ -77,7 +77,7 @@ private:
 class SealedTransport final : public DdsTransport {
 public:
     SealedTransport(DdsTransport& inner, const Secret& secret) : inner_(inner), secret_(secret) {
-        // It fails where there is no randomness: then so does each nonce, and it aborts.
+        // If it fails there is no randomness; then making a nonce aborts the program.
         [[maybe_unused]] const int begun = sodium_init();
     }
     ~SealedTransport() override { sodium_memzero(secret_.data(), secret_.size()); }
@@ -89,7 +89,7 @@ public:
         return made != nullptr ? std::make_unique<SealedWriter>(std::move(made), topic, secret_) : nullptr;
     }
     std::unique_ptr<Reader> read(const Topic& topic) override {
-        // Who has no secret may send as much as they like: it must not push out what waits.
+        // A sender without the secret may send any amount: this must not displace waiting messages.
         Topic its = sealed(topic);
         its.admits = [this, topic](std::span<const std::uint8_t> bytes) {
             const bool is_ours = is_sealed(bytes, topic, secret_);
@@ -132,7 +132,7 @@ std::string secret_text(const Secret& secret) {
 
 Expected<Secret> secret_from(std::string_view text) {
     const auto refuse = [] {
-        return failure("is no secret: `nezumi network secret FILE` makes one, to be copied to each host");
+        return failure("is not a secret: `nezumi network secret FILE` makes one, to be copied to each host");
     };
     if (!text.starts_with(title)) return refuse();
     text.remove_prefix(title.size());
@@ -153,7 +153,7 @@ Expected<Secret> read_secret(const std::string& said, const std::string& file) {
     const auto status = std::filesystem::status(file, none);
     if (!std::filesystem::exists(status))
         return refuse("is not there: `nezumi network secret FILE` makes one, to be copied to each host");
-    // Whoever can read it can drive robots.
+    // A reader of this file can drive robots.
     if ((status.permissions() & (perms::group_read | perms::others_read)) != perms::none)
         return refuse(fmt::format("can be read by others: chmod 600 {}", file));
     const auto text = read_whole(file, file);

@@ -1,4 +1,4 @@
-// A transport whose messages only those can write and read who have a secret.
+// A transport whose messages only holders of a secret can write and read.
 #pragma once
 
 #include <array>
@@ -14,27 +14,28 @@
 
 namespace nezumi::dds {
 
-/// A key that hosts share.
+/// A key shared by hosts.
 using Secret = std::array<std::uint8_t, 32>;
 
-/// A new one.
+/// Makes a new secret.
 Secret make_secret();
-/// As the text of a file, and from one; the error says what is wrong with it.
+/// Converts to the text of a file and back. An error gives the reason.
 std::string secret_text(const Secret& secret);
 Expected<Secret> secret_from(std::string_view text);
-/// The one in a file, which nobody else may read; "": there is no such file. The error calls it as it was `said`.
+/// Reads the secret of a file, which other users must not be able to read. If `file` is "", it does not exist. Errors
+/// use the name `said`.
 Expected<Secret> read_secret(const std::string& said, const std::string& file);
 
-/// Encrypted and authenticated for this topic alone (XChaCha20-Poly1305 of libsodium), as CDR with its header.
+/// Encrypts and authenticates for this topic only (XChaCha20-Poly1305 of libsodium); `cdr` has its header.
 Octets seal(std::span<const std::uint8_t> cdr, const Topic& topic, const Secret& secret);
-/// What `seal` was given; nothing when it was not sealed for this topic with this secret.
+/// The reverse of `seal`; nothing if it was not sealed for this topic with this secret.
 std::optional<Octets> unseal(std::span<const std::uint8_t> sealed, const Topic& topic, const Secret& secret);
 
-/// The name of a topic whose messages are sealed: hosts with a secret and those without one do not hear each other.
+/// The name of an encrypted topic: hosts with and without a secret don't receive each other's messages.
 std::string sealed_name(std::string_view topic);
 
-/// `inner` must outlive it, and it its readers. What can't be unsealed is dropped as it comes. That a message comes
-/// again is for who reads to see: heads have numbers.
+/// `inner` must outlive it, and it must outlive its readers. Messages that can't be decrypted are dropped on arrival.
+/// Repeated messages must be detected by the reader: heads have numbers.
 std::unique_ptr<DdsTransport> make_sealed_transport(DdsTransport& inner, const Secret& secret);
 
 }  // namespace nezumi::dds

@@ -1,4 +1,4 @@
-// Writers and readers that are alone.
+// Writers and readers without a network.
 #include "bindings/dds/silent_transport.hpp"
 
 namespace nezumi::dds {

@@ -1,4 +1,4 @@
-// A place in a domain where nobody else is: for systems that are checked, tried in scenarios or replayed.
+// A participant without others: for systems that are checked, tested in scenarios or replayed.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace nezumi::dds {
 
-/// Nothing is sent, and nothing comes.
+/// Nothing is sent, and nothing is received.
 std::unique_ptr<DdsTransport> make_silent_transport();
 
 }  // namespace nezumi::dds

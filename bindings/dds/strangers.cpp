@@ -1,4 +1,4 @@
-// Their messages can't be read, or go by topics of another name.
+// Their messages can't be decrypted, or use topics of other names.
 #include "bindings/dds/strangers.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace nezumi::dds {
 namespace {
 
-// [s] between two looks at all endpoints of the domain.
+// [s] between two checks of all endpoints of the domain.
 constexpr double strangers_period = 1;
 
 }  // namespace
@@ -30,7 +30,7 @@ std::string Strangers::look(double now) {
     }
     if (who.empty()) return "";
     told_ = true;
-    return fmt::format("{} is there, and refused: let both say the same `secret = FILE`, or both `open = true`", who);
+    return fmt::format("{} is there, but refused: set the same `secret = FILE` on both, or `open = true` on both", who);
 }
 
 }  // namespace nezumi::dds

@@ -1,4 +1,4 @@
-// Hosts of the same domain that neither hear this one nor are heard, as they have another secret.
+// Detects hosts in the same domain that can't communicate with this one because of another secret.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@ namespace nezumi::dds {
 
 class Strangers {
 public:
-    /// `sealed`: messages of this host are. The transport must outlive it.
+    /// `sealed`: this host encrypts its messages. The transport must outlive it.
     Strangers(DdsTransport& transport, bool sealed) : transport_(transport), sealed_(sealed) {}
 
-    /// What is to be said of them, once; "" else. `now` [s]: of a clock that never goes backwards.
+    /// Returns a message about such hosts once, otherwise "". `now` [s]: of a monotonic clock.
     std::string look(double now);
 
 private:
     DdsTransport& transport_;
     const bool sealed_;
-    double next_ = 0;  // [s] by the clock: when to look again
+    double next_ = 0;  // [s] by the clock: the next check
     bool told_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Looks at other hosts some times a second; messages go in every tick.
+// Checks other hosts several times per second; messages are sent in every tick.
 #include "bindings/dds/system_network.hpp"
 
 #include <fmt/format.h>
@@ -10,14 +10,14 @@
 namespace nezumi::dds {
 namespace {
 
-// [s] between two looks at what other hosts have announced.
+// [s] between two checks of other hosts' announcements.
 constexpr double period = 0.05;
-// Connections that other hosts are given at one look: acts are not for nothing, and who asks may be anybody.
+// Connections made per check at the request of other hosts: acts cost time, and other hosts are not trusted.
 constexpr int most_made = 16;
-// Connections, as long as this system lives, that others who may only look are given; and refusals that are told.
+// Limits over the life of this system: connections for read-only hosts, and reported refusals.
 constexpr int most_looked = 4096, most_told = 100;
 
-// "host/name" of "host/name.port", and the port.
+// Splits "host/name.port" into "host/name" and the port.
 std::pair<std::string, std::string> split(std::string_view path) {
     const std::size_t dot = path.find('.');
     return {std::string(path.substr(0, dot)), std::string(path.substr(dot + 1))};
@@ -88,7 +88,7 @@ void SystemNetwork::look(const ActDoor& act) {
 }
 
 void SystemNetwork::before_tick(const MessageDoor& deliver) {
-    // NOLINTNEXTLINE(modernize-loop-convert): what an act changes may be the list itself
+    // NOLINTNEXTLINE(modernize-loop-convert): an act may change the list itself
     for (std::size_t i = 0; i < system_.components().size(); ++i) {
         if (auto* remote = dynamic_cast<RemoteComponent*>(system_.components()[i].get())) remote->receive(deliver);
     }
@@ -114,7 +114,7 @@ bool SystemNetwork::open() {
 
 void SystemNetwork::listen() {
     const double now = settings_.clock();
-    // The last word counts: to read all that a host says which changes without end would make ticks late.
+    // Only the last announcement is read: reading all of a host that changes without end would delay ticks.
     std::map<std::uint64_t, std::vector<Octets>> words;
     for (TopicSample& sample : listener_->take()) words[sample.writer].push_back(std::move(sample.bytes));
     for (auto& [writer, said] : words) {
@@ -142,7 +142,7 @@ std::string SystemNetwork::other_of(const Ends& ends) const {
     return std::string(host_of(host_of(ends.first) == settings_.name ? ends.second : ends.first));
 }
 
-// The connections that there are with other hosts.
+// The existing connections with other hosts.
 std::vector<Ends> SystemNetwork::present() const {
     std::vector<Ends> all;
     for (const ConnectionSpec& each : system_.connections()) {
@@ -158,10 +158,10 @@ void SystemNetwork::refuse(const Ends& ends, const std::string& why) {
     if (++told_ > most_told) return;
     system_.log(LogLevel::warn, fmt::format("host {} may not connect({}, {}): {}", other_of(ends), local(ends.first),
                                             local(ends.second), why));
-    if (told_ == most_told) system_.log(LogLevel::warn, "network: what else is refused to other hosts is not told");
+    if (told_ == most_told) system_.log(LogLevel::warn, "network: further refusals to other hosts are not reported");
 }
 
-// Whether both ends of a connection with this host are there; an error when they can't be connected.
+// True if both ends of a connection with this host exist; an error if they can't be connected.
 Expected<bool> SystemNetwork::can_be(const Ends& ends, const Announcement& host) const {
     const bool ours_first = host_of(ends.first) == settings_.name;
     const std::string& our_end = ours_first ? ends.first : ends.second;
@@ -174,7 +174,7 @@ Expected<bool> SystemNetwork::can_be(const Ends& ends, const Announcement& host)
         fmt::format("types differ: {} is {}, {} is {}", our_end, (*ours)->type_name(), their_end, shown(theirs->type)));
 }
 
-// Returns whether nothing is left for the next look.
+// Returns true if nothing is left for the next check.
 bool SystemNetwork::make_what_others_want(const std::vector<Ends>& present, const ActDoor& act) {
     std::set<Ends> wanted;
     int made_now = 0;
@@ -189,11 +189,11 @@ bool SystemNetwork::make_what_others_want(const std::vector<Ends>& present, cons
             if (refusals_.contains(ends)) continue;
             if (std::find(present.begin(), present.end(), ends) != present.end()) continue;
             const auto fits = can_be(ends, *host);
-            if (fits && !*fits) {  // one end is not there: as a script that was reloaded without the port
+            if (fits && !*fits) {  // one end is missing: for example a script was reloaded without the port
                 brought_.erase(ends);
                 continue;
             }
-            if (brought_.contains(ends)) {  // ended here since: the other end is told
+            if (brought_.contains(ends)) {  // it was ended here, so the other host is told
                 brought_.erase(ends);
                 refusals_.try_emplace(ends, "it was ended there");
                 continue;
@@ -206,9 +206,9 @@ bool SystemNetwork::make_what_others_want(const std::vector<Ends>& present, cons
                 refuse(ends, "others may only look: a secret or open = true in the word network lets them write");
                 continue;
             }
-            if (++made_now > most_made) continue;  // at the next look
+            if (++made_now > most_made) continue;  // at the next check
             if (!settings_.writable && ++looked_ > most_looked) {
-                refuse(ends, "others have looked at too many ports");
+                refuse(ends, "other hosts have connected to too many ports");
                 continue;
             }
             const auto made = act(Connect{local(want.from), local(want.to)}, {Actor::Kind::network, name});
@@ -219,7 +219,7 @@ bool SystemNetwork::make_what_others_want(const std::vector<Ends>& present, cons
             }
         }
     }
-    // What nobody wants any more may be wanted anew.
+    // A refusal is forgotten when the connection is no longer requested, so that it may be requested again.
     std::erase_if(refusals_, [&](const auto& each) {
         return !wanted.contains(each.first) && hosts_.find(other_of(each.first)) != nullptr;
     });
@@ -230,7 +230,7 @@ void SystemNetwork::end_what_they_no_longer_want(const std::vector<Ends>& presen
     for (auto each = brought_.begin(); each != brought_.end();) {
         const Ends& ends = each->first;
         const std::string& name = each->second;
-        const Announcement* host = hosts_.find(name);  // one that is not there may come back
+        const Announcement* host = hosts_.find(name);  // a missing host may come back
         const auto is_it = [&](const AnnouncedConnection& want) {
             return want.from == ends.first && want.to == ends.second;
         };
@@ -244,7 +244,7 @@ void SystemNetwork::end_what_they_no_longer_want(const std::vector<Ends>& presen
     }
 }
 
-// The other host can't or won't have a connection that this one was asked for.
+// Ends connections that this host requested but the other one refuses.
 void SystemNetwork::end_what_is_refused(const std::vector<Ends>& present, const ActDoor& act) {
     for (const Announcement* host : hosts_.all()) {
         const std::string name = host->head.host;
@@ -294,7 +294,7 @@ void SystemNetwork::open_topics(const std::vector<Ends>& present) {
     }
 }
 
-// A port whose messages don't travel, once.
+// Reports once that a port's messages can't be sent.
 void SystemNetwork::tell_problem(const std::string& path) {
     if (problems_.insert(path).second)
         system_.log(LogLevel::error, fmt::format("network: {}: {}", path, transport_.problem()));
@@ -334,20 +334,20 @@ void SystemNetwork::announce(const std::vector<Ends>& present) {
 
 namespace {
 
-// Why nothing can come of a port of another host, nullptr when that is not there; "" when there is no reason.
+// Why nothing comes from a port of another host: nullptr if the host is missing, "" if there is no reason.
 std::string why_waiting(const Announcement* host, const RemoteComponent& remote, const Port& port) {
     if (host == nullptr) return fmt::format("waits for host {}", remote.host());
     const std::string name(without_host(nezumi::path(remote, port)));
     if (HostTable::find_port(*host, name) != nullptr) return "";
     std::vector<std::string_view> names;
-    constexpr std::size_t most_compared = 1000;  // 20 times a second
+    constexpr std::size_t most_compared = 1000;  // 20 times per second
     for (std::size_t i = 0; i < std::min(host->ports.size(), most_compared); ++i) names.push_back(host->ports[i].name);
     return fmt::format("host {} has no port {}{}", remote.host(), name, did_you_mean(name, names));
 }
 
 }  // namespace
 
-// What a person sees at ports of other hosts.
+// Sets the notes at ports of other hosts.
 void SystemNetwork::note_waiting() {
     for (const auto& component : system_.components()) {
         auto* remote = dynamic_cast<RemoteComponent*>(component.get());
@@ -366,7 +366,7 @@ void SystemNetwork::note_waiting() {
 }
 
 void SystemNetwork::latched(const System& system) {
-    if (followed_ != system.layout()) {  // ports may have gone, or others have taken their places
+    if (followed_ != system.layout()) {  // ports may have been removed or replaced
         follow_ports(outlets_, system);
         followed_ = system.layout();
     }

@@ -25,24 +25,24 @@
 
 namespace nezumi::dds {
 
-/// What a host is, and whom it trusts.
+/// The identity of a host and its trust in others.
 struct HostSettings {
     std::string name;
     std::string version;                                ///< of nezumi
     bool writable = true;                               ///< others may connect to its in-ports
-    bool sealed = false;                                ///< the transport's messages are
-    std::uint64_t run = 0;                              ///< another number at each start
-    std::function<double()> clock = monotonic_seconds;  ///< [s], never backwards
-    bool lockstep = false;                              ///< time is that of its partners
+    bool sealed = false;                                ///< the transport encrypts its messages
+    std::uint64_t run = 0;                              ///< a different number at each start
+    std::function<double()> clock = monotonic_seconds;  ///< [s], monotonic
+    bool lockstep = false;                              ///< its time follows its partners
     std::vector<std::string> hosts{};                   ///< as in `Lockstep`
 };
 
-/// A connection with another host is an ordinary connection at both ends, to a component that stands for the other's:
-/// "ev3/vehicle". Who was asked for it announces it; the other makes it as an act of that host, or refuses it and says
-/// why. It ends when either end ends it, and outlives either end's absence.
+/// A connection with another host is an ordinary connection on both hosts, to a component that represents the other
+/// one: "ev3/vehicle". The host where it was requested announces it. The other one makes it as an act of that host, or
+/// refuses it with a reason. It ends when either end is disconnected, and survives the absence of a host.
 class SystemNetwork final : public Network, private PortObserver {
 public:
-    /// Both must outlive the network. Nothing is said or heard before the first `between_ticks`.
+    /// Both must outlive the network. Nothing is sent or received before the first `between_ticks`.
     SystemNetwork(System& system, DdsTransport& transport, HostSettings settings);
 
     Expected<void> reach(std::string_view path, const Port& other) override;
@@ -90,17 +90,17 @@ private:
     std::unique_ptr<Writer> announcer_;
     std::unique_ptr<Reader> listener_;
     Announcement said_;
-    double next_ = 0;                                            // [s] by the clock: when to look at others again
-    bool failed_ = false;                                        // there is no announcing; told
-    std::map<Ends, std::string> brought_;                        // by which host
-    std::map<Ends, std::string> refusals_;                       // of what others want: why
-    std::set<std::string> problems_;                             // ports that could not be carried; told
-    std::map<std::string, std::uint64_t, std::less<>> numbers_;  // of the messages last sent, by topic
+    double next_ = 0;                                            // [s] by the clock: the next check of others
+    bool failed_ = false;                                        // announcing is impossible; reported
+    std::map<Ends, std::string> brought_;                        // the requesting host of each connection
+    std::map<Ends, std::string> refusals_;                       // of connections requested by others: the reasons
+    std::set<std::string> problems_;                             // ports that can't be sent; reported
+    std::map<std::string, std::uint64_t, std::less<>> numbers_;  // of the last messages, by topic
     std::map<std::string, Outlet, std::less<>> outlets_;         // by "name.port"
-    std::uint64_t layout_ = 0;                                   // whose ports are announced
-    std::uint64_t followed_ = 0;                                 // whose ports the outlets have
-    int told_ = 0;                                               // refusals
-    int looked_ = 0;                                             // connections that others were given who may only look
+    std::uint64_t layout_ = 0;                                   // the layout that is announced
+    std::uint64_t followed_ = 0;                                 // the layout of the outlets
+    int told_ = 0;                                               // number of refusals
+    int looked_ = 0;                                             // number of connections given to read-only hosts
 };
 
 }  // namespace nezumi::dds

@@ -1,4 +1,4 @@
-// It is written under another name and linked to its own, which only the first one can do.
+// The secret is written to a temporary file and linked to its name; only the first process can do that.
 #include "bindings/dds/user_secret.hpp"
 
 #include <fcntl.h>
@@ -26,13 +26,13 @@ Unexpected refused(const std::filesystem::path& file, std::string_view why) {
                     visible(file.string()), why));
 }
 
-// Returns an errno, 0 when there is a secret now.
+// Returns an errno, or 0 if there is a secret now.
 int make_file(const std::filesystem::path& file) {
     std::error_code none;
     std::filesystem::create_directories(file.parent_path().parent_path(), none);
     if (mkdir(file.parent_path().c_str(), 0700) != 0 && errno != EEXIST) return errno;
     std::string own = file.string() + ".XXXXXX";
-    const int written = ::mkostemp(own.data(), O_CLOEXEC);  // for its user alone
+    const int written = ::mkostemp(own.data(), O_CLOEXEC);  // readable only by its user
     if (written < 0) return errno;
     int problem = write_all(written, secret_text(make_secret()));
     ::close(written);
@@ -55,7 +55,7 @@ Expected<Secret> user_secret(const std::filesystem::path& file) {
         if (const int problem = make_file(file); problem != 0) return refused(file, std::strerror(problem));
         if (lstat(file.c_str(), &status) != 0) return refused(file, std::strerror(errno));
     }
-    if (!S_ISREG(status.st_mode) || status.st_uid != geteuid()) return refused(file, "it is no file of this user's");
+    if (!S_ISREG(status.st_mode) || status.st_uid != geteuid()) return refused(file, "it is not a file of this user");
     return read_secret(file.string(), file.string());
 }
 

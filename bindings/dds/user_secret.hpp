@@ -1,4 +1,4 @@
-// The secret that the hosts of one user share on one computer, without anything being said of it.
+// The secret shared by the hosts of one user on one computer, without configuration.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +7,10 @@
 
 namespace nezumi::dds {
 
-/// "network.secret" in `state_folder()`; empty where there is none.
+/// "network.secret" in `state_folder()`; empty if there is no such folder.
 std::filesystem::path user_secret_file();
-/// The secret in this file, which is made where there is none: of two processes that make it at once both have the
-/// same. The error says what to do without it.
+/// Reads the secret of this file, or makes it. Two processes that make it at once get the same one. An error says what
+/// to do without it.
 Expected<Secret> user_secret(const std::filesystem::path& file = user_secret_file());
 
 }  // namespace nezumi::dds

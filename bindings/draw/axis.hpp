@@ -1,4 +1,4 @@
-// What an axis of a plot shows: the range of its values, and round steps over it.
+// The axis of a plot: the range of its values, and round steps over it.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ struct AxisRange {
         low = std::min(low, value);
         high = std::max(high, value);
     }
-    /// Never empty and never of no length afterwards; `part` of it more at both ends.
+    /// Makes the range not empty, at least `least` long, and longer by `part` at both ends.
     void widen(double part, double least) {
         if (low > high) low = 0, high = 1;
         const double more = std::max((high - low) * part, high - low > 0 ? 0 : std::max(least, std::abs(low) * 0.1));
@@ -23,7 +23,7 @@ struct AxisRange {
     }
 };
 
-/// About `count` round steps over a range.
+/// Returns a round step that divides a range into about `count` parts.
 inline double round_step(const AxisRange& range, int count) {
     const double least = (range.high - range.low) / count;
     const double power = std::pow(10, std::floor(std::log10(least)));

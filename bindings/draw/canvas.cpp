@@ -1,4 +1,4 @@
-// Files are made in memory first, so that an error leaves no half of one.
+// Files are made in memory first, so that an error does not leave an incomplete file.
 #include "bindings/draw/canvas.hpp"
 
 #include <cairo-svg.h>
@@ -36,7 +36,7 @@ Colour colour_of(std::string_view text) {
 }
 
 Colour series_colour(std::size_t index) {
-    // Okabe and Ito (2008), without black, and with the yellow last: it is faint on white.
+    // Okabe and Ito (2008), without black; yellow is last because it is faint on white.
     static constexpr std::array<std::string_view, 7> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                              "#56b4e9", "#e69f00", "#b8a800"};
     return colour_of(colours[index % colours.size()]);
@@ -75,7 +75,7 @@ void Canvas::text(double x, double y, const std::string& words, double size, con
 }
 
 void Canvas::image(Picture picture, double x, double y, double width, double height) {
-    // Both have a pixel as 0x00rrggbb.
+    // Both formats store a pixel as 0x00rrggbb.
     const std::unique_ptr<cairo_surface_t, Release> surface(
         cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(picture.pixels.data()), CAIRO_FORMAT_RGB24,
                                             picture.width, picture.height, 4 * picture.width));
@@ -88,7 +88,7 @@ void Canvas::image(Picture picture, double x, double y, double width, double hei
     if (scale > 1) cairo_pattern_set_filter(cairo_get_source(context()), CAIRO_FILTER_NEAREST);
     cairo_paint(context());
     cairo_restore(context());
-    cairo_surface_finish(surface.get());  // whoever still needs its pixels copies them now
+    cairo_surface_finish(surface.get());  // cairo may still refer to the pixels and copies them now
 }
 
 Expected<void> Canvas::write() {

@@ -1,4 +1,4 @@
-// A sheet to draw on with cairo, written to a file as PNG or SVG.
+// A sheet for drawing with cairo, written as a PNG or SVG file.
 #pragma once
 
 #include <cairo.h>
@@ -15,13 +15,13 @@ namespace nezumi::draw {
 struct Colour {
     double red = 0, green = 0, blue = 0, alpha = 1;  ///< 0 to 1
     Colour with_alpha(double a) const { return {red, green, blue, a}; }
-    /// Towards black (`amount` < 0) or white (> 0), by at most 1.
+    /// Changes it towards black (`amount` < 0) or white (> 0), by at most 1.
     Colour shaded(double amount) const;
 };
 
-/// "#rrggbb", or a grey for anything else.
+/// Parses "#rrggbb"; returns grey for any other text.
 Colour colour_of(std::string_view text);
-/// Colours that go together and that colour-blind people can tell apart, again from the first after the last.
+/// Colours that colour-blind people can distinguish; they repeat after the last.
 Colour series_colour(std::size_t index);
 
 namespace ink {
@@ -30,12 +30,12 @@ inline constexpr Colour text{0.13, 0.16, 0.20};
 inline constexpr Colour faint{0.45, 0.49, 0.54};
 }  // namespace ink
 
-/// What cairo writes a file with: appends to the std::string at `text`.
+/// A write function for cairo: appends to the std::string at `text`.
 cairo_status_t append_to_string(void* text, const unsigned char* data, unsigned int length);
 
 class Canvas {
 public:
-    /// `file` ends in .png or .svg, which decides what is drawn; nothing is written before `write`. Sizes in pixels.
+    /// `file` must end in .png or .svg, which decides the format. The file is written by `write` only. Sizes in pixels.
     Canvas(std::string file, double width, double height);
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
@@ -47,14 +47,14 @@ public:
     void set(const Colour& colour) {
         cairo_set_source_rgba(context(), colour.red, colour.green, colour.blue, colour.alpha);
     }
-    /// Text in the present units' pixels; `anchor` 0 begins at x, 0.5 is centred on it, 1 ends there.
+    /// Draws text, in pixels of the present units. `anchor`: 0 starts at x, 0.5 is centred on it, 1 ends there.
     void text(double x, double y, const std::string& words, double size, const Colour& colour, double anchor = 0,
               bool bold = false);
-    /// A picture, as large as this, its pixels sharp.
+    /// Draws a picture at this size with sharp pixels.
     void image(Picture picture, double x, double y, double width, double height);
     double text_width(const std::string& words, double size, bool bold = false);
 
-    /// Completes the drawing and writes the file, or says why not and leaves none.
+    /// Completes the drawing and writes the file. On an error there is no file.
     Expected<void> write();
 
 private:
@@ -67,7 +67,7 @@ private:
     std::string file_;
     bool svg_;
     double width_, height_;
-    std::string bytes_;  // of the file; before what writes into it
+    std::string bytes_;  // of the file; declared before its writer
     std::unique_ptr<cairo_surface_t, Release> surface_;
     std::unique_ptr<cairo_t, Release> context_;
 };

@@ -1,4 +1,4 @@
-// Lengths are metres.
+// Lengths are in metres.
 #include "bindings/draw/marker_drawing.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ void draw_marker(cairo_t* context, const Paper& paper, const PrintedTag& tag, do
     const double left = (paper.width - cell * cells.width) / 2;
     const double top = (paper.height - cell * cells.height) / 2;
     cairo_set_source_rgb(context, 0, 0, 0);
-    // One path, filled at once: between cells that are filled one by one, viewers show hairlines.
+    // One path, filled at once: viewers show thin gaps between cells that are filled one by one.
     for (int row = 0; row < cells.height; ++row) {
         for (int column = 0; column < cells.width; ++column) {
             const bool is_black = (cells.pixels[static_cast<std::size_t>(row * cells.width + column)] & 0xff) < 0x80;

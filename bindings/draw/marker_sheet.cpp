@@ -1,4 +1,4 @@
-// Only the page is told in the points of PDF.
+// Only the size of the page is in PDF's points.
 #include "bindings/draw/marker_sheet.hpp"
 
 #include <cairo-pdf.h>
@@ -22,7 +22,7 @@ Expected<std::string> marker_pdf(const Paper& paper, const std::vector<PrintedTa
         cairo_pdf_surface_create_for_stream(append_to_string, &bytes, paper.width * points_per_metre,
                                             paper.height * points_per_metre),
         cairo_surface_destroy);
-    cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);  // which every printer reads
+    cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);  // understood by every printer
     const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context(cairo_create(surface.get()), cairo_destroy);
     cairo_scale(context.get(), points_per_metre, points_per_metre);
     for (const PrintedTag& tag : tags) {

@@ -1,4 +1,4 @@
-// Markers on paper: a page for each, to scale.
+// Markers for printing: one page each, to scale.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace nezumi::draw {
 
-/// A PDF with a page for each tag; `size` [m] is the edge of the black border, at most `largest_marker`.
+/// Returns a PDF with a page for each tag. `size` [m] is the edge of the black border, at most `largest_marker`.
 Expected<std::string> marker_pdf(const Paper& paper, const std::vector<PrintedTag>& tags, double size);
 
 }  // namespace nezumi::draw

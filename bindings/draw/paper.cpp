@@ -1,4 +1,4 @@
-// What a printer leaves free, and what stands below a marker.
+// Margins of printers, and the space for text below a marker.
 #include "bindings/draw/paper.hpp"
 
 #include <algorithm>
@@ -6,8 +6,8 @@
 namespace nezumi::draw {
 namespace {
 
-constexpr double unprintable = 0.005;   // [m] at the edges of a sheet, for most printers
-constexpr double lines_height = 0.020;  // [m] of what stands below a marker
+constexpr double unprintable = 0.005;   // [m] margin at the edges of a sheet for most printers
+constexpr double lines_height = 0.020;  // [m] height of the text below a marker
 
 constexpr double cells_across = static_cast<double>(tag_cells) / tag_border_cells;
 

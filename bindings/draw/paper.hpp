@@ -1,4 +1,4 @@
-// The sheets that markers are printed on, and what is printed.
+// Sheets for printing markers, and the printed tags.
 #pragma once
 
 #include <string_view>
@@ -17,13 +17,13 @@ struct Paper {
 /// A tag of AprilTag's family 36h11.
 struct PrintedTag {
     int id = 0;
-    Picture cells;  ///< a pixel each, with the white margin
+    Picture cells;  ///< one pixel per cell, with the white margin
 };
 
 /// A5, A4, A3 (ISO 216) and letter (ANSI/ASME Y14.1).
 const std::vector<Paper>& papers();
 
-/// [m] The largest black border whose marker fits on the paper with its white margin and the lines below it.
+/// [m] The largest black border for this paper, with the white margin and the text below.
 double largest_marker(const Paper& paper);
 
 }  // namespace nezumi::draw

@@ -1,4 +1,4 @@
-// Everything is drawn in metres under one transformation; lines and letters keep their size in pixels.
+// Draws in metres under one transformation; lines and letters have a fixed size in pixels.
 #include "bindings/draw/picture.hpp"
 
 #include <fmt/format.h>
@@ -20,9 +20,9 @@ constexpr double largest_width = 1100, largest_height = 820;   // [px] of the dr
 constexpr double smallest_width = 560, smallest_height = 240;  // [px]
 constexpr double most_pixels_a_metre = 800;
 constexpr double around = 0.12;          // [m] of floor around everything
-constexpr std::size_t most_labels = 12;  // more robots than that go without their names
+constexpr std::size_t most_labels = 12;  // with more robots, names are not drawn
 
-// 1, 2 or 5 times a power of ten, at least this.
+// Returns 1, 2 or 5 times a power of ten, at least `least`.
 double round_length(double least) {
     const double power = std::pow(10, std::floor(std::log10(least)));
     for (const double factor : {1.0, 2.0, 5.0}) {
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    // Chooses the scale; gives the canvas' arguments.
+    // Chooses the scale; returns the canvas.
     Canvas layout(const std::string& file) {
         const Bounds bounds = bounds_of(picture_);
         const double width = bounds.right - bounds.left + 2 * around, height = bounds.top - bounds.bottom + 2 * around;
@@ -86,7 +86,7 @@ private:
     void floor() {
         canvas_.set(colour_of("#f4f2ee"));
         cairo_paint(context());
-        // A grid of round lengths, a few fingers apart.
+        // A grid with round distances of at least 45 px.
         const double step = round_length(45 / scale_);
         for (const int every : {1, 5}) {
             canvas_.set(colour_of(every == 1 ? "#e9e6e0" : "#dcd8d0"));
@@ -149,7 +149,7 @@ private:
         cairo_stroke(context());
     }
 
-    // Fainter where it is older.
+    // Older parts are fainter.
     void path(const PictureOf::Robot& robot, const Colour& colour) {
         const auto& points = robot.path;
         if (points.empty()) return;
@@ -196,7 +196,7 @@ private:
         }
     }
 
-    // A rectangle of the body frame, in metres, with round corners.
+    // A rounded rectangle in the body frame [m].
     void rounded(double cx, double cy, double length, double width, double radius) {
         const double l = length / 2, w = width / 2, quarter = std::numbers::pi / 2;
         cairo_new_path(context());
@@ -224,7 +224,7 @@ private:
         cairo_rotate(context(), robot.pose.heading);
         const double pixel = 1 / scale_;
 
-        // The wheels look out beside the hull, or lie on it when it is wider than they are apart.
+        // The wheels are visible beside the hull, or on it if it is wider than the track.
         const double thickness = std::max(0.012, robot.drive.track * 0.13);
         canvas_.set(colour_of("#22262b"));
         for (const double wheel : {-1.0, 1.0}) {
@@ -256,7 +256,7 @@ private:
         const double at_x = x(robot.pose.position.x);
         double at_y = y(robot.pose.position.y) + reach + 17;
         if (at_y > picture_head + floor_height_ - 6) at_y = y(robot.pose.position.y) - reach - 8;
-        // A rim of the floor's colour keeps the letters readable on whatever lies below.
+        // An outline in the floor's colour keeps the letters readable on any background.
         cairo_move_to(context(), at_x - canvas_.text_width(robot.name, 13, true) / 2, at_y);
         cairo_text_path(context(), robot.name.c_str());
         canvas_.set(colour_of("#f4f2ee").with_alpha(0.85));
@@ -294,7 +294,7 @@ private:
     double scale_ = 1;  // [px/m]
     double floor_width_ = 0, floor_height_ = 0;
     Point2D centre_;
-    Canvas canvas_;  // after what `layout` sets
+    Canvas canvas_;  // after the members that `layout` sets
 };
 
 }  // namespace
@@ -309,7 +309,7 @@ PictureOf look_at(const RunningSystem& live, const Trajectories& trajectories, s
     if (world == nullptr) return picture;
     picture.things = world->things();
     for (const Robot* robot : system.robots()) {
-        if (robot->is_real()) continue;  // it is elsewhere
+        if (robot->is_real()) continue;  // its true pose is unknown
         picture.robots.push_back({robot->name(), robot->spec().body, robot->spec().drive,
                                   world->truth(robot->id()).pose, world->rays(robot->id()),
                                   trajectories.of(robot->name())});

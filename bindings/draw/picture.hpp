@@ -1,4 +1,4 @@
-// A world from above, drawn to a file: arena, robots, the paths they drove, the rays of their sensors.
+// A drawing of the world from above: arena, robots with their paths and sensor rays.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace nezumi::draw {
 
-/// What a picture shows: taken from a system at one moment, drawn whenever.
+/// The contents of a picture: copied from a system at one moment, so it may be drawn later.
 struct PictureOf {
     struct Robot {
         std::string name;
@@ -33,11 +33,11 @@ struct PictureOf {
     std::vector<Robot> robots;
 };
 
-/// Takes what there is to be seen now.
+/// Copies the present state.
 PictureOf look_at(const RunningSystem& live, const Trajectories& trajectories, std::string title);
 
-/// Draws it to a file that ends in .png or .svg; what lies at no finite place is left out, and a floor's image that
-/// `read` can't read. An error says why it can't be written; then there is no file.
+/// Draws it to a file that ends in .png or .svg. Positions that are not finite, and a floor's image that `read` can't
+/// read, are left out. An error says why it can't be written; then there is no file.
 Expected<void> draw_picture(PictureOf picture, const std::string& file, const PictureReader& read);
 
 }  // namespace nezumi::draw

@@ -1,4 +1,4 @@
-// What a picture of a world has to have room for.
+// The bounds of a picture of a world.
 #pragma once
 
 #include <algorithm>
@@ -19,13 +19,14 @@ struct Bounds {
     }
 };
 
-/// The outline of a box from above [m], whichever way it lies, anticlockwise.
+/// The outline of a box seen from above [m], at any rotation, anticlockwise.
 std::vector<Point2D> outline(const ThingPose& thing);
 
-/// Without what has left the world of numbers: one such coordinate would spoil the whole drawing.
+/// Removes everything with coordinates that are not finite: one of them would spoil the whole drawing.
 PictureOf only_finite(PictureOf picture);
 
-/// Of things, robots with their paths, and the floor's picture; half a metre around the middle where there is nothing.
+/// The bounds of things, robots with their paths, and the floor's picture; half a metre around the origin if there is
+/// nothing.
 Bounds bounds_of(const PictureOf& picture);
 
 }  // namespace nezumi::draw

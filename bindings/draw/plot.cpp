@@ -1,4 +1,4 @@
-// A value holds until the next one comes, so series are drawn as steps.
+// A value holds until the next one, so series are drawn as steps.
 #include "bindings/draw/plot.hpp"
 
 #include <fmt/format.h>
@@ -44,9 +44,10 @@ public:
     }
 
 private:
-    static constexpr double width = 960, height = 440;                              // [px]
-    static constexpr double left = 76, right = 28, head = 56, axis = 44, row = 22;  // [px] around it; of the legend
-    static constexpr std::size_t most_named = 24;                                   // series in the legend
+    static constexpr double width = 960, height = 440;  // [px]
+    static constexpr double left = 76, right = 28, head = 56, axis = 44,
+                            row = 22;              // [px] margins; `row` is a row of the legend
+    static constexpr std::size_t most_named = 24;  // largest number of series in the legend
 
     static constexpr double columns = 3;
 

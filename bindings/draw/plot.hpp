@@ -1,4 +1,4 @@
-// Values of ports over time, drawn to a file: with limits as lines across and moments as lines down.
+// A plot of ports' values over time, with limits as horizontal and moments as vertical lines.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace nezumi::draw {
 struct Plot {
     struct Point {
         double seconds;  ///< simulated time
-        double value;    ///< one that is not finite leaves a gap
+        double value;    ///< a value that is not finite makes a gap
     };
     struct Series {
         std::string name;           ///< as in "mouse.ir_sensor_out[1]"

@@ -1,4 +1,4 @@
-// Numbers lie where they are on the axis, other values side by side.
+// Numbers are placed by their value on the axis, other values side by side.
 #include "bindings/draw/sweep_plot.hpp"
 
 #include <fmt/format.h>
@@ -96,7 +96,7 @@ private:
         }
     }
 
-    // From quartile to quartile, with a line through the medians.
+    // The area between the quartiles, and a line through the medians.
     void band() {
         const auto& groups = plot_.groups;
         for (const auto& group : groups) cairo_line_to(context(), x(group.at), y(group.lower));

@@ -1,4 +1,4 @@
-// Measures over the parameters of a sweep, drawn to files: medians, quartiles, and every run as a point.
+// Plots of a sweep's measures over its parameters: medians, quartiles, and every run as a point.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,14 @@
 
 namespace nezumi::draw {
 
-/// A measure of a scenario over one parameter, whatever the others were.
+/// A measure of a scenario over one parameter, for all values of the others.
 struct SweepPlot {
-    /// The runs with one value of the parameter, or with one of a range where there are many values.
+    /// The runs with one value of the parameter, or with a range of values if there are many.
     struct Group {
-        double at = 0;  ///< the value, the middle of the range, or the place among values that are no numbers
+        double at = 0;  ///< the value, the middle of the range, or the index of a value that is not a number
         std::string label;
-        std::vector<double> sorted;               ///< what was measured, in ascending order; at least one
-        double lower = 0, median = 0, upper = 0;  ///< quartiles of it
+        std::vector<double> sorted;               ///< measured values in ascending order; at least one
+        double lower = 0, median = 0, upper = 0;  ///< their quartiles
     };
     struct Point {
         double at;
@@ -29,7 +29,7 @@ struct SweepPlot {
     bool is_numeric = true;
     std::vector<Group> groups;  ///< in the order of `at`
     std::vector<Point> points;
-    std::string file;  ///< its name, without the folder
+    std::string file;  ///< name without the folder
 };
 
 /// Draws one as SVG. An error says why it can't be written; then there is no file.

@@ -1,4 +1,4 @@
-// A point is kept when it is far enough from the one before; too many points: every other one goes.
+// A point is stored if it is far enough from the one before. With too many points, every second one is removed.
 #include "bindings/draw/trajectories.hpp"
 
 #include <cmath>
@@ -17,7 +17,7 @@ Point2D latest_of(const Channel& position) {
 
 void Trajectories::add(const System& system, Trace& trace) {
     for (const Robot* robot : system.robots()) {
-        if (robot->is_real()) continue;  // nobody knows where it is
+        if (robot->is_real()) continue;  // its true pose is unknown
         auto known = by_robot_.find(robot->name());
         if (known == by_robot_.end()) {
             const auto position = trace.follow(robot->name() + ".truth.pose.position");

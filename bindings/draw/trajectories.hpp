@@ -1,4 +1,4 @@
-// The trajectories of robots, thinned out: for pictures.
+// The trajectories of robots for pictures, with a limited number of points.
 #pragma once
 
 #include <map>
@@ -12,10 +12,10 @@ namespace nezumi::draw {
 
 class Trajectories {
 public:
-    /// Adds where the simulated robots of the trace's system are; to be called after every tick. Robots that come later
-    /// begin then.
+    /// Adds the present positions of simulated robots. Call it after every tick. Robots that are added later start
+    /// then.
     void add(const System& system, Trace& trace);
-    /// Forgets all: the system has been started anew.
+    /// Removes all, after a restart of the system.
     void clear() { by_robot_.clear(); }
 
     /// Points [m] of a robot's trajectory, oldest first; empty when it has not been seen.
@@ -25,7 +25,7 @@ private:
     struct Trajectory {
         const Channel* position;
         std::vector<Point2D> points{};
-        double apart = 0.002;  // [m] between two points; grows so that memory does not
+        double apart = 0.002;  // [m] distance of two points; increases to limit the memory
     };
 
     static constexpr std::size_t most_points = 20000;  // of one robot

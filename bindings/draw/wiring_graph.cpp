@@ -1,4 +1,4 @@
-// Columns from left to right, as data flows; what flows back goes below all boxes.
+// Columns from left to right in the direction of data flow; backward connections are below all boxes.
 #include "bindings/draw/wiring_graph.hpp"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ Box size_of(const WiringOf::Node& node, Canvas& canvas) {
     return box;
 }
 
-// Where each box stands; and how large all of it is.
+// The places of the boxes and the total size.
 std::vector<Box> place(const WiringOf& wiring, Canvas& canvas) {
     const std::vector<std::size_t> columns = columns_of(wiring);
     std::vector<Box> boxes;
@@ -101,7 +101,7 @@ WiringOf wiring_of(const RunningSystem& live, std::string title) {
             node.outs.push_back({port->name(), !system.peers(*port).empty()});
         wiring.nodes.push_back(std::move(node));
     }
-    // The node and the port of "name.port".
+    // Finds the node and the port of "name.port".
     const auto find = [&](const std::string& path, auto ports) {
         const std::size_t dot = path.find('.');
         std::size_t node = 0, port = 0;
@@ -121,8 +121,8 @@ std::vector<std::size_t> columns_of(const WiringOf& wiring) {
     const std::size_t count = wiring.nodes.size();
     std::vector<std::vector<std::size_t>> next(count);
     for (const auto& edge : wiring.edges) next[edge.from].push_back(edge.to);
-    // Depth first, in the system's order: what leads to a node that is not left yet leads back. A node is left when all
-    // behind it are, so the order of leaving, backwards, is that of the columns.
+    // Depth-first search in the system's order: a connection to a node that is not left yet is a backward one. A node
+    // is left after all nodes behind it, so the reverse order of leaving is the order of columns.
     enum class Seen : unsigned char { no, entered, left };
     std::vector<Seen> seen(count, Seen::no);
     std::vector<std::size_t> leaving;

@@ -1,4 +1,4 @@
-// The wiring of a system, drawn to a file: a box for each component, a line for each connection.
+// A drawing of a system's wiring: a box for each component, a line for each connection.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace nezumi::draw {
 
-/// What a graph shows: taken from a system at one moment, drawn whenever.
+/// The contents of a graph: copied from a system at one moment, so it may be drawn later.
 struct WiringOf {
     struct PortOf {
         std::string name;
@@ -36,8 +36,8 @@ struct WiringOf {
 
 WiringOf wiring_of(const RunningSystem& live, std::string title);
 
-/// In which column from the left each node stands: right of all that feed it, but for connections that close a circle,
-/// which lead back.
+/// The column of each node, from the left: right of all its sources, except for connections that close a cycle, which
+/// go back.
 std::vector<std::size_t> columns_of(const WiringOf& wiring);
 
 /// Draws it to a file that ends in .png or .svg. An error says why it can't be written; then there is no file.

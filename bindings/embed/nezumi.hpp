@@ -1,4 +1,4 @@
-// What a program includes that runs systems itself; installed as <nezumi/nezumi.hpp>, of the component `embed`.
+// The header for programs that run systems themselves; installed as <nezumi/nezumi.hpp>, component `embed`.
 #pragma once
 
 #include "bindings/embed/simulation.hpp"

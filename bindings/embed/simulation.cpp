@@ -1,4 +1,4 @@
-// A system that whoever loads it ticks.
+// A system that the calling program ticks.
 #include "bindings/embed/simulation.hpp"
 
 #include <cmath>

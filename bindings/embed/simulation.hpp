@@ -1,4 +1,4 @@
-// A system file, simulated by whoever has a loop of their own.
+// Simulates a system file in a program with its own loop.
 #pragma once
 
 #include <filesystem>
@@ -14,39 +14,39 @@
 
 namespace nezumi {
 
-/// How systems are made in simulation: with ODE's world and all native components. `installed` are folders like
-/// PREFIX/share/nezumi, which have `behaviors/` and `engine/robots/`: looked at after the project's own files. A
-/// library that is built without simulation (NEZUMI_SIMULATION=OFF) has no `world` in them, and can simulate no robot.
+/// Options for simulation: with ODE's world and all native components. `installed` are folders like
+/// PREFIX/share/nezumi, with `behaviors/` and `engine/robots/`; they are searched after the project's own files. A
+/// library without simulation (NEZUMI_SIMULATION=OFF) gives no `world` and can't simulate a robot.
 LiveOptions simulated_systems(std::vector<std::filesystem::path> installed);
 
-/// Has what simulated robots say become WAV files in this folder, which is made when it is not there.
+/// Writes sounds of simulated robots as WAV files to this folder, which is made if missing.
 void keep_sounds(LiveOptions& live, const std::string& folder);
 
 class Simulation {
 public:
     struct Options {
         std::vector<std::filesystem::path> installed;  ///< as in `simulated_systems`
-        std::function<void(const LogLine&)> log;       ///< takes what is logged; may be empty
+        std::function<void(const LogLine&)> log;       ///< gets log lines; optional
     };
 
-    /// Reads a system file, builds what it says and activates it, at time 0. The error is the file's first, with its
-    /// place.
+    /// Reads a system file, builds the system and activates it at time 0. An error is the first one of the file, with
+    /// its place.
     static Expected<Simulation> load(const std::filesystem::path& file, Options options);
-    /// The same with makers of the program's own beside those of `simulated_systems`: components, drivers of devices.
+    /// The same with the program's own makers besides those of `simulated_systems`: components, drivers of devices.
     static Expected<Simulation> load_with(const std::filesystem::path& file, LiveOptions options);
 
-    /// Runs one tick. A gamepad's button for emergency stops counts, where a joystick names one.
+    /// Runs one tick. Also checks a gamepad's emergency stop button, if a joystick component has one.
     void tick() { live_->tick(); }
-    /// Runs as many ticks as these simulated seconds have.
+    /// Runs the number of ticks in this simulated time [s].
     void run(double seconds);
-    /// [s] of simulated time.
+    /// Simulated time [s].
     double now() const { return system().now().seconds; }
 
-    /// Changes it, between two ticks.
+    /// Performs an act, between two ticks.
     Expected<ActResult> act(const Act& act) { return live_->act(act, {Actor::Kind::run}); }
-    /// Components, robots, ports and the world, to look at.
+    /// Read access to components, robots, ports and the world.
     const System& system() const { return live_->system(); }
-    /// For a `RunLoop`, which ticks by the clock, and the buttons of robots (engine/live/robot_buttons.hpp).
+    /// For a `RunLoop`, which ticks by the clock, and for the buttons of robots (engine/live/robot_buttons.hpp).
     RunningSystem& running() { return *live_; }
 
 private:

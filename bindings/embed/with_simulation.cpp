@@ -1,4 +1,4 @@
-// The one place that joins the rooms of a simulated system.
+// The only place that combines the rooms of a simulated system.
 #include <utility>
 
 #include "bindings/embed/simulation.hpp"

@@ -1,4 +1,4 @@
-// What a program without simulation and vision (NEZUMI_SIMULATION=OFF) has instead: reasons.
+// Replaces simulation and vision in a program without them (NEZUMI_SIMULATION=OFF) by error messages.
 #include <fmt/format.h>
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Acts as JSON: written and read by their descriptions.
+// Acts as JSON, written and read by their descriptions.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,7 +10,7 @@
 
 namespace nezumi {
 
-/// The fields of an act. An entry of a system is text, as a system file says it.
+/// The fields of an act. An entry of a system is text, as in a system file.
 nlohmann::ordered_json to_json(const Act& act, const ScriptHost& scripts);
 /// The act of this name. An error says which field is wrong. `parts` reads its entry.
 Expected<Act> act_from_json(std::string_view name, const nlohmann::ordered_json& fields, const PartReader& parts);

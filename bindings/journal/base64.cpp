@@ -1,4 +1,4 @@
-// Three bytes are four letters. No library that the program links when it starts does this.
+// Three bytes are four letters. Own code, because no library linked at the start has it.
 #include "bindings/journal/base64.hpp"
 
 #include <cstddef>
@@ -33,7 +33,7 @@ std::optional<std::string> from_base64(std::string_view text) {
         const auto value = letters.find(text[at]);
         if (value == std::string_view::npos) return std::nullopt;
         bits = bits << 6 | static_cast<std::uint32_t>(value);
-        // After the second letter of a group there is a whole byte, and with each one that follows another.
+        // The second letter of a group completes a byte, and each further one another.
         if (const std::size_t left = at % 4; left > 0) bytes += static_cast<char>(bits >> (6 - 2 * left) & 255);
     }
     return bytes;

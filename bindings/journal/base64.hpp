@@ -1,4 +1,4 @@
-// Bytes as text of 64 letters (RFC 4648).
+// Base64: bytes as text of 64 letters (RFC 4648).
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 namespace nezumi {
 
 std::string to_base64(std::string_view bytes);
-/// Nothing when it is none.
+/// Returns nothing for an invalid text.
 std::optional<std::string> from_base64(std::string_view text);
 
 }  // namespace nezumi

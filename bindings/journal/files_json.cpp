@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "bindings/journal/plain_json.hpp"
+#include "bindings/journal/value_json.hpp"
 
 namespace nezumi {
 namespace {

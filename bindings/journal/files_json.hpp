@@ -1,4 +1,4 @@
-// What a run has found of files as JSON.
+// The contents of files seen by a run, as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,8 +8,8 @@
 
 namespace nezumi {
 
-/// { PATH: TEXT }; null: nothing is there; { "is": "a folder", "names": [...], "error": "can't be read: ..." } of what
-/// is no file, was not read, or could not be.
+/// { PATH: TEXT }; null: no file; { "is": "a folder", "names": [...], "error": "can't be read: ..." } for a folder or a
+/// file that was not or could not be read.
 nlohmann::ordered_json files_to_json(const FilesSeen& seen);
 std::optional<FilesSeen> files_from_json(const nlohmann::ordered_json& json);
 

@@ -10,7 +10,7 @@
 
 #include "bindings/journal/act_json.hpp"
 #include "bindings/journal/files_json.hpp"
-#include "bindings/journal/plain_json.hpp"
+#include "bindings/journal/value_json.hpp"
 
 namespace nezumi {
 namespace {
@@ -130,7 +130,7 @@ void Journal::ran_out_of_time(const ActTime& when, const std::string& component,
                    {"message", text_to_json(call.error.message)},
                    {"file", text_to_json(call.error.place.file)},
                    {"line", call.error.place.line}};
-        if (call.left.data) ended["state"] = plain_to_json(*call.left.data);
+        if (call.left.data) ended["state"] = value_to_json(*call.left.data);
         if (!call.left.lost.empty()) ended["lost"] = text_to_json(call.left.lost);
         return line({{"at", at(when)}, {"out_of_time", std::move(ended)}});
     });

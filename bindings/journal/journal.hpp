@@ -32,38 +32,38 @@ namespace nezumi {
 
 /// How a run ended.
 enum class RunEnd {
-    duration,  ///< at a time that --duration or commands gave
+    duration,  ///< at a time set by --duration or commands
     stopped,   ///< by a person or a signal: then the robots braked
-    error,     ///< it could not go on
+    error,     ///< by an error
 };
 
 class Journal final : public ActObserver {
 public:
-    /// How long a line may wait before it is written, and how often the tick and the hash are noted: a crash may cost
-    /// 0.1 s, this and the time to write.
+    /// The longest time before a line is written, and the interval of hashes: a crash loses at most 0.1 s, which is
+    /// this and the time to write.
     static constexpr std::chrono::milliseconds period{50};
 
-    /// Begins a file anew; the older one of its name is set aside. The system that it will follow may go before it, but
+    /// Starts a file; an older one of the same name is renamed. The system to follow may end before the journal, but
     /// not act then.
     static Expected<std::unique_ptr<Journal>> create(const std::filesystem::path& file);
-    /// Without a last line it is none: what was there before is there again.
+    /// Without a last line the journal is dropped, and the older file is restored.
     ~Journal() override;
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    /// Writes the first line, for a system that has been read and is not active yet, and follows it from now on.
+    /// Writes the first line, for a loaded system that is not active yet, and follows it from now on.
     void begin(RunningSystem& live, const std::string& version, bool hardware);
-    /// Between two ticks: writes what has waited long enough.
+    /// Called between two ticks: writes lines that have waited long enough.
     void serve();
-    /// Notes the hash as it is now.
+    /// Records the present hash.
     void mark();
-    /// The last line, after which all is written, and the older file goes. Nothing is followed any more.
+    /// Writes the last line and everything else, and removes the older file. Following ends.
     void end(RunEnd how, const std::string& message, const ActTime& when, std::uint64_t hash);
-    /// What kept it from being written, once something did.
+    /// The error of writing, if any.
     const std::optional<Error>& error() const { return error_; }
-    /// The file takes less than comes: a run that follows no clock should wait.
+    /// The file is slower than the run: a run without a clock should wait.
     bool is_behind() const { return writer_.is_behind(); }
-    /// What is not written yet is not: `end` returns soon, with an error. From any thread.
+    /// Drops what is not written yet, so that `end` returns soon, with an error. Any thread may call it.
     void give_up() { writer_.give_up(); }
 
     void acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result,
@@ -75,7 +75,7 @@ private:
 
     Journal(std::string name, ResultFile file)
         : name_(std::move(name)), file_(std::move(file)), writer_(file_.descriptor()) {}
-    // Without what is not there, and never was.
+    // Without files that never existed.
     FilesSeen known(FilesSeen files);
     using Line = std::function<std::string()>;
     void add(Line line) { waiting_.push_back(std::move(line)); }
@@ -85,18 +85,18 @@ private:
     std::string name_;
     ResultFile file_;
     FileWriter writer_;
-    std::set<std::filesystem::path> known_;  // files that were there
+    std::set<std::filesystem::path> known_;  // files that existed
     RunningSystem* live_ = nullptr;
-    std::vector<Line> waiting_;  // to be made beside the ticks: an act may hold a picture, or a million numbers
+    std::vector<Line> waiting_;  // converted outside the ticks: an act may contain a picture or a million numbers
     Clock::time_point marked_{};
     ActTime last_mark_;
     bool ended_ = false;
     std::optional<Error> error_;
 };
 
-/// Whether a replay needs this act: it has succeeded, or has run a script's hook or command.
+/// True if a replay needs this act: it succeeded, or it ran a script's hook or command.
 bool is_journaled(const Act& act, bool succeeded);
-/// "9f86d081884c7d65".
+/// Returns "9f86d081884c7d65".
 std::string hash_text(std::uint64_t hash);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Paths are made whole by the folder that the run was started in.
+// Relative paths start at the folder in which the run was started.
 #include "bindings/journal/recorded_files.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 fs::path whole_path(const fs::path& folder, const fs::path& path) { return (folder / path).lexically_normal(); }
 
-// A file without a name on any disk, for libraries that read files only.
+// A file without a name on a disk, for libraries that read only files.
 class MemoryFile {
 public:
     static Expected<MemoryFile> of(const std::string& bytes) {

@@ -1,4 +1,4 @@
-// The files of a run, given back when it is replayed.
+// The files of a run for its replay.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace nezumi {
 
-/// Gives back what was recorded; the disk is not looked at.
+/// Returns recorded contents without reading the disk.
 class RecordedFiles final : public ProjectFiles {
 public:
     explicit RecordedFiles(std::filesystem::path working_folder) : working_folder_(std::move(working_folder)) {}
@@ -21,7 +21,7 @@ public:
     std::vector<std::string> names_in(const std::filesystem::path& folder) const override;
     Expected<std::string> read(const std::filesystem::path& path, const std::string& shown) const override;
 
-    /// From now on these are as they are here, the others as they were.
+    /// Replaces the contents of these files; others are unchanged.
     void update(const FilesSeen& seen);
     void clear() { seen_.clear(); }
 

@@ -10,7 +10,7 @@
 
 #include "bindings/journal/act_json.hpp"
 #include "bindings/journal/files_json.hpp"
-#include "bindings/journal/plain_json.hpp"
+#include "bindings/journal/value_json.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi {

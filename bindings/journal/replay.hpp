@@ -1,4 +1,4 @@
-// Reads a journal and performs it again.
+// Reads a journal and replays it.
 #pragma once
 
 #include <cstdint>
@@ -18,27 +18,28 @@ namespace nezumi {
 
 class Replay {
 public:
-    /// Reads a journal of this version. An error says the file, the line and what is wrong with it, or in one line why
-    /// it can't be replayed here. A last line that is torn is left out.
+    /// Reads a journal of this version. An error gives the file, the line and the problem, or why it can't be replayed
+    /// here. An incomplete last line is ignored.
     static Expected<std::unique_ptr<Replay>> read(const std::filesystem::path& file, const std::string& version);
     ~Replay();
     Replay(const Replay&) = delete;
     Replay& operator=(const Replay&) = delete;
 
-    /// Why this is no journal of that system file; files are compared by name, as they may be gone or elsewhere now.
+    /// Fails if this is not a journal of that system file. Files are compared by name, because they may be elsewhere
+    /// now.
     Expected<void> check_system(const std::filesystem::path& file) const;
-    /// Builds the system as it was, from the journal alone: with these makers of worlds and components, and this log.
+    /// Builds the recorded system from the journal only, with these makers of worlds and components, and this log.
     Expected<std::unique_ptr<RunningSystem>> load(LiveOptions options);
-    /// Performs what came before the next tick, and compares hashes. Returns whether there is more: a tick may follow.
-    /// An error says in which line the run is another one than that of the journal.
+    /// Performs the acts before the next tick, and compares hashes. Returns true if there is more, so that a tick may
+    /// follow. An error gives the line where the run differs from the journal.
     Expected<bool> before_tick(RunningSystem& live);
 
-    /// How that run ended; nothing: its journal breaks off, where its process was killed.
+    /// How the recorded run ended; nothing if its journal is incomplete, because the process was killed.
     std::optional<RunEnd> end() const { return end_; }
     const std::string& end_message() const { return end_message_; }
-    /// What that run printed as its hash; nothing: it never did.
+    /// The hash printed by the recorded run, if any.
     std::optional<std::uint64_t> hash() const { return hash_; }
-    /// The line that was left out because it is torn; 0: none.
+    /// The incomplete line that was ignored; 0: none.
     int torn_line() const { return torn_; }
 
 private:
@@ -50,7 +51,7 @@ private:
     Expected<void> read_out_of_time(const nlohmann::ordered_json& json, const ActTime& when, int number);
     Unexpected wrong(int line, const std::string& what) const;
     Expected<void> perform(RunningSystem& live, const Entry& entry);
-    // Why it may have become another run by now: "; ...", or nothing.
+    // A possible cause of a difference: "; ...", or nothing.
     std::string cause(const ActTime& now) const;
 
     std::filesystem::path file_;
@@ -68,7 +69,7 @@ private:
         std::string component;
         std::string lost;
     };
-    std::vector<Ended> ended_;  // calls, by the clock
+    std::vector<Ended> ended_;  // calls ended by the clock
     std::optional<RunEnd> end_;
     std::string end_message_;
     std::optional<std::uint64_t> hash_;

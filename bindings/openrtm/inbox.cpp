@@ -1,4 +1,4 @@
-// Messages are decoded in the thread that brought them.
+// Messages are decoded in the thread that received them.
 #include "bindings/openrtm/inbox.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ std::size_t bytes_of(const Arrival& arrival) {
     return sizeof(Arrival) + arrival.path.size() + arrival.from.size() + heap_bytes(arrival.value);
 }
 
-// A stop does not grow old.
+// A stop is never outdated.
 bool is_outdated(const Arrival& arrival, Inbox::Clock::time_point now) {
     const auto* velocity = arrival.value.get_if<Velocity2D>();
     return velocity != nullptr && *velocity != Velocity2D{} && now - arrival.came > Inbox::longest_wait;
@@ -105,7 +105,7 @@ RtcAnswer Inbox::ask(const RtcRequest& request, std::chrono::milliseconds patien
     const auto was_done = [&] { return asked.state == Asked::State::done; };
     if (answered_.wait_for(lock, patience, was_done)) return asked.answer;
     if (asked.state == Asked::State::begun) {
-        answered_.wait(lock, was_done);  // it is being done: soon
+        answered_.wait(lock, was_done);  // it is being executed and ends soon
     } else {
         std::erase(asked_, &asked);
     }
@@ -125,7 +125,7 @@ void Inbox::finish(Asked& asked, RtcAnswer answer) {
     const std::lock_guard lock(mutex_);
     asked.answer = answer;
     asked.state = Asked::State::done;
-    answered_.notify_all();  // with the lock: who asks may go as soon as it has it
+    answered_.notify_all();  // with the lock held: the asking thread may destroy it as soon as it is answered
 }
 
 bool Inbox::has_requests() {

@@ -1,4 +1,4 @@
-// What CORBA's threads leave for the thread that ticks: messages for in-ports, decoded and bounded, and requests.
+// The queue from CORBA's threads to the ticking thread: decoded messages for in-ports, and requests; both limited.
 #pragma once
 
 #include <bit>
@@ -23,7 +23,7 @@ struct Arrival {
     std::string path{};  ///< of an in-port
     std::string from{};  ///< the connection's name
     Value value{};
-    const Port* port = nullptr;  ///< that it is for, in what is taken
+    const Port* port = nullptr;  ///< the in-port, set by `take`
     std::chrono::steady_clock::time_point came{};
 };
 
@@ -31,27 +31,27 @@ class Inbox {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// Of each in-port; beyond these the oldest is dropped. Of velocities the latest alone waits.
+    /// Per in-port; above it the oldest is dropped. Of velocities only the latest waits.
     static constexpr std::size_t most_waiting = 64;
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
-    /// A velocity that has waited longer, as while time stands, moves nobody any more: as long as robots go on without
-    /// a word.
+    /// A velocity that has waited longer is dropped: the same time after which robots stop without a command.
     static constexpr std::chrono::milliseconds longest_wait{500};
 
-    /// The in-ports that take messages; must outlive the next call. What waits for others is dropped.
+    /// Sets the in-ports that accept messages; they must outlive the next call. Waiting messages for others are
+    /// dropped.
     void open_to(const std::map<std::string, const Port*, std::less<>>& ports);
 
-    /// Decodes a message and keeps it. `problem` says what is wrong with one that is malformed.
+    /// Decodes a message and queues it. `problem` gets the error of a malformed one.
     PutAnswer put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes, std::endian order,
                   std::string& problem);
-    /// Keeps a zero for a velocity's in-port: who commanded it is gone.
+    /// Queues a zero for a velocity's in-port when the sender has disconnected.
     void put_zero(std::string_view path, std::string_view from);
-    /// All messages that wait, those of each port in the order in which they came.
+    /// Returns all waiting messages; those of each port in order of arrival.
     std::vector<Arrival> take(Clock::time_point now = Clock::now());
 
-    /// Leaves a request, and waits for its answer until `patience` is over: then it was not, and will not be, done.
+    /// Queues a request and waits for its answer for at most `patience`. After that it is not executed.
     RtcAnswer ask(const RtcRequest& request, std::chrono::milliseconds patience);
-    /// The requests that wait, each to be answered before this returns.
+    /// Answers all waiting requests before it returns.
     template <class Perform>
     void answer(const Perform& perform) {
         while (Asked* asked = next_asked()) finish(*asked, perform(asked->request));
@@ -68,7 +68,7 @@ private:
         std::deque<Arrival> arrivals{};
         std::size_t bytes = 0;
     };
-    // A request on the stack of who asks.
+    // A request on the stack of the asking thread.
     struct Asked {
         const RtcRequest& request;
         enum class State { waits, begun, done } state = State::waits;
@@ -79,7 +79,7 @@ private:
     Asked* next_asked();
     void finish(Asked& asked, RtcAnswer answer);
 
-    Mutex mutex_;  // of all below
+    Mutex mutex_;  // for all members below
     std::map<std::string, Waiting, std::less<>> ports_;
     std::deque<Asked*> asked_;
     std::condition_variable answered_;

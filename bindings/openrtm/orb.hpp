@@ -1,4 +1,4 @@
-// CORBA's side of the system, in threads of its own: a module that is loaded by the first run whose file says `rtm`.
+// The interface to CORBA: a module with its own threads, loaded by the first run whose file contains `rtm`.
 #pragma once
 
 #include <bit>
@@ -16,16 +16,16 @@
 
 namespace nezumi::openrtm {
 
-/// A port of an RTC of ours.
+/// A port of one of our RTCs.
 struct RtcPort {
-    std::string path{};  ///< "controller.in": how the system calls it
-    std::string name{};  ///< "in": how it is called there
+    std::string path{};  ///< "controller.in": its name in the system
+    std::string name{};  ///< "in": its name in the RTC
     std::string type{};  ///< "TimedShortSeq"
     bool is_in = false;
     bool operator==(const RtcPort&) const = default;
 };
 
-/// A component as others see it, as far as it never changes.
+/// The constant properties of a component as an RTC.
 struct RtcProfile {
     std::string component{};  ///< its name in the system; "controller" is the RTC "controller0"
     std::string type{};
@@ -34,33 +34,33 @@ struct RtcProfile {
     bool operator==(const RtcProfile&) const = default;
 };
 
-/// Names with what belongs to them, in order: as RTCs have values, all of them texts.
+/// Pairs of name and text, in order, as RTCs use them for properties.
 using Texts = std::vector<std::pair<std::string, std::string>>;
 
 enum class RtcState { inactive, active, error };
 
-/// What changes of a component.
+/// The changing properties of a component.
 struct RtcSnapshot {
     RtcState state = RtcState::inactive;
-    std::string set = "default";                                 ///< the configuration set in use
-    std::string description{}, version{}, vendor{}, category{};  ///< "" for what it does not say
-    /// The values of each set, the widgets, bounds and types of parameters: "default", "__widget__" ...
+    std::string set = "default";                                 ///< the active configuration set
+    std::string description{}, version{}, vendor{}, category{};  ///< "" if not given
+    /// The values of each set, and the widgets, bounds and types of parameters: "default", "__widget__" ...
     std::vector<std::pair<std::string, Texts>> sets{};
 };
 
-/// What somebody wants of a component of ours.
+/// A request for a component of ours.
 struct RtcRequest {
     enum class What { activate, deactivate, reset, use, set };
     What what = What::activate;
     std::string component{};
-    std::string set{};  ///< of `use` and `set`
-    Texts values{};     ///< of `set`: parameters of the set
+    std::string set{};  ///< for `use` and `set`
+    Texts values{};     ///< for `set`: parameters of the set
 };
 
 enum class RtcAnswer { done, refused, unknown, busy };
 enum class PutAnswer { taken, malformed, unknown };
 
-/// A connection that is wanted: made as soon as the other RTC is there, and made again when it was away.
+/// A requested connection: made as soon as the other RTC is there, and again after it was away.
 struct RtcLink {
     std::string path{};       ///< "controller.in"
     std::string component{};  ///< "ConsoleOut0" or "pc.host_cxt/ConsoleOut0"
@@ -68,25 +68,25 @@ struct RtcLink {
     bool operator==(const RtcLink&) const = default;
 };
 
-/// The system, as CORBA's threads ask for it. None of it waits for a tick for longer than a second.
+/// The system's functions for CORBA's threads. None waits longer than a second for a tick.
 class RtcSite {
 public:
     virtual ~RtcSite() = default;
 
     virtual RtcSnapshot snapshot(std::string_view component) = 0;
     virtual RtcAnswer perform(const RtcRequest& request) = 0;
-    /// A message for an in-port, from a connection that is called `from`.
+    /// Takes a message for an in-port from the connection named `from`.
     virtual PutAnswer put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes,
                           std::endian order) = 0;
-    /// A connection to an in-port is gone.
+    /// A connection to an in-port has ended.
     virtual void left(std::string_view path, std::string_view from) = 0;
-    /// Somebody has ended a connection that is wanted, and the RTC at its other end lives on.
+    /// A requested connection was ended, but the RTC at its other end is alive.
     virtual void ended(const RtcLink& link) = 0;
-    /// Something that a person should know.
+    /// Reports a message for people.
     virtual void tell(bool is_problem, std::string text) = 0;
 };
 
-/// An RTC of another program, or of ours, as the name service has it and as it answers.
+/// An RTC, ours or of another program, as the name service and its own answers describe it.
 struct PeerSnapshot {
     enum class State {
         inactive,
@@ -95,12 +95,12 @@ struct PeerSnapshot {
         created,  ///< not initialized yet
         unknown,  ///< it has no execution context
         silent,   ///< it does not answer
-        gone,     ///< nobody is there any more: its program crashed, or its computer is off
+        gone,     ///< its program has crashed, or its computer is off
         unasked,  ///< too many others did not answer
     };
     struct Port {
         std::string name{};  ///< "out"
-        std::string type{};  ///< "TimedLong"; "" of one that carries no data
+        std::string type{};  ///< "TimedLong"; "" if it is not a data port
         bool is_in = false;
         int connections = 0;
     };
@@ -108,46 +108,46 @@ struct PeerSnapshot {
     std::string type{};
     State state = State::unknown;
     std::vector<Port> ports{};
-    std::string set{};                                  ///< the configuration set in use; "" where there is none
-    std::vector<std::pair<std::string, Texts>> sets{};  ///< not where all RTCs are listed
+    std::string set{};                                  ///< the active configuration set; "" if none
+    std::vector<std::pair<std::string, Texts>> sets{};  ///< empty in a list of all RTCs
 };
 
-/// What somebody wants to know of RTCs, or of one of them.
+/// A question about all RTCs or one of them, or a request to one.
 struct PeerQuestion {
-    std::string name{};                   ///< as in connections; "": all of them are looked at
-    std::optional<RtcRequest> request{};  ///< what it is to do, without its `component`; "" is the set in use
+    std::string name{};                   ///< as in connections; "": all of them
+    std::optional<RtcRequest> request{};  ///< the request, without its `component`; "" is the active set
 };
 
 struct PeerAnswer {
-    std::string problem{};             ///< why it could not be done; "" when it could
-    std::string missing{};             ///< the name that there is none of,
+    std::string problem{};             ///< why it could not be done; "" on success
+    std::string missing{};             ///< the unknown name,
     std::vector<std::string> known{};  ///< among these
     std::vector<PeerSnapshot> peers{};
 };
 
-/// Makes of an answer what is told to a person. Called in a thread of CORBA's side.
+/// Turns an answer into text for people. Called in a thread of CORBA's side.
 using TellPeers = Expected<std::string>(const PeerQuestion& question, const PeerAnswer& answer);
 
-/// The byte orders in which connections want an out-port's messages.
+/// The byte orders that connections of an out-port use.
 struct WantedOrders {
     bool little = false;
     bool big = false;
 };
 
-/// What RTCs see. None of it waits for a peer, but for its end.
+/// The RTCs and their connections. No function waits for a peer, except the destructor.
 class Orb {
 public:
-    /// Takes the RTCs out of the name service, disconnects them and ends all threads, within about two seconds.
+    /// Removes the RTCs from the name service, disconnects them and ends all threads, within about two seconds.
     virtual ~Orb() = default;
 
-    /// These are RTCs from now on, and no others; who stays as it was keeps its connections.
+    /// Replaces the exported RTCs; unchanged ones keep their connections.
     virtual void show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links) = 0;
     virtual WantedOrders wanted(std::string_view path) = 0;
-    /// Asks RTCs of other programs, in a thread for this: every question is answered, at the end of the ORB at last.
+    /// Asks RTCs of other programs on a separate thread. Every question is answered, at the latest when the ORB ends.
     virtual std::future<Expected<std::string>> ask(PeerQuestion question, TellPeers* tell) = 0;
-    /// Hands a message to the connections of an out-port that want it in this order.
+    /// Sends a message to the connections of an out-port that use this byte order.
     virtual void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order) = 0;
-    /// Whether a connection that is wanted is there, as far as that is known.
+    /// True if a requested connection exists, as far as known.
     virtual bool is_made(const RtcLink& link) = 0;
 };
 
@@ -156,13 +156,13 @@ struct OrbOptions {
     std::string interface = "127.0.0.1";
 };
 
-/// Begins. `site` must outlive it. The error says in one line why it can't: what to install.
+/// Starts. `site` must outlive it. An error says in one line what to install.
 Expected<std::unique_ptr<Orb>> open_orb(const OrbOptions& options, RtcSite& site);
 
-// What the program and its module know of each other: they are built together.
+// The interface between the program and its module. Both are built together.
 inline constexpr const char* orb_module = "nezumi_orb.so";
 inline constexpr const char* open_in_module = "nezumi_open_orb";
-/// The module's one function: CORBA's side, or nullptr with the `problem`. It throws nothing.
+/// The module's only function. Returns CORBA's side, or nullptr with the `problem`. Never throws.
 using OpenInModule = Orb*(const OrbOptions& options, RtcSite& site, std::string& problem);
 
 }  // namespace nezumi::openrtm

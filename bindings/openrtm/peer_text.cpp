@@ -1,4 +1,4 @@
-// As the console shows components of the system.
+// The format is that of components in the console.
 #include "bindings/openrtm/peer_text.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace nezumi::openrtm {
 namespace {
 
-// A port that carries no data.
+// A port that is not a data port.
 constexpr std::string_view service = "service";
 
 std::string_view to_text(PeerSnapshot::State state) {
@@ -23,14 +23,14 @@ std::string_view to_text(PeerSnapshot::State state) {
                                                     "CREATED",
                                                     "without a state",
                                                     "does not answer",
-                                                    "is not there: a program that has crashed left its name",
+                                                    "is gone: its program has crashed and left its name",
                                                     "was not asked: too many others do not answer"};
     return texts[static_cast<std::size_t>(state)];
 }
 
 bool answers(const PeerSnapshot& peer) { return peer.state < PeerSnapshot::State::silent; }
 
-// What somebody else chose must not look like a line of ours.
+// Names chosen by others must not look like a line of ours.
 std::string one_line(std::string_view text) {
     std::string line = visible(text);
     std::replace(line.begin(), line.end(), '\n', ' ');
@@ -56,7 +56,7 @@ std::string port_lines(const PeerSnapshot& peer) {
     return text;
 }
 
-// Those that tools read have names as "__widget__".
+// Sets for tools have names such as "__widget__".
 bool is_for_tools(const std::string& set) { return set.starts_with("__"); }
 
 std::string set_lines(const PeerSnapshot& peer) {

@@ -1,4 +1,4 @@
-// What is told to people of other programs' RTCs.
+// Messages to people about other programs' RTCs.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace nezumi::openrtm {
 
-/// A list of RTCs, one of them whole, or what has come of a request, over several lines. The error says why not, with
-/// the nearest name.
+/// Returns a list of RTCs, the whole of one RTC, or the result of a request, over several lines. An error gives the
+/// reason, with the most similar name.
 Expected<std::string> told_of_peers(const PeerQuestion& question, const PeerAnswer& answer);
 
 }  // namespace nezumi::openrtm

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <set>
+#include <utility>
 
 #include "engine/base/trimmed.hpp"
 #include "engine/system/rtm_wiring.hpp"
@@ -23,16 +23,8 @@ void add_port(RtcProfile& profile, const Component& component, const Port& port,
                   .type = std::string(port.type_name()),
                   .is_in = port.direction() == Direction::in};
     if (const auto other = rename.find(added.path); other != rename.end())
-        added.name = std::get<std::string>(other->second);
+        added.name = other->second.get<std::string>();
     profile.ports.push_back(std::move(added));
-}
-
-template <class T>
-std::string joined(const std::vector<T>& values) {
-    std::string text;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        text += (i > 0 ? "," : "") + to_rtc_text(ParameterValue(static_cast<T>(values[i])));
-    return text;
 }
 
 std::vector<std::string> parts_of(const std::string& text) {
@@ -46,26 +38,41 @@ std::vector<std::string> parts_of(const std::string& text) {
     return parts;
 }
 
-template <class T>
-std::optional<ParameterValue> number_from(const std::string& text) {
+// Reads a value; false where the text is none of its type.
+bool read_rtc(const std::string& text, const ValuePlace& out) {
     const std::string_view whole = trimmed(text);
-    T number{};
-    const auto read = std::from_chars(whole.data(), whole.data() + whole.size(), number);
-    if (read.ec != std::errc() || read.ptr != whole.data() + whole.size()) return std::nullopt;
-    return ParameterValue(number);
+    switch (out.type->kind) {
+        case Type::Kind::text: out.as<std::string>() = text; return true;
+        case Type::Kind::boolean:
+            out.as<bool>() = whole == "true" || whole == "1";
+            return out.as<bool>() || whole == "false" || whole == "0";
+        case Type::Kind::sequence: {
+            const std::vector<std::string> parts = parts_of(text);
+            out.resize(parts.size());
+            bool fits = true;
+            auto part = parts.begin();
+            for_each_element(out, [&](const ValuePlace& element) { return fits = read_rtc(*part++, element); });
+            return fits;
+        }
+        default:
+            return visit_number(out, [&]<class T>(T& number) {
+                if constexpr (std::is_same_v<T, bool>) {
+                    return false;
+                } else {
+                    const auto read = std::from_chars(whole.data(), whole.data() + whole.size(), number);
+                    return read.ec == std::errc() && read.ptr == whole.data() + whole.size();
+                }
+            });
+    }
 }
 
-std::optional<ParameterValue> truth_from(const std::string& text) {
-    const std::string_view whole = trimmed(text);
-    if (whole == "true" || whole == "1") return ParameterValue(true);
-    if (whole == "false" || whole == "0") return ParameterValue(false);
-    return std::nullopt;
-}
-
-std::string type_of(const ParameterValue& value) {
-    constexpr std::array<std::string_view, 8> types{"bool",         "long",         "double",         "string",
-                                                    "vector<bool>", "vector<long>", "vector<double>", "vector<string>"};
-    return std::string(types[value.index()]);
+std::string type_of(const Value& value) {
+    const Type& single = value.type().single();
+    const std::string_view name = single.kind == Type::Kind::boolean ? "bool"
+                                  : single.is_integer()              ? "long"
+                                  : single.is_floating()             ? "double"
+                                                                     : "string";
+    return &single == &value.type() ? std::string(name) : fmt::format("vector<{}>", name);
 }
 
 // "slider.0.01", "radio", ...; "" where the tool may choose.
@@ -79,7 +86,7 @@ std::string widget_of(const ParameterSpec& spec) {
 std::string constraint_of(const ParameterSpec& spec) {
     if (!spec.choices.empty()) {
         std::string text;
-        for (const ParameterValue& choice : spec.choices) text += (text.empty() ? "" : ",") + to_rtc_text(choice);
+        for (const Value& choice : spec.choices) text += (text.empty() ? "" : ",") + to_rtc_text(choice);
         return "(" + text + ")";
     }
     if (!spec.min && !spec.max) return "";
@@ -93,7 +100,7 @@ Texts values_of(const Component& component, const std::string& set) {
     Texts texts;
     for (const auto& parameter : component.parameters().all()) {
         const std::string& name = parameter.spec.name;
-        const ParameterValue* value = &parameter.spec.initial;
+        const Value* value = &parameter.spec.initial;
         if (const auto given = component.configured.find(name); given != component.configured.end())
             value = &given->second;
         if (values != component.sets.end()) {
@@ -175,43 +182,27 @@ RtcSnapshot look_at(const Component& component) {
     return snapshot;
 }
 
-std::string to_rtc_text(const ParameterValue& value) {
-    return std::visit(
-        []<class T>(const T& each) -> std::string {
-            if constexpr (std::is_same_v<T, std::string>) {
-                return each;
-            } else if constexpr (std::is_same_v<T, bool>) {
-                return each ? "true" : "false";
-            } else if constexpr (std::is_arithmetic_v<T>) {
-                return fmt::format("{}", each);
-            } else {
-                return joined(each);
-            }
-        },
-        value);
+std::string to_rtc_text(const ValueView& value) {
+    switch (value.type->kind) {
+        case Type::Kind::text: return value.as<std::string>();
+        case Type::Kind::boolean: return value.as<bool>() ? "true" : "false";
+        case Type::Kind::sequence: {
+            std::string text;
+            bool is_first = true;
+            for_each_element(value, [&](const ValueView& element) {
+                text += (std::exchange(is_first, false) ? "" : ",") + to_rtc_text(element);
+                return true;
+            });
+            return text;
+        }
+        default: return visit_number(value, [](const auto& number) { return fmt::format("{}", number); });
+    }
 }
 
-std::optional<ParameterValue> from_rtc_text(const std::string& text, const ParameterValue& like) {
-    return std::visit(
-        [&]<class T>(const T& /*each*/) -> std::optional<ParameterValue> {
-            if constexpr (std::is_same_v<T, std::string>) {
-                return ParameterValue(text);
-            } else if constexpr (std::is_same_v<T, bool>) {
-                return truth_from(text);
-            } else if constexpr (std::is_arithmetic_v<T>) {
-                return number_from<T>(text);
-            } else {
-                using Element = typename T::value_type;
-                T values;
-                for (const std::string& part : parts_of(text)) {
-                    const auto value = from_rtc_text(part, ParameterValue(Element{}));
-                    if (!value) return std::nullopt;
-                    values.push_back(std::get<Element>(*value));
-                }
-                return ParameterValue(std::move(values));
-            }
-        },
-        like);
+std::optional<Value> from_rtc_text(const std::string& text, const Value& like) {
+    Value value(like.type());
+    if (!read_rtc(text, value)) return std::nullopt;
+    return value;
 }
 
 }  // namespace nezumi::openrtm

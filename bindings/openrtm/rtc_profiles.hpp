@@ -24,8 +24,8 @@ Expected<std::vector<RtcLink>> links_of(const System& system, const std::vector<
 RtcSnapshot look_at(const Component& component);
 
 /// A parameter's value as a configuration set has it: "0.1", "true", "1,2,3", a text as it is.
-std::string to_rtc_text(const ParameterValue& value);
+std::string to_rtc_text(const ValueView& value);
 /// The value that a text stands for, of the type of `like`; nothing where it stands for none.
-std::optional<ParameterValue> from_rtc_text(const std::string& text, const ParameterValue& like);
+std::optional<Value> from_rtc_text(const std::string& text, const Value& like);
 
 }  // namespace nezumi::openrtm

@@ -1,4 +1,4 @@
-// Acts of RTCs go through the one door; what is wrong with one of them is said once.
+// Acts of RTCs are performed like all others; the error of one is reported once.
 #include "bindings/openrtm/rtm_server.hpp"
 
 #include <fmt/format.h>
@@ -12,9 +12,9 @@
 namespace nezumi::openrtm {
 namespace {
 
-// Lines that wait to be said; what comes beyond them is lost.
+// Waiting log lines; further ones are dropped.
 constexpr std::size_t most_lines = 100;
-// Connections of which malformed messages are told.
+// Connections whose malformed messages are reported.
 constexpr std::size_t most_told = 100;
 
 std::string set_in_use(const Component& component) {
@@ -26,7 +26,7 @@ std::string set_in_use(const Component& component) {
 Expected<std::unique_ptr<RtmServer>> RtmServer::open(RtmHost host, const OrbMaker& make_orb) {
     std::unique_ptr<RtmServer> server(new RtmServer(std::move(host)));
     const RtmSpec& rtm = *server->host_.spec().rtm;
-    // What is wrong with the file is said before anything begins.
+    // Errors of the file are reported before anything starts.
     if (auto fits = profiles_of(server->host_.system(), rtm); !fits) return Unexpected(fits.error());
     if (auto fits = links_of(server->host_.system(), server->host_.spec().rtm_connections); !fits)
         return Unexpected(fits.error());
@@ -67,13 +67,13 @@ Expected<void> RtmServer::show() {
     }
     inbox_.open_to(in_ports);
     take_snapshots();
-    // Where something is wrong nobody sees anything, rather than half of it.
+    // After an error nothing is exported, rather than a part.
     orb_->show(profiles ? std::move(*profiles) : std::vector<RtcProfile>{}, std::move(links));
     if (!profiles) return Unexpected(profiles.error());
     return {};
 }
 
-// A port may have gone with another version of its script. That is said once, and again when it had come back.
+// A new version of a script may lack a port. That is reported once, and again after the port was back.
 std::vector<RtcLink> RtmServer::fitting_links() {
     std::vector<RtcLink> all;
     std::set<std::string> misfits;
@@ -94,7 +94,7 @@ std::vector<RtcLink> RtmServer::fitting_links() {
 void RtmServer::follow_changes() {
     if (starts_ == host_.starts() && layout_ == host_.system().layout() && wanted_ == host_.spec().rtm_connections)
         return;
-    if (auto shown = show(); !shown) host_.say(true, "rtm: nothing is exported any more: " + describe(shown.error()));
+    if (auto shown = show(); !shown) host_.say(true, "rtm: nothing is exported now: " + describe(shown.error()));
 }
 
 void RtmServer::take_snapshots() {
@@ -134,7 +134,7 @@ void RtmServer::after_tick() {
     }
 }
 
-// Which robots an emergency stop reaches, and which it does not.
+// Reports which robots an emergency stop reaches, and which not.
 void RtmServer::follow_stop() {
     const bool is_stopped = host_.system().is_stopped();
     if (std::exchange(is_stopped_, is_stopped) == is_stopped || !is_stopped) return;
@@ -170,13 +170,13 @@ void RtmServer::serve() {
     inbox_.answer([&](const RtcRequest& request) {
         acted = true;
         const RtcAnswer answer = perform_now(request);
-        take_snapshots();  // who asks next sees what was done
+        take_snapshots();  // so that the next question sees the result
         return answer;
     });
     if (!acted && std::chrono::steady_clock::now() - taken_at_ >= snapshot_period) take_snapshots();
 }
 
-// What a tool takes away is wanted no more, as if somebody had said so at a console.
+// A connection removed by a tool is no longer requested, as after disconnect in a console.
 void RtmServer::take_away(const std::vector<RtcLink>& ended) {
     for (const RtcLink& link : ended) {
         const std::string theirs = fmt::format("rtm:{}.{}", link.component, link.port);
@@ -201,11 +201,16 @@ RtcAnswer RtmServer::perform_now(const RtcRequest& request) {
     const Component* component = host_.system().find(request.component);
     if (component == nullptr) return RtcAnswer::unknown;
     switch (request.what) {
-        case RtcRequest::What::activate: return done(Activate{request.component});
-        case RtcRequest::What::deactivate: return done(Deactivate{request.component});
+        // As the standard has it: what is so already can't be made so.
+        case RtcRequest::What::activate:
+            if (component->state() == LifeState::active) return RtcAnswer::refused;
+            return done(Activate{request.component});
+        case RtcRequest::What::deactivate:
+            if (component->state() == LifeState::inactive) return RtcAnswer::refused;
+            return done(Deactivate{request.component});
         case RtcRequest::What::reset: return done(Reset{request.component});
         case RtcRequest::What::use:
-            // Tools that have changed the set in use choose it again: that takes nothing back.
+            // Tools that have changed the active set activate it again; that must not reset values.
             if (request.set == set_in_use(*component)) return RtcAnswer::done;
             return done(Use{request.component, request.set});
         case RtcRequest::What::set: return set_values(*component, request);
@@ -213,7 +218,7 @@ RtcAnswer RtmServer::perform_now(const RtcRequest& request) {
     return RtcAnswer::refused;
 }
 
-// All values or none. Those of a set that is not in use are the file's.
+// All values or none. The values of an inactive set are those of the file.
 RtcAnswer RtmServer::set_values(const Component& component, const RtcRequest& request) {
     if (request.set != set_in_use(component)) return RtcAnswer::refused;
     std::vector<SetParameter> acts;

@@ -1,4 +1,5 @@
-// A running system among RTCs: what they send and want is done between two ticks, what ports publish is sent on.
+// A running system among RTCs: their messages and requests are processed between two ticks, and ports' messages are
+// sent to them.
 #pragma once
 
 #include <chrono>
@@ -24,45 +25,45 @@
 
 namespace nezumi::openrtm {
 
-/// The system, as it is from one start to the next. All of it is called by the thread that ticks.
+/// The system over its restarts. All functions are called by the ticking thread.
 struct RtmHost {
     std::function<const System&()> system;
     std::function<const SystemSpec&()> spec;
-    std::function<int()> starts;  ///< grows when the system is another
-    /// The one door.
+    std::function<int()> starts;  ///< increases when the system is replaced
+    /// Performs an act.
     ActDoor act;
-    /// And that for messages.
+    /// Delivers a message.
     MessageDoor deliver;
     std::function<void(bool is_problem, const std::string& line)> say;
-    /// Wakes the thread that ticks, from any thread. May be empty.
+    /// Wakes the ticking thread; any thread may call it. Optional.
     std::function<void()> wake{};
 };
 
-/// But for the part of `RtcSite` all of it is to be called from the thread that ticks.
+/// Except for the functions of `RtcSite`, it must be called from the ticking thread.
 class RtmServer final : public RtcSite {
 public:
-    /// How long a request of an RTC waits for its turn.
+    /// The longest time that a request of an RTC waits.
     static constexpr std::chrono::milliseconds patience{1000};
-    /// How often what RTCs see of states and parameters is brought up to date.
+    /// The period at which states and parameters are updated for RTCs.
     static constexpr std::chrono::milliseconds snapshot_period{100};
 
     using OrbMaker = std::function<Expected<std::unique_ptr<Orb>>(const OrbOptions& options, RtcSite& site)>;
 
-    /// Begins to be seen. The error has the place of the line that is wrong, or says what to install.
+    /// Exports the system. An error has the place of the wrong line, or says what to install.
     static Expected<std::unique_ptr<RtmServer>> open(RtmHost host, const OrbMaker& make_orb = open_orb);
-    /// Nobody sees the system any more.
+    /// Ends the export.
     ~RtmServer() override;
     RtmServer(const RtmServer&) = delete;
     RtmServer& operator=(const RtmServer&) = delete;
 
-    /// Lets what has come since the last tick into the in-ports.
+    /// Writes the messages received since the last tick to the in-ports.
     void before_tick();
-    /// Sends on what was published in the tick.
+    /// Sends what was published in the tick.
     void after_tick();
-    /// Does what RTCs want, says what is to be said: also while no tick comes.
+    /// Processes requests of RTCs and writes log lines, also without ticks.
     void serve();
-    /// Asks about RTCs of other programs, or for something of one; the answer is what to tell a person. Waits for
-    /// nobody, nor does the end of the server leave it without an answer.
+    /// Asks about RTCs of other programs, or makes a request to one; the answer is text for people. Does not wait. The
+    /// end of the server answers open questions.
     std::future<Expected<std::string>> ask(PeerQuestion question);
 
     std::uint64_t malformed() { return inbox_.malformed(); }
@@ -102,22 +103,22 @@ private:
     const RtmHost host_;
     std::vector<Outlet> outlets_;
     std::vector<std::string> exported_;
-    std::vector<ConnectionSpec> wanted_;  // connections, as they were shown
-    std::set<std::string> misfits_;       // what was said last of those that are not to be made
+    std::vector<ConnectionSpec> wanted_;  // connections, as exported
+    std::set<std::string> misfits_;       // the last errors of connections that can't be made
     std::uint64_t layout_ = 0;
     int starts_ = 0;
     std::chrono::steady_clock::time_point taken_at_{};
-    bool is_stopped_ = false;                     // by an emergency stop; told
-    std::map<std::string, std::string> refused_;  // messages of a port: what was said of it last
+    bool is_stopped_ = false;                     // by an emergency stop; reported
+    std::map<std::string, std::string> refused_;  // the last error of a port's messages
     std::vector<std::uint8_t> buffer_;
 
     Inbox inbox_;
-    Mutex mutex_;  // of the next four
+    Mutex mutex_;  // for the next four
     std::map<std::string, RtcSnapshot, std::less<>> snapshots_;
     std::vector<Line> lines_;
     std::vector<RtcLink> ended_;
-    std::map<std::string, std::string> malformed_;  // what was said last, by connection
-    std::unique_ptr<Orb> orb_;                      // first to go: its threads ask the rest
+    std::map<std::string, std::string> malformed_;  // the last error, by connection
+    std::unique_ptr<Orb> orb_;                      // destroyed first: its threads use the other members
 };
 
 }  // namespace nezumi::openrtm

@@ -1,4 +1,4 @@
-// Each text is its length, as eight hexadecimal digits, and its bytes.
+// Each text is sent as its length, eight hexadecimal digits, and its bytes.
 #include "bindings/push/connection.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What the two sides of a push say to each other: texts of any bytes, one after the other, over two descriptors.
+// The connection between the two sides of a push: a sequence of texts with any bytes, over two file descriptors.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,19 @@ namespace nezumi::push {
 
 class PushConnection {
 public:
-    /// `longest_silence` [ms] is how long `take` waits for the next byte; -1: for ever. The descriptors stay the
+    /// `longest_silence` [ms] is how long `take` waits for the next byte; -1: no limit. The descriptors remain the
     /// caller's.
     PushConnection(int from, int to, int longest_silence = -1)
         : from_(from), to_(to), longest_silence_(longest_silence) {}
 
-    /// An error when the other side is gone. SIGPIPE must be ignored.
+    /// Fails if the other side is gone. SIGPIPE must be ignored.
     Expected<void> put(std::string_view text) const;
     Expected<void> put_number(std::size_t number) const;
-    /// An error when the other side is gone, silent for too long, or says what can't be meant.
+    /// Fails if the other side is gone, is silent for too long, or sends an invalid text.
     Expected<std::string> take() const;
     Expected<std::size_t> take_number() const;
-    /// A line of plain text, without its end, as programs print it. An error when the other side is gone before its
-    /// end.
+    /// Takes a line of plain text, without its line end, as programs print it. Fails if the other side ends before
+    /// that.
     Expected<std::string> take_line() const;
 
 private:

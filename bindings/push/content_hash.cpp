@@ -1,4 +1,4 @@
-// libsodium's, with digits as sha256sum writes them.
+// libsodium's SHA-256, printed as sha256sum does.
 #include "bindings/push/content_hash.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-// The hash by which contents are compared: SHA-256.
+// The hash for comparing contents: SHA-256.
 #pragma once
 
 #include <sodium.h>
@@ -12,7 +12,7 @@ class ContentHash {
 public:
     ContentHash();
     void add(std::string_view bytes);
-    /// 64 digits. Once, after all was added.
+    /// Returns 64 digits. Call it once, after all data.
     std::string digits();
 
 private:

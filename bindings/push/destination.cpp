@@ -1,4 +1,4 @@
-// Folders are compared by what they are, not by how they are called: links and mounts give one folder many names.
+// Folders are compared by identity, not by path: links and mounts can give a folder several paths.
 #include "bindings/push/destination.hpp"
 
 #include <fmt/format.h>
@@ -23,15 +23,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// ssh begins in it.
+// ssh starts in it.
 fs::path home_folder() {
     std::error_code none;
     const char* home = std::getenv("HOME");
     return home != nullptr && *home == '/' ? fs::path(home) : fs::current_path(none);
 }
 
-// Those of all users whom /etc/passwd has (getpwent() needs shared libraries, which a static program has not), and the
-// folder in which ssh began.
+// The home folders of all users in /etc/passwd (getpwent() needs shared libraries, which a static program lacks), and
+// the folder in which ssh started.
 std::vector<fs::path> home_folders() {
     std::error_code none;
     std::vector<fs::path> homes{home_folder(), fs::current_path(none)};
@@ -54,7 +54,7 @@ bool is_same_folder(const fs::path& one, const fs::path& other) {
     return stat(one.c_str(), &a) == 0 && stat(other.c_str(), &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
 }
 
-// "a home folder", "the root folder", "above the home folder X"; "" for another one.
+// Returns "a home folder", "the root folder", "above the home folder X", or "" for another folder.
 std::string what_it_is(const fs::path& folder) {
     if (is_same_folder(folder, "/")) return "is the root folder";
     for (const fs::path& named : home_folders()) {
@@ -62,7 +62,7 @@ std::string what_it_is(const fs::path& folder) {
         const fs::path home = fs::weakly_canonical(named, none);
         if (is_same_folder(folder, home)) return "is a home folder";
         for (fs::path above = home.parent_path(); above != above.root_path(); above = above.parent_path()) {
-            if (is_same_folder(folder, above)) return fmt::format("has the home folder {} in it", shown(home.string()));
+            if (is_same_folder(folder, above)) return fmt::format("contains the home folder {}", shown(home.string()));
         }
     }
     return "";
@@ -115,7 +115,7 @@ Expected<Destination> find_destination(const std::string& named) {
         return destination;
     }
     return failure(
-        fmt::format("{} has files and was not pushed to before: choose another folder by --to, or move it away "
+        fmt::format("{} has files and was not pushed to before: choose another folder with --to, or move it away "
                     "there",
                     shown(named)));
 }

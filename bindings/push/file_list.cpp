@@ -1,4 +1,4 @@
-// Its first line has the version of the format, its last one the number of files, so that half a list is none.
+// The first line has the format's version and the last one the number of files, so an incomplete list is detected.
 #include "bindings/push/file_list.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ constexpr std::string_view first_line = "nezumi files 1";
 constexpr std::array<std::string_view, 4> kinds{"folder", "file", "program", "link"};
 constexpr std::size_t hash_digits = 64;
 
-// Below the folder, whatever is in it, and not what is the push's own.
+// The name must be within the folder and outside the push's own folder.
 bool is_name(std::string_view name) {
     if (name.find('\0') != name.npos) return false;
     bool is_first = true;

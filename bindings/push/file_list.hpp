@@ -1,4 +1,4 @@
-// A list of files: their names and what is in them.
+// A list of files: names and hashes of contents.
 #pragma once
 
 #include <map>
@@ -13,31 +13,31 @@ struct ListedFile {
     enum class Kind : unsigned char {
         folder,
         file,
-        program,  ///< a file that may be executed
-        link,     ///< a symbolic one
-        other,    ///< a FIFO, a device, a socket, a file that can't be read: found in folders, never in lists
+        program,  ///< an executable file
+        link,     ///< a symbolic link
+        other,    ///< a FIFO, a device, a socket, an unreadable file: found in folders, never in lists
     };
     Kind kind = Kind::file;
-    std::string hash{};  ///< SHA-256 of a file's content, of a link's target, as 64 digits; a folder has none
+    std::string hash{};  ///< SHA-256 of a file's content or of a link's target, as 64 digits; a folder has none
 
     bool is_folder() const { return kind == Kind::folder; }
     bool operator==(const ListedFile&) const = default;
 };
 
-/// Whether both have the same content. A file and a program that differ in nothing else do.
+/// True if both have the same content. A file and a program may have the same content.
 bool have_same_content(const ListedFile& one, const ListedFile& other);
 
-/// Files and folders below one folder, by their names from there ("behaviors/drive.lua"). A folder comes before what is
-/// in it.
+/// Files and folders within a folder, by their relative paths ("behaviors/drive.lua"). A folder comes before its
+/// contents.
 using FileList = std::map<std::string, ListedFile>;
 
-/// The folder, in a folder that projects are pushed to, which is the push's own: never part of a list.
+/// The push's own folder within a pushed folder: never part of a list.
 inline constexpr std::string_view own_folder = ".nezumi-push";
 
-/// A line for each: `file 9f86d0... "behaviors/drive.lua"`.
+/// One line each: `file 9f86d0... "behaviors/drive.lua"`.
 std::string to_text(const FileList& list);
 
-/// Reads what `to_text` has written. An error where it is not whole, or has a name that leads out of the folder.
+/// Reads the text of `to_text`. Fails if it is incomplete, or has a name that leads out of the folder.
 Expected<FileList> read_file_list(std::string_view text);
 
 }  // namespace nezumi::push

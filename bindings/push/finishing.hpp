@@ -1,4 +1,4 @@
-// The second half of a push: staged files get their names.
+// The second half of a push: moves staged files to their names.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,9 @@
 
 namespace nezumi::push {
 
-/// Makes `files`, which has what `before` lists, have what `next` lists. `staged` is the folder with the content of
-/// file N of `next` as "N", for those that change; whatever is done already is passed over. A file that was edited
-/// there in the meantime is kept and returned. After an error the same call goes on where this one ended.
+/// Changes `files` from the contents of `before` to those of `next`. `staged` has the content of file N of `next` as
+/// "N", for changed files. Finished steps are skipped. A file that was edited there meanwhile is kept and returned.
+/// After an error the same call continues.
 Expected<std::vector<FileChange>> put_in_place(const FileList& before, const FileList& next, const OpenFolder& files,
                                                int staged);
 

@@ -1,4 +1,4 @@
-// In nearly all cases no folder above has been pushed to, or no push was cut: a look for one file is all.
+// Usually no folder above is a pushed folder, or no push was interrupted: then this costs a search for one file.
 #include "bindings/push/interrupted.hpp"
 
 #include <fmt/format.h>
@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Another process that finishes it needs no longer [s].
+// Time [s] that another process may need to finish it.
 constexpr double wait_for_push = 10;
 
-// While it lives, root may do no more than the owner of a folder, and makes what the owner would.
+// During its lifetime, root has only the permissions of a folder's owner, and makes files as the owner.
 class AsOwner {
 public:
     explicit AsOwner(const fs::path& folder) {
@@ -61,7 +61,7 @@ Expected<void> finish_interrupted_push(const fs::path& file) {
             if (finished) return {};
             return failure(
                 fmt::format("a push to this folder was interrupted and can't be finished ({}): push again, or "
-                            "run `nezumi receive --finish {}` as the user that it was pushed by",
+                            "run `nezumi receive --finish {}` as the user who pushed it",
                             describe(finished.error()), folder.string()),
                 {.file = folder.string()});
         }

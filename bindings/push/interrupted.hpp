@@ -1,4 +1,4 @@
-// What runs a project first: the end of a push that was cut while its files were put in place.
+// Finishes an interrupted push before a project runs.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace nezumi::push {
 
-/// Finishes a push that was cut after its commit, in the nearest folder above `file` that is pushed to, so that no
-/// project runs half old and half new. As root it acts as the folder's owner. An error says what to do.
+/// Finishes a push that was interrupted after its commit, in the nearest pushed folder above `file`, so that no
+/// half-updated project runs. As root it acts as the folder's owner. An error says what to do.
 Expected<void> finish_interrupted_push(const std::filesystem::path& file);
 
 }  // namespace nezumi::push

@@ -1,4 +1,4 @@
-// Changes as their number, and each as two texts.
+// Changes are sent as their number, and each as two texts.
 #include "bindings/push/messages.hpp"
 
 namespace nezumi::push {

@@ -1,10 +1,9 @@
-// The words that begin what the two sides of a push say to each other.
+// The messages between the two sides of a push, by their first words.
 //
-// Sending side: the folder, `show` or `change`, the project's list.
-// Receiving side: `plan`, the whole path of the folder, `finished` or "", the copy that an earlier nezumi left or "",
-// the changes; after `show` no more. Sending side: the content of each file that is added or changed, in pieces, with
-// "" as its end; `commit`. Receiving side: `done`, the files that are kept besides. In place of any word of the
-// receiving side: `failed`, and why.
+// Sending side: the folder, `show` or `change`, the project's list. Receiving side: `plan`, the full path of the
+// folder, `finished` or "", the copy left by an older nezumi or "", the changes; after `show` nothing else. Sending
+// side: the content of each added or changed file, in pieces, with "" as its end; `commit`. Receiving side: `done`, the
+// files that are kept in addition. Instead of any message, the receiving side may send `failed` with the reason.
 #pragma once
 
 #include <optional>
@@ -24,7 +23,7 @@ inline constexpr std::string_view say_show = "show", say_change = "change", say_
 Expected<void> put_changes(const PushConnection& connection, const std::vector<FileChange>& changes);
 Expected<std::vector<FileChange>> take_changes(const PushConnection& connection);
 
-/// The names of the files whose content has to come over for these changes.
+/// The names of the files whose content must be sent for these changes.
 std::vector<std::string> names_to_send(const std::vector<FileChange>& changes, const FileList& project);
 
 }  // namespace nezumi::push

@@ -1,4 +1,4 @@
-// Every part of a name is opened by itself: Linux follows no link then that is not asked for (O_NOFOLLOW).
+// Each part of a path is opened separately with O_NOFOLLOW, so no link is followed.
 #include "bindings/push/open_folder.hpp"
 
 #include <dirent.h>
@@ -120,7 +120,7 @@ int OpenFolder::read(const std::string& name, const TakesBytes& takes) const {
 }
 
 int OpenFolder::refuses(const std::string& name) const {
-    // The nearest of its folders that is there: the others will be made, and are like it.
+    // The nearest existing folder of the path: the others will be made like it.
     Place place = place_of(name);
     for (std::string above = name; !place.folder;) {
         const auto slash = above.rfind('/');

@@ -1,4 +1,4 @@
-// A folder, and what is below it, reached without following links: nothing outside of it is read, written or removed.
+// A folder and its contents, reached without following links: nothing outside is read, written or removed.
 #pragma once
 
 #include <filesystem>
@@ -14,41 +14,41 @@
 
 namespace nezumi::push {
 
-/// Takes a piece of a file's content; returns an errno to stop, 0 to go on.
+/// Takes a piece of a file's content. Returns 0 to continue, or an errno to stop.
 using TakesBytes = std::function<int(std::string_view bytes)>;
 
 class OpenFolder {
 public:
-    /// An error, with the path as its place, when there is no such folder, or it can't be read.
+    /// Fails, with the path as its place, if the folder does not exist or can't be read.
     static Expected<OpenFolder> open(const std::filesystem::path& path);
 
-    /// The folder of this name in this one, which is no link to one.
+    /// Opens the subfolder of this name; a link to a folder is refused.
     Expected<OpenFolder> below(const std::string& name) const;
 
     int descriptor() const { return folder_.get(); }
 
-    /// What has this name, with the hash of its content; nothing where nothing has it.
+    /// Returns the object with this name and the hash of its content; nothing if there is none.
     std::optional<ListedFile> find(const std::string& name) const;
-    /// The names in the folder of this name ("": in this one), sorted.
+    /// The sorted names in the folder of this name ("": in this one).
     Expected<std::vector<std::string>> names_in(const std::string& name) const;
-    /// Hands over the content of a file, or the target of a link. Returns an errno, 0 when it is done.
+    /// Passes on the content of a file or the target of a link. Returns 0 or an errno.
     int read(const std::string& name, const TakesBytes& takes) const;
-    /// Why a file of this name can't be made, replaced or removed, as an errno; 0: it can. Folders that lack are no
-    /// reason.
+    /// Returns why a file of this name can't be made, replaced or removed, as an errno, or 0. Missing folders don't
+    /// matter.
     int refuses(const std::string& name) const;
 
-    // These return an errno, 0 when it is done.
+    // These return 0 or an errno.
 
     int make_folder(const std::string& name) const;
     int remove(const std::string& name) const;
     int remove_empty_folder(const std::string& name) const;
-    /// Moves a file of another folder to this name, in one step; a file that has it goes.
+    /// Moves a file of another folder to this name in one step, replacing an existing file.
     int move_here(int folder, const std::string& file, const std::string& name) const;
 
 private:
     explicit OpenFolder(Descriptor folder) : folder_(std::move(folder)) {}
 
-    // A name's folder and its last part. The folder is not open, and errno says why, where it can't be reached.
+    // A path's folder and last part. If the folder can't be reached, it is not open, and errno has the reason.
     struct Place {
         Descriptor folder;
         std::string last;

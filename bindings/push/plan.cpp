@@ -1,4 +1,4 @@
-// A file there may be replaced or removed only while it has the content that a push brought.
+// An existing file may be replaced or removed only if it has the content of an earlier push.
 #include "bindings/push/plan.hpp"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ private:
         return brought != pushed_.end() && have_same_content(found, brought->second);
     }
     void note(What what, const std::string& name) { plan_.changes.push_back({what, name}); }
-    // It stays there, and so does what the list says of it.
+    // The file and its entry in the list stay.
     void keep(const std::string& name) {
         if (const auto brought = pushed_.find(name); brought != pushed_.end()) plan_.next.insert(*brought);
     }
@@ -51,14 +51,14 @@ private:
         keep(name);
         if (wanted.is_folder()) closed_.insert(name);
     }
-    // Whether it would be in a folder that can't be made, as something else is kept there.
+    // True if it is in a folder that can't be made because another object is kept there.
     bool is_closed(const std::string& name) const {
         for (auto slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1)) {
             if (closed_.contains(name.substr(0, slash))) return true;
         }
         return false;
     }
-    // Whether nothing is left in a folder when what pushes brought is gone.
+    // True if a folder becomes empty when all pushed files in it are removed.
     bool becomes_empty(const std::string& folder) const {
         const auto names = there_->names_in(folder);
         return names && std::all_of(names->begin(), names->end(), [&](const std::string& last) {

@@ -1,4 +1,4 @@
-// What a push changes in the robot's folder, and what it leaves as it is there.
+// Plans what a push changes in the robot's folder, and what it keeps.
 #pragma once
 
 #include <string>
@@ -15,9 +15,9 @@ struct FileChange {
         added,
         changed,
         removed,
-        kept_edited,   ///< an earlier push brought it, it was edited there since, and is another in the project
-        kept_own,      ///< no push has brought it, and the project has another file of this name
-        kept_removed,  ///< as kept_edited, but the project has it no longer: from now on it is the robot's own
+        kept_edited,   ///< from an earlier push, edited there since, and different in the project
+        kept_own,      ///< not from a push, and the project has another file with this name
+        kept_removed,  ///< as kept_edited, but no longer in the project: it becomes the robot's own
     };
     What what;
     std::string name;
@@ -25,18 +25,18 @@ struct FileChange {
     bool operator==(const FileChange&) const = default;
 };
 
-/// Whether a file there becomes another, or goes.
+/// True if a file there is changed or removed.
 bool is_change(FileChange::What what);
-/// Whether the project has a file that the robot did not get.
+/// True if a file of the project is not put on the robot.
 bool is_withheld(FileChange::What what);
 
 struct PushPlan {
-    std::vector<FileChange> changes{};  ///< in the order of their names; not told: folders that are removed empty
-    FileList next{};                    ///< what pushes will have brought when this one is done
+    std::vector<FileChange> changes{};  ///< sorted by name; without empty folders that are removed
+    FileList next{};                    ///< the list of pushed files after this push
 };
 
-/// `pushed` is what earlier pushes brought, `project` what there is to bring, `there` the robot's folder; null: there
-/// is none yet. A file there with the project's content counts as brought.
+/// `pushed` are the files of earlier pushes, `project` those to push, `there` the robot's folder, or null if it does
+/// not exist. A file there with the project's content counts as pushed.
 PushPlan plan_push(const FileList& pushed, const FileList& project, const OpenFolder* there);
 
 }  // namespace nezumi::push

@@ -1,4 +1,4 @@
-// What a step relies on is on the disk before that step is taken: syncfs before each of the two renames.
+// Data are on the disk before the next step uses them: syncfs before each of the two renames.
 #include "bindings/push/pushed_folder.hpp"
 
 #include <fcntl.h>
@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr mode_t folder_mode = 0777, file_mode = 0666, program_mode = 0777;  // less what umask takes
+constexpr mode_t folder_mode = 0777, file_mode = 0666, program_mode = 0777;  // minus umask
 
 Unexpected problem_with(const std::string& name, int code) {
     return failure(fmt::format("can't be written: {}", std::strerror(code)), {.file = name});
@@ -38,7 +38,7 @@ bool lock(int folder, double longest_wait) {
     return true;
 }
 
-// The name of a list, from the folder that is pushed to.
+// The path of a list, relative to the pushed folder.
 std::string own_name(std::string_view name) { return fmt::format("{}/{}", own_folder, name); }
 
 Expected<FileList> read_list(const OpenFolder& folder, const std::string& name) {
@@ -60,7 +60,7 @@ int write_synced(int folder, const char* name, std::string_view text) {
     return fsync(file.get()) == 0 ? 0 : errno;
 }
 
-// Makes a list where there is none of its name, whole and on the disk, or leaves it so.
+// Writes a complete list to the disk if none of this name exists.
 int make_list(int own, const std::string& name, const FileList& list) {
     const std::string fresh = name + ".new";
     int problem = write_synced(own, fresh.c_str(), to_text(list));
@@ -96,7 +96,7 @@ Expected<PushedFolder> PushedFolder::open(const fs::path& folder, double longest
     auto own = files->below(own_path.filename());
     if (!own) return Unexpected(own.error());
     if (!lock(own->descriptor(), longest_wait))
-        return failure("another push to it is going on: wait for its end", {.file = folder.string()});
+        return failure("another push to it is running: wait for its end", {.file = folder.string()});
     if (mkdirat(own->descriptor(), "new", folder_mode) != 0 && errno != EEXIST)
         return problem_with((own_path / "new").string(), errno);
     auto staged = own->below("new");
@@ -171,7 +171,7 @@ Expected<std::vector<FileChange>> PushedFolder::finish() {
     if (!kept) return kept;
     const int own = own_.descriptor();
     if (syncfs(own) != 0 || renameat(own, "next", own, "list") != 0) return problem_with(own_name("list"), errno);
-    fsync(own);  // if this rename is not on the disk at a cut, the same steps are taken again
+    fsync(own);  // if this rename is lost by a power cut, the same steps are repeated
     return kept;
 }
 

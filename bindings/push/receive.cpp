@@ -1,4 +1,4 @@
-// Everything that can be refused is refused before the first file is changed.
+// Everything that may be refused is checked before the first file is changed.
 #include "bindings/push/receive.hpp"
 
 #include <iterator>
@@ -14,7 +14,7 @@
 namespace nezumi::push {
 namespace {
 
-// For how long the folder may be another process's [s]: a push that was just cut, or the start of a run.
+// Time [s] to wait for another process: an interrupted push, or the start of a run.
 constexpr double wait_for_folder = 2;
 
 struct Order {
@@ -92,14 +92,14 @@ Expected<void> receive(const PushConnection& connection) {
     auto done = stage_files(connection, *folder, order->project, plan);
     if (done) done = folder->commit(plan.next);
     if (!done) {
-        (void)folder->end_interrupted();  // the next push does it where this one can't
+        (void)folder->end_interrupted();  // the next push does it if this one can't
         done.error().message += ": nothing was changed there";
         return done;
     }
     const auto kept = folder->finish();
     if (!kept) {
         Error why = kept.error();
-        why.message += ": some files are there already; when this is mended, push again";
+        why.message += ": some files were already changed there; correct this and push again";
         return Unexpected(std::move(why));
     }
     if (auto said = connection.put(say_done); !said) return said;

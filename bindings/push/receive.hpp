@@ -5,11 +5,11 @@
 
 namespace nezumi::push {
 
-/// Takes a project from the other side (`send_project`), which is told what went wrong. Returns whether all went well.
-/// A connection that breaks before the commit leaves the robot's files as they were; afterwards it changes nothing.
+/// Takes a project from the other side (`send_project`) and reports errors to it. Returns true on success. If the
+/// connection breaks before the commit, the robot's files are unchanged; later it makes no difference.
 bool receive_project(const PushConnection& connection);
 
-/// How long the other side may say nothing [ms]: a laptop that has left the network must not lock the folder.
+/// The longest silence of the other side [ms]: a laptop that has left the network must not keep the folder locked.
 inline constexpr int longest_silence = 20'000;
 
 }  // namespace nezumi::push

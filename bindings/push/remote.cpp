@@ -1,4 +1,4 @@
-// Programs are run by their words, so that no name of a file or host is anything but a name.
+// Programs are run without a shell, so names of files and hosts have no special meaning.
 #include "bindings/push/remote.hpp"
 
 #include <fcntl.h>
@@ -21,7 +21,7 @@ namespace nezumi::push {
 
 namespace {
 
-// Whether ssh would take a part of it, or all of it, for an option, for another host or for a text of a shell.
+// True if ssh would take it for an option, for another host or for a shell's text.
 bool is_odd(std::string_view host) {
     if (host.find_first_of(" :/'\"\\") != host.npos) return true;
     if (std::any_of(host.begin(), host.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; })) return true;
@@ -68,7 +68,7 @@ Expected<ProgramEnd> Remote::talk(const std::string& command, const std::functio
     Descriptor read_there(there[0]), write_here(there[1]);
     if (pipe2(back.data(), O_CLOEXEC) != 0) return failure(std::strerror(errno));
     Descriptor read_here(back[0]), write_there(back[1]);
-    // A program that is gone reads no more: that is an error of the write, not the end of this one.
+    // Writing to a program that has ended must be an error, not the end of this program.
     const auto pipe_before = std::signal(SIGPIPE, SIG_IGN);
     Expected<ProgramEnd> end;
     std::thread program([&] {

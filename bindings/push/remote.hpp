@@ -1,4 +1,4 @@
-// A robot's computer that is reached by ssh.
+// A robot's computer, reached by ssh.
 #pragma once
 
 #include <functional>
@@ -10,21 +10,22 @@
 
 namespace nezumi::push {
 
-/// Runs a program of `words` to its end, with our terminal as its own; `input` and `output` are files it has in place
-/// of ours. An error when it can't be run.
+/// Runs a program with the arguments `words` to its end, with our terminal. `input` and `output` replace its standard
+/// files. Fails if it can't be run.
 Expected<ProgramEnd> run_in_front(std::vector<std::string> words, int input = own_file, int output = own_file);
 
 class Remote {
 public:
-    /// `host` as ssh takes it, "pi@mouse"; `config` a file for `ssh -F`, "" for the user's own. An error where ssh
-    /// would take the host for something else.
+    /// `host` in ssh's form, "pi@mouse". `config` is a file for `ssh -F`, "" for the user's own. Fails if ssh would
+    /// misread the host.
     static Expected<Remote> at(std::string host, std::string config);
 
     const std::string& host() const { return host_; }
-    /// The words that run a command there, a text for its shell. With `has_terminal` it gets one.
+    /// The arguments of ssh that run a command there; the command is a text for its shell. `has_terminal` requests a
+    /// terminal.
     std::vector<std::string> ssh(const std::string& command, bool has_terminal = false) const;
-    /// Runs a command there to its end, while `talk` reads what it writes (`from`) and writes what it reads (`to`). An
-    /// error when ssh can't be run.
+    /// Runs a command there to its end, while `talk` reads its output (`from`) and writes its input (`to`). Fails if
+    /// ssh can't be run.
     Expected<ProgramEnd> talk(const std::string& command, const std::function<void(int from, int to)>& talk) const;
 
 private:
@@ -33,7 +34,7 @@ private:
     std::string host_, config_;
 };
 
-/// What ssh ends with when it came nowhere.
+/// The exit status of ssh without a connection.
 inline constexpr int no_connection = 255;
 
 }  // namespace nezumi::push

@@ -1,4 +1,4 @@
-// Folder by folder, in order.
+// Reads folder by folder, in order.
 #include "bindings/push/scan.hpp"
 
 #include <fcntl.h>
@@ -22,7 +22,7 @@ Expected<void> add_folder(const std::string& folder, ProjectScan& scan) {
         if (stays(last, folder.empty())) continue;
         const std::string name = folder.empty() ? last : fmt::format("{}/{}", folder, last);
         const auto found = scan.folder.find(name);
-        if (!found) continue;  // it has gone since
+        if (!found) continue;  // it was removed meanwhile
         if (found->kind == ListedFile::Kind::other) {
             struct stat status {};
             if (fstatat(scan.folder.descriptor(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&

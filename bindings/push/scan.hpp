@@ -1,4 +1,4 @@
-// The files of a project that a robot gets.
+// The files of a project that are pushed to a robot.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +17,8 @@ struct ProjectScan {
     std::vector<std::string> passed_over{};  ///< FIFOs, devices, sockets
 };
 
-/// All files and folders of the project but those of git, of `build/`, editors' copies (`*~`, `*.swp`) and robots' own
-/// `*.calibration.lua`. An error, with the file as its place, when one can't be read.
+/// All files and folders of the project except those of git, `build/`, editors' copies (`*~`, `*.swp`) and robots' own
+/// `*.calibration.lua`. Fails, with the file as its place, if one can't be read.
 Expected<ProjectScan> scan_project(const std::filesystem::path& project);
 
 }  // namespace nezumi::push

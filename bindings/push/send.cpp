@@ -1,4 +1,4 @@
-// Only what differs there goes over.
+// Only differences are sent.
 #include "bindings/push/send.hpp"
 
 #include <fmt/format.h>
@@ -16,8 +16,7 @@ namespace {
 
 constexpr std::string_view nothing_changed = "nothing was changed there";
 
-// The next word of the other side, or the reason that it gives for its end. `state` is what is known when it gives
-// none.
+// Takes the next word of the other side, or its error. `state` is added if it gives no reason.
 Expected<std::string> take_word(const PushConnection& connection, std::string_view state) {
     auto word = connection.take();
     if (!word) return failure(fmt::format("{}: {}", word.error().message, state));
@@ -26,7 +25,7 @@ Expected<std::string> take_word(const PushConnection& connection, std::string_vi
     return why ? failure(*why) : Unexpected(why.error());
 }
 
-// An error is ours. Where the other side takes no more, it has said why. Returns whether it was told to commit.
+// An error is on our side. If the other side stops taking, it has sent the reason. Returns true if the commit was sent.
 Expected<bool> send_contents(const PushConnection& connection, const ProjectScan& project,
                              const std::vector<FileChange>& changes) {
     for (const std::string& name : names_to_send(changes, project.list)) {
@@ -68,7 +67,7 @@ Expected<Sent> take_plan(const PushConnection& connection) {
 
 Expected<Sent> send_project(const PushConnection& connection, const ProjectScan& project, const std::string& folder,
                             bool only_shows) {
-    // What can't be put is answered by what the other side said before it went.
+    // If sending fails, the other side has sent the reason before.
     (void)connection.put(folder);
     (void)connection.put(only_shows ? say_show : say_change);
     (void)connection.put(to_text(project.list));
@@ -77,7 +76,7 @@ Expected<Sent> send_project(const PushConnection& connection, const ProjectScan&
     const auto is_told = send_contents(connection, project, sent->changes);
     if (!is_told) return Unexpected(is_told.error());
     const auto word =
-        take_word(connection, *is_told ? "push again, which finishes this push or undoes it" : nothing_changed);
+        take_word(connection, *is_told ? "push again: that finishes this push or undoes it" : nothing_changed);
     if (!word) return Unexpected(word.error());
     auto kept = take_changes(connection);
     if (kept) add_kept(sent->changes, std::move(*kept));

@@ -1,4 +1,4 @@
-// The side of a push that has the project.
+// The sending side of a push.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@
 namespace nezumi::push {
 
 struct Sent {
-    std::vector<FileChange> changes{};  ///< in the order of their names
-    std::string folder{};               ///< its whole path there
+    std::vector<FileChange> changes{};  ///< sorted by name
+    std::string folder{};               ///< its full path there
     bool has_finished = false;          ///< an interrupted push was finished first
-    std::string copy_before{};          ///< a folder there that an earlier nezumi needed; "" where there is none
+    std::string copy_before{};          ///< a folder there used only by older versions of nezumi; "" if none
 };
 
-/// Brings a project to the `folder` there, whose nezumi runs `receive_project`; with `only_shows` nothing is changed.
-/// An error says what the other side can't do, or that the connection broke.
+/// Pushes a project to the `folder` there, whose nezumi runs `receive_project`. With `only_shows` nothing is changed.
+/// An error is that of the other side, or a broken connection.
 Expected<Sent> send_project(const PushConnection& connection, const ProjectScan& project, const std::string& folder,
                             bool only_shows);
 

@@ -58,7 +58,7 @@ def systems():
         return []
     found = []
     for name in names:
-        parts = re.fullmatch(r"(\w+)-(\d+)\.sock", name)
+        parts = re.fullmatch(r"([^.].*)-(\d+)\.sock", name)
         if parts and os.path.exists("/proc/" + parts[2]):
             found.append(System(parts[1], int(parts[2]), os.path.join(console_folder(), name)))
     return sorted(found)
@@ -76,7 +76,12 @@ def _connect(system):
             raise Error("%s is open to others: it should be this user's alone" % os.path.dirname(system.path))
         connection = socket.socket(socket.AF_UNIX)
         try:
-            connection.connect("/proc/self/fd/%d/%s" % (folder, os.path.basename(system.path)))
+            # Its name may be longer than an address: the socket itself is opened, which gives it a short one.
+            file = os.open(os.path.basename(system.path), os.O_PATH | os.O_NOFOLLOW, dir_fd=folder)
+            try:
+                connection.connect("/proc/self/fd/%d" % file)
+            finally:
+                os.close(file)
             credentials = connection.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, struct.calcsize("3i"))
             if struct.unpack("3i", credentials)[1] != os.geteuid():
                 raise Error("%s (process %d) belongs to another user" % (system.name, system.process))
@@ -92,11 +97,14 @@ def _connect(system):
 
 
 def attach(which="", timeout=10.0):
-    """A console of a running system: `which` is its name or its process, and may be left out when only one runs."""
+    """A console of a running system: `which` is its name, its file or its process, and may be left out when only one
+    runs."""
     running = systems()
     if not running:
         raise Ended("nothing is running: start a system with `nezumi run FILE`")
-    fitting = [each for each in running if which == "" or str(which) in (each.name, str(each.process))]
+    which = str(which)
+    name = os.path.basename(which)[:-4] if which.endswith(".lua") else which
+    fitting = [each for each in running if which == "" or each.name == name or str(each.process) == which]
     listed = ", ".join("%s (process %d)" % (each.name, each.process) for each in fitting or running)
     if not fitting:
         raise Ended("no system '%s' is running; running: %s" % (which, listed))

@@ -49,19 +49,6 @@ Expected<std::vector<std::string>> names_of(lua_State* lua, int index, std::stri
     return names;
 }
 
-bool is_finite(const PlainData::Value& value) {
-    const auto* number = std::get_if<double>(&value);
-    return number == nullptr || std::isfinite(*number);
-}
-
-// Of tables every number.
-bool is_finite(const PlainData& data) {
-    const auto are_finite = [](const auto& entry) { return is_finite(entry.first) && is_finite(entry.second); };
-    return std::all_of(data.values.begin(), data.values.end(), [](const auto& value) { return is_finite(value); }) &&
-           std::all_of(data.tables.begin(), data.tables.end(),
-                       [&](const auto& table) { return std::all_of(table.begin(), table.end(), are_finite); });
-}
-
 // Whether a run of `swept` has the name of `other`, which has no sweep: "drives [speed=0.1]".
 bool has_run_called(const Scenario& swept, const Scenario& other) {
     const std::string prefix = swept.name + " ";

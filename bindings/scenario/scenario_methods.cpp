@@ -9,7 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
+#include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
@@ -30,14 +33,43 @@ bool is_object(lua_State* lua, int index) {
 
 // Methods that need no world.
 bool is_early(std::string_view name) {
-    constexpr std::string_view others[] = {"check", "near", "measure", "now", "load"};
+    constexpr std::string_view others[] = {"check", "near", "equal", "measure", "now", "load"};
     const auto& words = system_word_names();
     return std::find(std::begin(others), std::end(others), name) != std::end(others) ||
            std::find(words.begin(), words.end(), name) != words.end();
 }
 
-// The one word of a system that would have no effect here: `s.seed` is the seed of the run.
-constexpr std::string_view not_of_scenarios = "seed";
+// Words of a system that would have no effect here: `s.seed` is the seed of the run, whose values are the sweep's.
+bool is_of_files_alone(std::string_view word) { return word == "seed" || word == "argument"; }
+
+// Whether two values are equal as Lua has it, or are tables of which all entries are. `where` says where they are
+// not: "pose.x", "" for the values themselves.
+bool is_deeply_equal(lua_State* lua, int a, int b, std::string& where, int depth) {
+    constexpr int deepest = 100;  // a table may be within itself
+    if (lua_rawequal(lua, a, b) != 0) return true;
+    if (lua_type(lua, a) != LUA_TTABLE || lua_type(lua, b) != LUA_TTABLE) return false;
+    if (depth == deepest || lua_checkstack(lua, 10) == 0) return false;
+    const UnlockedTable left(lua, a), right(lua, b);
+    for (const auto& [from, in] : {std::pair{left.index(), right.index()}, std::pair{right.index(), left.index()}}) {
+        lua_pushnil(lua);
+        while (lua_next(lua, from) != 0) {
+            lua_pushvalue(lua, -2);
+            lua_rawget(lua, in);
+            std::string inner;
+            if (is_deeply_equal(lua, lua_absindex(lua, -2), lua_absindex(lua, -1), inner, depth + 1)) {
+                lua_pop(lua, 2);
+                continue;
+            }
+            lua_pop(lua, 2);
+            where = lua_type(lua, -1) == LUA_TSTRING ? std::string(string_at(lua, lua_absindex(lua, -1)))
+                                                     : fmt::format("[{}]", inspect(lua, lua_gettop(lua)));
+            if (!inner.empty()) where.append(inner.starts_with('[') ? "" : ".").append(inner);
+            lua_pop(lua, 1);
+            return false;
+        }
+    }
+    return true;
+}
 
 // Methods that let time pass, or wait for it.
 bool needs_time(std::string_view name) {
@@ -79,7 +111,7 @@ void ScenarioRun::Methods::push_object(lua_State* lua, ScenarioRun& run) {
 std::vector<std::string_view> ScenarioRun::Methods::names() {
     std::vector<std::string_view> all{"hold", "inject", "release", "world"};
     for (const char* name : system_word_names()) {
-        if (name != not_of_scenarios) all.emplace_back(name);
+        if (!is_of_files_alone(name)) all.emplace_back(name);
     }
     for (const Method& method : of_time()) all.emplace_back(method.name);
     for (const Method& method : of_acts()) all.emplace_back(method.name);
@@ -119,7 +151,7 @@ int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
     const std::string name(string_at(lua, 2));
     if (name == "seed") return lua_pushinteger(lua, static_cast<lua_Integer>(run.settings_.seed)), 1;
     lua_pushvalue(lua, 2);
-    const bool is_method = lua_rawget(lua, lua_upvalueindex(2)) != LUA_TNIL && name != not_of_scenarios;
+    const bool is_method = lua_rawget(lua, lua_upvalueindex(2)) != LUA_TNIL && !is_of_files_alone(name);
     if (is_method && is_early(name)) {
         run.described();
         return 1;
@@ -285,6 +317,20 @@ int ScenarioRun::Methods::near(ScenarioRun& run, lua_State* lua) {
     return end_run;
 }
 
+int ScenarioRun::Methods::equal(ScenarioRun& run, lua_State* lua) {
+    if (lua_gettop(lua) < 3) return raise(run, "expected two values, the actual one and the expected one");
+    if (auto refused = wrong_message(run, lua, 4)) return *refused;
+    std::string where;
+    if (is_deeply_equal(lua, 2, 3, where, 0)) return 0;
+    const InspectOptions line{.width = 100'000, .text = 200};
+    std::string text =
+        fmt::format("equal failed: {} is not the expected {}", inspect(lua, 2, line), inspect(lua, 3, line));
+    if (!where.empty()) text += fmt::format(" (they differ at {})", where);
+    if (!lua_isnoneornil(lua, 4)) text += fmt::format(": {}", string_at(lua, 4));
+    fails(run, lua, std::move(text));
+    return end_run;
+}
+
 int ScenarioRun::Methods::measure(ScenarioRun& run, lua_State* lua) {
     if (lua_type(lua, 2) != LUA_TSTRING)
         return raise(run, fmt::format("expected a name (what is measured), got {}", Arguments{lua}.kind(2)));
@@ -328,6 +374,7 @@ const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_time()
         {"run", run_seconds, 1, "(seconds)"},
         {"check", check, 2, "(value, message)"},
         {"near", near, 4, "(actual, expected, tolerance, message)"},
+        {"equal", equal, 3, "(actual, expected, message)"},
         {"measure", measure, 3, "(name, value, unit)"},
         {"now", now, 0, "()"},
     };

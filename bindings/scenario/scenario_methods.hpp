@@ -57,6 +57,7 @@ private:
     static std::optional<int> wrong_message(ScenarioRun& run, lua_State* lua, int index);
     static int check(ScenarioRun& run, lua_State* lua);
     static int near(ScenarioRun& run, lua_State* lua);
+    static int equal(ScenarioRun& run, lua_State* lua);
     static int measure(ScenarioRun& run, lua_State* lua);
     static int now(ScenarioRun& run, lua_State* lua);
 

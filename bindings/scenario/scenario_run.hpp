@@ -80,6 +80,8 @@ private:
         std::unique_ptr<Condition> condition;
         std::optional<Margin> margin{};  // the smallest
         double margin_at = 0;
+        // Of a hold that began as its condition became true: its margin while that only grows; nothing: it has shrunk.
+        std::optional<double> growing{};
         bool sampled = false;
         struct Sample {
             double time;
@@ -125,7 +127,7 @@ private:
     Expected<void> build(Described& described);
     Expected<void> rebuild(Described& described);
     Expected<void> add_new(Described& described);
-    Expected<void> load(const std::string& name, const Expected<FileValue>& options, const Place& place);
+    Expected<void> load(const std::string& name, const Expected<Value>& options, const Place& place);
     RunningSystem& current() { return *described_.back().live; }
     bool has_world() const { return !described_.empty() && described_.back().live != nullptr; }
 

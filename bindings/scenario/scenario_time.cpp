@@ -67,10 +67,16 @@ bool ScenarioRun::sample(lua_State* lua, Watched& watched) {
     const bool as_expected = *is_true != (kind == Expectation::Kind::never);
     if (as_expected && kind != Expectation::Kind::wait_until && kind != Expectation::Kind::eventually) {
         const auto margin = margin_of(comparisons, *is_true);
-        if (margin && (!watched.margin || margin->distance < watched.margin->distance)) {
+        // What has just become true is at its limit, and was not near failing there.
+        const bool grows = margin && watched.growing && margin->distance >= *watched.growing;
+        watched.growing = grows ? std::optional(margin->distance) : std::nullopt;
+        if (margin && (grows || !watched.margin || margin->distance < watched.margin->distance)) {
             watched.margin = margin;
             watched.margin_at = now;
         }
+    } else if (kind == Expectation::Kind::maintain) {
+        watched.margin.reset();
+        watched.growing = 0;
     }
     return true;
 }

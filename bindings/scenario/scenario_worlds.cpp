@@ -50,7 +50,7 @@ void merge(SystemSpec& spec, const SystemSpec& more) {
 }
 
 // `s:load(file, { robots = { mouse = { noise = 0.05 } } })`.
-Expected<void> change_robots(SystemSpec& spec, const FileValue& options, const Project& project, const Place& place) {
+Expected<void> change_robots(SystemSpec& spec, const Value& options, const Project& project, const Place& place) {
     FieldCheck check("load", "load", place, nullptr, "option");
     Fields fields(check, options);
     LoadOptions load;
@@ -193,7 +193,7 @@ Expected<void> ScenarioRun::add_new(Described& described) {
     return {};
 }
 
-Expected<void> ScenarioRun::load(const std::string& name, const Expected<FileValue>& options, const Place& place) {
+Expected<void> ScenarioRun::load(const std::string& name, const Expected<Value>& options, const Place& place) {
     if (!options) return failure("load: " + options.error().message, place);
     SystemSpec before;
     if (!described_.empty()) {

@@ -13,6 +13,7 @@
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/system/system_spec.hpp"
+#include "engine/values/value_text.hpp"
 
 namespace nezumi {
 namespace {
@@ -22,37 +23,26 @@ bool is_plain_word(const std::string& text) {
            std::all_of(text.begin(), text.end(), [](unsigned char c) { return c > 0x20 && c != 0x7f; });
 }
 
-std::string text_of(const PlainData& data, const PlainData::Value& value, int depth) {
-    struct Visitor {
-        const PlainData& data;
-        int depth;
-        std::string operator()(std::monostate) const { return "nil"; }
-        std::string operator()(bool value) const { return value ? "true" : "false"; }
-        std::string operator()(std::int64_t value) const { return fmt::format("{}", value); }
-        std::string operator()(double value) const { return lua_number(value); }
-        std::string operator()(const std::string& value) const {
-            return is_plain_word(value) ? value : lua_quoted(value);
+std::string text_of(const PlainData& data, const Value& value, int depth) {
+    if (const auto* text = value.get_if<std::string>(); text != nullptr && is_plain_word(*text)) return *text;
+    const auto* table = value.get_if<TableRef>();
+    if (table == nullptr) return lua_text(value);
+    if (depth > 4) return "{...}";
+    std::string out = "{";
+    std::int64_t next = 1;
+    for (const auto& [key, element] : data.tables[table->index]) {
+        if (out.size() > 1) out += ", ";
+        const auto* index = key.get_if<std::int64_t>();
+        if (index != nullptr && *index == next) {
+            ++next;
+        } else if (const auto* name = key.get_if<std::string>(); name != nullptr && is_identifier(*name)) {
+            out += *name + "=";
+        } else {
+            out += "[" + text_of(data, key, depth + 1) + "]=";
         }
-        std::string operator()(PlainData::TableRef ref) const {
-            if (depth > 4) return "{...}";
-            std::string out = "{";
-            std::int64_t next = 1;
-            for (const auto& [key, element] : data.tables[ref.index]) {
-                if (out.size() > 1) out += ", ";
-                const auto* index = std::get_if<std::int64_t>(&key);
-                if (index != nullptr && *index == next) {
-                    ++next;
-                } else if (const auto* name = std::get_if<std::string>(&key); name != nullptr && is_identifier(*name)) {
-                    out += *name + "=";
-                } else {
-                    out += "[" + text_of(data, key, depth + 1) + "]=";
-                }
-                out += text_of(data, element, depth + 1);
-            }
-            return out + "}";
-        }
-    };
-    return std::visit(Visitor{data, depth}, value);
+        out += text_of(data, element, depth + 1);
+    }
+    return out + "}";
 }
 
 SweepValue number_value(const SweepRange& range, double number) {
@@ -66,9 +56,8 @@ SweepValue number_value(const SweepRange& range, double number) {
 }
 
 double number_of(const SweepValue& value) {
-    const PlainData::Value& held = value.data.values.front();
-    if (const auto* whole = std::get_if<std::int64_t>(&held)) return static_cast<double>(*whole);
-    return std::get<double>(held);
+    const Value& held = value.data.values.front();
+    return held.is<std::int64_t>() ? static_cast<double>(held.get<std::int64_t>()) : held.get<double>();
 }
 
 // How many steps there are from lo to hi.

@@ -8,7 +8,9 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 #include "bindings/scenario/golden.hpp"
@@ -273,14 +275,15 @@ private:
         end_.reports.push_back(report);
     }
 
-    // Of each random sweep.
+    // Of each random sweep, one of each kind: failures at one place of the scenario are alike.
     std::vector<std::size_t> first_failures() const {
         std::vector<std::size_t> failures;
-        std::set<std::pair<std::size_t, std::size_t>> seen;
+        std::set<std::tuple<std::size_t, std::size_t, std::string, int>> seen;
         for (const std::size_t i : mine_) {
             const PlannedRun& run = plan_.runs[i];
             if (!run.drawn || results_[i].empty() || results_[i].front().outcome != RunOutcome::failed) continue;
-            if (seen.emplace(run.file, run.scenario).second) failures.push_back(i);
+            const Place& place = results_[i].front().error.place;
+            if (seen.emplace(run.file, run.scenario, place.file, place.line).second) failures.push_back(i);
         }
         return failures;
     }
@@ -343,7 +346,9 @@ private:
             const PlannedRun& run = plan_.runs[i];
             if (run.file != simplest.file || run.scenario != simplest.scenario) continue;
             ++samples;
-            if (!results_[i].empty() && results_[i].front().outcome == RunOutcome::failed) ++failed;
+            if (!results_[i].empty() && results_[i].front().outcome == RunOutcome::failed &&
+                results_[i].front().error.place == results_[index].front().error.place)
+                ++failed;
         }
         if (kept.name != simplest.name)
             result.facts.insert(result.facts.begin(), fmt::format("first seen with {}", text_of(simplest.point)));

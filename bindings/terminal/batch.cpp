@@ -1,4 +1,4 @@
-// The next command is sent when the one before is answered, so that what is said has the order of the commands.
+// Sends a command after the previous one was answered, so that output has the order of the commands.
 #include "bindings/terminal/batch.hpp"
 
 #include <fmt/format.h>
@@ -26,11 +26,11 @@ public:
     Batch(ConsoleClient& client, const BatchFiles& files) : client_(client), files_(files) {}
 
     BatchEnd run_all();
-    /// From now on no command may take longer.
+    /// The longest time of each following command.
     void limit(double seconds) { longest_ = std::chrono::duration<double>(seconds); }
-    /// Something that was to be shown is not.
+    /// Some output was lost.
     bool has_lost() const { return lost_ || left_out_; }
-    /// `line`: of the file, the first of the text; 0 when it is from none.
+    /// `line`: the line in the file of the text's first line; 0 if it is not from a file.
     bool run(const std::string& text, int line);
 
 private:
@@ -38,7 +38,7 @@ private:
     std::optional<std::string> give_up_input();
     bool has_more_input();
     bool is_complete(const std::string& text);
-    bool is_cut_off();  // the system is gone without a word; says so once
+    bool is_cut_off();  // the system ended without a message; reports it once
     std::optional<Event> wait_for_answer(std::int64_t id);
     void show(const Event& event);
     void tell(const std::string& text) const { put_text(files_.error, visible(text) + "\n"); }
@@ -47,15 +47,15 @@ private:
     ConsoleClient& client_;
     BatchFiles files_;
     LineReader reader_;
-    bool ended_ = false;     // the input is at its end
+    bool ended_ = false;     // end of the input
     bool lost_ = false;      // the output is closed
-    bool left_out_ = false;  // the system has left out what it could not send in time
+    bool left_out_ = false;  // the system has dropped output that it could not send in time
     bool unread_ = false;    // the input can't be read to its end
     bool fed_ = false;       // the reader may hold another line
-    bool bye_ = false;       // the system has said that it ends
+    bool bye_ = false;       // the system has announced its end
     bool told_ = false;
     int first_line_ = 0;  // of the running command
-    int unfinished_ = 0;  // line of the first command that got no answer
+    int unfinished_ = 0;  // line of the first command without an answer
     std::optional<std::chrono::duration<double>> longest_;
 };
 
@@ -81,7 +81,7 @@ BatchEnd Batch::run_all() {
     return {.well = !is_cut_off() && well && !has_lost() && !unread_, .unfinished = unfinished_};
 }
 
-// Whether there is a command that nobody has taken; never waits for one.
+// True if a command waits; never blocks.
 bool Batch::has_more_input() {
     const auto says_something = [](std::string_view text) {
         return text.find_first_not_of(" \t\r\n") != std::string_view::npos;
@@ -150,7 +150,7 @@ std::optional<std::string> Batch::read_line() {
         if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
         if (got < 0) return give_up_input();
         ended_ = got == 0;
-        // The last line may lack its end.
+        // The last line may lack its line end.
         reader_.feed(ended_ ? "\n" : std::string_view(piece.data(), static_cast<std::size_t>(got)));
         fed_ = true;
     }
@@ -184,7 +184,7 @@ void Batch::show(const Event& event) {
             return;
         case Event::Kind::error: tell(place(event.text)); return;
         case Event::Kind::log: tell(event.text); return;
-        case Event::Kind::lost: left_out_ = true; return tell(fmt::format("({} more were left out)", event.count));
+        case Event::Kind::lost: left_out_ = true; return tell(fmt::format("({} more were dropped)", event.count));
         case Event::Kind::answer:
         case Event::Kind::completions:
         case Event::Kind::keys:
@@ -193,7 +193,7 @@ void Batch::show(const Event& event) {
     }
 }
 
-// Lines of a command are counted from its own first; a reader wants those of the file.
+// Converts line numbers within a command to those of the file.
 std::string Batch::place(std::string_view message) const {
     if (first_line_ == 0) return std::string(message);
     static constexpr std::string_view word = "line ";

@@ -1,4 +1,4 @@
-// Commands from a file or a pipe instead of a terminal.
+// Runs commands from a file or a pipe instead of a terminal.
 #pragma once
 
 #include <cstdio>
@@ -11,24 +11,24 @@ namespace nezumi {
 
 /// Where commands are read from, and where output is written.
 struct BatchFiles {
-    bool own = false;      ///< the system runs for these commands: that it ends, by `quit()`, is no failure of the next
-    int input = 0;         ///< commands; an input of several lines is taken whole
-    FILE* out = stdout;    ///< results, and what commands print and watch
-    FILE* error = stderr;  ///< errors, with the line that they are from, and the log
+    bool own = false;      ///< the system runs only for these commands, so its end by `quit()` is not an error
+    int input = 0;         ///< commands; an input of several lines is one command
+    FILE* out = stdout;    ///< results, and printed and watched values
+    FILE* error = stderr;  ///< errors with their lines, and the log
 };
 
-/// How commands ended.
+/// How a batch of commands ended.
 struct BatchEnd {
-    bool well = true;  ///< all that were run succeeded
+    bool well = true;  ///< all commands succeeded
     int unfinished =
-        0;  ///< line of the first one that was cut off, or never begun, because the system had ended; 0: none
+        0;  ///< line of the first one that was interrupted, or not started, because the system had ended; 0: none
 };
 
-/// Runs one command after the other until there are no more or the system ends. An error costs its command and no more.
+/// Runs one command after the other until there are no more or the system ends. After an error the next command is run.
 BatchEnd run_batch(ConsoleClient& client, const BatchFiles& files);
 
-/// Runs one command, and interrupts it when there is no answer after `timeout` [s]. Returns whether it succeeded,
-/// and all of what it shows got through.
+/// Runs one command, and interrupts it if there is no answer after `timeout` [s]. Returns true if it succeeded and no
+/// output was lost.
 bool run_text(ConsoleClient& client, const std::string& text, const BatchFiles& files,
               std::optional<double> timeout = {});
 

@@ -1,4 +1,4 @@
-// A writer locks the file, then checks that the locked file still has that name.
+// A writer locks the file, then checks that the name still refers to the locked file.
 #include "bindings/terminal/input_history.hpp"
 
 #include <fcntl.h>
@@ -46,7 +46,7 @@ Descriptor open_locked(const std::filesystem::path& path, int flags) {
         Descriptor file(open(path.c_str(), flags | O_CLOEXEC, 0600));
         struct stat locked {};
         if (!file || flock(file.get(), LOCK_EX) != 0 || fstat(file.get(), &locked) != 0) return Descriptor();
-        // Another console may have put a shorter file in its place before we had the lock: then this has no name.
+        // Another console may have replaced it by a shorter file before we had the lock: then this one has no name.
         if (locked.st_nlink > 0) return file;
     }
 }
@@ -81,7 +81,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-// Puts a file with the latest lines in the place of one that has grown long. It still has its old lines if that fails.
+// Replaces a long file by one with the latest lines. On an error the old lines stay.
 void cut_down(const std::filesystem::path& path, const std::vector<std::string_view>& lines) {
     std::string text;
     for (std::size_t at = lines.size() - HistoryFile::kept; at < lines.size(); ++at)

@@ -1,4 +1,4 @@
-// The history of inputs, in a file that all consoles of a user share.
+// The history of inputs in a file that all consoles of a user share.
 #pragma once
 
 #include <filesystem>
@@ -10,21 +10,21 @@
 
 namespace nezumi {
 
-/// $XDG_STATE_HOME/nezumi/history, or ~/.local/state/nezumi/history; empty when there is no home.
+/// $XDG_STATE_HOME/nezumi/history, or ~/.local/state/nezumi/history; empty without a home folder.
 std::filesystem::path history_path();
 
-/// One input a line, its own ends of line written as \n. Consoles that run at once append to it, each input whole.
+/// One input per line, with its line ends written as \n. Several consoles may append at once, each input as a whole.
 class HistoryFile {
 public:
-    /// More inputs than twice this are cut down to this when the file is read.
+    /// A file with more than twice this number of inputs is shortened to this number when it is read.
     static constexpr std::size_t kept = 5000;
 
-    /// An empty path keeps nothing.
+    /// With an empty path nothing is stored.
     explicit HistoryFile(std::filesystem::path path) : path_(std::move(path)) {}
 
     /// All inputs, oldest first; none when there is no file yet.
     std::vector<std::string> read() const;
-    /// Appends one at the end. The folder and the file are made if need be, for their user alone.
+    /// Appends an input. Makes the folder and the file if missing, readable only by the user.
     Expected<void> append(std::string_view input) const;
 
 private:

@@ -1,5 +1,5 @@
-// libedit draws and edits; this file adds what it lacks: printing above the line, pasting several lines, Ctrl-C without
-// a signal.
+// libedit draws and edits. This file adds printing above the line, pasting of several lines, and Ctrl-C without a
+// signal.
 #include "bindings/terminal/line_editor.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@
 namespace nezumi {
 namespace {
 
-// What a lone Escape counts as: ends a search, and does nothing to a line.
+// A single Escape is treated as this key: it ends a search and does not change a line.
 constexpr const char* abort_key = "\a";
 
 struct CloseFile {
@@ -58,7 +58,7 @@ struct LineEditor::Parts {
     std::string so_far;
     std::string typed;
     int width = 0;          // [columns] when libedit last read it
-    int rows_in_place = 0;  // that `print_in_place` wrote, right above the input
+    int rows_in_place = 0;  // written by `print_in_place`, directly above the input
     bool editing = false;
     Outcome outcome = Outcome::input;
     std::string dropped;
@@ -78,8 +78,10 @@ struct LineEditor::Parts {
         winsize size{};
         return ioctl(input, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 ? size.ws_row : 24;
     }
-    int cursor_row() const;
+    int cursor_row(int columns) const;
+    int cursor_row() const { return cursor_row(columns()); }
     void follow_size();
+    void draw_resized();
     void erase_input();
     void draw_input();
     void open_editor();
@@ -101,19 +103,28 @@ LineEditor::Parts::~Parts() {
     }
 }
 
-int LineEditor::Parts::cursor_row() const {
+int LineEditor::Parts::cursor_row(int columns) const {
     const LineInfoW* line = el_wline(editor);
     const std::wstring text =
         to_wide(prompt) + std::wstring(line->buffer, static_cast<std::size_t>(line->cursor - line->buffer));
-    return std::min(row_after(text, columns()), rows() - 1);
+    return std::min(row_after(text, columns), rows() - 1);
 }
 
-// The window may have been resized: polled, as SIGWINCH belongs to the whole process.
+// The window may have been resized. It is polled, because SIGWINCH belongs to the whole process.
 void LineEditor::Parts::follow_size() {
     const int before_now = std::exchange(width, columns());
     if (width == before_now) return;
     el_resize(editor);
-    rows_in_place = 0;  // lines may have been broken anew
+    rows_in_place = 0;  // lines may be wrapped differently now
+}
+
+// Before a key: libedit would draw over what stands there, by the size that the window had. Some terminals break rows
+// anew and others do not: an input of several rows is drawn once more below.
+void LineEditor::Parts::draw_resized() {
+    if (!editing || plain || columns() == width) return;
+    const bool is_one_row = cursor_row(width) == 0 && cursor_row() == 0;
+    std::fputs(is_one_row ? "\r\x1b[J" : "\r\n\x1b[J", out.get());
+    draw_input();
 }
 
 void LineEditor::Parts::erase_input() {
@@ -198,17 +209,18 @@ void LineEditor::Parts::open_editor() {
     el_set(
         editor, EL_PROMPT, +[](EditLine* of_editor) { return of(of_editor).prompt.data(); });
     el_set(editor, EL_SIGNAL, 0);
-    // Ctrl-C, Ctrl-Z, Ctrl-S and Ctrl-Q are keys as others, both while a line is edited and while an input runs.
+    // Ctrl-C, Ctrl-Z, Ctrl-S and Ctrl-Q are ordinary keys, while a line is edited and while an input runs.
     for (const char* mode : {"-d", "-x"}) el_set(editor, EL_SETTY, mode, "-isig", "-ixon", nullptr);
     el_set(editor, EL_SETTY, "-x", "-icanon", "-echo", nullptr);
     el_wset(
         editor, EL_GETCFN, +[](EditLine* of_editor, wchar_t* letter) {
             Parts& parts = of(of_editor);
             for (;;) {
-                // libedit would join a lone Escape with the key that comes next, however late.
+                // libedit would combine a single Escape with the next key, even a much later one.
                 const bool may_be_lone = parts.typed == "\x1b";
                 const auto taken = may_be_lone ? std::nullopt : take_character(parts.typed);
                 if (taken) {
+                    parts.draw_resized();
                     *letter = *taken;
                     return 1;
                 }
@@ -224,7 +236,7 @@ void LineEditor::Parts::open_editor() {
 
 void LineEditor::Parts::bind_keys() {
     using Action = unsigned char (*)(EditLine*, int);
-    // The wide functions, as el_set() would copy the texts of EL_ADDFN and never free them.
+    // Uses the wide functions, because el_set() copies the texts of EL_ADDFN and never frees them.
     const auto add = [&](const wchar_t* name, const wchar_t* help, Action action, const wchar_t* keys) {
         el_wset(editor, EL_ADDFN, name, help, action);
         el_wset(editor, EL_BIND, keys, name, nullptr);
@@ -239,7 +251,7 @@ void LineEditor::Parts::bind_keys() {
     const Action interrupt = +[](EditLine* of_editor, int) -> unsigned char {
         Parts& parts = of(of_editor);
         parts.outcome = Outcome::interrupted;
-        // Wherever the cursor was, the input stays to be read, and what comes next stands below it.
+        // The whole input stays visible, and the next output is below it.
         const LineInfoW* line = el_wline(of_editor);
         const std::wstring_view text(line->buffer, static_cast<std::size_t>(line->lastchar - line->buffer));
         parts.erase_input();
@@ -287,7 +299,7 @@ Expected<std::unique_ptr<LineEditor>> LineEditor::create(int input, int output, 
     parts->out.reset(fdopen(dup(output), "w"));
     if (!parts->in || !parts->out) return failed();
     parts->input = input;
-    // The locale of this thread only: the process keeps its own.
+    // Only for this thread; the process keeps its locale.
     parts->locale = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
     if (parts->locale != nullptr) parts->locale_before = uselocale(parts->locale);
     parts->history = history_init();
@@ -340,7 +352,7 @@ void LineEditor::print_in_place(std::string_view lines) {
         rows += row_after(to_wide(std::string(line)), parts.columns()) + 1;
         rest.remove_prefix(std::min(rest.size(), line.size() + 1));
     }
-    // What has left the screen can't be written over.
+    // Rows that have left the screen can't be overwritten.
     parts.rows_in_place = parts.plain || rows + 1 >= parts.rows() ? 0 : rows;
     parts.draw_input();
 }

@@ -20,8 +20,8 @@ public:
         end,      ///< the terminal is closed
     };
     struct Hooks {
-        /// Waits until more is typed and appends it to `typed`, for at most so many milliseconds (-1: without end); may
-        /// call `print` meanwhile.
+        /// Waits until more is typed, for at most this time (-1: no limit), and appends it to `typed`. May call
+        /// `print`.
         std::function<Waited(std::string& typed, int milliseconds)> wait;
         /// Completions of the text before the cursor; may call `print`.
         std::function<Completion(const std::string& text, std::size_t cursor)> complete;
@@ -29,33 +29,33 @@ public:
     enum class Outcome {
         input,        ///< Enter
         interrupted,  ///< Ctrl-C
-        end,          ///< Ctrl-D in an empty line, or there is no more
+        end,          ///< Ctrl-D in an empty line, or end of input
     };
 
-    /// Takes over the terminal; an error when it is none. Must be used by the thread that made it only.
+    /// Takes over the terminal. Fails if it is not a terminal. Must be used only by the thread that made it.
     static Expected<std::unique_ptr<LineEditor>> create(int input, int output, bool may_stop, Hooks hooks);
     /// Restores the terminal's settings.
     ~LineEditor();
     LineEditor(const LineEditor&) = delete;
     LineEditor& operator=(const LineEditor&) = delete;
 
-    /// Reads an input, which has several lines if several were pasted. `so_far` is what was typed of it before. When
-    /// it is interrupted, `input` is what was dropped.
+    /// Reads an input; pasted text may have several lines. `so_far` is the part typed before. After an interruption
+    /// `input` is the dropped text.
     Outcome read(const std::string& so_far, std::string& input);
-    /// Writes whole lines; an input that is being edited is drawn again below them.
+    /// Writes whole lines; the edited input is redrawn below them.
     void print(std::string_view lines);
-    /// The same for a drawing that is drawn anew: it takes the place of the one before, where nothing else was written
-    /// since then and the terminal can.
+    /// The same for a drawing that changes: it replaces the previous one if nothing else was written since and the
+    /// terminal allows it.
     void print_in_place(std::string_view lines);
-    /// Sets the prompt of the input that is edited now and of those that follow.
+    /// Sets the prompt of the present input and the following ones.
     void set_prompt(std::string prompt);
-    /// Sets the terminal's title, where it has one.
+    /// Sets the terminal's title, if it has one.
     void set_title(std::string_view title);
     /// Adds the latest input to the history of the arrow keys and Ctrl-R.
     void remember(const std::string& input);
-    /// Whether the terminal understands escape sequences, for colours.
+    /// True if the terminal does not understand escape sequences.
     bool is_plain() const;
-    /// Bytes that were typed and not yet consumed.
+    /// Bytes that were typed but not used yet.
     std::string& typed();
 
 private:

@@ -26,7 +26,7 @@ constexpr std::string_view prompt = "nezumi> ";
 constexpr std::string_view paused_prompt = "nezumi (paused)> ";
 constexpr std::string_view more_prompt = "     >> ";
 
-// A second Ctrl-C so soon after the first leaves.
+// A second Ctrl-C within this time leaves the prompt.
 constexpr std::chrono::seconds leave_wait{2};
 
 class Prompt {
@@ -59,14 +59,14 @@ private:
     const TerminalOptions& options_;
     HistoryFile history_;
     std::unique_ptr<LineEditor> editor_;
-    std::string latest_;           // input
-    std::optional<Event> answer_;  // that came last
+    std::string latest_;           // the last input
+    std::optional<Event> answer_;  // the last one received
     bool begun_ = false;           // the input has lines already
     bool paused_ = false;
-    std::optional<std::chrono::steady_clock::time_point> asked_;  // how to leave
-    bool keys_ = false;                                           // `drive` takes them
-    bool ended_ = false;                                          // the system
-    bool hung_up_ = false;                                        // the terminal
+    std::optional<std::chrono::steady_clock::time_point> asked_;  // time of the question how to leave
+    bool keys_ = false;                                           // keys go to `drive`
+    bool ended_ = false;                                          // the system has ended
+    bool hung_up_ = false;                                        // the terminal is closed
     bool history_fails_ = false;
 };
 
@@ -98,7 +98,7 @@ Expected<PromptEnd> Prompt::run() {
     return ended() ? PromptEnd::ended : PromptEnd::left;
 }
 
-// False when there is nothing more to read.
+// Returns false at the end of input.
 bool Prompt::read_input(std::string& input) {
     input.clear();
     begun_ = false;
@@ -114,7 +114,7 @@ bool Prompt::read_input(std::string& input) {
                 continue;
             case LineEditor::Outcome::end:
                 if (!begun_ || ended() || hung_up_) return false;
-                // Ctrl-D within an input of several lines only drops it.
+                // Ctrl-D within an input of several lines only drops the input.
                 input.clear();
                 begun_ = false;
                 continue;
@@ -128,12 +128,12 @@ bool Prompt::read_input(std::string& input) {
     return false;
 }
 
-// After a Ctrl-C that had nothing to drop: says how to leave, unless it has just been said.
+// Called after a Ctrl-C without an input: explains how to leave, unless it was just explained.
 bool Prompt::leaves_at_second() {
     const auto now = std::chrono::steady_clock::now();
     if (asked_ && now - *asked_ <= leave_wait) return true;
     asked_ = now;
-    editor_->print(options_.attached ? "Ctrl-C again, or Ctrl-D, leaves; the system goes on\n"
+    editor_->print(options_.attached ? "Ctrl-C again, or Ctrl-D, leaves; the system continues\n"
                                      : "Ctrl-C again, or Ctrl-D, ends the run\n");
     return false;
 }
@@ -166,14 +166,14 @@ Completion Prompt::complete(const std::string& text, std::size_t cursor) {
 std::optional<Event> Prompt::wait_for_answer(std::int64_t id) {
     answer_.reset();
     while (!(answer_ && answer_->id == id) || keys_) {
-        // The rest of an arrow key comes at once; an Escape that stands alone is known by that nothing comes.
+        // The rest of an arrow key's sequence comes at once; a single Escape is followed by nothing.
         const bool undecided = keys_ && !editor_->typed().empty();
         const Came came = wait(undecided ? escape_wait : -1);
         if (came == Came::end) return std::nullopt;
         if (keys_) take_keys(came == Came::nothing && undecided);
         const std::size_t interrupted = editor_->typed().find('\x03');
         if (interrupted == std::string::npos) continue;
-        // Ctrl-C also discards what was typed before it.
+        // Ctrl-C also drops what was typed before it.
         editor_->typed().erase(0, interrupted + 1);
         interrupt();
     }
@@ -219,7 +219,7 @@ Prompt::Came Prompt::wait(int timeout) {
 }
 
 void Prompt::show_events() {
-    // All pending output at once, so that the line being edited is redrawn only once.
+    // All waiting output in one call, so that the edited line is redrawn only once.
     std::string text;
     while (auto event = client_.next(0)) {
         if (event->kind == Event::Kind::output && event->level == Event::in_place) {
@@ -241,7 +241,7 @@ void Prompt::show(const Event& event, std::string& text) {
         case Event::Kind::error:
         case Event::Kind::log: text += coloured(event) + "\n"; return;
         case Event::Kind::lost:
-            text += "(" + std::to_string(event.count) + " more came faster than this terminal shows them)\n";
+            text += "(" + std::to_string(event.count) + " more were dropped: this terminal is too slow)\n";
             return;
         case Event::Kind::keys: keys_ = event.ok; return;
         case Event::Kind::status:

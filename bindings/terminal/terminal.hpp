@@ -15,17 +15,17 @@ struct TerminalOptions {
     int output = 1;                 ///< the same terminal
     std::string greeting;           ///< the first line; "" for none
     std::filesystem::path history;  ///< the history file; empty: none
-    bool attached = false;          ///< the system runs elsewhere: Ctrl-Z may stop this process
+    bool attached = false;          ///< the system runs in another process: Ctrl-Z may suspend this one
 };
 
-/// Why the prompt ended.
+/// The reason why the prompt ended.
 enum class PromptEnd {
-    left,   ///< Ctrl-D, or the terminal is gone
+    left,   ///< Ctrl-D, or the terminal is closed
     ended,  ///< the system has ended
 };
 
-/// Reads inputs, runs them and shows output, until the user leaves. Restores the terminal's settings. An error
-/// when this is no terminal.
+/// Reads inputs, runs them and shows output, until the user leaves. Restores the terminal's settings. Fails if it is
+/// not a terminal.
 Expected<PromptEnd> run_prompt(ConsoleClient& client, const TerminalOptions& options);
 
 }  // namespace nezumi

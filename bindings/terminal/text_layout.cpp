@@ -1,4 +1,4 @@
-// Widths are the C library's, by the locale of the thread.
+// Widths are those of the C library, for the locale of the thread.
 #include "bindings/terminal/text_layout.hpp"
 
 #include <fmt/format.h>
@@ -44,7 +44,7 @@ std::string common_beginning(const std::vector<std::string>& candidates) {
         const auto differ = std::mismatch(common.begin(), common.end(), candidate.begin(), candidate.end());
         common.erase(differ.first, common.end());
     }
-    // Not into the middle of a character.
+    // Must not end within a character.
     const auto is_cut = [&common](const std::string& candidate) {
         return candidate.size() > common.size() &&
                (static_cast<unsigned char>(candidate[common.size()]) & 0xC0U) == 0x80U;

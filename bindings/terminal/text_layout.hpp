@@ -1,4 +1,4 @@
-// How text is laid out on a terminal.
+// The layout of text on a terminal.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace nezumi {
 
-/// The row, from 0, of the cursor after `text` was written from the first column of row 0 on a terminal of `columns`,
-/// as libedit lays text out: what does not fit goes on in the next row, a control character is written as two.
+/// Returns the row, counted from 0, of the cursor after writing `text` from the first column of row 0 on a terminal
+/// with `columns`. The layout is libedit's: long lines wrap, and a control character has two columns.
 int row_after(std::wstring_view text, int columns);
 
-/// What all candidates begin with; there must be at least one.
+/// The common beginning of all candidates; there must be at least one.
 std::string common_beginning(const std::vector<std::string>& candidates);
 
-/// The candidates as rows, read downwards, each with its end of line. Those past the 200th are only counted.
+/// Returns the candidates as rows with line ends, to be read downwards. Only 200 are listed; the rest are counted.
 std::string in_columns(const std::vector<std::string>& candidates, int columns);
 
 }  // namespace nezumi

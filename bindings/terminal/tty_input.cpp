@@ -1,4 +1,4 @@
-// Decoding is done here rather than by the C library, so that it is the same in every locale.
+// Characters are decoded here instead of by the C library, so that it is the same in every locale.
 #include "bindings/terminal/tty_input.hpp"
 
 #include <array>
@@ -12,7 +12,7 @@ constexpr wchar_t replacement = 0xFFFD;
 
 struct Decoded {
     wchar_t character = replacement;
-    std::size_t size = 1;  // 0: more must come
+    std::size_t size = 1;  // 0: incomplete
 };
 
 Decoded decode(std::string_view bytes) {
@@ -63,7 +63,7 @@ TypedKey next_key(std::string_view typed, bool alone) {
     if (typed[0] == '-') return {.key = Key::slower, .size = 1};
     if (typed[0] != escape) return {.key = {}, .size = 1};
     if (typed.size() == 1) return alone ? TypedKey{.key = Key::escape, .size = 1} : TypedKey{};
-    // ESC O A in application mode; ESC [ A, with parameters in between for Shift and its kin.
+    // ESC O A in application mode; otherwise ESC [ A, with parameters in between for Shift and other modifiers.
     if (typed[1] == 'O') {
         if (typed.size() == 2) return alone ? TypedKey{.key = Key::escape, .size = 1} : TypedKey{};
         return {.key = arrow(typed[2]), .size = 3};

@@ -1,4 +1,4 @@
-// Decodes bytes typed at a terminal into characters for the line editor and keys for driving.
+// Decodes typed bytes into characters for the line editor and keys for driving.
 #pragma once
 
 #include <optional>
@@ -9,26 +9,27 @@
 
 namespace nezumi {
 
-/// A lone Escape is one when nothing follows it for so long [ms]; until then it may begin what another key sends.
+/// Time [ms] without another byte after which an Escape is a key of its own; before, it may begin the sequence of
+/// another key.
 inline constexpr int escape_wait = 50;
 
-/// A decoded piece from the front of the input.
+/// A decoded part from the front of the input.
 struct TypedKey {
     std::optional<Key> key;  ///< none: another key
     bool interrupt = false;  ///< Ctrl-C
-    std::size_t size = 0;    ///< [bytes] that it took; 0: more must come before it is known
+    std::size_t size = 0;    ///< [bytes] used; 0: incomplete
 };
 
-/// The key that begins `typed`, which is not empty. An escape that nothing follows is the key of that name only when
-/// `alone`: otherwise the rest of an arrow key may still come.
+/// Decodes the first key of `typed`, which must not be empty. A single escape is the key of that name only if `alone`:
+/// otherwise the rest of an arrow key may still come.
 TypedKey next_key(std::string_view typed, bool alone);
 
-/// Takes the character from the front of `typed`: 0xFFFD for bytes that are no UTF-8; nothing when more must come.
+/// Takes the first character of `typed`: 0xFFFD for bytes that are not UTF-8, nothing if incomplete.
 std::optional<wchar_t> take_character(std::string& typed);
 
-/// UTF-8 of a text.
+/// Converts to UTF-8.
 std::string to_utf8(std::wstring_view text);
-/// A text of UTF-8.
+/// Converts from UTF-8.
 std::wstring to_wide(std::string_view text);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Everything that is not exactly as it should be is refused.
+// Access control: a request that is not exactly as expected is refused.
 #include "bindings/web/access.hpp"
 
 #include <sys/random.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int forbidden = 403;
 
-// The token of "nezumi, token.TOKEN", in any order; "" when it says anything else.
+// Returns the token of "nezumi, token.TOKEN", in any order; "" for any other text.
 std::string_view token_in(std::string_view protocols) {
     constexpr std::string_view prefix = "token.";
     const auto comma = protocols.find(',');
@@ -41,7 +41,7 @@ std::string make_token() {
 }
 
 bool is_same_secret(std::string_view left, std::string_view right) {
-    // The length of ours is no secret.
+    // The length of our token is not secret.
     if (left.size() != right.size() || left.empty()) return false;
     volatile unsigned difference = 0;
     for (std::size_t i = 0; i < left.size(); ++i)

@@ -1,4 +1,4 @@
-// Who may talk to a running system from a browser: two tokens, and what headers must say.
+// Access of browsers to a running system: two tokens, and checks of request headers.
 #pragma once
 
 #include <string>
@@ -8,27 +8,26 @@
 
 namespace nezumi::web {
 
-/// 128 random bits as 32 hexadecimal digits; "" where the kernel gives none.
+/// Returns 128 random bits as 32 hexadecimal digits; "" if the kernel gives none.
 std::string make_token();
 
-/// Whether two texts are equal; none is equal to an empty one. How long that takes tells nothing about where they
-/// differ.
+/// True if two texts are equal and not empty. The time taken does not show where they differ.
 bool is_same_secret(std::string_view left, std::string_view right);
 
 class AccessControl {
 public:
-    /// `scheme`: "http", or "https" where TLS is spoken. `address`: another name than the loopback's that is ours.
+    /// `scheme`: "http", or "https" with TLS. `address`: our name if it is not the loopback's.
     explicit AccessControl(std::string scheme = "http", std::string address = "")
         : scheme_(std::move(scheme)), address_(std::move(address)) {}
 
-    /// For those who may act, and for those who may only look. Empty, they let nobody in.
+    /// The tokens for full access and for viewing only. An empty token admits no browser.
     const std::string& token() const { return token_; }
     const std::string& view_token() const { return view_token_; }
 
-    /// A Host is ours when it names this computer's loopback, whatever the port (a tunnel has one of its own), or the
-    /// address that is listened on. Whoever has led a browser here by another name is refused.
+    /// True if a Host header names this computer's loopback, with any port (a tunnel has its own), or the address that
+    /// is listened on. Other names are refused: a foreign page may have led the browser here.
     bool is_own_host(std::string_view host) const;
-    /// What wants to be a WebSocket must ask for /ws of our host, come from a page of exactly that host, and offer the
+    /// A request for a WebSocket must ask for /ws of our host, come from a page of exactly that host, and offer the
     /// protocols "nezumi" and "token.TOKEN".
     Admission check(const HttpRequest& request) const;
 

@@ -5,7 +5,7 @@
 
 namespace nezumi::web {
 
-Expected<Certificate> find_certificate(const CertificateWish& wish) {
+Expected<Certificate> find_certificate(const CertificateRequest& request) {
     static const auto finds = load_function({.file = certificate_module,
                                              .function = find_in_module,
                                              .part = "certificates for browsers",
@@ -13,7 +13,7 @@ Expected<Certificate> find_certificate(const CertificateWish& wish) {
     if (!finds) return failure(finds.error().message);
     Certificate certificate;
     std::string problem;
-    if (!reinterpret_cast<FindInModule*>(*finds)(wish, certificate, problem)) return failure(problem);
+    if (!reinterpret_cast<FindInModule*>(*finds)(request, certificate, problem)) return failure(problem);
     return certificate;
 }
 

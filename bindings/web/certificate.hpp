@@ -1,4 +1,4 @@
-// The certificate with which the page is served to other computers: a module with OpenSSL, loaded when that is wanted.
+// The certificate for serving the page to other computers: a module with OpenSSL, loaded on demand.
 #pragma once
 
 #include <filesystem>
@@ -8,28 +8,28 @@
 
 namespace nezumi::web {
 
-/// For whom it is to be, and where it is kept.
-struct CertificateWish {
-    std::filesystem::path folder{};  ///< of the user's own, made when it is not there
-    std::string address{};           ///< IPv4, by which others reach this computer
-    std::string host{};              ///< this computer's name; may be empty
+/// The properties of a certificate, and where it is stored.
+struct CertificateRequest {
+    std::filesystem::path folder{};  ///< of the user; made if missing
+    std::string address{};           ///< IPv4 address of this computer for others
+    std::string host{};              ///< this computer's name; optional
 };
 
 struct Certificate {
     std::string file{};         ///< PEM
-    std::string key{};          ///< PEM, for its owner alone
-    std::string fingerprint{};  ///< SHA-256, "AB:CD:...": what a browser shows to be compared
-    bool is_new = false;        ///< made just now, signed by nobody but itself
+    std::string key{};          ///< PEM, readable only by its owner
+    std::string fingerprint{};  ///< SHA-256, "AB:CD:...": the user compares it with the browser's
+    bool is_new = false;        ///< made by this call, self-signed
 };
 
-/// The one that is kept there, or a new one: when none is, when it is not for this address, when it ends within a
-/// month, or when others could have read its key. The error says in one line why there is none.
-Expected<Certificate> find_certificate(const CertificateWish& wish);
+/// Returns the stored certificate, or makes a new one: if there is none, if it is for another address, if it ends
+/// within a month, or if others could have read its key. An error gives the reason in one line.
+Expected<Certificate> find_certificate(const CertificateRequest& request);
 
-// What the program and its module know of each other: they are built together.
+// The interface between the program and its module. Both are built together.
 inline constexpr const char* certificate_module = "nezumi_certificate.so";
 inline constexpr const char* find_in_module = "nezumi_find_certificate";
-/// The module's one function: whether it went well, or else the `problem`. It throws nothing.
-using FindInModule = bool(const CertificateWish& wish, Certificate& certificate, std::string& problem);
+/// The module's only function. Returns true, or false with the `problem`. Never throws.
+using FindInModule = bool(const CertificateRequest& request, Certificate& certificate, std::string& problem);
 
 }  // namespace nezumi::web

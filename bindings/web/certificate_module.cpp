@@ -1,4 +1,4 @@
-// Certificates by OpenSSL: a key on the curve P-256 that signs itself.
+// Certificates by OpenSSL: self-signed, with a key on the curve P-256.
 #include <fcntl.h>
 #include <openssl/bio.h>
 #include <openssl/bn.h>
@@ -30,7 +30,7 @@ namespace nezumi::web {
 namespace {
 
 constexpr long day = 24 * 60 * 60;     // [s]
-constexpr long lasts = 800 * day;      // [s] browsers trust none that lasts longer than 825 days
+constexpr long lasts = 800 * day;      // [s] browsers accept at most 825 days
 constexpr long renewed_at = 30 * day;  // [s] before its end
 
 template <class T, void (*release)(T*)>
@@ -70,23 +70,23 @@ Memory memory_of(const std::string& text) {
     return Memory(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
 }
 
-// Whether only its owner, who is us, may read it.
+// True if it belongs to us and only its owner may read it.
 bool is_private(const std::string& file) {
     struct stat is {};
     return lstat(file.c_str(), &is) == 0 && S_ISREG(is.st_mode) && is.st_uid == geteuid() && (is.st_mode & 077) == 0;
 }
 
-// The one that is kept, when it is still good for this.
-bool take_kept(const CertificateWish& wish, Certificate& certificate) {
+// Uses the stored certificate if it is still valid for this request.
+bool take_kept(const CertificateRequest& request, Certificate& certificate) {
     if (!is_private(certificate.key)) return false;
     const std::string paper_text = read_text(certificate.file), key_text = read_text(certificate.key);
     const Memory paper_memory = memory_of(paper_text), key_memory = memory_of(key_text);
     const Paper paper(PEM_read_bio_X509(paper_memory.get(), nullptr, nullptr, nullptr));
     const Key key(PEM_read_bio_PrivateKey(key_memory.get(), nullptr, nullptr, nullptr));
     if (paper == nullptr || key == nullptr || X509_check_private_key(paper.get(), key.get()) != 1) return false;
-    std::time_t until = std::time(nullptr) + renewed_at;  // the wall clock: as certificates are valid
+    std::time_t until = std::time(nullptr) + renewed_at;  // the wall clock: certificates are valid by it
     if (X509_cmp_time(X509_get0_notAfter(paper.get()), &until) <= 0) return false;
-    if (X509_check_ip_asc(paper.get(), wish.address.c_str(), 0) != 1) return false;
+    if (X509_check_ip_asc(paper.get(), request.address.c_str(), 0) != 1) return false;
     certificate.fingerprint = fingerprint_of(paper.get());
     return !certificate.fingerprint.empty();
 }
@@ -99,7 +99,7 @@ bool add_extension(X509* paper, int which, const std::string& value) {
     return extension != nullptr && X509_add_ext(paper, extension.get(), -1) == 1;
 }
 
-// A name that stands in a certificate as it is.
+// True for a host name that can be written into a certificate unchanged.
 bool is_host_name(std::string_view name) {
     return !name.empty() && name.size() < 64 && std::all_of(name.begin(), name.end(), [](char each) {
         return (each >= 'a' && each <= 'z') || (each >= 'A' && each <= 'Z') || (each >= '0' && each <= '9') ||
@@ -107,14 +107,14 @@ bool is_host_name(std::string_view name) {
     });
 }
 
-Paper make_paper(EVP_PKEY* key, const CertificateWish& wish) {
+Paper make_paper(EVP_PKEY* key, const CertificateRequest& request) {
     Paper paper(X509_new());
     if (paper == nullptr) return nullptr;
-    const bool has_host = is_host_name(wish.host);
-    const std::string name = has_host ? "nezumi on " + wish.host : "nezumi";
+    const bool has_host = is_host_name(request.host);
+    const std::string name = has_host ? "nezumi on " + request.host : "nezumi";
     std::array<unsigned char, 16> number{};
     if (RAND_bytes(number.data(), static_cast<int>(number.size())) != 1) return nullptr;
-    number[0] &= 0x7f;  // positive
+    number[0] &= 0x7f;  // makes the number positive
     X509* const x = paper.get();
     X509_NAME* const subject = X509_get_subject_name(x);
     const auto* const text = reinterpret_cast<const unsigned char*>(name.c_str());
@@ -127,7 +127,7 @@ Paper make_paper(EVP_PKEY* key, const CertificateWish& wish) {
         X509_gmtime_adj(X509_getm_notAfter(x), lasts) != nullptr && X509_set_pubkey(x, key) == 1 &&
         X509_NAME_add_entry_by_txt(subject, "CN", MBSTRING_UTF8, text, -1, -1, 0) == 1 &&
         X509_set_issuer_name(x, subject) == 1 &&
-        add_extension(x, NID_subject_alt_name, "IP:" + wish.address + (has_host ? ",DNS:" + wish.host : "")) &&
+        add_extension(x, NID_subject_alt_name, "IP:" + request.address + (has_host ? ",DNS:" + request.host : "")) &&
         add_extension(x, NID_basic_constraints, "critical,CA:FALSE") &&
         add_extension(x, NID_key_usage, "critical,digitalSignature") &&
         add_extension(x, NID_ext_key_usage, "serverAuth") && X509_sign(x, key, EVP_sha256()) > 0;
@@ -135,7 +135,7 @@ Paper make_paper(EVP_PKEY* key, const CertificateWish& wish) {
     return paper;
 }
 
-// What `write` puts into memory, as a whole file that only its owner may read. Returns what went wrong, or "".
+// Writes the output of `write` to a file that only its owner may read. Returns the error, or "".
 template <class Write>
 std::string write_file(const std::string& file, const Write& write) {
     const Memory memory(BIO_new(BIO_s_mem()));
@@ -154,13 +154,13 @@ std::string write_file(const std::string& file, const Write& write) {
     return file + " can't be written: " + std::strerror(problem);
 }
 
-std::string make_new(const CertificateWish& wish, Certificate& certificate) {
+std::string make_new(const CertificateRequest& request, Certificate& certificate) {
     const Key key(EVP_EC_gen("P-256"));
-    const Paper paper = key != nullptr ? make_paper(key.get(), wish) : nullptr;
-    if (paper == nullptr) return "OpenSSL can't make a certificate for '" + wish.address + "'";
+    const Paper paper = key != nullptr ? make_paper(key.get(), request) : nullptr;
+    if (paper == nullptr) return "OpenSSL can't make a certificate for '" + request.address + "'";
     std::error_code problem;
-    std::filesystem::create_directories(wish.folder, problem);
-    if (problem) return wish.folder.string() + " can't be made: " + problem.message();
+    std::filesystem::create_directories(request.folder, problem);
+    if (problem) return request.folder.string() + " can't be made: " + problem.message();
     std::string wrong = write_file(certificate.key, [&](BIO* out) {
         return PEM_write_bio_PrivateKey(out, key.get(), nullptr, nullptr, 0, nullptr, nullptr);
     });
@@ -176,12 +176,12 @@ std::string make_new(const CertificateWish& wish, Certificate& certificate) {
 
 extern "C" __attribute__((visibility("default"))) nezumi::web::FindInModule nezumi_find_certificate;
 
-bool nezumi_find_certificate(const nezumi::web::CertificateWish& wish, nezumi::web::Certificate& certificate,
+bool nezumi_find_certificate(const nezumi::web::CertificateRequest& request, nezumi::web::Certificate& certificate,
                              std::string& problem) {
     try {
-        certificate = {.file = (wish.folder / "page_certificate.pem").string(),
-                       .key = (wish.folder / "page_key.pem").string()};
-        if (!nezumi::web::take_kept(wish, certificate)) problem = nezumi::web::make_new(wish, certificate);
+        certificate = {.file = (request.folder / "page_certificate.pem").string(),
+                       .key = (request.folder / "page_key.pem").string()};
+        if (!nezumi::web::take_kept(request, certificate)) problem = nezumi::web::make_new(request, certificate);
     } catch (const std::exception& thrown) {
         problem = thrown.what();
     }

@@ -1,4 +1,4 @@
-// Each part keeps the number of the state in which it changed; a browser keeps the number of the state that it got.
+// Each part has the number of the state in which it last changed; each browser has the number of the last state it got.
 #include "bindings/web/changes.hpp"
 
 #include <tuple>
@@ -8,7 +8,7 @@ namespace nezumi::web {
 
 template <class T>
 void Changes::merge(std::vector<Dated<T>>& known, std::vector<T>&& news) {
-    // With another number of them nothing is what it was.
+    // If their number has changed, all of them count as new.
     if (known.size() != news.size()) known.clear();
     for (std::size_t i = 0; i < news.size(); ++i) {
         if (i < known.size() && known[i].value == news[i]) continue;
@@ -75,7 +75,7 @@ WebFrame Changes::since(Seen& seen, const Watch& watch) const {
         const auto found = ports_.find(watch.ports[i]);
         if (found == ports_.end() || found->second.changed <= seen.sequence) continue;
         const State::Port& port = found->second.value;
-        // After a restart it counts anew.
+        // After a restart the count begins at 0 again.
         const std::uint64_t before = seen.counts[i] <= port.count ? seen.counts[i] : 0;
         frame.ports.push_back({.index = static_cast<std::uint32_t>(i),
                                .count = static_cast<std::uint32_t>(port.count - before),

@@ -1,4 +1,4 @@
-// What has changed in a system since a browser saw it last.
+// The changes in a system since a browser last got its state.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace nezumi::web {
 
-/// What one browser wants to see besides things and markers.
+/// What a browser wants to see besides things and markers.
 struct Watch {
     std::vector<std::string> ports{};  ///< "name.port"
     bool truth = false;                ///< poses of robots
@@ -20,31 +20,32 @@ struct Watch {
     bool operator==(const Watch&) const = default;
 };
 
-/// A system after a tick, as far as somebody wants to see it. Made by the thread that ticks, given away whole.
+/// The state of a system after a tick, as far as browsers want to see it. Made by the ticking thread and passed on as a
+/// whole.
 struct State {
-    WebFrame now{};  ///< without ports; of everything there is
+    WebFrame now{};  ///< without ports; complete
     struct Port {
         std::uint64_t count = 0;  ///< messages since the start
         Octets payload{};
     };
-    std::map<std::string, Port, std::less<>> ports{};  ///< "name.port": those that have changed
-    std::vector<WebMember> members{};                  ///< as they are now
-    std::uint64_t layout = 0;                          ///< another one: nothing is what it was
+    std::map<std::string, Port, std::less<>> ports{};  ///< "name.port": the changed ones
+    std::vector<WebMember> members{};                  ///< their present values
+    std::uint64_t layout = 0;                          ///< if it differs, the system has changed and everything is new
 };
 
-/// All that has been told, with when it changed. Of one thread.
+/// The last known state of each part, with the state in which it changed. Used by one thread.
 class Changes {
 public:
-    /// What a browser has got.
+    /// What a browser has received.
     struct Seen {
         std::uint64_t sequence = 0;
-        std::vector<std::uint64_t> counts{};  ///< of each port that it watches
+        std::vector<std::uint64_t> counts{};  ///< of each watched port
     };
 
     void take(State&& state);
-    /// Whether something has changed that it has not got.
+    /// True if there is a change that the browser has not received.
     bool is_news(const Seen& seen) const { return changed_ > seen.sequence; }
-    /// What it has not got; from now on it has.
+    /// Returns what the browser has not received, and marks it as received.
     WebFrame since(Seen& seen, const Watch& watch) const;
 
 private:
@@ -56,8 +57,8 @@ private:
     template <class T>
     void merge(std::vector<Dated<T>>& known, std::vector<T>&& news);
 
-    std::uint64_t sequence_ = 0;  // of the state that was taken last
-    std::uint64_t changed_ = 0;   // of the one that brought something new
+    std::uint64_t sequence_ = 0;  // of the last state taken
+    std::uint64_t changed_ = 0;   // of the last state with a change
     std::uint64_t layout_ = 0;
     WebFrame now_;  // without lists
     std::vector<Dated<WebRobot>> robots_;

@@ -1,4 +1,4 @@
-// Sockets that never wait: a console that takes nothing more has too much to do.
+// Non-blocking sockets: a console that accepts no more data is overloaded.
 #include "bindings/web/console_relay.hpp"
 
 #include <sys/socket.h>
@@ -16,12 +16,12 @@ Expected<void> ConsoleRelay::send(ClientId client, const std::string& line, cons
         if (!socket) return Unexpected(socket.error());
         found = consoles_of_.emplace(client, Console{.socket = std::move(*socket)}).first;
     }
-    // Part of a line would spoil the next one: then there is no console any more.
+    // A partly sent line would corrupt the next one, so the console is closed.
     const ssize_t sent = ::send(found->second.socket.get(), line.data(), line.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
     if (sent == static_cast<ssize_t>(line.size())) return {};
-    if (sent < 0 && (errno == EAGAIN || errno == EINTR)) return failure("the console has too much to do: try again");
+    if (sent < 0 && (errno == EAGAIN || errno == EINTR)) return failure("the console is overloaded: try again");
     consoles_of_.erase(found);
-    return failure("the console took no more, and begins anew");
+    return failure("console buffer full; session restarted");
 }
 
 void ConsoleRelay::serve() {

@@ -1,4 +1,4 @@
-// Consoles of browsers: each has a connection to the console's server, and lines go to and fro as they are.
+// Consoles of browsers: each has its own connection to the console server, and lines are passed on unchanged.
 #pragma once
 
 #include <functional>
@@ -14,17 +14,18 @@
 
 namespace nezumi::web {
 
-/// All of it is to be called from the thread that ticks; none of it waits.
+/// Must be called from the ticking thread. Never blocks.
 class ConsoleRelay {
 public:
-    /// Takes an event's line, without its end.
+    /// Takes the line of an event, without its line end.
     using Tell = std::function<void(ClientId, std::string_view line)>;
 
     ConsoleRelay(ConsoleServer& consoles, Tell tell) : consoles_(consoles), tell_(std::move(tell)) {}
 
-    /// Sends a request's line; the first opens the console. An error when that can't be, or when it takes no more.
+    /// Sends the line of a request; the first one opens the console. Fails if it can't be opened or accepts no more
+    /// data.
     Expected<void> send(ClientId client, const std::string& line, const Actor& who);
-    /// Passes on what consoles have said, a portion of each.
+    /// Passes on what consoles have sent, a limited amount of each.
     void serve();
     void close(ClientId client) { consoles_of_.erase(client); }
     void add_files(std::vector<int>& files) const;

@@ -1,4 +1,4 @@
-// A drive is a hold by its browser: acts begin, change and end it, so that a replay has them all.
+// A drive is a hold by its browser. It begins, changes and ends by acts, so a replay has them all.
 #include "bindings/web/drives.hpp"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ void Drives::rest(Drive& drive) {
 void Drives::serve(Clock::time_point now) {
     for (Drive& drive : drives_) {
         if (!has_it(drive)) {
-            if (drive.rests_since < 0) tell_(drive.client, drive.port, "somebody else drives it, or it is gone");
+            if (drive.rests_since < 0) tell_(drive.client, drive.port, "another user drives it, or it was removed");
             drive.client = 0;
         } else if (drive.rests_since < 0 && now - drive.heard > longest_silence) {
             rest(drive);

@@ -1,4 +1,4 @@
-// Ports that browsers hold with a stick: each only for as long as its browser says so again and again.
+// Ports that browsers hold with a joystick; a hold lasts only while the browser repeats its message.
 #pragma once
 
 #include <chrono>
@@ -15,20 +15,20 @@ namespace nezumi::web {
 class Drives {
 public:
     using Clock = std::chrono::steady_clock;
-    /// Without a word from its browser for so long a drive ends: the port rests for a tick, then it is let go.
+    /// A drive without a message for this time ends: the port is zero for a tick, then it is released.
     static constexpr std::chrono::milliseconds longest_silence{500};
 
-    /// Tells a browser that it does not drive a port, or no longer, and why.
+    /// Tells a browser that it does not drive a port, or no longer does, and why.
     using Tell = std::function<void(ClientId, const std::string& port, const std::string& why)>;
 
     /// `live` must outlive it.
     Drives(RunningSystem& live, Tell tell) : live_(live), tell_(std::move(tell)) {}
 
-    /// Begins a drive, goes on with it, or ends it. An error when it can't begin. All of it between two ticks.
+    /// Begins, continues or ends a drive. Fails if it can't begin. Call it between two ticks.
     Expected<void> take(ClientId client, const DriveMessage& message, const Actor& who, Clock::time_point now);
-    /// Ends what is due.
+    /// Ends the drives that are overdue.
     void serve(Clock::time_point now);
-    /// Its browser is gone, and what it held has been let go.
+    /// The browser has disconnected and its holds were released.
     void forget(ClientId client);
 
 private:
@@ -38,8 +38,8 @@ private:
         std::string port;
         Value value;
         Clock::time_point heard;
-        std::int64_t rests_since = -1;  // the tick in which it came to rest; -1: it drives
-        int start = 0;                  // of the system
+        std::int64_t rests_since = -1;  // the tick of the zero command; -1: it drives
+        int start = 0;                  // number of the system's start
     };
 
     bool has_it(const Drive& drive) const;
@@ -50,7 +50,7 @@ private:
     std::vector<Drive> drives_;
 };
 
-/// What stands still, of the same type: zero, and so many zeros for so many numbers.
+/// The value of the same type for standstill: zero, or the same number of zeros.
 Value resting(const Value& value);
 
 }  // namespace nezumi::web

@@ -1,4 +1,4 @@
-// Field by field.
+// Writes an explained execution field by field.
 #include "bindings/web/explain_json.hpp"
 
 #include <nlohmann/json.hpp>
@@ -21,11 +21,8 @@ Json to_json(const std::vector<Explanation::PortValue>& ports) {
 Json to_json(const TracedLines::Line& line) {
     Json values = Json::array();
     for (const TracedLines::Value& value : line.values) values.push_back(Json::array({value.name, value.text}));
-    return {{"file", line.file},
-            {"line", line.line},
-            {"depth", line.depth},
-            {"text", line.text},
-            {"values", std::move(values)}};
+    return {{"file", line.file}, {"line", line.line},           {"depth", line.depth},
+            {"text", line.text}, {"values", std::move(values)}, {"turns_left_out", line.turns_left_out}};
 }
 
 Json to_json(const Velocity2D& velocity) { return {{"vx", velocity.vx}, {"va", velocity.va}}; }

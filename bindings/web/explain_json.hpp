@@ -1,4 +1,4 @@
-// An explained execution for the page.
+// An explained execution as JSON for the page.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,4 +1,4 @@
-// The lock is held only to move things in and out of queues; frames are made without it.
+// The lock is held only to move data in and out of queues; frames are made without it.
 #include "bindings/web/hub.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ std::string refusal(std::int64_t id, std::string_view why) {
                                                                                  Json::error_handler_t::replace);
 }
 
-// The others, with what leads to them: who may only look here may only look there.
+// The other pages with their addresses: a view-only browser gets view-only addresses.
 std::string list_of(const std::vector<RunningPage>& pages, bool view_only) {
     Json systems = Json::array();
     for (const RunningPage& page : pages) {
@@ -151,7 +151,7 @@ void Hub::show_picture(const std::string& port, std::string message) {
     pictures_.insert_or_assign(port, Shown{std::move(message), ++last_number_});
 }
 
-// Without the lock: what it reads only this thread changes.
+// Without the lock: only this thread changes the data that it reads.
 void Hub::watch_anew() {
     Watch all;
     for (const auto& [id, client] : clients_) {
@@ -172,7 +172,7 @@ void Hub::watch_anew() {
 }
 
 HttpReply Hub::reply_to(const HttpRequest& request) {
-    if (!access_.is_own_host(request.host)) return {.status = 403, .body = "this is served to no other name\n"};
+    if (!access_.is_own_host(request.host)) return {.status = 403, .body = "this page is not served under that name\n"};
     return files_.get(request.path);
 }
 
@@ -192,13 +192,13 @@ void Hub::opened(ClientId id, bool view_only) {
     client.view_only = view_only;
     client.came = Clock::now();
     ++clients_there_;
-    // Its own fields come first.
+    // The browser's own fields come first.
     put_text(client,
              fmt::format(R"({{"is":"hello","you":"browser {}","view_only":{},"view_token":"{}",{})", id, view_only,
                          access_.view_token(), hello_),
              false);
     for (const std::string& line : log_) put_text(client, line, true);
-    if (goodbye_) put_text(client, *goodbye_, false);  // the run ended while it was let in
+    if (goodbye_) put_text(client, *goodbye_, false);  // the run ended while the browser was being admitted
     incoming_.push_back({.client = id, .what = Incoming::What::opened, .view_only = view_only});
     eventfd_write(news_.get(), 1);
 }
@@ -241,7 +241,7 @@ bool Hub::received(ClientId id, std::string_view text) {
         return true;
     }
     if (client.view_only && !std::holds_alternative<ExplainMessage>(message->body)) {
-        put_text(client, refusal(message->id, "this link is for looking only"), false);
+        put_text(client, refusal(message->id, "this link is view-only"), false);
         return true;
     }
     if (++client.waiting > most_waiting) return false;
@@ -302,7 +302,7 @@ std::optional<Outgoing> Hub::next(ClientId id) {
         client = &found->second;
         if (client->is_behind) return Outgoing{.closes = true};
         if (auto text = next_text(*client)) return text;
-        // A frame belongs to the system that was described before it.
+        // A frame is valid only after the description of its system was sent.
         if (!client->shown.contains(Slot::system)) return std::nullopt;
         if (auto picture = next_picture(*client)) return picture;
         if (std::exchange(client->wants_floor, false)) {
@@ -313,7 +313,7 @@ std::optional<Outgoing> Hub::next(ClientId id) {
         }
     }
     if (!floor.empty()) return read_floor(floor);
-    // Only this thread adds and removes clients, and only it uses what follows.
+    // Only this thread adds and removes clients, and uses the following members.
     if (state != nullptr) changes_.take(std::move(*state));
     if (!changes_.is_news(client->seen)) return std::nullopt;
     const WebFrame frame = changes_.since(client->seen, watch);

@@ -1,4 +1,4 @@
-// What is between browsers and the thread that ticks: their messages one way, states and texts the other.
+// The exchange between browsers and the ticking thread: messages from browsers, states and texts to them.
 #pragma once
 
 #include <atomic>
@@ -23,17 +23,17 @@ namespace nezumi::web {
 
 class Hub final : public Site {
 public:
-    /// Messages of a browser that nobody has dealt with; one more and its connection is closed.
+    /// Messages of a browser that may wait; with one more its connection is closed.
     static constexpr std::size_t most_waiting = 256;
-    /// Messages of a browser in a second; more, and its connection is closed.
+    /// Messages of a browser per second; with more its connection is closed.
     static constexpr double most_messages = 400;
-    /// [bytes] of texts that wait for a browser; beyond them log lines and output are left out and counted.
+    /// [bytes] of texts that may wait for a browser; above it log lines and output are dropped and counted.
     static constexpr std::size_t most_backlog = std::size_t{1} << 20;
-    /// [bytes] of the file of a floor's picture.
+    /// [bytes] Largest picture file of a floor.
     static constexpr std::size_t largest_floor = std::size_t{1} << 24;
-    /// [bytes] of answers and such that wait for a browser; beyond them its connection is closed.
+    /// [bytes] of answers that may wait for a browser; above it its connection is closed.
     static constexpr std::size_t longest_backlog = 4 * most_backlog;
-    /// The latest lines of the log, which who comes is shown: so many, and so many bytes of them.
+    /// The latest log lines that a new browser gets: number of lines, and bytes.
     static constexpr std::size_t most_kept = 300, longest_kept = std::size_t{1} << 17;
 
     struct Incoming {
@@ -44,7 +44,7 @@ public:
         BrowserMessage message{};
     };
 
-    /// `hello` is the message that greets a browser, without what is its own.
+    /// `hello` is the greeting message without the browser's own fields.
     Hub(AccessControl access, StaticFiles files, PartReader parts, std::string hello);
     Hub(const Hub&) = delete;
     Hub& operator=(const Hub&) = delete;
@@ -52,34 +52,35 @@ public:
 
     const AccessControl& access() const { return access_; }
 
-    // From the thread that ticks; none of it waits for a browser.
+    // For the ticking thread; none of these functions waits for a browser.
 
-    /// Readable while something waits for `take`.
+    /// Readable when data wait for `take`.
     int file() const { return news_.get(); }
     std::vector<Incoming> take();
     bool has_clients() const { return clients_there_ > 0; }
-    /// What some browser watches.
+    /// Everything that any browser watches.
     Watch wanted() const;
-    /// The last state, when it was not taken yet, to be added to; and back, or another.
+    /// Returns the last state if it was not used yet, to be completed. `put` gives it back, or a new one.
     std::unique_ptr<State> take_back();
     void put(std::unique_ptr<State> state);
-    /// To one browser. What is `lossy` is left out when too much waits.
+    /// Sends to one browser. A `lossy` text is dropped if too much waits.
     void send(ClientId client, std::string text, bool lossy = false);
-    /// To all of them.
+    /// Sends to all browsers.
     void send_all(const std::string& text, bool lossy = false);
-    /// A line of the log: to all, and to those who come while it is one of the latest.
+    /// A line of the log: for all browsers, and for new ones while it is among the latest.
     void log(std::string text);
-    /// Says goodbye, also to who is just being let in: whoever has got that is closed, and nobody else is let in.
+    /// Sends the last message, also to browsers that are being admitted, then closes each connection. No browser is
+    /// admitted after it.
     void end(const std::string& text);
-    /// The same as `send_all`, and of each `slot` only the latest counts: also to those who come later.
+    /// Like `send_all`, but of each `slot` only the latest text counts; new browsers get it too.
     enum class Slot { system, status };
     void show(Slot slot, std::string text);
-    /// The file of the picture on the floor, "" for none: to who asks for it. It is read in the sockets' thread.
+    /// Sets the picture file of the floor ("" for none), which browsers can request. The sockets' thread reads it.
     void show_floor(std::string file);
-    /// A picture of `port`: to who watches it, and of each port only the latest counts.
+    /// A picture of `port` for the browsers that watch it; only the latest of each port counts.
     void show_picture(const std::string& port, std::string message);
 
-    // The site, in the sockets' thread.
+    // The site; runs in the sockets' thread.
 
     HttpReply reply_to(const HttpRequest& request) override;
     Admission lets_in(const HttpRequest& request) override;
@@ -94,15 +95,15 @@ private:
     struct Client {
         bool view_only = false;
         Watch watch{};
-        std::deque<std::string> texts{};  // that wait
+        std::deque<std::string> texts{};  // waiting texts
         std::size_t backlog = 0;          // [bytes] of them
         std::size_t lost = 0;
-        std::size_t waiting = 0;  // of its messages
+        std::size_t waiting = 0;  // number of its messages that wait
         std::map<Slot, std::uint64_t> shown{};
-        std::map<std::string, std::uint64_t, std::less<>> pictures{};  // by port: the one that it got
-        bool is_behind = false;                                        // too much waits: it is closed
+        std::map<std::string, std::uint64_t, std::less<>> pictures{};  // by port: the last picture it got
+        bool is_behind = false;                                        // too much waits, so it is closed
         bool wants_floor = false;
-        // Of the sockets' thread alone:
+        // Used only by the sockets' thread:
         Changes::Seen seen{};
         double allowance = most_messages;
         Clock::time_point came{};
@@ -112,7 +113,7 @@ private:
         std::uint64_t number = 0;
     };
 
-    // With the lock held:
+    // The caller must hold the lock:
     void put_text(Client& client, std::string text, bool lossy);
     std::optional<Outgoing> next_text(Client& client);
     std::optional<Outgoing> next_picture(Client& client);
@@ -129,7 +130,7 @@ private:
     Descriptor news_;  // eventfd
     std::atomic<int> clients_there_ = 0;
 
-    mutable Mutex mutex_;  // of all below, but for what is said to be of one thread
+    mutable Mutex mutex_;  // for all members below that are not marked as belonging to one thread
     std::map<ClientId, Client> clients_;
     std::vector<Incoming> incoming_;
     Watch wanted_;
@@ -140,14 +141,14 @@ private:
     std::size_t kept_ = 0;                                // [bytes] of them
     std::map<std::string, Shown, std::less<>> pictures_;  // by port
     std::uint64_t last_number_ = 0;
-    std::optional<std::string> goodbye_;  // said when the run ended
+    std::optional<std::string> goodbye_;  // the last message of the run
 
-    Changes changes_;  // of the sockets' thread
+    Changes changes_;  // used by the sockets' thread
 };
 
-/// Whether it stops all robots.
+/// True if the message stops all robots.
 bool is_stop(const BrowserMessage& message);
-/// Puts what came behind all that waits, from place `from` on; but a stop before all of it, only behind the coming of
+/// Adds `incoming` at the end of the part from index `from`. A stop goes before all messages, but after the arrival of
 /// its browser.
 void put_in_order(std::vector<Hub::Incoming>& waiting, std::size_t from, Hub::Incoming incoming);
 

@@ -1,4 +1,4 @@
-// Pictures as JPEG: a module with OpenCV's writer, loaded when a browser first watches a picture.
+// JPEG pictures: a module with OpenCV's encoder, loaded when a browser first watches a picture.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace nezumi::web {
 
-/// The picture as JPEG. Its pixels must be of the number that its size says. From any one thread.
+/// Returns the picture as JPEG. The number of pixels must agree with its size. Only one thread may call it.
 Expected<Octets> to_jpeg(const CameraImage& picture);
 
-// What the program and its module know of each other: they are built together.
+// The interface between the program and its module. Both are built together.
 inline constexpr const char* jpeg_module = "nezumi_jpeg.so";
 inline constexpr const char* encode_in_module = "nezumi_encode_jpeg";
-/// The module's one function: whether it went well, or else the `problem`. It throws nothing.
+/// The module's only function. Returns true, or false with the `problem`. Never throws.
 using EncodeInModule = bool(const CameraImage& picture, Octets& jpeg, std::string& problem);
 
 }  // namespace nezumi::web

@@ -18,7 +18,7 @@ bool encode(const CameraImage& picture, Octets& jpeg, std::string& problem) {
         return false;
     }
     try {
-        // OpenCV has no matrix that is not to be written; this one is only read.
+        // cv::Mat has no constructor for const data; this one is only read.
         cv::Mat pixels(picture.height, picture.width, channels == 3 ? CV_8UC3 : CV_8UC1,
                        const_cast<std::uint8_t*>(picture.pixels.data()));
         if (channels == 3 && picture.format != "bgr8") {

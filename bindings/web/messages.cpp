@@ -1,4 +1,4 @@
-// Whatever comes, it is a message or a line that says why not.
+// Turns any input into a message, or an error line.
 #include "bindings/web/messages.hpp"
 
 #include <fmt/format.h>
@@ -18,13 +18,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Nothing that is meant nests deeper.
+// No valid message nests deeper.
 constexpr int deepest = 32;
 constexpr std::size_t longest_shown = 160;
 
 constexpr std::array<std::string_view, 6> time_names{"pause", "resume", "step", "speed", "restart", "quit"};
 
-// The parser itself is not recursive, but what reads and writes its values is.
+// The parser is not recursive, but functions that use its values are.
 bool is_too_deep(std::string_view text) {
     int depth = 0;
     bool quoted = false;
@@ -51,7 +51,7 @@ std::string cut(std::string text) {
 
 std::string dump_ascii(const Json& json) { return json.dump(-1, ' ', true, Json::error_handler_t::replace); }
 
-// The fields of a message; notes what is wrong with the first that is.
+// Reads the fields of a message; keeps the first error.
 class Fields {
 public:
     explicit Fields(const Json& json) : json_(json) {}
@@ -166,7 +166,7 @@ ConsoleMessage read_console(Fields& fields) {
         return {};
     }
     if (request->kind == Request::Kind::hello) {
-        fields.refuse("the console is greeted already");
+        fields.refuse("the console has already been greeted");
         return {};
     }
     const bool evaluates = request->kind == Request::Kind::eval;
@@ -180,11 +180,11 @@ tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const 
     const auto refuse = [&](std::string why) {
         return tl::unexpected(Refusal{.id = message.id, .text = std::move(why)});
     };
-    if (is_too_deep(text)) return refuse("the message nests too deep");
+    if (is_too_deep(text)) return refuse("the message is nested too deeply");
     const Json json = Json::parse(text.begin(), text.end(), nullptr, false);
     if (!json.is_object()) return refuse("expected one JSON object");
     if (const auto id = json.find("id"); id != json.end()) {
-        // What a double of the page holds exactly.
+        // The largest integer that JavaScript's double holds exactly.
         constexpr std::int64_t most = std::int64_t{1} << 53;
         if (!id->is_number_integer() || (id->is_number_unsigned() && id->get<std::uint64_t>() > most) ||
             id->get<std::int64_t>() < -most)

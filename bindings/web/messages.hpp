@@ -1,4 +1,4 @@
-// What a browser's page says: JSON objects, read with suspicion.
+// Messages from a browser's page: untrusted JSON objects.
 #pragma once
 
 #include <cstdint>
@@ -17,52 +17,52 @@ namespace nezumi::web {
 
 struct ActMessage {
     Act act;
-    std::string shown;  ///< for the log: its name and fields, cut
+    std::string shown;  ///< for the log: its name and fields, shortened
 };
 struct TimeMessage {
     enum class What { pause, resume, step, speed, restart, quit };
     What what = What::pause;
-    std::optional<double> value{};  ///< of step and speed; infinity as text "max"
+    std::optional<double> value{};  ///< of step and speed; infinity is the text "max"
 };
-/// Holds a port for as long as it comes again.
+/// Holds a port while the message is repeated.
 struct DriveMessage {
     std::string port;
-    std::optional<Value> value{};  ///< none: lets go
+    std::optional<Value> value{};  ///< none: releases the port
     bool take = false;
 };
 /// A request of the console's protocol.
 struct ConsoleMessage {
-    std::string line;   ///< with its end
-    std::string shown;  ///< what it evaluates; "" when it evaluates nothing
+    std::string line;   ///< with its line end
+    std::string shown;  ///< the code to evaluate; "" if there is none
 };
 
-/// Wants the next execution of a behaviour explained.
+/// Requests the explanation of a behaviour's next execution.
 struct ExplainMessage {
     std::string component;
 };
-/// Wants the picture on the floor.
+/// Requests the picture of the floor.
 struct FloorMessage {};
 
-/// Wants to know which systems run.
+/// Requests the list of running systems.
 struct SystemsMessage {};
 
 struct BrowserMessage {
-    std::int64_t id = 0;  ///< of the page's choice; an answer carries it
+    std::int64_t id = 0;  ///< chosen by the page; the answer has the same id
     std::variant<Watch, ActMessage, TimeMessage, DriveMessage, ConsoleMessage, FloorMessage, ExplainMessage,
                  SystemsMessage>
         body{};
 };
 
-/// What came with `id`, as far as that could be read, and what is wrong.
+/// The `id` of a wrong message, if it could be read, and the error.
 struct Refusal {
     std::int64_t id = 0;
     std::string text;
 };
 
-/// Ports that a browser may watch, and pictures.
+/// The largest number of ports that a browser may watch, and of pictures.
 inline constexpr std::size_t most_watched = 256;
 
-/// Reads one message. `parts` reads an act's entry.
+/// Reads one message. `parts` reads the entry of an act.
 tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const PartReader& parts);
 
 }  // namespace nezumi::web

@@ -1,4 +1,4 @@
-// What is read is a file of ours in a folder of ours, and still only two addresses are taken from it.
+// Reads only our own files in our own folder, and takes only two addresses from each.
 #include "bindings/web/page_directory.hpp"
 
 #include <fcntl.h>
@@ -36,7 +36,7 @@ std::string plain(std::string_view name) {
     return text.empty() ? "system" : text;
 }
 
-// NAME-PID.html; nothing for any other file.
+// Parses NAME-PID.html; nothing for any other file name.
 std::optional<RunningPage> parse_name(std::string_view file) {
     if (!file.ends_with(suffix)) return std::nullopt;
     file.remove_suffix(suffix.size());
@@ -49,7 +49,7 @@ std::optional<RunningPage> parse_name(std::string_view file) {
     return page;
 }
 
-// An address of a page between two texts, "" when there is none.
+// The page address between two texts, or "".
 std::string address_between(std::string_view text, std::string_view before, std::string_view after) {
     const auto begin = text.find(before);
     if (begin == std::string_view::npos) return "";

@@ -1,5 +1,5 @@
-// Where the pages of this user's running systems are: files beside the consoles' sockets, in a folder that only their
-// user can enter.
+// The addresses of this user's running pages: files beside the console sockets, in a folder that only the user can
+// enter.
 #pragma once
 
 #include <sys/types.h>
@@ -18,16 +18,16 @@ namespace nezumi::web {
 struct RunningPage {
     std::string name;
     pid_t process = 0;
-    std::string url{};       ///< with the token that lets somebody act
-    std::string view_url{};  ///< for those who may only look
+    std::string url{};       ///< with the token for full access
+    std::string view_url{};  ///< for viewing only
     bool operator==(const RunningPage&) const = default;
 };
 
-/// Tells of a page while it lives: NAME-PID.html in the console's folder, which leads a browser to it. A command line
-/// that says this file's name gives no token away to other users.
+/// Announces a page while the object exists: NAME-PID.html in the console's folder redirects a browser to it. A command
+/// line with this file name does not show the token to other users.
 class PageEntry {
 public:
-    /// The folder is there, as `Listener::open` has made it.
+    /// The folder must exist, as made by `Listener::open`.
     static Expected<PageEntry> open(const RunningPage& page, const std::filesystem::path& folder = console_folder());
     ~PageEntry();
     PageEntry(PageEntry&& other) noexcept : file_(std::exchange(other.file_, {})) {}
@@ -41,7 +41,7 @@ private:
     std::filesystem::path file_;
 };
 
-/// Those whose process runs, sorted by name and process. Files of others are removed.
+/// The pages whose process runs, sorted by name and process. Files of ended processes are removed.
 std::vector<RunningPage> running_pages(const std::filesystem::path& folder = console_folder());
 
 }  // namespace nezumi::web

@@ -1,4 +1,4 @@
-// The thread begins with the first picture.
+// The thread starts with the first picture.
 #include "bindings/web/pictures.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace nezumi::web {
 namespace {
 
-// What a port of pictures carries, where it lies.
+// The picture of a port, without copying.
 const CameraImage& picture_of(const Port& port) {
     const auto* const out = dynamic_cast<const OutPort<CameraImage>*>(&port);
     return out != nullptr ? out->read() : dynamic_cast<const InPort<CameraImage>&>(port).latest().data;
@@ -31,7 +31,7 @@ Pictures::~Pictures() {
 }
 
 void Pictures::look(const System& system, const std::vector<std::string>& ports, Clock::time_point now) {
-    // Who watches again is shown what there is.
+    // A browser that watches again gets the present picture.
     const auto is_unwatched = [&](const auto& each) {
         return std::find(ports.begin(), ports.end(), each.first) == ports.end();
     };

@@ -1,4 +1,4 @@
-// Cameras' pictures for browsers: copied between two ticks, encoded beside them, and only while somebody watches.
+// Camera pictures for browsers: copied between two ticks, encoded on another thread, only while a browser watches.
 #pragma once
 
 #include <chrono>
@@ -19,11 +19,11 @@ namespace nezumi::web {
 class Pictures {
 public:
     using Clock = std::chrono::steady_clock;
-    /// Takes a whole message for browsers, or why there is none; called in the encoder's thread.
+    /// Takes a complete message for browsers, or the reason why there is none. Called in the encoder's thread.
     using Show = std::function<void(const std::string& port, std::string message)>;
     using Fail = std::function<void(const std::string& why)>;
 
-    /// So many a second of each port, at most.
+    /// The largest rate per port [Hz].
     static constexpr double most = 10;
 
     Pictures(Show show, Fail fail) : show_(std::move(show)), fail_(std::move(fail)) {}
@@ -31,8 +31,8 @@ public:
     Pictures(const Pictures&) = delete;
     Pictures& operator=(const Pictures&) = delete;
 
-    /// Between two ticks: takes what these ports, "name.port", carry that is new. Who has not been encoded yet gives
-    /// way to what is newer.
+    /// Takes the new pictures of these ports ("name.port"), between two ticks. A newer picture replaces one that is not
+    /// encoded yet.
     void look(const System& system, const std::vector<std::string>& ports, Clock::time_point now);
 
 private:
@@ -50,10 +50,10 @@ private:
 
     Show show_;
     Fail fail_;
-    std::map<std::string, Seen, std::less<>> seen_;  // of the thread that ticks
-    Mutex mutex_;                                    // of what follows
+    std::map<std::string, Seen, std::less<>> seen_;  // used by the ticking thread
+    Mutex mutex_;                                    // for the members below
     std::condition_variable news_;
-    std::map<std::string, Taken, std::less<>> taken_;  // by port; an old one is memory for the next
+    std::map<std::string, Taken, std::less<>> taken_;  // by port; an old picture's memory is used again
     bool ends_ = false;
     std::thread thread_;
 };

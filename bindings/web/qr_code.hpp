@@ -1,4 +1,4 @@
-// Addresses as QR codes for a terminal: a module with libqrencode, loaded when one is wanted.
+// QR codes of addresses for a terminal: a module with libqrencode, loaded on demand.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace nezumi::web {
 
-/// Lines for a terminal of any colours, two rows of modules in each, dark on light with a quiet zone around. The error
-/// says why there is none, as for a text that is too long.
+/// Returns lines for a terminal of any colours: two rows of modules per line, dark on light with a quiet zone. An error
+/// gives the reason, for example that the text is too long.
 Expected<std::string> qr_code(const std::string& text);
 
-// What the program and its module know of each other: they are built together.
+// The interface between the program and its module. Both are built together.
 inline constexpr const char* qr_module = "nezumi_qr.so";
 inline constexpr const char* draw_in_module = "nezumi_draw_qr";
-/// The module's one function: whether it went well, or else the `problem`. It throws nothing.
+/// The module's only function. Returns true, or false with the `problem`. Never throws.
 using DrawInModule = bool(const std::string& text, std::string& lines, std::string& problem);
 
 }  // namespace nezumi::web

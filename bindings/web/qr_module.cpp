@@ -12,8 +12,8 @@
 namespace nezumi::web {
 namespace {
 
-constexpr int quiet = 2;                                         // modules around it; four need more of a terminal
-constexpr const char* dark_on_light = "\033[38;5;16;48;5;231m";  // black on white, whatever the terminal's colours
+constexpr int quiet = 2;  // modules around it; the standard's four need a larger terminal
+constexpr const char* dark_on_light = "\033[38;5;16;48;5;231m";  // black on white with any terminal colours
 constexpr const char* plain = "\033[0m";
 
 std::string draw(const QRcode& code) {

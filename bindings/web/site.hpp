@@ -1,4 +1,4 @@
-// What is served to browsers, as the sockets' thread asks for it.
+// The interface of the sockets' thread to what is served to browsers.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,21 @@
 
 namespace nezumi::web {
 
-/// A connection of a browser: 1, 2, ... in the order in which they came.
+/// The number of a browser's connection: 1, 2, ... in order of connection.
 using ClientId = std::uint64_t;
 
 /// The longest message of a browser [bytes]; a longer one closes its connection.
 inline constexpr std::size_t longest_message = std::size_t{1} << 20;
-/// Browsers at once, and of these such that may only look: they keep out none that may stop the robots.
+/// Browsers at once, and how many of them may be view-only: so they can't exclude browsers that may stop the robots.
 inline constexpr std::size_t most_clients = 32;
 inline constexpr std::size_t most_viewers = 24;
 
-/// Of an HTTP request, what decides on the answer; "" for a header that is not there.
+/// The parts of an HTTP request that decide on the answer; "" for a missing header.
 struct HttpRequest {
     std::string_view path;
     std::string_view host;
     std::string_view origin;
-    std::string_view protocols;  ///< that a WebSocket offers
+    std::string_view protocols;  ///< offered by a WebSocket
 };
 
 struct HttpReply {
@@ -35,9 +35,9 @@ struct HttpReply {
     std::vector<std::pair<std::string, std::string>> headers{};  ///< besides type and length
 };
 
-/// Whether somebody is let in, and what they may.
+/// Whether a browser is admitted, and its permissions.
 struct Admission {
-    int refused = 0;  ///< an HTTP status, or 0: let in
+    int refused = 0;  ///< an HTTP status, or 0: admitted
     bool view_only = false;
 };
 
@@ -48,18 +48,18 @@ struct Outgoing {
     bool closes = false;  ///< the connection is closed instead
 };
 
-/// All of it is called in the sockets' thread.
+/// Called only in the sockets' thread.
 class Site {
 public:
     virtual ~Site() = default;
 
     virtual HttpReply reply_to(const HttpRequest& request) = 0;
-    /// Asked before a connection becomes a WebSocket.
+    /// Called before a connection becomes a WebSocket.
     virtual Admission lets_in(const HttpRequest& request) = 0;
     virtual void opened(ClientId client, bool view_only) = 0;
-    /// A whole message; false closes the connection.
+    /// Takes a complete message; false closes the connection.
     virtual bool received(ClientId client, std::string_view message) = 0;
-    /// The next message to a browser that can take one; nothing when there is none.
+    /// Returns the next message to a browser that can receive one; nothing if there is none.
     virtual std::optional<Outgoing> next(ClientId client) = 0;
     virtual void closed(ClientId client) = 0;
 };

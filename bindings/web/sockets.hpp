@@ -1,4 +1,4 @@
-// Sockets that speak HTTP and WebSocket, in a thread of their own: a module that is loaded when a page is first served.
+// HTTP and WebSocket on its own thread: a module that is loaded when a page is first served.
 #pragma once
 
 #include <memory>
@@ -11,27 +11,27 @@ namespace nezumi::web {
 
 class Sockets {
 public:
-    /// Gives browsers a moment to take what waits for them, closes all connections and ends the thread.
+    /// Gives browsers a short time to receive what waits for them, closes all connections and ends the thread.
     virtual ~Sockets() = default;
     virtual int port() const = 0;
-    /// Something may wait for a browser, or somebody is to be closed: has the thread ask. From any thread.
+    /// Makes the thread check for waiting messages and connections to close. Any thread may call it.
     virtual void wake() = 0;
 };
 
 struct SocketOptions {
     std::string address = "127.0.0.1";
-    int first_port = 8765;             ///< 0: any that is free
-    int ports = 1;                     ///< so many are tried, from the first on
-    std::string certificate{}, key{};  ///< files with which TLS is spoken, and nothing else; "": plain HTTP
+    int first_port = 8765;             ///< 0: any free port
+    int ports = 1;                     ///< number of ports to try, from the first
+    std::string certificate{}, key{};  ///< files for TLS, then plain HTTP is not served; "": plain HTTP
 };
 
-/// Begins to listen. `site` must outlive the sockets. The error says in one line why it can't.
+/// Starts to listen. `site` must outlive the sockets. An error gives the reason in one line.
 Expected<std::unique_ptr<Sockets>> open_sockets(const SocketOptions& options, Site& site);
 
-// What the program and its module know of each other: they are built together.
+// The interface between the program and its module. Both are built together.
 inline constexpr const char* web_module = "nezumi_sockets.so";
 inline constexpr const char* open_in_module = "nezumi_open_sockets";
-/// The module's one function: new sockets, or nullptr with the `problem`. It throws nothing.
+/// The module's only function. Returns new sockets, or nullptr with the `problem`. Never throws.
 using OpenInModule = Sockets*(const SocketOptions& options, Site& site, std::string& problem);
 
 }  // namespace nezumi::web

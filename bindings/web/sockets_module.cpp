@@ -1,4 +1,4 @@
-// Sockets by libwebsockets. What is served and who is let in is the site's to say; nothing is decided here.
+// Sockets by libwebsockets. The site decides on content and access.
 #include <libwebsockets.h>
 #include <netdb.h>
 #include <sys/socket.h>
@@ -27,31 +27,30 @@
 namespace nezumi::web {
 namespace {
 
-// How long browsers have to take what is left when the run ends.
+// Time for browsers to receive the rest when the run ends.
 constexpr std::chrono::milliseconds farewell{300};
-// Connections of all kinds at once: those of browsers, those that have shown no token, and those among them that are
-// to go when another one comes and are not gone yet.
+// Connections of all kinds: browsers, connections without a token, and those of the latter that are being closed.
 constexpr unsigned most_connections = most_clients + 2 * Unadmitted::most;
-// [bytes] that are handed to a socket at once.
+// [bytes] given to a socket at once.
 constexpr std::size_t portion = std::size_t{1} << 16;
-// The longest header that counts [bytes].
+// The longest accepted header [bytes].
 constexpr std::size_t longest_header = 512;
-// [s] without a sign of life of a browser, and until it is closed then.
+// [s] without data from a browser until a ping, and then until it is closed.
 constexpr std::uint16_t ping_after = 2;
 constexpr std::uint16_t close_after = 7;
 
-// What belongs to a connection; libwebsockets keeps it, zeroed at first.
+// The data of a connection; stored by libwebsockets, zeroed at first.
 struct FilePart {
-    std::string* body;  // of the answer, as far as it is not written
+    std::string* body;  // part of the answer not yet written
     std::size_t written;
 };
 struct BrowserPart {
     ClientId id;
-    std::string* message;  // as far as it has come
+    std::string* message;  // part received so far
     bool view_only;
 };
 
-// Where it comes from; "" where that is not known.
+// The peer's address; "" if unknown.
 std::string address_of(int socket) {
     sockaddr_storage peer{};
     socklen_t size = sizeof peer;
@@ -114,15 +113,15 @@ private:
     lws_context* context_ = nullptr;
     std::thread thread_;
     std::atomic<bool> ends_ = false;
-    std::atomic<bool> at_once_ = false;  // nobody is waited for
-    int browsers_ = 0;                   // of the thread
-    Unadmitted unadmitted_;              // likewise
-    Mutex mutex_;                        // of ended_
+    std::atomic<bool> at_once_ = false;  // no waiting for browsers
+    int browsers_ = 0;                   // used by the thread
+    Unadmitted unadmitted_;              // used by the thread
+    Mutex mutex_;                        // for ended_
     std::condition_variable has_ended_;
     bool ended_ = false;  // the thread
     int port_ = 0;
     ClientId last_id_ = 0;
-    std::vector<unsigned char> buffer_{};  // what libwebsockets wants before a message, and the message
+    std::vector<unsigned char> buffer_{};  // the space that libwebsockets needs before a message, and the message
 
     const std::array<lws_protocols, 3> protocols_{
         {{.name = "file", .callback = file_event, .per_session_data_size = sizeof(FilePart)},
@@ -158,13 +157,13 @@ std::string WebSockets::open(const SocketOptions& options) {
     if (port_ == 0) {
         std::string where = options.address + ":" + std::to_string(options.first_port);
         if (options.ports > 1) where += " to " + std::to_string(options.first_port + options.ports - 1);
-        return "nothing can listen on " + where + ": " + std::strerror(problem != 0 ? problem : EADDRINUSE);
+        return "can't listen on " + where + ": " + std::strerror(problem != 0 ? problem : EADDRINUSE);
     }
     std::string failed;
     try {
         thread_ = start_thread([this] { serve(); });
     } catch (const std::system_error& none) {
-        failed = std::string("there is no thread for browsers: ") + none.what();
+        failed = std::string("can't start a thread for browsers: ") + none.what();
     }
     return failed;
 }
@@ -180,7 +179,7 @@ bool WebSockets::listen(const SocketOptions& options, int port) {
         info.options |= LWS_SERVER_OPTION_DO_SSL_GLOBAL_INIT;
         info.ssl_cert_filepath = options.certificate.c_str();
         info.ssl_private_key_filepath = options.key.c_str();
-        info.alpn = "http/1.1";  // WebSockets begin there, and who is asked for is the header Host
+        info.alpn = "http/1.1";  // WebSockets start from HTTP/1.1, and the header Host has the requested name
     }
     info.keepalive_timeout = Unadmitted::longest_stay.count();
     info.timeout_secs = Unadmitted::longest_stay.count();
@@ -287,7 +286,7 @@ int WebSockets::send(lws* socket, const BrowserPart& part) {
     const int written = lws_write(socket, buffer_.data() + LWS_PRE, message->bytes.size(),
                                   message->binary ? LWS_WRITE_BINARY : LWS_WRITE_TEXT);
     if (written < 0) return -1;
-    lws_callback_on_writable(socket);  // until there is nothing more
+    lws_callback_on_writable(socket);  // until all is written
     return 0;
 }
 
@@ -297,7 +296,7 @@ int WebSockets::file_event(lws* socket, lws_callback_reasons reason, void* user,
         case LWS_CALLBACK_FILTER_NETWORK_CONNECTION:
             return leaves_free(static_cast<int>(reinterpret_cast<std::intptr_t>(in)), for_files_and_consoles) ? 0 : 1;
         case LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED: self(socket).come(socket); return 0;
-        case LWS_CALLBACK_TIMER: return -1;  // it has stayed too long
+        case LWS_CALLBACK_TIMER: return -1;  // open for too long
         case LWS_CALLBACK_WSI_DESTROY: self(socket).unadmitted_.remove(socket); return 0;
         case LWS_CALLBACK_HTTP_CONFIRM_UPGRADE: {
             if (in == nullptr || std::strcmp(static_cast<const char*>(in), "websocket") != 0) return -1;
@@ -312,7 +311,7 @@ int WebSockets::file_event(lws* socket, lws_callback_reasons reason, void* user,
             if (part != nullptr) delete std::exchange(part->body, nullptr);
             return 0;
         case LWS_CALLBACK_ESTABLISHED:
-        case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION: return -1;  // files are no WebSocket
+        case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION: return -1;  // no WebSocket on the protocol for files
         default: return 0;
     }
 }

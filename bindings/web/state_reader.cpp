@@ -1,4 +1,4 @@
-// Poses are few and always told; a port is looked at only when something has come.
+// Poses are small and always sent; a port is read only after new messages.
 #include "bindings/web/state_reader.hpp"
 
 #include <optional>
@@ -60,7 +60,7 @@ void add_things(WebFrame& frame, const World& world) {
     for (const MarkerPose& marker : world.markers()) frame.markers.push_back({.index = index++, .pose = marker.pose});
 }
 
-// Numbers of a member that are shown.
+// The largest number of values shown per member.
 constexpr std::size_t most_leaves = 128;
 
 std::optional<double> number_of(const ValueView& leaf) {
@@ -79,7 +79,7 @@ std::unique_ptr<State> StateReader::at(std::unique_ptr<State> state, const Watch
         counts_.clear();
         state.reset();
     }
-    // Who watches more has to be told what others know.
+    // If more is watched, also values that other browsers already have must be sent.
     if (!(watched_ == wanted)) {
         watched_ = wanted;
         counts_.clear();

@@ -18,7 +18,7 @@ public:
     /// Both must outlive it.
     StateReader(const RunningSystem& live, const ClockControl& clock) : live_(live), clock_(clock) {}
 
-    /// Adds what has changed to a state that nobody has taken yet, or begins one.
+    /// Adds changes to a state that was not used yet, or begins a new one.
     std::unique_ptr<State> at(std::unique_ptr<State> state, const Watch& wanted, double late);
 
 private:
@@ -29,9 +29,9 @@ private:
     const ClockControl& clock_;
     int starts_ = 0;
     std::uint64_t layout_ = 0;  // of the system
-    std::uint64_t number_ = 0;  // of the layout, over starts
+    std::uint64_t number_ = 0;  // of the layout, over restarts
     Watch watched_;
-    std::map<std::string, std::uint64_t, std::less<>> counts_;  // of ports, when they were looked at
+    std::map<std::string, std::uint64_t, std::less<>> counts_;  // message counts of ports at the last reading
 };
 
 }  // namespace nezumi::web

@@ -1,4 +1,4 @@
-// A path is taken apart and put together again from parts that are names: nothing else reaches the disk.
+// A path is split and joined again from valid names only, so no other path reaches the disk.
 #include "bindings/web/static_files.hpp"
 
 #include <algorithm>

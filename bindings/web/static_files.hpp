@@ -1,4 +1,4 @@
-// The files of the page, and the libraries of it that Debian has: all that is given without a token.
+// The page's files and its JavaScript libraries from Debian: everything served without a token.
 #pragma once
 
 #include <filesystem>
@@ -10,16 +10,16 @@ namespace nezumi::web {
 
 class StaticFiles {
 public:
-    /// `page` is the folder of the page's own files, `libraries` that of Debian's scripts; `socket` is what the page
-    /// may connect to, as a source of a content security policy.
+    /// `page` is the folder of the page's own files, `libraries` that of Debian's scripts. `socket` is the address of
+    /// the page's connection, as a source in a content security policy.
     explicit StaticFiles(std::filesystem::path page, std::filesystem::path libraries = "/usr/share/javascript")
         : page_(std::move(page)), libraries_(std::move(libraries)) {}
 
-    /// The file at "/", "/main.js", "/lib/three/three.module.js". Folders have no lists, a name that begins with a dot
-    /// or leads out of the folders is not found.
+    /// Returns the file at "/", "/main.js", "/lib/three/three.module.js". Folders are not listed. Names that begin with
+    /// a dot or lead out of the folders are not found.
     HttpReply get(std::string_view path) const;
 
-    /// No file is longer [bytes].
+    /// [bytes] Longer files are not served.
     static constexpr std::size_t longest_file = std::size_t{16} << 20;
 
 private:

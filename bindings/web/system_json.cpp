@@ -1,4 +1,4 @@
-// Written whole each time: what is told seldom need not be told in parts.
+// Written as a whole each time, because it changes rarely.
 #include "bindings/web/system_json.hpp"
 
 #include <algorithm>
@@ -7,8 +7,6 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <type_traits>
-#include <variant>
 
 #include "engine/system/network.hpp"
 #include "engine/trace/channel.hpp"
@@ -21,8 +19,16 @@ using Json = nlohmann::ordered_json;
 Json point(const Point2D& at) { return Json::array({at.x, at.y}); }
 Json point(const Point3D& at) { return Json::array({at.x, at.y, at.z}); }
 
-Json value_to_json(const ParameterValue& value) {
-    return std::visit([](const auto& each) { return Json(each); }, value);
+Json value_to_json(const ValueView& value) {
+    if (value.type->kind == Type::Kind::text) return value.as<std::string>();
+    if (value.type->kind != Type::Kind::sequence)
+        return visit_number(value, [](const auto& number) { return Json(number); });
+    Json all = Json::array();
+    for_each_element(value, [&](const ValueView& element) {
+        all.push_back(value_to_json(element));
+        return true;
+    });
+    return all;
 }
 
 std::string_view kind_of(const Component& component) {
@@ -30,22 +36,9 @@ std::string_view kind_of(const Component& component) {
     return component.script_file() != nullptr ? "behavior" : "component";
 }
 
-// What a parameter is when nobody has set it by hand: as the set in use says, or the system file, or its declaration.
-ParameterValue given_value(const Component& component, const ParameterSpec& spec) {
-    const auto in_use = component.sets.find(component.set_in_use());
-    for (const ParameterValues* values :
-         {in_use != component.sets.end() ? &in_use->second : nullptr, &component.configured}) {
-        if (values == nullptr) continue;
-        const auto found = values->find(spec.name);
-        if (found == values->end()) continue;
-        if (auto value = check_value(spec, found->second)) return *value;
-    }
-    return spec.initial;
-}
-
 Json parameter_to_json(const Component& component, const Parameters::Parameter& parameter) {
     const ParameterSpec& spec = parameter.spec;
-    const ParameterValue given = given_value(component, spec);
+    const Value given = component.configured_value(spec);
     Json json{{"name", spec.name},
               {"type", type_text(spec.initial)},
               {"value", value_to_json(parameter.value)},
@@ -59,7 +52,7 @@ Json parameter_to_json(const Component& component, const Parameters::Parameter& 
               {"widget", spec.widget},
               {"options", Json::array()},
               {"changed", parameter.value != given}};
-    for (const ParameterValue& choice : spec.choices) json["options"].push_back(value_to_json(choice));
+    for (const Value& choice : spec.choices) json["options"].push_back(value_to_json(choice));
     return json;
 }
 
@@ -114,8 +107,8 @@ std::string_view kind_of(SensorSpec::Kind kind) {
     return "";
 }
 
-// For each distance of the robot, in the order in which its rays name them, the port that carries its sensor's value:
-// {port, index}; null for what no port carries by itself.
+// For each distance of the robot, in the order of its rays: the port with its sensor's value as {port, index}, or null
+// if no port has it.
 Json distances_to_json(const RobotSpec& spec) {
     Json distances = Json::array();
     for (const SensorSpec& sensor : spec.sensors) {
@@ -195,7 +188,7 @@ void for_each_port(const System& system, const Visit& visit) {
     }
 }
 
-// Ports of another host that are shown: who is on the network may be anybody.
+// The largest number of ports shown per host: other hosts are not trusted.
 constexpr std::size_t most_offered = 500;
 
 Json hosts_to_json(const System& system) {

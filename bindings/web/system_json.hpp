@@ -1,4 +1,4 @@
-// A system as browsers are told it: components, ports, parameters, wiring, arena, robots, who drives.
+// The description of a system for browsers: components, ports, parameters, wiring, arena, robots, drivers.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace nezumi::web {
 
-/// All but what changes from tick to tick.
+/// Everything that does not change from tick to tick.
 nlohmann::ordered_json system_to_json(const RunningSystem& live);
 
-/// Another number when `system_to_json` may have changed; cheap.
+/// A number that changes when `system_to_json` may have changed; cheap.
 std::uint64_t system_fingerprint(const RunningSystem& live);
 
 }  // namespace nezumi::web

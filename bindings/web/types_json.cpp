@@ -1,4 +1,4 @@
-// Follows each type to those of its fields.
+// Follows each type to the types of its fields.
 #include "bindings/web/types_json.hpp"
 
 #include <nlohmann/json.hpp>
@@ -49,7 +49,7 @@ Json types_to_json() {
         Json fields = Json::array();
         fields.push_back({{"name", "tm"}, {"type", name_of(type_of<CdrTime>())}, {"unit", ""}, {"doc", "its stamp"}});
         if (types.contains(name)) {
-            // The payload is called as its message: its fields follow the stamp.
+            // The payload has the name of its message: its fields follow the time stamp.
             for (const Json& field : types[name]) fields.push_back(field);
         } else {
             fields.push_back(

@@ -1,4 +1,4 @@
-// Connections that have shown no token: few, so that they keep nobody out who has one.
+// Connections without a token: limited in number, so that they don't exclude others.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@ class Unadmitted {
 public:
     /// At once, and of these from one address.
     static constexpr std::size_t most = 64, most_of_source = 32;
-    /// How long one may stay without asking for anything, or taking what it has asked for.
+    /// The longest time without a request, or without receiving its answer.
     static constexpr std::chrono::seconds longest_stay{5};
 
     using Connection = const void*;
 
-    /// Another one has come from the address `source`. Returns the one that has to go for it, which is forgotten, or
-    /// null: the oldest one of an address that has too many, or of the one that has most.
+    /// Adds a connection from the address `source`. Returns the connection to close for it, already removed, or null:
+    /// the oldest of an address with too many, or of the address with most.
     Connection add(Connection connection, std::string source) {
         ++counts_[source];
         waiting_.push_back({connection, std::move(source)});
@@ -37,7 +37,7 @@ public:
         remove(goes);
         return goes;
     }
-    /// It is closed, or has shown a token.
+    /// It was closed, or has shown a token.
     void remove(Connection connection) {
         const auto found = std::find_if(waiting_.begin(), waiting_.end(),
                                         [&](const Waiting& each) { return each.connection == connection; });

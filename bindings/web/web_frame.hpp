@@ -1,4 +1,4 @@
-// What a browser is shown of a tick: described, so that CDR and the page's decoder follow.
+// The state of a tick as shown in a browser: described types, from which CDR and the page's decoder are derived.
 #pragma once
 
 #include <cstdint>
@@ -141,7 +141,7 @@ struct WebPicture {
 enum class BinaryKind : std::uint32_t {
     frame = 1,
     picture = 2,
-    floor = 3,  ///< the file of the picture on the floor follows, as it is
+    floor = 3,  ///< followed by the unchanged file of the floor's picture
 };
 
 }  // namespace nezumi::web

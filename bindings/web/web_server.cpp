@@ -1,4 +1,4 @@
-// Everything happens in its turn between two ticks, in the time that is left there.
+// The browsers' requests are processed in order between two ticks, in the remaining time.
 #include "bindings/web/web_server.hpp"
 
 #include <fmt/format.h>
@@ -16,13 +16,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// That wait for an execution.
+// Waiting requests for explanations.
 constexpr std::size_t most_explained = 64;
 constexpr std::string_view only_real_time = "real robots know only real time: this works in simulation";
 
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-// All of it but what is each browser's own, and without the bracket that begins it.
+// The greeting without the browser's own fields and without the opening bracket.
 std::string hello(const RunningSystem& live, const WebOptions& options) {
     const Json json{{"version", options.version},
                     {"real", live.system().settings().real_time},
@@ -118,7 +118,7 @@ void WebServer::deal_with(const Hub::Incoming& incoming) {
     if (incoming.what == Hub::Incoming::What::opened) {
         Browser& browser = browsers_[id];
         browser = {{Actor::Kind::browser, std::to_string(id)}, incoming.view_only};
-        note(browser, incoming.view_only ? "has come, to look" : "has come");
+        note(browser, incoming.view_only ? "has connected, view only" : "has connected");
         return;
     }
     const auto found = browsers_.find(id);
@@ -127,7 +127,7 @@ void WebServer::deal_with(const Hub::Incoming& incoming) {
         live_.let_go(found->second.who);
         drives_.forget(id);
         relay_.close(id);
-        note(found->second, "has gone");
+        note(found->second, "has disconnected");
         browsers_.erase(found);
         return;
     }
@@ -150,13 +150,15 @@ void WebServer::answer(ClientId client, std::int64_t id, const Expected<void>& d
                             {"text", done ? "" : nezumi::describe(done.error())}}));
 }
 
-// Before it is done: what it comes to may be logged as well.
+// Called before the request is executed, because its effects may be logged too.
 void WebServer::note(const Browser& browser, const std::string& what) {
     live_.system().log(LogLevel::info, to_text(browser.who) + ": " + what);
 }
 
 Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& browser, const BrowserMessage& message) {
     if (const auto* act = std::get_if<ActMessage>(&message.body)) {
+        // What would be lost is asked for, as with the page's own button.
+        if (std::holds_alternative<Restart>(act->act)) return restart(client, message.id, browser);
         note(browser, act->shown);
         const auto result = live_.act(act->act, browser.who);
         if (!result) return Unexpected(result.error());
@@ -173,7 +175,7 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
         return replied(relay_.send(client, console->line, browser.who), Reply::later);
     }
     if (const auto* wanted = std::get_if<ExplainMessage>(&message.body)) {
-        if (explained_.size() >= most_explained) return failure("too many wait to be explained already");
+        if (explained_.size() >= most_explained) return failure("too many explanations are already waiting");
         const auto trace = live_.explain_next(wanted->component);
         if (!trace) return Unexpected(trace.error());
         explained_.push_back({client, wanted->component, *trace, live_.starts()});
@@ -188,7 +190,7 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
 
 Expected<WebServer::Reply> WebServer::restart(ClientId client, std::int64_t id, const Browser& browser) {
     if (clock_.is_hardware()) return failure(std::string(only_real_time));
-    if (!worker_.is_idle()) return failure("somebody is about to restart it already");
+    if (!worker_.is_idle()) return failure("a restart is being prepared already");
     restart_ = {client, id, browser.who};
     worker_.start(live_.prepare(Restart{}));
     return Reply::later;
@@ -200,9 +202,9 @@ void WebServer::finish_restart() {
     if (!live_.fits(*prepared)) return worker_.start(live_.prepare(Restart{}));
     Expected<void> done;
     if (!prepared->error && !prepared->lost.empty()) {
-        done = failure(fmt::format("{} would be gone: save the system first", fmt::join(prepared->lost, ", ")));
+        done = failure(fmt::format("{} would be lost: save the system first", fmt::join(prepared->lost, ", ")));
     } else {
-        if (!prepared->error) live_.system().log(LogLevel::info, to_text(restart_.who) + ": starts anew");
+        if (!prepared->error) live_.system().log(LogLevel::info, to_text(restart_.who) + ": restarts the system");
         const auto restarted = live_.commit(std::move(*prepared), restart_.who);
         if (!restarted) done = Unexpected(restarted.error());
     }
@@ -263,7 +265,7 @@ void WebServer::explain() {
 }
 
 void WebServer::describe_system(Clock::time_point now) {
-    // Frames must not tell of what browsers do not know.
+    // Frames must not contain what browsers do not know yet.
     const bool other = layout_ != live_.system().layout() || starts_ != live_.starts();
     if (!other && now - described_ < std::chrono::duration<double>(1 / descriptions)) return;
     described_ = now;

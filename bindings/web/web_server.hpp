@@ -1,4 +1,4 @@
-// The browsers of a running system: they are shown it, and what they do is done between two ticks.
+// The browsers of a running system: shows them its state, and executes their requests between two ticks.
 #pragma once
 
 #include <chrono>
@@ -28,34 +28,34 @@ struct WebOptions {
     std::string version{};         ///< of nezumi
 };
 
-/// All of it is to be called from the thread that ticks.
+/// Must be called from the ticking thread.
 class WebServer {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// A browser is shown at most so many states a second, and descriptions of the system.
+    /// The largest number of states per second for a browser, and of descriptions of the system.
     static constexpr double states = 60;
     static constexpr double descriptions = 10;
 
-    /// Begins to serve. All that it is given must outlive it. The error says in one line why it can't.
+    /// Starts to serve. All arguments must outlive it. An error gives the reason in one line.
     static Expected<std::unique_ptr<WebServer>> open(RunningSystem& live, ClockControl& clock, ConsoleServer& consoles,
                                                      const WebOptions& options);
-    /// Says goodbye to the browsers. What they held stays as it is.
+    /// Says goodbye to the browsers. Their holds stay as they are.
     ~WebServer();
     WebServer(const WebServer&) = delete;
     WebServer& operator=(const WebServer&) = delete;
 
-    /// What a browser is to be led to by somebody who may act, and by somebody who may only look.
+    /// The addresses for full access and for viewing only.
     std::string url() const;
     std::string view_url() const;
 
-    /// Does what browsers want until about `until`, and shows them what is new; `late` is how late the latest tick was
-    /// [s]. Returns whether more waits.
+    /// Processes requests until about `until` and sends changes. `late` is the lateness of the last tick [s]. Returns
+    /// true if more work waits.
     bool serve(Clock::time_point until, double late);
-    /// Readable when something has come that `serve` should deal with.
+    /// Readable when `serve` has work.
     void add_files(std::vector<int>& files) const;
 
-    /// Tells the browsers.
+    /// Sends the line to the browsers.
     void log(const LogLine& line);
     void say(const std::string& text);
     void show_status(const std::string& text, bool running);
@@ -96,15 +96,15 @@ private:
         std::int64_t trace = 0;
         int start = 0;
     };
-    std::vector<Explained> explained_;  // that are to be
+    std::vector<Explained> explained_;  // pending requests
     std::vector<Hub::Incoming> waiting_;
     std::size_t dealt_ = 0;  // of waiting_
-    struct RestartWish {
+    struct RestartRequest {
         ClientId client = 0;
         std::int64_t id = 0;
         Actor who;
     };
-    RestartWish restart_;  // that is being prepared
+    RestartRequest restart_;  // the restart being prepared
     ActWorker worker_;
     Clock::time_point shown_{};
     Clock::time_point described_{};
@@ -112,7 +112,7 @@ private:
     std::uint64_t layout_ = 0;
     int starts_ = 0;
     std::unique_ptr<Sockets> sockets_;
-    std::unique_ptr<Pictures> pictures_;  // first to go, as it wakes the sockets
+    std::unique_ptr<Pictures> pictures_;  // destroyed first, because it wakes the sockets
 };
 
 }  // namespace nezumi::web

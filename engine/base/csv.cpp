@@ -1,4 +1,4 @@
-// A quote counts only where a field begins.
+// Splits CSV rows. Quotes are special only at the beginning of a field.
 #include "engine/base/csv.hpp"
 
 #include <fmt/format.h>
@@ -13,15 +13,15 @@
 namespace nezumi {
 namespace {
 
-// No length, angle or sensor value of a robot comes near it; beyond it physics loses its footing.
+// No length, angle or sensor value of a robot is near this; larger values make the physics unstable.
 constexpr double largest = 1e6;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-// The end of the field that begins at `at`: its comma, or the row's end. npos when a quote is not closed.
+// Returns the end of the field that begins at `at`: its comma or the end of the row. npos if a quote is not closed.
 std::size_t end_of_field(std::string_view row, std::size_t at) {
     while (at < row.size() && is_blank(row[at])) ++at;
-    while (at < row.size() && row[at] == '"') {  // two quotes within quotes are one
+    while (at < row.size() && row[at] == '"') {  // two quotes within quotes mean one
         at = row.find('"', at + 1);
         if (at == std::string_view::npos) return at;
         ++at;
@@ -29,7 +29,7 @@ std::size_t end_of_field(std::string_view row, std::size_t at) {
     return std::min(row.find(',', at), row.size());
 }
 
-// Adds the fields of a row. False when a quote is not closed: then those before it.
+// Adds the fields of a row. Returns false if a quote is not closed; then the fields before it were added.
 bool split(std::string_view row, std::vector<std::string_view>& fields) {
     for (std::size_t begin = 0;;) {
         const std::size_t end = end_of_field(row, begin);
@@ -54,7 +54,7 @@ std::string list_of(const std::vector<CsvColumn>& columns) {
     return list;
 }
 
-// For each field of the header row, its place among the columns.
+// Returns the column of each field of the header row.
 Expected<std::vector<std::size_t>> read_header(const std::vector<std::string>& fields,
                                                const std::vector<CsvColumn>& columns, const Place& place) {
     const std::string expected = "expected a header row " + list_of(columns);
@@ -171,7 +171,7 @@ Expected<std::vector<CsvRow>> read_csv(std::string_view text, const std::string&
         if (!written) return failure("a quote is not closed", place);
         std::vector<std::string> fields;
         for (const std::string_view field : *written) fields.emplace_back(trimmed(csv_text(field)));
-        // Spreadsheets fill rows up with empty fields.
+        // Spreadsheets add empty fields at the end of rows.
         while (fields.size() > (order ? order->size() : 0) && fields.back().empty()) fields.pop_back();
         if (std::all_of(fields.begin(), fields.end(), [](const std::string& field) { return field.empty(); })) continue;
         if (!order) {

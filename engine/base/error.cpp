@@ -1,4 +1,4 @@
-// Error texts, and the nearest name to a misspelt one.
+// Texts of errors, and the most similar name for a misspelt one.
 #include "engine/base/error.hpp"
 
 #include <algorithm>
@@ -31,13 +31,13 @@ std::size_t distance(std::string_view a, std::string_view b) {
     return previous[b.size()];
 }
 
-// Whether one of two names is a whole part of the other, case not counted: "velocity" of "TimedVelocity2D".
+// True if one of two names is a complete part of the other, ignoring case: "velocity" of "TimedVelocity2D".
 bool contains(std::string_view whole, std::string_view part) {
     const auto same = [](char a, char b) { return lower(a) == lower(b); };
     return std::search(whole.begin(), whole.end(), part.begin(), part.end(), same) != whole.end();
 }
 
-// How many characters both begin with, case not counted.
+// The length of the common beginning, ignoring case.
 std::size_t begins_alike(std::string_view a, std::string_view b) {
     std::size_t count = 0;
     while (count < std::min(a.size(), b.size()) && lower(a[count]) == lower(b[count])) ++count;
@@ -69,13 +69,13 @@ std::string shown(std::string_view name) {
 
 std::string_view nearest(std::string_view name, const std::vector<std::string_view>& candidates) {
     std::string_view best;
-    constexpr std::size_t longest = 200;  // longer names are no misspellings, and comparing is quadratic
+    constexpr std::size_t longest = 200;  // longer names are not misspellings, and the comparison takes quadratic time
     if (name.size() > longest) return best;
     std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;
     for (const std::string_view candidate : candidates) {
         const std::size_t d = distance(name, candidate);
-        // A name that keeps no character is no misspelling. Of two that are as near it is the one that begins alike for
-        // longer.
+        // A name without any common character is not a misspelling. Of two equally similar names, the one with the
+        // longer common beginning is chosen.
         const bool nearer = d < best_distance || (d == best_distance && !best.empty() &&
                                                   begins_alike(name, candidate) > begins_alike(name, best));
         if (nearer && d < std::max(name.size(), candidate.size())) {
@@ -84,7 +84,7 @@ std::string_view nearest(std::string_view name, const std::vector<std::string_vi
         }
     }
     if (!best.empty()) return best;
-    constexpr std::size_t least = 4;  // a shorter name is part of anything
+    constexpr std::size_t least = 4;  // a shorter name is part of too many others
     std::size_t least_difference = static_cast<std::size_t>(-1);
     for (const std::string_view candidate : candidates) {
         const auto [shorter, longer] = std::minmax(name, candidate, [](auto a, auto b) { return a.size() < b.size(); });

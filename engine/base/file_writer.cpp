@@ -1,5 +1,5 @@
-// One producer, one thread that writes, a queue between them. What is no disk is written without blocking: it may take
-// nothing for ever, and the thread has to end all the same.
+// A queue between one producer and one writing thread. Files that are not on a disk are written without blocking,
+// because they may never accept data and the thread must still end.
 #include "engine/base/file_writer.hpp"
 
 #include <fcntl.h>
@@ -17,9 +17,9 @@
 namespace nezumi {
 namespace {
 
-// [bytes] at once: between two of them it may be given up.
+// [bytes] per write; between two of them the writer may be abandoned.
 constexpr std::size_t portion = std::size_t{1} << 18;
-// How long a pipe is waited for before that is looked at again [ms].
+// Time [ms] to wait for a pipe before the next check.
 constexpr int glance = 20;
 
 }  // namespace
@@ -28,7 +28,7 @@ FileWriter::FileWriter(int file, std::size_t most_waiting) : most_waiting_(most_
     struct stat status {};
     if (fstat(file_, &status) == 0 && !S_ISREG(status.st_mode))
         fcntl(file_, F_SETFL, fcntl(file_, F_GETFL) | O_NONBLOCK);
-    // Signals are for the thread that runs the loop: they end its waiting.
+    // Signals must go to the thread that runs the loop, because they end its waiting.
     thread_ = start_thread([this] { run(); });
 }
 
@@ -77,7 +77,7 @@ int FileWriter::close(std::chrono::milliseconds patience) {
     return problem_;
 }
 
-// Returns an errno, 0 when all of it is written.
+// Returns 0 when everything is written, or an errno.
 int FileWriter::write(std::string_view text) const {
     while (!text.empty()) {
         if (given_up_) return ECANCELED;

@@ -1,4 +1,4 @@
-// Folder by folder, so that one that can't be read costs no other.
+// Searches folder by folder; a folder that can't be read does not affect the others.
 #include "engine/base/find_files.hpp"
 
 #include <algorithm>

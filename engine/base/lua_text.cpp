@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/base/names.hpp"
+
 namespace nezumi {
 
 std::string lua_quoted(std::string_view text) {
@@ -42,6 +44,10 @@ std::string lua_unquoted(std::string_view quoted) {
         }
     }
     return text;
+}
+
+std::string lua_key(std::string_view name) {
+    return is_identifier(name) ? std::string(name) : "[" + lua_quoted(name) + "]";
 }
 
 std::string lua_number(double value) {

@@ -12,6 +12,9 @@ std::string lua_quoted(std::string_view text);
 /// The text that `lua_quoted` has written like this.
 std::string lua_unquoted(std::string_view quoted);
 
+/// A name as the key of a table: `speed`, `["two words"]`.
+std::string lua_key(std::string_view name);
+
 /// The shortest text that reads back as the same number; a whole one as "1.0". What is not finite is as Lua prints it:
 /// "inf", "-inf", "nan"; no file has one.
 std::string lua_number(double value);

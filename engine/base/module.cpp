@@ -8,13 +8,24 @@
 #include <system_error>
 
 namespace nezumi {
+namespace {
 
-Expected<void*> load_function(const Module& module) {
+std::filesystem::path path_of(const Module& module) {
     std::error_code none;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
-    const std::filesystem::path file = (program.parent_path() / NEZUMI_MODULES / module.file).lexically_normal();
-    // A static program, which can load nothing, has none.
-    if (!std::filesystem::exists(file, none))
+    return (program.parent_path() / NEZUMI_MODULES / module.file).lexically_normal();
+}
+
+}  // namespace
+
+bool is_built_with(const Module& module) {
+    std::error_code none;
+    return std::filesystem::exists(path_of(module), none);
+}
+
+Expected<void*> load_function(const Module& module) {
+    const std::filesystem::path file = path_of(module);
+    if (!is_built_with(module))
         return failure(
             fmt::format("this nezumi was built without the part for {}: there is no {}", module.part, file.string()));
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);

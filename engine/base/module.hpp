@@ -16,6 +16,9 @@ struct Module {
     std::string_view needs;     ///< the package without which it can't be loaded
 };
 
+/// Whether this program was built with a module. A static program, which can load nothing, has none.
+bool is_built_with(const Module& module);
+
 /// Loads a module and finds its function; it stays until the program ends. An error says what to install, or that this
 /// program was built without the module.
 Expected<void*> load_function(const Module& module);

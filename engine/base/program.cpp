@@ -1,4 +1,4 @@
-// posix_spawn, with a time-out.
+// Runs programs by posix_spawn with a time limit.
 #include "engine/base/program.hpp"
 
 #include <fcntl.h>
@@ -74,7 +74,7 @@ std::string UnnamedFile::text() const {
 
 namespace {
 
-// Starts it; its process, or an errno.
+// Starts the program. Returns its process, or an errno.
 tl::expected<pid_t, int> start(const ProgramRun& run, int output) {
     std::vector<std::string> words = run.words;
     std::vector<char*> pointers;
@@ -94,7 +94,7 @@ tl::expected<pid_t, int> start(const ProgramRun& run, int output) {
     give(run.errors, STDERR_FILENO, O_WRONLY);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    // Ctrl-C is for nezumi, which lets the program finish.
+    // Ctrl-C must reach only nezumi, which lets the program finish.
     if (!run.is_in_front) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     pid_t child = 0;
     const int error = posix_spawnp(&child, pointers[0], &files, &attributes, pointers.data(), environ);
@@ -122,7 +122,7 @@ Expected<ProgramEnd> run_program(const ProgramRun& run) {
         if (ended == *child) break;
         if (ended < 0 && errno != EINTR) return failure(std::strerror(errno));
         if (give_up() || is_too_long()) {
-            kill(run.is_in_front ? *child : -*child, SIGKILL);  // and what it has started
+            kill(run.is_in_front ? *child : -*child, SIGKILL);  // including its child processes
             waitpid(*child, &status, 0);
             return failure(give_up() ? "it was given up" : fmt::format("it took more than {} s", run.longest));
         }

@@ -1,4 +1,4 @@
-// Renames, so that at every moment there is a file that is whole.
+// Uses renames, so that a complete file exists at every moment.
 #include "engine/base/result_file.hpp"
 
 #include <fcntl.h>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr int most_set_aside = 99;
 
-// Gives the file a name that nothing has; "" when it can't be renamed, as in a folder that is not ours.
+// Renames the file to an unused name. Returns "" on failure, for example in a folder without write permission.
 std::string rename_aside(const std::string& path) {
     for (int number = 1; number <= most_set_aside; ++number) {
         std::string name = path + (number == 1 ? "~" : fmt::format("~{}", number));
@@ -53,7 +53,7 @@ Expected<ResultFile> ResultFile::open(const std::string& file) {
         ::close(std::exchange(result.descriptor_, fresh));
         return result;
     }
-    // Where nothing can be made beside it, it is emptied.
+    // If no file can be made beside it, it is emptied.
     if (!result.set_aside_.empty()) std::rename(result.set_aside_.c_str(), result.path_.c_str());
     result.set_aside_.clear();
     if (ftruncate(result.descriptor_, 0) == 0) return result;
@@ -93,14 +93,14 @@ void ResultFile::cut_to_rows(std::uint64_t from, std::string_view note) {
     const ssize_t got = pread(file, tail.data(), tail.size(), static_cast<off_t>(from));
     tail.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
 
-    // The last end of a row, and the last one behind which the note fits where the disk has room already.
+    // The end of the last row, and of the last row after which the note fits into the space already allocated.
     std::uint64_t whole = from;
     std::uint64_t with_note = from;
     while (const auto end_of_row = end_of_csv_row(tail, static_cast<std::size_t>(whole - from))) {
         whole = from + *end_of_row;
         if (whole + note.size() <= size) with_note = whole;
     }
-    // Where the disk has room again, no row has to go for the note.
+    // If the disk has space again, no row must be removed for the note.
     const auto put = [&](std::uint64_t place) {
         return pwrite(file, note.data(), note.size(), static_cast<off_t>(place)) == static_cast<ssize_t>(note.size());
     };

@@ -16,7 +16,7 @@ constexpr double most_steps = 1e6;  // of physics in a tick
 // Rates as whole micro-hertz, so that "due" is exact.
 std::uint64_t micro(double rate) { return static_cast<std::uint64_t>(std::llround(rate * 1e6)); }
 
-// a * b modulo m, for a < m < 2^63: exact also where the product has more than 64 bits.
+// a * b modulo m, for a < m < 2^63: exact also if the product has more than 64 bits.
 std::uint64_t product_modulo(std::uint64_t a, std::uint64_t b, std::uint64_t m) {
     if (b == 0 || a <= std::numeric_limits<std::uint64_t>::max() / b) return a * b % m;
     std::uint64_t sum = 0;
@@ -39,7 +39,7 @@ Expected<int> steps_per_tick(double rate, double physics_step) {
         if (rate >= slowest_rate && rate <= fastest_rate) return static_cast<int>(whole);
         return failure(fmt::format("rate: expected from {} to {} Hz, got {}", slowest_rate, fastest_rate, rate));
     }
-    // All digits: the user may copy the number.
+    // Prints all digits, because the user may copy the number into a file.
     const auto rate_of = [&](double n) { return fmt::format("{}", 1.0 / (n * physics_step)); };
     const double slower = std::clamp(std::ceil(steps), 1.0, most_steps);
     const double faster = std::clamp(std::floor(steps), 1.0, most_steps);
@@ -54,7 +54,7 @@ bool is_due(std::int64_t k, double rate, double tick_rate, std::int64_t left_out
     if (rate <= 0 || rate >= tick_rate || k <= left_out) return true;
     const std::uint64_t component = micro(rate);
     const std::uint64_t tick = micro(tick_rate);
-    // The quotient has grown in a tick where what is left of it is less than one more of these.
+    // The quotient has increased in a tick if the remainder is less than this.
     const std::uint64_t ticks = static_cast<std::uint64_t>(left_out) + 1;
     if (ticks > tick / component) return true;
     return product_modulo(static_cast<std::uint64_t>(k) % tick, component, tick) < ticks * component;

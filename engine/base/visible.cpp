@@ -1,4 +1,4 @@
-// Bytes are looked at one by one, so that text in no encoding passes as well.
+// Works on bytes, so text in any encoding is accepted.
 #include "engine/base/visible.hpp"
 
 #include <array>
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view margin = "            | ";  // as wide as a time in a log
 
-// The code of the character of three bytes that begins there, 0 where there is none.
+// The code of a three-byte character at this position; 0 if there is none.
 unsigned three_bytes(std::string_view text, std::size_t at) {
     const auto byte = [&](std::size_t i) -> unsigned {
         return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U;
@@ -18,7 +18,7 @@ unsigned three_bytes(std::string_view text, std::size_t at) {
     return (byte(0) & 0x0fU) << 12U | (byte(1) & 0x3fU) << 6U | (byte(2) & 0x3fU);
 }
 
-// Marks, embeddings, overrides and isolates of direction, and the separators of lines and paragraphs.
+// Direction marks, embeddings, overrides and isolates, and the separators of lines and paragraphs.
 bool is_hidden(unsigned code) {
     return code == 0x200e || code == 0x200f || (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
 }
@@ -31,7 +31,7 @@ std::string visible(std::string_view text) {
     std::array<char, 8> written{};
     for (std::size_t at = 0; at < text.size(); ++at) {
         const auto byte = static_cast<unsigned char>(text[at]);
-        // U+0080 to U+009F are control characters as well, in two bytes.
+        // U+0080 to U+009F, encoded in two bytes, are control characters too.
         const bool second =
             byte == 0xc2 && at + 1 < text.size() && (static_cast<unsigned char>(text[at + 1]) & 0xe0U) == 0x80U;
         const bool control = second || (byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f;

@@ -1,5 +1,4 @@
-// A rename is the one step that a file system does whole; opening without blocking the one way to ask a FIFO what it
-// is.
+// A rename is the only atomic step of a file system. Opening without blocking is the only safe way to examine a FIFO.
 #include "engine/base/whole_file.hpp"
 
 #include <fcntl.h>
@@ -35,7 +34,7 @@ Error can_not_write(const fs::path& file, int problem) {
     return {std::string("can't be written: ") + std::strerror(problem), {.file = file.string()}};
 }
 
-// The same file under a further name, which takes no room on the disk; a copy where there are no links.
+// A second link to the same file, which needs no space on the disk; a copy if links are not possible.
 Expected<void> keep_as(const std::string& kept, const std::string& file) {
     const std::string fresh = kept + ".new";
     std::error_code problem;
@@ -49,7 +48,7 @@ Expected<void> keep_as(const std::string& kept, const std::string& file) {
     return failure(fmt::format("can't be kept as {}: {}", kept, problem.message()), {.file = file});
 }
 
-// A device or a pipe, as it is.
+// Writes into a device or a pipe.
 Expected<void> write_into(const fs::path& file, std::string_view text) {
     const auto out = open_to_write(file);
     if (!out) return Unexpected(out.error());
@@ -67,7 +66,8 @@ int write_all(int file, std::string_view text) {
         if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
         if (written >= 0 || errno == EINTR) continue;
         if (errno != EAGAIN) return errno;
-        pollfd full{.fd = file, .events = POLLOUT, .revents = 0};  // whoever shares it has made it not wait
+        pollfd full{
+            .fd = file, .events = POLLOUT, .revents = 0};  // another process that shares it has made it non-blocking
         poll(&full, 1, -1);
     }
     return 0;
@@ -87,7 +87,7 @@ Expected<std::string> read_whole(const fs::path& file, const std::string& shown,
     const auto expected_a_file = [&](std::string_view what) {
         return refuse(fmt::format("is {}, expected a file", what));
     };
-    // To open a device may already do something. What is there may be another thing by the time that it is open.
+    // Opening a device may already have an effect. The file may be replaced before it is open, so it is checked again.
     if (const auto what = other_than_file(file); !what.empty()) return expected_a_file(what);
     const Descriptor in(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat status {};
@@ -109,7 +109,7 @@ Expected<std::string> read_whole(const fs::path& file, const std::string& shown,
 }
 
 Expected<int> open_to_write(const fs::path& file) {
-    // The reader of a pipe is not waited for: it may never come.
+    // Does not wait for the reader of a pipe, which may never come.
     const int out = open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666);
     if (out < 0 && errno == ENXIO && other_than_file(file) == "a FIFO")
         return failure("is a pipe that nobody reads: start its reader first, or give a file", {.file = file.string()});

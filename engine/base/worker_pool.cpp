@@ -1,4 +1,4 @@
-// A round of work: wake everybody, do the own share, wait for the rest.
+// A round of work: wake all threads, do one share, wait for the others.
 #include "engine/base/worker_pool.hpp"
 
 #include <algorithm>
@@ -8,17 +8,16 @@
 namespace nezumi {
 namespace {
 
-// Rounds follow each other within microseconds while a tick is computed, and to sleep and be woken takes tens of them.
-// So who waits looks so many times before it sleeps: for about 200 us, as long as what one thread does alone in a tick
-// of a hundred robots. It keeps its processor meanwhile: on a busy machine one that was given away does not come back
-// soon.
+// Within a tick, rounds follow each other within microseconds, but sleeping and waking takes tens of them. So a waiting
+// thread polls this many times before it sleeps: for about 200 us, which is the time of one thread for a tick of a
+// hundred robots. It keeps its processor meanwhile: on a busy machine a released processor does not come back soon.
 constexpr int patience = 10'000;
 
-// How long a thread may take to come that has slept.
+// The time a sleeping thread needs to wake.
 constexpr std::chrono::microseconds waking{100};
 
-// After a round in which the others were late, so many are done alone: twice as many each time, at most these;
-// one fewer for each round in which they were not.
+// After a round in which the others were late, some rounds are done by one thread: twice as many each time, at most
+// this number; one fewer after each round without delay.
 constexpr int most_alone = 256;
 
 void relax() {
@@ -46,7 +45,7 @@ WorkerPool::WorkerPool(int threads) {
             threads_.emplace_back([this, worker] { serve(worker); });
         }
     } catch (const std::system_error&) {
-        // The system gives no further thread: those that there are, work.
+        // The system gives no further thread: the existing ones do the work.
     }
 }
 
@@ -71,7 +70,7 @@ void WorkerPool::run(std::size_t count, const Work& work) {
     do_share(work, count, 0);
     const auto done = Clock::now();
     wait_for_others();
-    // Where others compute as well, the system may not let the threads run: then one alone had been done before.
+    // On a busy machine the threads may not run; then one thread alone would have been faster.
     const bool late = Clock::now() - done > (done - began) * static_cast<int>(threads_.size()) + waking;
     late_rounds_ = late ? std::min(2 * late_rounds_ + 1, most_alone) : std::max(late_rounds_ - 1, 0);
     if (late) alone_ = late_rounds_;
@@ -111,7 +110,9 @@ void WorkerPool::serve(std::size_t worker) {
         if (quit_) return;
         do_share(*work_, count_, worker);
         if (--running_ > 0) continue;
-        { const std::lock_guard lock(mutex_); }  // who waits has seen that this one was running, or sees that it is not
+        {
+            const std::lock_guard lock(mutex_);
+        }  // a waiting thread has seen that this one was running, or will see that it is not
         done_.notify_one();
     }
 }

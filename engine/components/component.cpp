@@ -132,11 +132,23 @@ Expected<void> Component::reset(const Time& now) {
     auto ok = run(Hook::on_reset, [this] { return on_reset(); });
     if (!ok) {
         last_error_ = ok.error();
+        failed_at_ = now_.seconds;
         return failure(fmt::format("{} stays in ERROR: {}", name_, describe(ok.error())));
     }
     for (const auto& port : in_ports_) port->clear();
     state_ = LifeState::inactive;
     return {};
+}
+
+Value Component::configured_value(const ParameterSpec& spec) const {
+    const auto in_use = sets.find(set_in_use_);
+    for (const ParameterValues* values : {in_use != sets.end() ? &in_use->second : nullptr, &configured}) {
+        if (values == nullptr) continue;
+        const auto found = values->find(spec.name);
+        if (found == values->end()) continue;
+        if (auto value = check_value(spec, found->second)) return std::move(*value);
+    }
+    return spec.initial;
 }
 
 Expected<PlainData> Component::call_command(std::string_view command, const PlainData& /*arguments*/,
@@ -182,6 +194,7 @@ void Component::abort(Error error) {
     error_hook_failed_ = false;
     log(LogLevel::error, describe(error));
     last_error_ = std::move(error);
+    failed_at_ = now_.seconds;
     if (auto ok = run_without_velocities(Hook::on_aborting); !ok) {
         for (const auto& port : out_ports_) port->discard();
         log(LogLevel::error, fmt::format("{} failed: {}", failed_at_aborting(), describe(ok.error())));

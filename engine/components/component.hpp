@@ -16,9 +16,9 @@
 #include "engine/base/log.hpp"
 #include "engine/components/inside.hpp"
 #include "engine/components/parameter.hpp"
-#include "engine/components/plain_data.hpp"
 #include "engine/ports/port.hpp"
 #include "engine/project/script_source.hpp"
+#include "engine/values/plain_data.hpp"
 
 namespace nezumi {
 
@@ -67,6 +67,8 @@ public:
     virtual ComponentAbout about() const { return {}; }
     /// What sent it to ERROR, or went wrong last.
     const Error& last_error() const { return last_error_; }
+    /// [s] when that was.
+    double failed_at() const { return failed_at_; }
     /// The error of the latest hook or command that ran out of time; none if all were in time. What came after it
     /// depends on the machine. A reload that runs out of time is refused and does not count.
     const std::optional<Error>& out_of_time() const { return out_of_time_; }
@@ -99,6 +101,9 @@ public:
     Expected<void> use(std::string_view set);
     /// The set in use; "" when none is.
     const std::string& set_in_use() const { return set_in_use_; }
+    /// What a parameter is when nobody has set it by hand: as the set in use says, else the system file, else its
+    /// declaration.
+    Value configured_value(const ParameterSpec& spec) const;
     /// Counts the calls of `use` that went well.
     std::uint64_t uses() const { return uses_; }
 
@@ -249,6 +254,7 @@ private:
     std::uint64_t uses_ = 0;
     LogSink log_;
     Error last_error_;
+    double failed_at_ = 0;
 
 public:
     /// Where the system file names it.

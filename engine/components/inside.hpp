@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/error.hpp"
-#include "engine/components/plain_data.hpp"
+#include "engine/values/plain_data.hpp"
 
 namespace nezumi {
 
@@ -48,6 +48,8 @@ struct TracedLines {
         int depth = 0;                ///< calls within the outermost function
         std::vector<Value> values{};  ///< of the variables that it names, or of all in sight where there is no text
         std::string text{};           ///< of the file, without blanks around it; "" where it is not known any more
+        /// Where the last turn of a long loop begins: so many turns before it, of the same lines, are left out.
+        std::size_t turns_left_out = 0;
     };
     std::vector<Line> lines{};
     bool is_cut = false;  ///< there were more

@@ -9,19 +9,13 @@
 
 #include "engine/base/lua_text.hpp"
 #include "engine/components/parameter_fields.hpp"
+#include "engine/values/value_text.hpp"
 
 namespace nezumi {
 namespace {
 
-template <class T>
-struct IsVector : std::false_type {};
-template <class T>
-struct IsVector<std::vector<T>> : std::true_type {};
-
-std::string element_text(bool value) { return value ? "true" : "false"; }
-std::string element_text(std::int64_t value) { return std::to_string(value); }
-std::string element_text(double value) { return lua_number(value); }
-std::string element_text(const std::string& value) { return lua_quoted(value); }
+using Integers = std::vector<std::int64_t>;
+using Numbers = std::vector<double>;
 
 // A whole number that a double holds exactly, as an integer; nothing otherwise.
 std::optional<std::int64_t> to_integer(double value) {
@@ -30,51 +24,29 @@ std::optional<std::int64_t> to_integer(double value) {
     return static_cast<std::int64_t>(value);
 }
 
-// `value` as the alternative that `like` holds, where nothing is lost.
-std::optional<ParameterValue> convert(const ParameterValue& like, const ParameterValue& value) {
-    if (like.index() == value.index()) return value;
-    if (std::holds_alternative<double>(like)) {
-        if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
-    } else if (std::holds_alternative<std::int64_t>(like)) {
-        if (const auto* number = std::get_if<double>(&value)) {
-            if (const auto whole = to_integer(*number)) return *whole;
+bool is_array(const Value& value) { return value.type().kind == Type::Kind::sequence; }
+
+// `value` as one of the type that `like` has, where nothing is lost.
+std::optional<Value> convert(const Value& like, const Value& value) {
+    if (&like.type() == &value.type()) return value;
+    if (const auto* whole = value.get_if<std::int64_t>(); whole != nullptr && like.is<double>())
+        return static_cast<double>(*whole);
+    if (const auto* number = value.get_if<double>(); number != nullptr && like.is<std::int64_t>()) {
+        if (const auto whole = to_integer(*number)) return *whole;
+    }
+    if (const auto* whole = value.get_if<Integers>(); whole != nullptr && like.is<Numbers>())
+        return Numbers(whole->begin(), whole->end());
+    if (const auto* numbers = value.get_if<Numbers>(); numbers != nullptr && like.is<Integers>()) {
+        Integers all;
+        for (const double number : *numbers) {
+            const auto whole = to_integer(number);
+            if (!whole) return std::nullopt;
+            all.push_back(*whole);
         }
-    } else if (std::holds_alternative<std::vector<double>>(like)) {
-        if (const auto* whole = std::get_if<std::vector<std::int64_t>>(&value)) {
-            return std::vector<double>(whole->begin(), whole->end());
-        }
-    } else if (std::holds_alternative<std::vector<std::int64_t>>(like)) {
-        if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
-            std::vector<std::int64_t> all;
-            for (const double number : *numbers) {
-                const auto whole = to_integer(number);
-                if (!whole) return std::nullopt;
-                all.push_back(*whole);
-            }
-            return all;
-        }
+        return all;
     }
     // An empty array fits an array of anything.
-    const auto size = [](const ParameterValue& v) {
-        return std::visit(
-            [](const auto& x) -> std::size_t {
-                if constexpr (IsVector<std::decay_t<decltype(x)>>::value) {
-                    return x.size();
-                } else {
-                    return 1;
-                }
-            },
-            v);
-    };
-    if (size(value) == 0 && like.index() >= 4) {
-        ParameterValue empty = like;
-        std::visit(
-            [](auto& x) {
-                if constexpr (IsVector<std::decay_t<decltype(x)>>::value) x.clear();
-            },
-            empty);
-        return empty;
-    }
+    if (is_array(like) && is_array(value) && ValueView(value).count() == 0) return Value(like.type());
     return std::nullopt;
 }
 
@@ -82,32 +54,10 @@ std::string headline(const ParameterSpec& spec) {
     return fmt::format("parameter '{}' ({})", spec.name, type_text(spec.initial));
 }
 
-// The elements of an array; any other value is its own only element.
-std::vector<ParameterValue> elements_of(const ParameterValue& value) {
-    return std::visit(
-        [](const auto& v) {
-            using T = std::decay_t<decltype(v)>;
-            std::vector<ParameterValue> all;
-            if constexpr (IsVector<T>::value) {
-                for (std::size_t i = 0; i < v.size(); ++i) all.emplace_back(static_cast<typename T::value_type>(v[i]));
-            } else {
-                all.emplace_back(v);
-            }
-            return all;
-        },
-        value);
-}
-
-bool is_array(const ParameterValue& value) { return value.index() >= 4; }
-
-// A value of the type that an array's elements have.
-ParameterValue element_like(const ParameterValue& array) {
-    switch (array.index() % 4) {
-        case 0: return false;
-        case 1: return std::int64_t{0};
-        case 2: return 0.0;
-        default: return std::string();
-    }
+// Calls `visit(element)` for the elements of an array until it returns false; any other value is its own only element.
+template <class Visit>
+void for_each_single(const Value& value, const Visit& visit) {
+    is_array(value) ? for_each_element(ValueView(value), visit) : static_cast<void>(visit(ValueView(value)));
 }
 
 // Whether the choices of an array are choices of its elements.
@@ -115,13 +65,16 @@ bool chooses_elements(const ParameterSpec& spec) {
     return is_array(spec.initial) && !spec.choices.empty() && !is_array(spec.choices.front());
 }
 
+// A value of the type that each of the choices has.
+Value choice_like(const ParameterSpec& spec) {
+    return chooses_elements(spec) ? Value(spec.initial.type().single()) : spec.initial;
+}
+
 // The choices' own declaration: what each of them must fit.
 ParameterSpec choice_spec(const ParameterSpec& spec) {
     ParameterSpec bare = spec;
-    if (chooses_elements(spec)) {
-        bare.initial = element_like(spec.initial);
-        bare.min_size = bare.max_size = std::nullopt;
-    }
+    bare.initial = choice_like(spec);
+    if (chooses_elements(spec)) bare.min_size = bare.max_size = std::nullopt;
     bare.choices.clear();
     return bare;
 }
@@ -129,7 +82,7 @@ ParameterSpec choice_spec(const ParameterSpec& spec) {
 // Why this widget can't show such a parameter, or "".
 std::string widget_broken(const ParameterSpec& spec) {
     if (spec.widget.empty() || spec.widget == "text") return "";
-    const bool is_number = spec.initial.index() % 4 == 1 || spec.initial.index() % 4 == 2;
+    const bool is_number = spec.initial.type().single().is_number();
     if (std::find(widgets.begin(), widgets.end(), spec.widget) == widgets.end()) {
         return fmt::format("there is no widget '{}'{}: expected one of {}", shown(spec.widget),
                            did_you_mean(spec.widget, {widgets.begin(), widgets.end()}), fmt::join(widgets, ", "));
@@ -138,101 +91,90 @@ std::string widget_broken(const ParameterSpec& spec) {
     if (spec.widget == "slider" && !(is_number && spec.min && spec.max)) needs = "numbers with min and max";
     if (spec.widget == "spin" && !is_number) needs = "numbers";
     if (spec.widget == "radio" && (spec.choices.empty() || is_array(spec.initial))) needs = "one value with choices";
-    if (spec.widget == "checkbox" && spec.initial.index() != 0 && !chooses_elements(spec))
+    if (spec.widget == "checkbox" && !spec.initial.is<bool>() && !chooses_elements(spec))
         needs = "a boolean, or an array with choices of its elements";
     if (spec.widget == "ordered_list" && !chooses_elements(spec)) needs = "an array with choices of its elements";
     return needs.empty() ? "" : fmt::format("the widget '{}' is for {}", spec.widget, needs);
 }
 
 // Why this number may not be, or "".
-template <class Number>
-std::string bound_broken(const ParameterSpec& spec, Number number) {
-    const auto value = static_cast<double>(number);
-    if (!std::isfinite(value)) return fmt::format("{} is not a finite number", element_text(number));
-    const auto bound = [](double limit) {
-        const auto whole = to_integer(limit);
-        return std::is_same_v<Number, std::int64_t> && whole ? element_text(*whole) : element_text(limit);
+std::string bound_broken(const ParameterSpec& spec, const ValueView& number) {
+    const auto value = visit_number(number, [](const auto& each) { return static_cast<double>(each); });
+    if (!std::isfinite(value)) return fmt::format("{} is not a finite number", lua_text(number));
+    const auto bound = [&](double limit) {
+        const auto whole = number.type->is_integer() ? to_integer(limit) : std::nullopt;
+        return whole ? std::to_string(*whole) : lua_number(limit);
     };
     if (spec.min && value < *spec.min)
-        return fmt::format("{} is below its minimum {}", element_text(number), bound(*spec.min));
+        return fmt::format("{} is below its minimum {}", lua_text(number), bound(*spec.min));
     if (spec.max && value > *spec.max)
-        return fmt::format("{} is above its maximum {}", element_text(number), bound(*spec.max));
+        return fmt::format("{} is above its maximum {}", lua_text(number), bound(*spec.max));
     return "";
+}
+
+// Why this array may not have so many elements, or "".
+std::string size_broken(const ParameterSpec& spec, std::size_t size) {
+    if (spec.min_size && size < *spec.min_size)
+        return fmt::format("{} elements are fewer than its min_size {}", size, *spec.min_size);
+    if (spec.max_size && size > *spec.max_size)
+        return fmt::format("{} elements are more than its max_size {}", size, *spec.max_size);
+    return "";
+}
+
+// Why the value, which has the parameter's type, is not within its bounds, or "".
+std::string bounds_broken(const ParameterSpec& spec, const Value& value) {
+    std::string why = is_array(value) ? size_broken(spec, ValueView(value).count()) : "";
+    if (!why.empty() || !value.type().single().is_number()) return why;
+    std::size_t place = 0;
+    for_each_single(value, [&](const ValueView& number) {
+        ++place;
+        why = bound_broken(spec, number);
+        return why.empty();
+    });
+    return why.empty() || !is_array(value) ? why : fmt::format("element {}: {}", place, why);
+}
+
+// Why this is none of the choices, or "".
+std::string choice_broken(const ParameterSpec& spec, const Value& value) {
+    if (spec.choices.empty() || std::find(spec.choices.begin(), spec.choices.end(), value) != spec.choices.end())
+        return "";
+    std::string list;
+    std::vector<std::string_view> texts;
+    for (const Value& choice : spec.choices) {
+        list += (list.empty() ? "" : ", ") + lua_text(choice);
+        if (const auto* text = choice.get_if<std::string>()) texts.emplace_back(*text);
+    }
+    const auto* text = value.get_if<std::string>();
+    return fmt::format("{} is none of its choices {}{}", lua_text(value), list,
+                       text != nullptr ? did_you_mean(*text, texts) : "");
 }
 
 }  // namespace
 
-std::string to_text(const ParameterValue& value) {
-    return std::visit(
-        [](const auto& v) -> std::string {
-            using T = std::decay_t<decltype(v)>;
-            if constexpr (IsVector<T>::value) {
-                if (v.empty()) return "{}";
-                std::string text = "{ ";
-                for (std::size_t i = 0; i < v.size(); ++i) {
-                    if (i > 0) text += ", ";
-                    text += element_text(static_cast<typename T::value_type>(v[i]));
-                }
-                return text + " }";
-            } else {
-                return element_text(v);
-            }
-        },
-        value);
+std::string type_text(const Value& value) {
+    const Type& single = value.type().single();
+    const std::string_view name = single.kind == Type::Kind::boolean ? "boolean"
+                                  : single.is_integer()              ? "integer"
+                                  : single.is_floating()             ? "number"
+                                  : single.kind == Type::Kind::text  ? "string"
+                                                                     : std::string_view(single.name);
+    return is_array(value) ? fmt::format("array of {}s", name) : std::string(name);
 }
 
-std::string_view type_text(const ParameterValue& value) {
-    constexpr std::string_view names[] = {"boolean",          "integer",           "number",
-                                          "string",           "array of booleans", "array of integers",
-                                          "array of numbers", "array of strings"};
-    return names[value.index()];
-}
-
-Expected<ParameterValue> check_value(const ParameterSpec& spec, const ParameterValue& value) {
-    const auto refuse = [&](const std::string& why) { return failure(headline(spec) + ": " + why); };
+Expected<Value> check_value(const ParameterSpec& spec, const Value& value) {
     auto converted = convert(spec.initial, value);
-    if (!converted)
-        return refuse(fmt::format("expected {}, got {} {}", type_text(spec.initial), type_text(value), to_text(value)));
-
-    const std::string broken = std::visit(
-        [&](const auto& v) -> std::string {
-            using T = std::decay_t<decltype(v)>;
-            if constexpr (IsVector<T>::value) {
-                if (spec.min_size && v.size() < *spec.min_size) {
-                    return fmt::format("{} elements are fewer than its min_size {}", v.size(), *spec.min_size);
-                }
-                if (spec.max_size && v.size() > *spec.max_size) {
-                    return fmt::format("{} elements are more than its max_size {}", v.size(), *spec.max_size);
-                }
-                if constexpr (std::is_same_v<T, std::vector<double>> || std::is_same_v<T, std::vector<std::int64_t>>) {
-                    for (std::size_t i = 0; i < v.size(); ++i) {
-                        const std::string why = bound_broken(spec, v[i]);
-                        if (!why.empty()) return fmt::format("element {}: {}", i + 1, why);
-                    }
-                }
-            } else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::int64_t>) {
-                return bound_broken(spec, v);
-            }
-            return "";
-        },
-        *converted);
-    if (!broken.empty()) return refuse(broken);
-
-    const std::vector<ParameterValue> chosen =
-        chooses_elements(spec) ? elements_of(*converted) : std::vector{*converted};
-    for (const ParameterValue& one : chosen) {
-        if (spec.choices.empty() || std::find(spec.choices.begin(), spec.choices.end(), one) != spec.choices.end())
-            continue;
-        std::string list;
-        std::vector<std::string_view> texts;
-        for (const ParameterValue& choice : spec.choices) {
-            list += (list.empty() ? "" : ", ") + to_text(choice);
-            if (const auto* text = std::get_if<std::string>(&choice)) texts.emplace_back(*text);
-        }
-        const auto* text = std::get_if<std::string>(&one);
-        return refuse(fmt::format("{} is none of its choices {}{}", to_text(one), list,
-                                  text != nullptr ? did_you_mean(*text, texts) : ""));
+    std::string broken =
+        !converted ? fmt::format("expected {}, got {} {}", type_text(spec.initial), type_text(value), lua_text(value))
+                   : bounds_broken(spec, *converted);
+    if (broken.empty() && chooses_elements(spec)) {
+        for_each_single(*converted, [&](const ValueView& each) {
+            broken = choice_broken(spec, Value(each));
+            return broken.empty();
+        });
+    } else if (broken.empty()) {
+        broken = choice_broken(spec, *converted);
     }
+    if (!broken.empty()) return failure(headline(spec) + ": " + broken);
     return std::move(*converted);
 }
 
@@ -243,14 +185,14 @@ Expected<void> check_declaration(const ParameterSpec& spec) {
     }
     if (!std::isfinite(spec.step) || spec.step < 0) return refuse("step must be a positive number");
     if (spec.min && spec.max && *spec.min > *spec.max) {
-        return refuse(fmt::format("min {} is above max {}", element_text(*spec.min), element_text(*spec.max)));
+        return refuse(fmt::format("min {} is above max {}", lua_number(*spec.min), lua_number(*spec.max)));
     }
     if (spec.min_size && spec.max_size && *spec.min_size > *spec.max_size) {
         return refuse(fmt::format("min_size {} is above max_size {}", *spec.min_size, *spec.max_size));
     }
     if (const std::string broken = widget_broken(spec); !broken.empty()) return refuse(broken);
     const ParameterSpec bare = choice_spec(spec);
-    for (const ParameterValue& choice : spec.choices) {
+    for (const Value& choice : spec.choices) {
         if (const auto allowed = check_value(bare, choice); !allowed)
             return failure(allowed.error().message + ", in its choices", spec.place);
     }
@@ -263,8 +205,8 @@ Expected<void> check_declaration(const ParameterSpec& spec) {
 Expected<void> Parameters::declare(ParameterSpec spec) {
     if (find(spec.name) != nullptr)
         return failure(fmt::format("parameter '{}' is declared twice", spec.name), spec.place);
-    const ParameterValue like = chooses_elements(spec) ? element_like(spec.initial) : spec.initial;
-    for (ParameterValue& choice : spec.choices) {
+    const Value like = choice_like(spec);
+    for (Value& choice : spec.choices) {
         if (auto same_type = convert(like, choice)) choice = std::move(*same_type);
     }
     if (auto ok = check_declaration(spec); !ok) return ok;
@@ -285,7 +227,7 @@ Expected<std::size_t> Parameters::index_of(std::string_view name) const {
     return failure(fmt::format("unknown parameter '{}'{}", shown(name), did_you_mean(name, names)));
 }
 
-Expected<void> Parameters::set(std::string_view name, const ParameterValue& value) {
+Expected<void> Parameters::set(std::string_view name, const Value& value) {
     return stage(name, value, true).map([this] { take_staged(); });
 }
 
@@ -309,7 +251,7 @@ void Parameters::follow_default(std::string_view name) {
     ++version_;
 }
 
-Expected<void> Parameters::stage(std::string_view name, const ParameterValue& value, bool from_outside) {
+Expected<void> Parameters::stage(std::string_view name, const Value& value, bool from_outside) {
     const auto index = index_of(name);
     if (!index) return Unexpected(index.error());
     auto allowed = check_value(all_[*index].spec, value);
@@ -350,7 +292,7 @@ void Parameters::adopt(const Parameters& earlier, std::string_view name) {
     const Parameter* before = earlier.find(name);
     if (!index || before == nullptr || !before->set) return;
     Parameter& parameter = all_[*index];
-    if (before->value.index() != parameter.spec.initial.index()) return;
+    if (&before->value.type() != &parameter.spec.initial.type()) return;
     auto allowed = check_value(parameter.spec, before->value);
     if (!allowed) return;
     parameter.value = std::move(*allowed);

@@ -20,7 +20,7 @@ std::uint64_t seed_of(std::uint64_t run_seed, const std::string& name) { return 
 
 template <class T>
 const T& value(const Parameters& parameters, std::string_view name) {
-    return std::get<T>(parameters.find(name)->value);
+    return parameters.find(name)->value.get<T>();
 }
 
 }  // namespace
@@ -41,6 +41,10 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
     };
     using Integer = std::int64_t;
     declare({.name = "device", .initial = std::string(), .doc = "a real camera's device; empty: the first there is"});
+    declare({.name = "pixel_format",
+             .initial = std::string(),
+             .doc = "what a real camera sends, four letters as v4l2-ctl --list-formats shows them: \"MJPG\", \"YUYV\"; "
+                    "empty: what it likes"});
     declare({.name = "width", .initial = Integer{640}, .min = least_picture, .max = largest_picture, .unit = "px"});
     declare({.name = "height", .initial = Integer{480}, .min = least_picture, .max = largest_picture, .unit = "px"});
     declare(
@@ -62,7 +66,7 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
           {"cy", "with fx: row of the optical axis; 0: the middle"}}) {
         declare({.name = name_of_it, .initial = 0.0, .min = 0, .max = 1e6, .unit = "px", .doc = doc});
     }
-    for (const char* radial : {"k1", "k2", "k3"}) {
+    for (const char* radial : {"k1", "k2", "k3", "k4", "k5", "k6"}) {
         declare({.name = radial, .initial = 0.0, .min = -20, .max = 20, .doc = "radial distortion of the lens"});
     }
     for (const char* tangential : {"p1", "p2"}) {
@@ -104,6 +108,9 @@ CameraSettings Camera::settings() const {
             .p1 = value<double>(parameters_, "p1"),
             .p2 = value<double>(parameters_, "p2"),
             .k3 = value<double>(parameters_, "k3"),
+            .k4 = value<double>(parameters_, "k4"),
+            .k5 = value<double>(parameters_, "k5"),
+            .k6 = value<double>(parameters_, "k6"),
             .color = value<std::string>(parameters_, "format") == "rgb8",
             .noise = value<double>(parameters_, "noise"),
             .blur = value<double>(parameters_, "blur"),
@@ -112,7 +119,8 @@ CameraSettings Camera::settings() const {
             .fy = value<double>(parameters_, "fy"),
             .cx = value<double>(parameters_, "cx"),
             .cy = value<double>(parameters_, "cy"),
-            .undistort = value<bool>(parameters_, "undistort")};
+            .undistort = value<bool>(parameters_, "undistort"),
+            .pixel_format = value<std::string>(parameters_, "pixel_format")};
 }
 
 Expected<void> Camera::check_frame_rate() const {

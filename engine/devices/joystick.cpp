@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "engine/base/schedule.hpp"
 
@@ -27,12 +28,36 @@ Joystick::Joystick(std::string name, Open open)
         assert(ok);
         static_cast<void>(ok);
     }
+    const auto declare = [this](ParameterSpec spec) {
+        const auto ok = parameters_.declare(std::move(spec));
+        assert(ok);
+        static_cast<void>(ok);
+    };
+    declare(
+        {.name = "dead_zone",
+         .initial = 0.0,
+         .min = 0,
+         .max = 0.9,
+         .doc = "of a real gamepad: the part of a stick's way around its centre that counts as the centre; 0: what the "
+                "gamepad's driver says, or 0.05 where it says nothing"});
+    declare({.name = "centre",
+             .initial = std::vector<double>{0, 0},
+             .min = -0.9,
+             .max = 0.9,
+             .doc = "of a real gamepad: where its stick rests, parts of its way to the right and up",
+             .min_size = 2,
+             .max_size = 2});
 }
 
 GamepadSettings Joystick::settings() const {
-    const auto value = [this](std::string_view name) { return std::get<std::string>(parameters_.find(name)->value); };
-    return {
-        .device = value("device"), .dead_man_button = value("dead_man_button"), .stop_button = value("stop_button")};
+    const auto value = [this](std::string_view name) { return parameters_.find(name)->value.get<std::string>(); };
+    const auto& centre = parameters_.find("centre")->value.get<std::vector<double>>();
+    return {.device = value("device"),
+            .dead_man_button = value("dead_man_button"),
+            .stop_button = value("stop_button"),
+            .dead_zone = parameters_.find("dead_zone")->value.get<double>(),
+            .centre_x = centre[0],
+            .centre_y = centre[1]};
 }
 
 Expected<void> Joystick::on_activated() {

@@ -21,6 +21,9 @@ struct GamepadSettings {
     std::string device;  ///< its node; "": the first there is
     std::string dead_man_button;
     std::string stop_button;
+    double dead_zone = 0;  ///< part of a stick's way around its centre that counts as 0; 0: as its driver says
+    double centre_x = 0;   ///< where the stick rests, a part of its way, right and up positive
+    double centre_y = 0;
     bool operator==(const GamepadSettings&) const = default;
 };
 

@@ -1,4 +1,4 @@
-// A future is all that both threads share: it may be left alone.
+// The two threads share only a future, so either may end first.
 #include "engine/live/act_worker.hpp"
 
 #include <cassert>

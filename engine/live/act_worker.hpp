@@ -21,7 +21,8 @@ public:
 
     /// Whether no act is being prepared, nor waits to be taken.
     bool is_idle() const { return !prepared_.valid(); }
-    /// Begins with an act, while idle. Where the system gives no further thread, the act is prepared before this returns.
+    /// Begins with an act, while idle. Where the system gives no further thread, the act is prepared before this
+    /// returns.
     void start(Preparation prepare);
     /// The act, once it is prepared: waits so long for it.
     std::optional<PreparedAct> take(std::chrono::microseconds patience = {});

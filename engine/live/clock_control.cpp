@@ -1,4 +1,4 @@
-// The bounds of time.
+// Limits of the clock's settings.
 #include "engine/live/clock_control.hpp"
 
 #include <fmt/format.h>

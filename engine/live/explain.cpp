@@ -10,13 +10,14 @@
 #include "engine/live/live_text.hpp"
 #include "engine/robot/robot.hpp"
 #include "engine/tree/member.hpp"
+#include "engine/values/value_text.hpp"
 
 namespace nezumi {
 namespace {
 
 Explanation::PortValue look_at(const System& system, const Component& component, const Port& port) {
     Explanation::PortValue seen{.port = component.name() + "." + port.name(), .value = ""};
-    if (port.count() > 0) seen.value = payload_text(port.value());
+    if (port.count() > 0) seen.value = short_text(port.value());
     seen.override = to_text(port.override());
     for (const ConnectionSpec& connection : system.connections()) {
         if (connection.from == seen.port) seen.peers.push_back(connection.to);
@@ -52,6 +53,20 @@ std::string text_of(const Explanation::PortValue& port, std::string_view arrow) 
     return text;
 }
 
+void add_results(const Explanation& explanation, std::string& text) {
+    for (const auto& port : explanation.outputs) text += "\n  " + text_of(port, "->");
+    for (const auto& robot : explanation.robots) {
+        text += fmt::format(
+            "\n  {} was told vx = {:g} m/s, va = {:g} rad/s; within its limits ({:g} m/s, {:g} rad/s) now vx = {:g}, "
+            "va = {:g}",
+            robot.robot, robot.asked.vx, robot.asked.va, robot.speed, robot.yaw_rate, robot.limited.vx,
+            robot.limited.va);
+        text += robot.wheels_told ? fmt::format("\n  {}'s wheels: left {:g} m/s, right {:g} m/s", robot.robot,
+                                                robot.wheels.left, robot.wheels.right)
+                                  : fmt::format("\n  {}'s wheels roll freely", robot.robot);
+    }
+}
+
 }  // namespace
 
 Explanation explain(const System& system, const Component& component) {
@@ -73,24 +88,14 @@ Explanation explain(const System& system, const Component& component) {
 std::string to_text(const Explanation& explanation) {
     std::string text =
         fmt::format("{} at {:.2f} s, tick {}", explanation.component, explanation.seconds, explanation.tick);
+    add_results(explanation, text);
     for (const auto& port : explanation.inputs) text += "\n  " + text_of(port, "<-");
     for (const TracedLines::Line& line : explanation.traced.lines) {
+        if (line.turns_left_out > 0) text += fmt::format("\n  ... {} more turns", line.turns_left_out);
         text += fmt::format("\n  {}:{}  {}", line.file, line.line, line.text);
         for (const TracedLines::Value& value : line.values) text += fmt::format("   {} = {}", value.name, value.text);
     }
     if (explanation.traced.is_cut) text += "\n  ... and more lines";
-    for (const auto& port : explanation.outputs) text += "\n  " + text_of(port, "->");
-    for (const auto& robot : explanation.robots) {
-        text += fmt::format(
-            "\n  {} was told vx = {:g} m/s, va = {:g} rad/s; within its limits ({:g} m/s, {:g} rad/s) now vx = {:g}, "
-            "va "
-            "= {:g}",
-            robot.robot, robot.asked.vx, robot.asked.va, robot.speed, robot.yaw_rate, robot.limited.vx,
-            robot.limited.va);
-        text += robot.wheels_told ? fmt::format("\n  {}'s wheels: left {:g} m/s, right {:g} m/s", robot.robot,
-                                                robot.wheels.left, robot.wheels.right)
-                                  : fmt::format("\n  {}'s wheels roll freely", robot.robot);
-    }
     return text;
 }
 

@@ -40,7 +40,8 @@ struct Explanation {
 /// tick and the next.
 Explanation explain(const System& system, const Component& component);
 
-/// For people: "in <- mouse.ir_sensor_out: { 31, 0, 0, 0 }", "counter.lua:9  local near = 3  near = 31", ...
+/// For people, what went out first: "controller.out -> mouse.target_velocity_in: ...", "controller.in <- ...",
+/// "counter.lua:9  local near = 3  near = 31", ...
 std::string to_text(const Explanation& explanation);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// inotify on folders, gathered until it is quiet, then checked against contents.
+// Watches folders by inotify, waits until changes stop, then compares contents.
 #include "engine/live/file_watcher.hpp"
 
 #include <poll.h>
@@ -22,15 +22,15 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr double longest_gathering = 0.02;             // [s] of a burst of saves
-constexpr std::chrono::milliseconds longest_end{200};  // for a file that is just being read
+constexpr double longest_gathering = 0.02;             // [s] of a series of saves
+constexpr std::chrono::milliseconds longest_end{200};  // for a file that is being read
 
 std::chrono::nanoseconds nanoseconds(double seconds) {
     return std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
 }
 
-// What tells a file from its earlier self without reading it: enough to look twice a second, too coarse for two saves
-// within one step of the file system's clock.
+// Detects changes of a file without reading it. Cheap enough for two checks per second, but too coarse for two saves
+// within the resolution of the file system's clock.
 struct Stamp {
     ino_t inode = 0;
     off_t size = 0;
@@ -51,7 +51,7 @@ struct Stamp {
     }
 };
 
-// A file that was made by linking is whole at once; any other is whole when it is closed.
+// A file made by linking is complete at once; any other file is complete when it is closed.
 bool is_link(const std::string& path) {
     struct stat status {};
     return ::lstat(path.c_str(), &status) == 0 && (S_ISLNK(status.st_mode) || status.st_nlink > 1);
@@ -59,7 +59,7 @@ bool is_link(const std::string& path) {
 
 }  // namespace
 
-// The folders of a list of files, watched from the moment it is made.
+// Watches the folders of a list of files from its construction on.
 class FileWatcher::Notices {
 public:
     enum class Kind { nothing, other, file, folder };
@@ -81,7 +81,7 @@ public:
 
     int fd() const { return fd_; }
 
-    // What has been noticed since the last time; of several things the greatest.
+    // The most important notice since the last call.
     Kind read() {
         Kind kind = Kind::nothing;
         alignas(inotify_event) char buffer[1 << 14];
@@ -102,10 +102,10 @@ private:
     struct Folder {
         std::string path;
         std::set<std::string> files;    // names in it that are watched
-        std::set<std::string> folders;  // on the way to others
+        std::set<std::string> folders;  // parents of watched folders
     };
 
-    // From the root down: of a folder that is made anew in this moment, the one above it tells.
+    // From the root down: if a folder is being made at this moment, its parent reports it.
     void watch_chain(const fs::path& path, bool is_file = true) {
         const fs::path folder = path.parent_path();
         if (folder.has_relative_path()) watch_chain(folder, false);
@@ -115,7 +115,7 @@ private:
         const int wd = ::inotify_add_watch(fd_, folder.c_str(),
                                            IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_CREATE | IN_DELETE |
                                                IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR);
-        if (wd < 0) return;  // not there, or not for us: the looks of the thread remain
+        if (wd < 0) return;  // missing or no permission: the thread's checks find it later
         Folder& known = folders_[wd];
         known.path = folder.string();
         (is_file ? known.files : known.folders).insert(name);
@@ -138,7 +138,7 @@ private:
     std::map<int, Folder> folders_;
 };
 
-// What the thread does and knows.
+// The work and the data of the thread.
 class FileWatcher::Watch {
 public:
     Watch(Shared& shared, double poll_period, const Reader& read)
@@ -148,7 +148,7 @@ public:
 private:
     void watch_anew();
     void poll(bool noticed);
-    // A file that has been missing or unreadable for a while.
+    // A file that has been missing or unreadable for some time.
     struct Trouble {
         Clock::time_point since;
         bool told = false;
@@ -275,7 +275,7 @@ void FileWatcher::Watch::poll(bool noticed) {
 
 void FileWatcher::Watch::poll_file(const std::string& path, std::uint64_t known, bool noticed) {
     const Stamp stamp(path);
-    // What can't be read may be readable again without another look from outside.
+    // A file may become readable again without any notice, so it is checked again.
     const auto [before, is_new] = stamps_.try_emplace(path, stamp);
     if (!noticed && !is_new && before->second == stamp && !troubles_.contains(path)) return;
     before->second = stamp;
@@ -292,7 +292,7 @@ void FileWatcher::Watch::poll_file(const std::string& path, std::uint64_t known,
     shared_.has_news = true;
 }
 
-// Many ways of saving take a file away for a moment.
+// Many programs remove a file for a moment when they save it.
 void FileWatcher::Watch::lose(const std::string& path, const std::string& why) {
     const Clock::time_point now = Clock::now();
     Trouble& trouble = troubles_.try_emplace(path, Trouble{.since = now}).first->second;

@@ -69,7 +69,7 @@ std::string component_help(const TreeNode& node) {
 std::string parameter_help(const TreeNode& node) {
     const auto& parameter = *node.parameter();
     return fmt::format("{}.config.{}\n  its default is {}, {}", node.component()->name(), parameter_text(parameter),
-                       to_text(parameter.spec.initial), parameter.set ? "and somebody set it" : "which it follows");
+                       lua_text(parameter.spec.initial), parameter.set ? "and it was set" : "and it was not set");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Files are loaded beside the ticks, one save after the other.
+// Loads files outside the ticks, one save after the other.
 #include "engine/live/live_reload.hpp"
 
 #include <fmt/format.h>
@@ -44,12 +44,13 @@ void LiveReload::take_changes() {
         const std::string& shown = file != files.end() ? file->shown : loss.path;
         live_.system().log(LogLevel::warn, fmt::format("{}: {}: what was loaded from it goes on", shown, loss.why));
     }
-    // A module that was missing or wrong may have come: what failed without it is tried again.
+    // A module that was missing or wrong may have been saved: scripts that failed without it are tried again.
     if (watcher_.take_others() || !scripts.empty()) scripts.insert(scripts.end(), failed_.begin(), failed_.end());
     if (!scripts.empty()) reload(std::move(scripts));
 }
 
-// As a module does that was missing: the script that failed without it was tried again before the watcher had looked.
+// This happens for a module that was missing: the script that failed without it was tried again before the watcher's
+// check.
 bool LiveReload::runs_already(const FileWatcher::Change& change) const {
     if (std::find(failed_.begin(), failed_.end(), change.path) != failed_.end()) return false;
     const std::vector<ScriptFile> files = reloads_.files();
@@ -60,7 +61,7 @@ bool LiveReload::runs_already(const FileWatcher::Change& change) const {
 }
 
 void LiveReload::reload(std::vector<std::string> paths) {
-    // A small file is loaded by then, and runs in the tick that comes.
+    // Within this time a small file is loaded, and runs in the next tick.
     constexpr std::chrono::milliseconds patience{2};
     worker_.start(live_.prepare(Reload{.files = paths}));
     loading_ = std::move(paths);

@@ -5,57 +5,13 @@
 
 #include <algorithm>
 
-#include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/live/running_system.hpp"
-#include "engine/ports/payload.hpp"
 #include "engine/system/perform_on_spec.hpp"
 #include "engine/tree/member.hpp"
 
 namespace nezumi {
 namespace {
-
-void append(std::string& out, const ValueView& value, std::size_t most) {
-    if (out.size() >= most) return;
-    const auto end = [&](bool is_empty) { out += out.size() >= most ? " ..." : is_empty ? "}" : " }"; };
-    switch (value.type->kind) {
-        case Type::Kind::octets: out += fmt::format("<{} bytes>", value.as<Octets>().size()); return;
-        case Type::Kind::structure:
-            out += "{";
-            for (const Type::Field& field : value.type->fields) {
-                if (out.size() >= most) break;
-                out += fmt::format("{}{} = ", &field == value.type->fields.data() ? " " : ", ", field.name);
-                append(out, value.field(field), most);
-            }
-            return end(false);
-        case Type::Kind::array:
-        case Type::Kind::sequence:
-        case Type::Kind::optional: {
-            out += "{";
-            std::size_t index = 0;
-            for_each_element(value, [&](const ValueView& element) {
-                if (out.size() >= most) return false;
-                out += index++ > 0 ? ", " : " ";
-                append(out, element, most);
-                return true;
-            });
-            return end(value.count() == 0);
-        }
-        case Type::Kind::text: {
-            const auto& text = value.as<std::string>();
-            out += text.size() > most ? lua_quoted(text.substr(0, most)) + "..." : lua_quoted(text);
-            return;
-        }
-        default:
-            visit_number(value, [&]<class T>(const T& number) {
-                if constexpr (std::is_floating_point_v<T>) {
-                    out += fmt::format("{:.6g}", number == 0 ? T{0} : number);
-                } else {
-                    out += fmt::format("{}", number);
-                }
-            });
-    }
-}
 
 // "-> controller.in, plotter.in" or "not connected".
 std::string peers_text(const RunningSystem& live, const Component& component, const Port& port) {
@@ -81,7 +37,7 @@ std::string age_text(double age) { return std::isinf(age) ? "nothing yet" : fmt:
 std::string bounds_text(const ParameterSpec& spec) {
     if (!spec.choices.empty()) {
         std::string text = "one of";
-        for (const ParameterValue& choice : spec.choices) text += " " + to_text(choice);
+        for (const Value& choice : spec.choices) text += " " + lua_text(choice);
         return text;
     }
     if (spec.min && spec.max) return fmt::format("{:.6g} to {:.6g}", *spec.min, *spec.max);
@@ -99,46 +55,33 @@ std::string note_text(const Port& port) {
 }
 
 // A value of a script as a port's is shown: "0.25", "{ left = 1, right = 2 }". Tables in tables do not come here.
-std::string plain_text(const PlainData& data, const PlainData::Value& value, std::size_t width) {
+std::string plain_text(const PlainData& data, const Value& value, std::size_t width) {
+    const auto* table = value.get_if<TableRef>();
+    if (table == nullptr) return short_text(value, width);
     std::string text;
-    if (const auto* table = std::get_if<PlainData::TableRef>(&value)) {
-        std::int64_t next = 1;
-        for (const auto& [key, entry] : data.tables[table->index]) {
-            text += text.empty() ? " " : ", ";
-            if (text.size() >= width) return "{" + text + "... }";
-            const auto* place = std::get_if<std::int64_t>(&key);
-            const auto* name = std::get_if<std::string>(&key);
-            if (place == nullptr || *place != next++) {
-                text += name != nullptr && is_identifier(*name) ? *name : "[" + plain_text(data, key, width) + "]";
-                text += " = ";
-            }
-            text += plain_text(data, entry, width);
+    std::int64_t next = 1;
+    for (const auto& [key, entry] : data.tables[table->index]) {
+        text += text.empty() ? " " : ", ";
+        if (text.size() >= width) return "{" + text + "... }";
+        const auto* place = key.get_if<std::int64_t>();
+        const auto* name = key.get_if<std::string>();
+        if (place == nullptr || *place != next++) {
+            text += name != nullptr && is_identifier(*name) ? *name : "[" + plain_text(data, key, width) + "]";
+            text += " = ";
         }
-        return text.empty() ? "{}" : "{" + text + " }";
+        text += plain_text(data, entry, width);
     }
-    std::visit(
-        [&]<class T>(const T& v) {
-            if constexpr (!std::is_same_v<T, std::monostate> && !std::is_same_v<T, PlainData::TableRef>)
-                append(text, v, width);
-        },
-        value);
-    return text;
+    return text.empty() ? "{}" : "{" + text + " }";
 }
 
 std::string probe_text(const PlainData& probe) { return plain_text(probe, probe.values.front(), 80); }
 
 }  // namespace
 
-std::string payload_text(const ValueView& value, std::size_t width) {
-    std::string text;
-    append(text, value, width);
-    return text;
-}
-
 std::string port_text(const RunningSystem& live, const Component& component, const Port& port) {
     const System& system = live.system();
     return fmt::format("{}.{}  {}  {}  {}  {}{}{}", component.name(), port.name(), port.type_name(),
-                       payload_text(port.value()), age_text(port_age(system, port)), peers_text(live, component, port),
+                       short_text(port.value()), age_text(port_age(system, port)), peers_text(live, component, port),
                        override_text(system, component, port), note_text(port));
 }
 
@@ -167,11 +110,11 @@ std::string component_text(const RunningSystem& live, const Component& component
                             port->name(), name_width, port->type_name(), type_width, peers_text(live, component, *port),
                             override_text(system, component, *port));
         if (port->override() == Override::held || port->override() == Override::frozen)
-            text += " at " + payload_text(port->override_value(), 60);
+            text += " at " + short_text(port->override_value(), 60);
         text += note_text(*port);
     }
     for (const auto& parameter : component.parameters().all())
-        text += fmt::format("\n  config.{} = {}", parameter.spec.name, to_text(parameter.value));
+        text += fmt::format("\n  config.{} = {}", parameter.spec.name, lua_text(parameter.value));
     for (const CommandDeclaration& command : component.commands())
         text += fmt::format("\n  :{}(...)  {}", command.name, first_line(command.doc));
     for (const TaskStatus& task : component.tasks()) {
@@ -197,7 +140,7 @@ std::string about_text(const Component& component) {
 
 std::string parameter_text(const Parameters::Parameter& parameter) {
     const ParameterSpec& spec = parameter.spec;
-    std::string text = fmt::format("{} = {}", spec.name, to_text(parameter.value));
+    std::string text = fmt::format("{} = {}", spec.name, lua_text(parameter.value));
     const std::string bounds = bounds_text(spec);
     if (!spec.unit.empty() || !bounds.empty())
         text += fmt::format("  {}{}{}", spec.unit, spec.unit.empty() || bounds.empty() ? "" : ", ", bounds);
@@ -232,11 +175,11 @@ std::string node_text(const RunningSystem& live, const TreeNode& node) {
     const auto value = node.value();
     const auto* held = value ? std::get_if<Value>(&*value) : nullptr;
     if (held == nullptr) return value ? "nil" : value.error().message;
-    if (node.kind() != Kind::truth) return payload_text(*held);
+    if (node.kind() != Kind::truth) return short_text(*held);
     std::string text;
     for (const Type::Field& field : held->type().fields)
         text +=
-            fmt::format("{}{} = {}", text.empty() ? "" : "\n", field.name, payload_text(ValueView(*held).field(field)));
+            fmt::format("{}{} = {}", text.empty() ? "" : "\n", field.name, short_text(ValueView(*held).field(field)));
     return text;
 }
 

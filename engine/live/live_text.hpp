@@ -7,15 +7,11 @@
 
 #include "engine/system/system.hpp"
 #include "engine/tree/node.hpp"
-#include "engine/values/value.hpp"
+#include "engine/values/value_text.hpp"
 
 namespace nezumi {
 
 class RunningSystem;
-
-/// "{ vx = 0.1, vy = 0, va = 0 }", "{ 31, 0, 0, 0 }", "true": one line of at most about `width` characters, with
-/// "..." where there is more. Numbers with six digits.
-std::string payload_text(const ValueView& value, std::size_t width = 80);
 
 /// "mouse.ir_sensor_out  TimedShortSeq  { 0, 0, 0, 0 }  0.01 s old  -> controller.in", and whether it is held.
 std::string port_text(const RunningSystem& live, const Component& component, const Port& port);

@@ -41,7 +41,8 @@ Expected<const ScriptFile*> script_of(const System& system, const std::string& n
 }
 
 Expected<SystemSpec> read_spec(const std::filesystem::path& file, const Project& project, const LiveOptions& options) {
-    auto spec = options.scripts->read_system(file, project, {.seed = options.build.seed, .print = options.print});
+    auto spec = options.scripts->read_system(
+        file, project, {.seed = options.build.seed, .print = options.print, .set = options.values.set});
     if (spec && options.prepare) {
         if (auto ok = options.prepare(*spec); !ok) return Unexpected(ok.error());
     }

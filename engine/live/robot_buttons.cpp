@@ -1,4 +1,4 @@
-// Between two ticks, from what the robots' sensors said in the last one.
+// Called between two ticks; uses the sensor readings of the last tick.
 #include "engine/live/robot_buttons.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace nezumi {
 namespace {
 
-// Whether this button of a real robot is pressed; "" is no button.
+// True if this button of a real robot is pressed; "" means no button.
 bool is_pressed(const Robot& robot, const std::string& button) {
     const RobotSpec& spec = robot.spec();
     for (std::size_t i = 0; robot.is_real() && i < spec.sensors.size() && i < robot.readings().size(); ++i) {
@@ -65,7 +65,7 @@ StartButtons::StartButtons(RunLoop& loop, std::function<void(std::string)> say) 
 void StartButtons::after_tick() {
     if (waiting_.empty()) return;
     if (!loop_.is_paused()) {
-        waiting_.clear();  // somebody at the console knows what they do
+        waiting_.clear();  // a person at the console takes responsibility
         return;
     }
     std::erase_if(waiting_, [this](const std::string& name) {

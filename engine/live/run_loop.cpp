@@ -1,4 +1,4 @@
-// Deadlines are the pacer's; what is left before them belongs to the attendants.
+// The pacer keeps the deadlines; attendants get the remaining time.
 #include "engine/live/run_loop.hpp"
 
 #include <poll.h>
@@ -17,9 +17,9 @@ Pacer::Clock::duration duration_of(double seconds) {
     return std::chrono::duration_cast<Pacer::Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-// The last part of a wait is the pacer's, which sleeps to the point [s].
+// The pacer sleeps exactly for the last part of a wait [s].
 constexpr double precise = 0.001;
-// What attendants leave of the time before a tick, for all that comes between their turn and it [s].
+// The time [s] before a tick that attendants must leave free.
 constexpr double wake_margin = 0.0002;
 
 }  // namespace
@@ -79,7 +79,7 @@ bool RunLoop::ended() const {
 void RunLoop::follow_restart() {
     if (starts_ == live_.starts()) return;
     starts_ = live_.starts();
-    pace_anew();  // its rate may be another
+    pace_anew();  // its rate may have changed
 }
 
 void RunLoop::run() {
@@ -103,7 +103,7 @@ void RunLoop::run() {
     }
 }
 
-// Mostly other hosts are as far within a moment. While they are not, attendants have their turns as in a pause.
+// Usually other hosts are ready within a moment. Until then, attendants get time as in a pause.
 void RunLoop::wait_for_hosts() {
     wait_for_files(slice, true);
     if (!live_.may_tick()) {
@@ -127,7 +127,7 @@ void RunLoop::serve_until_due() {
     for (;;) {
         const auto now = Clock::now();
         const double spare = spare_seconds();
-        // Ticks that are never in time, or never wait, still let the others have a turn now and then.
+        // Attendants get some time even if ticks are always late or never wait.
         const bool starving = now - served_ > duration_of(more_waits_ ? slice : longest_wait / 2);
         if (spare < 2 * wake_margin && !starving) return;
 
@@ -163,7 +163,7 @@ void RunLoop::wait_for_files(double seconds, bool of_hosts_alone) {
     polled.reserve(files.size());
     for (const int file : files) polled.push_back({.fd = file, .events = POLLIN, .revents = 0});
     const timespec timeout{.tv_sec = 0, .tv_nsec = static_cast<long>(seconds * 1e9)};  // longest_wait is far below 1 s
-    ppoll(polled.data(), polled.size(), &timeout, nullptr);  // a signal ends it as well, and the loop looks again
+    ppoll(polled.data(), polled.size(), &timeout, nullptr);  // a signal ends it too, and the loop checks again
 }
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Performs acts on a running system: those of perform.hpp, and those on scripts, entries and the whole.
+// Performs acts on a running system: those of perform.hpp, and those on scripts, entries and the whole system.
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -23,7 +23,7 @@ Expected<ActResult> RunningSystem::act(const Act& act, const Actor& who) {
 }
 
 Expected<ActResult> RunningSystem::deliver(const Port& port, const Act& act, const Actor& who) {
-    // Who sends may only look at the system, but this is its door.
+    // The sender's system is const, but this is the system's own interface.
     return perform_and_tell(act, who, nullptr, [&] { return nezumi::deliver(const_cast<Port&>(port), act); });
 }
 
@@ -54,7 +54,7 @@ Expected<ActResult> RunningSystem::commit(PreparedAct prepared, const Actor& who
 }
 
 void RunningSystem::settle() {
-    // What failed on probation is taken back before anything else happens, here as before a tick.
+    // A script that failed on probation is rolled back before anything else, as before a tick.
     running_->reloads->after_tick();
     if (!foreseen_.empty()) take_foreseen();
 }

@@ -1,4 +1,4 @@
-// Builds beside the system that runs, and takes its place only when all has gone well.
+// Builds the next system beside the running one, which is replaced only after success.
 #include "engine/live/running_system.hpp"
 
 #include <fmt/format.h>

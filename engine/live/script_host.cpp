@@ -1,4 +1,4 @@
-// What stands for a language where there is none.
+// Replaces a script language if there is none.
 #include "engine/live/script_host.hpp"
 
 namespace nezumi {

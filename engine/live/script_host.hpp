@@ -69,13 +69,17 @@ struct SystemFileOptions {
     double seconds = 2.0;                         ///< of CPU time that the file may take
     std::function<void(std::string_view)> print;  ///< takes what `print` was given, a line at a time; may be empty
     bool is_part = false;  ///< the robots that components are on, and the tick, may be in the rest of the system
+    std::vector<std::string>
+        set{};  ///< as of `StartValues`: those without a dot before the = are arguments of the file
 };
 
 /// Values of parameters that whoever starts a system puts in place of the system file's. Both are taken again at every
 /// start of the system: `restart` keeps them.
 struct StartValues {
-    std::string file;              ///< a system file, as `save` writes it, whose parameters and sets hold; "" for none
-    std::vector<std::string> set;  ///< "controller.speed_x=0.3", the last of a parameter counts; over those of `file`
+    std::string file;  ///< a system file, as `save` writes it, whose parameters and sets hold; "" for none
+    /// "controller.speed_x=0.3", the last of a parameter counts; over those of `file`. "wander_*.speed=0.2" is of all
+    /// that are called so, "n=10" an argument of the file.
+    std::vector<std::string> set;
 };
 
 class ScriptHost {

@@ -1,4 +1,4 @@
-// A twin is an entry like any other, with a description of its own.
+// A twin is an entry like any other, with its own description.
 #include "engine/live/twins.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ Expected<void> add_twins(SystemSpec& spec) {
                 place_of(*taken));
         RobotSpec description = spec.models.at(real->described_by());
         std::erase_if(description.ports, [](const PortSpec& port) { return port.is_input; });
-        for (ActuatorSpec& actuator : description.actuators) actuator.speed = 0;  // no parameter for it
+        for (ActuatorSpec& actuator : description.actuators) actuator.speed = 0;  // so the twin has no parameter for it
         description.drive.needs.clear();
         description.hardware = {};
         spec.models.insert_or_assign(twin.name, std::move(description));

@@ -141,7 +141,9 @@ struct RangeData {
     bool operator==(const RangeData&) const = default;
 
     static constexpr std::tuple fields{
-        Field{"ranges", &RangeData::ranges, "m", "distances, one per scan angle"},
+        Field{"ranges", &RangeData::ranges, "m",
+              "distances, one per scan angle; inf: nothing within reach, -inf: too near, nan: no reading (REP 117)",
+              Numbers::any},
         Field{"geometry", &RangeData::geometry, "", "where the ranger sits"},
         Field{"config", &RangeData::config, "", "what it can measure"},
     };
@@ -168,7 +170,8 @@ struct CameraImage {
 
 /// How a camera maps what is before it to pixels: a pinhole, and the distortion of its lens after Brown and Conrady, as
 /// OpenCV counts it. A point x to the right, y down and z ahead of the camera lies at (a, b) = (x / z, y / z); the
-/// distortion moves it, with r2 = a^2 + b^2 and radial = 1 + k1 r2 + k2 r2^2 + k3 r2^3, to
+/// distortion moves it, with r2 = a^2 + b^2 and
+///     radial = (1 + k1 r2 + k2 r2^2 + k3 r2^3) / (1 + k4 r2 + k5 r2^2 + k6 r2^3), to
 ///     (a radial + 2 p1 a b + p2 (r2 + 2 a^2), b radial + p1 (r2 + 2 b^2) + 2 p2 a b),
 /// which is seen at column cx + fx * and row cy + fy * of that. The centre of the first pixel is (0, 0).
 struct CameraIntrinsics {
@@ -183,6 +186,9 @@ struct CameraIntrinsics {
     double p1 = 0;
     double p2 = 0;
     double k3 = 0;
+    double k4 = 0;
+    double k5 = 0;
+    double k6 = 0;
     bool operator==(const CameraIntrinsics&) const = default;
 
     static constexpr std::tuple fields{
@@ -197,6 +203,9 @@ struct CameraIntrinsics {
         Field{"p1", &CameraIntrinsics::p1, "", "tangential distortion"},
         Field{"p2", &CameraIntrinsics::p2, "", "tangential distortion"},
         Field{"k3", &CameraIntrinsics::k3, "", "radial distortion"},
+        Field{"k4", &CameraIntrinsics::k4, "", "radial distortion of a rational model"},
+        Field{"k5", &CameraIntrinsics::k5, "", "radial distortion of a rational model"},
+        Field{"k6", &CameraIntrinsics::k6, "", "radial distortion of a rational model"},
     };
 };
 

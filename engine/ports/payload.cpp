@@ -21,4 +21,9 @@ std::size_t message_index(const Type& payload) {
     return static_cast<std::size_t>(found - all.begin());
 }
 
+std::string_view message_name(const Type& payload) {
+    const std::size_t index = message_index(payload);
+    return index < message_infos().size() ? message_infos()[index].name : "no message";
+}
+
 }  // namespace nezumi

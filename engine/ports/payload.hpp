@@ -26,5 +26,7 @@ inline Value make_payload(std::size_t index) { return Value(*message_infos()[ind
 
 /// The place in `message_types` of the message type that carries such a value; their number where there is none.
 std::size_t message_index(const Type& payload);
+/// The name of that message type, or "no message".
+std::string_view message_name(const Type& payload);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Ports made from a message type's name.
+// Makes ports from the name of a message type.
 #include "engine/ports/port.hpp"
 
 namespace nezumi {

@@ -37,7 +37,49 @@ std::string check_numbers(std::initializer_list<double> numbers) {
     return "";
 }
 
+std::string check_fields(const ValueView& record, const std::string& path);
+
+std::string check_member(const ValueView& value, const std::string& path, const Rule& rule, std::string_view unit) {
+    const Type& type = *value.type;
+    if (type.kind == Type::Kind::float64) {
+        const std::string problem = check_number(value.as<double>(), rule, unit);
+        return problem.empty() ? problem : "field '" + path + "' " + problem;
+    }
+    if (type.kind == Type::Kind::optional)
+        return value.count() > 0 ? check_member({*type.element, value.first()}, path, rule, unit) : "";
+    if (is_record(type)) return check_fields(value, path + ".");
+    const bool is_place = &type == &type_of<Point2D>() || &type == &type_of<Point3D>();
+    std::string problem;
+    for (const Type::Field& axis : type.fields) {
+        if (is_place && problem.empty()) problem = check_member(value.field(axis), path + "." + axis.name, rule, unit);
+    }
+    return problem;
+}
+
+std::string check_fields(const ValueView& record, const std::string& path) {
+    for (const Type::Field& field : record.type->fields) {
+        std::string problem = check_member(record.field(field), path + field.name, *field.rule, field.unit);
+        if (!problem.empty()) return problem;
+    }
+    return "";
+}
+
 }  // namespace
+
+std::string usage_of(const Type& record, unsigned kinds) {
+    std::string text;
+    for (const Type::Field& field : record.fields) {
+        if (kinds != 0 && field.rule->of != 0 && (field.rule->of & kinds) == 0) continue;
+        text += (text.empty() ? "{ " : ", ") + field.name + " =";
+    }
+    return text + " }";
+}
+
+Expected<void> check_record(const ValueView& record, const Place& place) {
+    const std::string problem = check_fields(record, "");
+    if (!problem.empty()) return failure(record.type->name + ": " + problem, place);
+    return {};
+}
 
 std::string check_pose(const Pose2D& pose) { return check_numbers({pose.position.x, pose.position.y, pose.heading}); }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,7 +16,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/ports/messages.hpp"
-#include "engine/values/describe.hpp"
+#include "engine/values/value.hpp"
 
 namespace nezumi {
 
@@ -135,51 +137,113 @@ std::string check_pose(const Pose3D& pose);
 
 namespace detail {
 
-template <Recorded T>
-std::string check_fields(const T& record, const std::string& path);
-
 template <class T>
-std::string check_member(const T& value, const std::string& path, const Rule& rule, std::string_view unit) {
-    if constexpr (std::is_same_v<T, double>) {
-        const std::string problem = check_number(value, rule, unit);
-        return problem.empty() ? problem : "field '" + path + "' " + problem;
-    } else if constexpr (requires { value.x; }) {
-        std::string problem = check_member(value.x, path + ".x", rule, unit);
-        if (problem.empty()) problem = check_member(value.y, path + ".y", rule, unit);
-        if constexpr (requires { value.z; }) {
-            if (problem.empty()) problem = check_member(value.z, path + ".z", rule, unit);
-        }
-        return problem;
-    } else if constexpr (requires { value.has_value(); }) {
-        return value ? check_member(*value, path, rule, unit) : std::string();
-    } else if constexpr (Recorded<T>) {
-        return check_fields(value, path + ".");
+struct IsMap : std::false_type {};
+template <class T>
+struct IsMap<std::map<std::string, T, std::less<>>> : std::true_type {
+    using Element = T;
+};
+
+// What only tables that a person writes have: an enumeration, or what holds one or a structure with rules.
+template <class T>
+constexpr bool is_written() {
+    if constexpr (IsOptional<T>::value || IsVector<T>::value) {
+        return is_written<typename T::value_type>();
     } else {
-        return "";
+        return Recorded<T> || std::is_enum_v<T> || IsMap<T>::value;
     }
 }
 
+template <class T>
+const Type& written_type_of();
+
+template <class T>
+Type make_written() {
+    Type type{.size = sizeof(T), .storage = storage_of<T>()};
+    if constexpr (std::is_enum_v<T>) {
+        type.kind = Type::Kind::enumeration;
+        type.choices.assign(Choices<T>::names.begin(), Choices<T>::names.end());
+    } else if constexpr (IsMap<T>::value) {
+        type.kind = Type::Kind::map;
+        type.element = &written_type_of<typename IsMap<T>::Element>();
+        type.entries.for_each = [](const void* map, const EntryVisitor& visit) {
+            for (const auto& [name, element] : *static_cast<const T*>(map)) visit(name, &element);
+        };
+        type.entries.add = [](void* map, const std::string& name) -> void* { return &(*static_cast<T*>(map))[name]; };
+    } else {
+        type.kind = IsOptional<T>::value ? Type::Kind::optional : Type::Kind::sequence;
+        type.element = &written_type_of<typename T::value_type>();
+        type.elements = elements_of<T>();
+    }
+    return type;
+}
+
 template <Recorded T>
-std::string check_fields(const T& record, const std::string& path) {
-    std::string problem;
+Type make_record() {
+    Type type{.kind = Type::Kind::structure,
+              .name = std::string(Describe<T>::name),
+              .doc = std::string(Describe<T>::doc),
+              .size = sizeof(T),
+              .storage = storage_of<T>()};
+    if constexpr (requires { Describe<T>::kinds; })
+        type.kinds.assign(Describe<T>::kinds.begin(), Describe<T>::kinds.end());
+    const T sample{};
     for_each_setting<T>([&](const auto& field) {
+        Type::Field made{.name = std::string(field.name),
+                         .type = &type_of<std::monostate>(),
+                         .unit = std::string(field.unit),
+                         .doc = std::string(field.doc),
+                         .rule = &field.rule};
         if constexpr (requires { field.member; }) {
-            if (problem.empty())
-                problem = check_member(record.*(field.member), path + std::string(field.name), field.rule, field.unit);
+            const auto& member = sample.*(field.member);
+            made.offset = place_in(sample, member);
+            made.type = &written_type_of<std::remove_cvref_t<decltype(member)>>();
+        } else {
+            made.lua_type = field.type;
         }
+        type.fields.push_back(std::move(made));
     });
-    return problem;
+    return type;
 }
 
 }  // namespace detail
 
+/// The table of a structure that a person writes: its `Setting`s, and its `Extra`s, which hold nothing. Each field has
+/// its rule.
+template <Recorded T>
+const Type& record_of() {
+    static const Type type = detail::make_record<T>();
+    return type;
+}
+
+template <class T>
+const Type& detail::written_type_of() {
+    if constexpr (Recorded<T>) {
+        return record_of<T>();
+    } else if constexpr (is_written<T>()) {
+        static const Type type = make_written<T>();
+        return type;
+    } else {
+        return type_of<T>();
+    }
+}
+
+/// Whether a type is that of a structure whose fields have rules.
+inline bool is_record(const Type& type) { return !type.fields.empty() && type.fields.front().rule != nullptr; }
+
+/// "{ vx =, vy =, va = }": all fields of such a structure, or those that these kinds of it have, as bits.
+std::string usage_of(const Type& record, unsigned kinds = 0);
+template <Recorded T>
+std::string usage_of(unsigned kinds = 0) {
+    return usage_of(record_of<T>(), kinds);
+}
+
 /// Checks the numbers and places of a structure by the rules of its fields, for whoever did not read it field by field:
 /// a map, a program. The error is "box: field 'size.x' expected a positive number, got 0", at `place`.
+Expected<void> check_record(const ValueView& record, const Place& place);
 template <Recorded T>
 Expected<void> check_record(const T& record, const Place& place) {
-    const std::string problem = detail::check_fields(record, "");
-    if (!problem.empty()) return failure(std::string(Describe<T>::name) + ": " + problem, place);
-    return {};
+    return check_record(ValueView(record_of<T>(), &record), place);
 }
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Part by part: a slip in a folder's name does not hide one in the file's.
+// Compares part by part, so a misspelt folder does not hide a misspelt file.
 #include "engine/project/near_path.hpp"
 
 #include <vector>
@@ -27,7 +27,7 @@ std::string near_path(const fs::path& path) {
             continue;
         }
         const std::string near = nearest_in(there, part.string());
-        if (near.empty() || near == part) return "";  // a link may lead nowhere
+        if (near.empty() || near == part) return "";  // a link may have no target
         there /= near;
     }
     return there.string();

@@ -1,4 +1,4 @@
-// Looks for files, in the order that the places are documented.
+// Searches for files in the documented order of places.
 #include "engine/project/project.hpp"
 
 #include <fmt/format.h>
@@ -25,9 +25,9 @@ std::string_view word(FileKind kind) {
 
 bool ends_in_lua(std::string_view name) { return name.size() > 4 && name.substr(name.size() - 4) == ".lua"; }
 
-// "lib.pid", "lib/pid": it stays below the folders that are looked in.
+// "lib.pid", "lib/pid": must stay within the searched folders.
 bool is_module_name(std::string_view name) {
-    bool begins = true;  // a name
+    bool begins = true;  // of a name
     for (const char c : name) {
         const bool ends = c == '.' || c == '/';
         if (begins && ends) return false;
@@ -36,7 +36,7 @@ bool is_module_name(std::string_view name) {
     return !begins;
 }
 
-// The name as a path with its ending.
+// The name as a path with its file extension.
 fs::path file_name(FileKind kind, std::string_view name) {
     std::string text(name);
     if (kind == FileKind::data) return text;
@@ -47,7 +47,7 @@ fs::path file_name(FileKind kind, std::string_view name) {
     return ends_in_lua(text) ? text : text + ".lua";
 }
 
-// The names in a folder that could have been meant, as a person would write them.
+// The names in a folder that could be meant, in the form that a person writes.
 void collect_names(const ProjectFiles& files, const fs::path& folder, FileKind kind, std::set<std::string>& names) {
     for (std::string& name : files.names_in(folder)) {
         if (kind == FileKind::data) {
@@ -74,7 +74,7 @@ std::string nearest_name(const ProjectFiles& files, const std::vector<fs::path>&
         }
     }
     const std::vector<std::string_view> candidates(names.begin(), names.end());
-    // A folder of that name, or the file that names it, is not what was meant.
+    // An existing name was not accepted because it is a folder or the naming file itself, so it is not a suggestion.
     if (std::find(candidates.begin(), candidates.end(), name) != candidates.end()) return "";
     return did_you_mean(name, candidates);
 }
@@ -123,7 +123,7 @@ std::vector<std::string> Project::names(FileKind kind, const fs::path& named_in)
 Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs::path& named_in,
                                  const std::function<bool(const fs::path&)>& passes_over) const {
     if (name.empty()) return failure(fmt::format("the name of a {} is empty", word(kind)));
-    // It stands in messages, and in the names of the files that are looked for.
+    // The name appears in messages and in paths.
     if (visible(name) != name || name.find_first_of("\n\t") != std::string_view::npos)
         return failure(
             fmt::format("the name of a {} has a control character in it: '{}'", word(kind), nezumi::shown(name)));
@@ -137,7 +137,7 @@ Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs:
     std::string other;
     for (const fs::path& folder : folders) {
         const fs::path candidate = (folder / file).lexically_normal();
-        // Nobody means the file itself: a system may be called like the behaviour that it is for.
+        // A file can't name itself: a system may have the same name as its behaviour.
         if (candidate == naming) continue;
         const std::string what = files_->what_is(candidate);
         const bool is_file = what == "a file";

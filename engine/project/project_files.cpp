@@ -1,4 +1,4 @@
-// The disk, and snapshots of what was found there.
+// Reads the disk, and makes snapshots of what was read.
 #include "engine/project/project_files.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Reads files of scripts, and names types by them.
+// Reads script files, and derives type names from their names.
 #include "engine/project/script_source.hpp"
 
 #include <cctype>

@@ -1,4 +1,4 @@
-// Paths are compared without their links, which may lead out of the project.
+// Compares paths after resolving links, which may lead out of the project.
 #include "engine/project/writable_folder.hpp"
 
 #include <fmt/format.h>
@@ -9,13 +9,15 @@ namespace nezumi {
 
 std::filesystem::path writable_folder(const Project& project, const std::string& file) {
     if (!project.root().empty()) return project.root();
-    return std::filesystem::absolute(file).parent_path();
+    return (project.files().working_folder() / file).parent_path();
 }
 
 Expected<void> check_is_within(const std::filesystem::path& home, const std::filesystem::path& path,
                                const std::string& shown, std::string_view what) {
     std::error_code problem;
-    const auto real = std::filesystem::weakly_canonical(std::filesystem::absolute(path), problem);
+    const auto whole = std::filesystem::absolute(path, problem);
+    if (problem) return failure(fmt::format("'{}': the working folder is not known: {}", shown, problem.message()));
+    const auto real = std::filesystem::weakly_canonical(whole, problem);
     const auto within = std::filesystem::weakly_canonical(home, problem);
     const auto inside = real.lexically_relative(within);
     if (!problem && !inside.empty() && *inside.begin() != "..") return {};

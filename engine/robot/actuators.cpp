@@ -1,4 +1,4 @@
-// Messages become lights, tones, angles, pictures and sounds.
+// Converts messages to lights, tones, angles, pictures and sounds.
 #include "engine/robot/actuators.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Kind = ActuatorSpec::Kind;
 
-// The value of a port whose type `Actuators::type_for` has fixed.
+// The value of a port; `Actuators::type_for` has determined its type.
 template <class T>
 const T& take(InPortBase& port) {
     return static_cast<InPort<T>&>(port).read();
@@ -141,7 +141,7 @@ void Actuators::set_buzzer(RobotBody& body, int hertz) {
     if (hertz != std::exchange(buzzer_hertz_, hertz)) body.set_buzzer(hertz);
 }
 
-// An angle that is not finite is none.
+// Ignores an angle that is not finite.
 void Actuators::aim_servo(RobotBody& body, Channel& channel, double angle) const {
     const ActuatorSpec& servo = spec_.actuators[channel.actuator];
     if (!std::isfinite(angle)) return;

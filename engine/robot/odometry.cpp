@@ -31,7 +31,7 @@ void Odometry::update(const WheelPulses& pulses) {
         pose_.position.x += ds / dth * (std::sin(th + dth) - std::sin(th));
         pose_.position.y -= ds / dth * (std::cos(th + dth) - std::cos(th));
     }
-    pose_.heading += dth;
+    pose_.heading = std::remainder(th + dth, 2 * std::numbers::pi);
 }
 
 }  // namespace nezumi

@@ -14,7 +14,9 @@ public:
 
     /// Takes how far the wheels have turned since the start. The first call only sets the zero.
     void update(const WheelPulses& pulses);
+    /// Its heading lies between -pi and pi.
     const Pose2D& pose() const { return pose_; }
+    void start_at(const Pose2D& pose) { pose_ = pose; }
     void set_pose(const Pose2D& pose) {
         pose_ = pose;
         ++resets_;

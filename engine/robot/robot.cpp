@@ -24,6 +24,7 @@ Robot::Robot(std::string name, const RobotSpec& spec, const Limits& limits)
         const auto& needs = spec.drive.needs;
         if (std::find(needs.begin(), needs.end(), spec.sensors[i].name) != needs.end())
             needed_.push_back({.sensor = i});
+        if (spec.sensors[i].kind == SensorSpec::Kind::scan) scans_.push_back({.sensor = i});
     }
 }
 
@@ -110,7 +111,7 @@ void Robot::take_parameters() {
     parameters_.take_staged();
     if (std::exchange(parameters_version_, parameters_.version()) == parameters_.version()) return;
     for (std::size_t i = 0; i < servos_.size(); ++i)
-        actuators_.set_servo_speed(servos_[i], std::get<double>(parameters_.all()[i].value));
+        actuators_.set_servo_speed(servos_[i], parameters_.all()[i].value.get<double>());
 }
 
 void Robot::tell_faults() {
@@ -163,6 +164,21 @@ void Robot::publish(const SensorPort& port, std::span<const SensorReading> readi
     if (oldest != now.seconds) port.port->stamp(oldest);
 }
 
+void Robot::set_scans_due(const Time& now) {
+    for (Scan& scan : scans_) {
+        const bool due = std::any_of(sensor_ports_.begin(), sensor_ports_.end(), [&](const SensorPort& port) {
+            return port.sensors.front() == scan.sensor && is_due_at(port.rate, now);
+        });
+        if (std::exchange(scan.is_due, due) != due) body_->set_due(scan.sensor, due);
+    }
+}
+
+// When it changes: wheels that turn have nothing to say.
+void Robot::publish_stalled() {
+    if (stalled_out_ == nullptr || std::exchange(stalled_, body_->is_stalled()) == stalled_) return;
+    stalled_out_->write(stalled_);
+}
+
 void Robot::sense(const Time& now) {
     const double period = period_until(now, std::exchange(sensed_at_, now.seconds));
     const WheelReading wheels = body_->read_wheels(now, period);
@@ -172,7 +188,9 @@ void Robot::sense(const Time& now) {
     tell_faults();
     if (state() != LifeState::active) return;
     take_parameters();
+    set_scans_due(now);
     readings_ = body_->read_sensors(now, period);
+    publish_stalled();
     if (wheels.is_there) publish_wheels(wheels, now);
     for (const SensorPort& port : sensor_ports_) {
         if (is_due_at(port.rate, now)) publish(port, readings_, now);

@@ -26,6 +26,9 @@ public:
     /// The body it moves; given once, before the first tick.
     void take_body(std::unique_ptr<RobotBody> body);
 
+    /// Where its odometry starts.
+    void set_odometry(const Pose2D& pose) { odometry_.start_at(pose); }
+
     /// This robot, a simulated one with a body, becomes the twin of a real one (`Twin`), with an out-port `error`. An
     /// error when it has a port of this name already.
     Expected<void> follow(const Robot& real, const World& world);
@@ -127,6 +130,8 @@ private:
     Velocity2D velocity_of(const WheelReading& wheels) const;
     void publish_wheels(const WheelReading& wheels, const Time& now);
     void publish(const SensorPort& port, std::span<const SensorReading> readings, const Time& now) const;
+    void set_scans_due(const Time& now);
+    void publish_stalled();
     void tell_faults();
     Pose3D turned(const Pose3D& pose, std::size_t servo) const;
     void take_velocities(const Time& now);
@@ -152,6 +157,14 @@ private:
     std::vector<SensorPort> sensor_ports_;
     std::vector<WheelPort<Velocity2D>> velocity_ports_;
     std::vector<WheelPort<Pose2D>> pose_ports_;
+    OutPort<bool>* stalled_out_ = nullptr;
+    bool stalled_ = false;
+    // A scan, whose rays are cast when one of its ports is due.
+    struct Scan {
+        std::size_t sensor;
+        bool is_due = true;
+    };
+    std::vector<Scan> scans_;
     InPort<Velocity2D>* velocity_in_ = nullptr;
     InPort<Pose2D>* pose_in_ = nullptr;
     std::vector<std::size_t> servos_;  // with a parameter for their speed, in its order

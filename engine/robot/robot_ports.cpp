@@ -157,7 +157,7 @@ Expected<std::size_t> find_sensor(const RobotSpec& spec, std::string_view name) 
     const auto found = std::find_if(spec.sensors.begin(), spec.sensors.end(),
                                     [name](const SensorSpec& sensor) { return sensor.name == name; });
     if (found != spec.sensors.end()) return static_cast<std::size_t>(found - spec.sensors.begin());
-    std::vector<std::string_view> names{"velocity", "odometry"};
+    std::vector<std::string_view> names{"velocity", "odometry", "stalled"};
     for (const SensorSpec& sensor : spec.sensors) names.push_back(sensor.name);
     return failure(fmt::format("there is no sensor '{}'{}", shown(name), did_you_mean(name, names)));
 }
@@ -174,6 +174,13 @@ Expected<void> Robot::add_output(const PortSpec& port) {
     const auto type = find_message_type(port.type);
     if (!type) return Unexpected(type.error());
     const std::string& item = port.items.front();
+    if (item == "stalled") {
+        if (port.type != "TimedBoolean")
+            return failure(fmt::format("'stalled' is a TimedBoolean, not a {}", port.type));
+        if (stalled_out_ != nullptr) return failure("a robot has one out-port of 'stalled'");
+        stalled_out_ = &add_out_port<bool>(port.name, port.doc);
+        return {};
+    }
     if (item == "velocity" || item == "odometry") {
         const std::string_view expected = item == "velocity" ? "TimedVelocity2D" : "TimedPose2D";
         if (port.type != expected) return failure(fmt::format("'{}' is a {}, not a {}", item, expected, port.type));

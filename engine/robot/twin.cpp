@@ -1,4 +1,4 @@
-// Two motions since the same beginning, and the one as seen from the other.
+// Compares two motions since a common start, one relative to the other.
 #include "engine/robot/twin.hpp"
 
 #include "engine/robot/robot.hpp"

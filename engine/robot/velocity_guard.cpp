@@ -1,4 +1,4 @@
-// The safety rules for a velocity, the same in simulation and on hardware.
+// The safety rules for velocity commands, the same in simulation and on hardware.
 #include "engine/robot/velocity_guard.hpp"
 
 #include <algorithm>
@@ -9,10 +9,10 @@
 namespace nezumi {
 namespace {
 
-// Whether an axis at `from` brakes on its way to `to`.
+// True if an axis at `from` brakes on its way to `to`.
 bool brakes(double from, double to) { return from * to < 0 || std::abs(to) < std::abs(from); }
 
-// Nearer to `to` by at most `most`, and not beyond zero.
+// Moves towards `to` by at most `most`, but not beyond zero.
 double brake(double from, double to, double most) {
     const double end = from * to > 0 ? to : 0;
     return std::abs(end - from) <= most ? end : from + std::copysign(most, end - from);
@@ -22,7 +22,7 @@ double brake(double from, double to, double most) {
 
 VelocityGuard::Verdict VelocityGuard::command(const Velocity2D& velocity, double now) {
     commanded_at_ = now;
-    bool finite = true;  // each tick asks: not by the type's table
+    bool finite = true;  // checked in each tick, so without the type's table
     for_each_field(velocity, [&](const auto&, double speed) { finite = finite && std::isfinite(speed); });
     if (!finite) {
         stop();
@@ -37,7 +37,7 @@ VelocityGuard::Verdict VelocityGuard::command(const Velocity2D& velocity, double
 }
 
 Velocity2D VelocityGuard::advance(double now, double dt, double passed) {
-    constexpr double rounding = 1e-9;  // a command at 0.1 s has timed out at 0.6 s, however these were added up
+    constexpr double rounding = 1e-9;  // a command at 0.1 s times out at 0.6 s, independent of rounding
     if (now - commanded_at_ >= timeout - rounding) stop();
 
     struct Axis {
@@ -48,7 +48,7 @@ Velocity2D VelocityGuard::advance(double now, double dt, double passed) {
     };
     Axis axes[] = {{current_.vx, target_.vx, limits_.acceleration, brakes(current_.vx, target_.vx)},
                    {current_.va, target_.va, limits_.yaw_acceleration, brakes(current_.va, target_.va)}};
-    double part = 1;  // of the way to their targets that axes which speed up go
+    double part = 1;  // part of the way to their targets for axes that accelerate
     for (const Axis& axis : axes) {
         const double way = std::abs(axis.target - axis.current), most = axis.acceleration * dt;
         if (!axis.braking && way > most) part = std::min(part, most / way);

@@ -1,4 +1,4 @@
-// Gauss-Newton with derivatives by differences: three unknowns, a few dozen drives at most.
+// Gauss-Newton with numerical derivatives: three unknowns, a few dozen drives at most.
 #include "engine/robot/wheel_fit.hpp"
 
 #include <fmt/format.h>
@@ -11,8 +11,9 @@ namespace {
 
 using Scales = Eigen::Vector3d;  // of the left radius, the right radius and the track
 
-constexpr double largest_change = 0.25;    // of a scale: beyond it nobody has measured a robot of this model
-constexpr double longest_residual = 0.05;  // of the longest drive: what remains is no error of a tape measure
+constexpr double largest_change = 0.25;  // of a scale: a larger change is not plausible for this model
+constexpr double longest_residual =
+    0.05;  // relative to the longest drive: a larger residual is not an error of a tape measure
 
 WheelCalibration scaled(const WheelCalibration& wheels, const Scales& scales) {
     return {.track = wheels.track * scales[2],
@@ -53,7 +54,7 @@ Point2D end_of(const MeasuredDrive& drive, const WheelCalibration& believed, con
     for (const Wheels& step : drive.travel) {
         const double left = step.left * left_scale, right = step.right * right_scale;
         const double ahead = (right + left) / 2, turn = (right - left) / wheels.track;
-        // The chord of an arc, to the third order of a turn that is small in one tick.
+        // From the arc to its chord, to the third order; the turn within one tick is small.
         const double chord = ahead * (1 - turn * turn / 24);
         end.x += chord * std::cos(heading + turn / 2);
         end.y += chord * std::sin(heading + turn / 2);

@@ -78,6 +78,7 @@ return robot_model {
     pos_update = { type = "TimedPose2D", to = "odometry", doc = "sets the odometry's pose" },
 
     current_vel   = { type = "TimedVelocity2D", from = "velocity", doc = "velocity measured at the wheels, also when a hand rolls them" },
+    stalled       = { type = "TimedBoolean", from = "stalled", doc = "whether a wheel's motor gives all its power and does not get its speed; told when it changes, in simulation never" },
     odometry      = { type = "TimedPose2D", from = "odometry", doc = "odometry pose" },
     ultrasonic    = { type = "RangeData", from = "ultrasonic", doc = "distance ahead of the ultrasonic sensor; 2.5 m with nothing in sight" },
     gyro          = { type = "TimedDouble", from = "gyro", doc = "angle turned since the start [rad], counter-clockwise positive" },

@@ -1,4 +1,4 @@
-// Acts by name.
+// Names of acts.
 #include "engine/system/act.hpp"
 
 namespace nezumi {

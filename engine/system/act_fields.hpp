@@ -60,7 +60,7 @@ struct Describe<HoldOptions> {
 template <>
 struct Describe<VelocityConstraint> {
     static constexpr std::string_view name = "velocity_constraint";
-    static constexpr std::string_view doc = "Speeds that a hand forces on a robot.";
+    static constexpr std::string_view doc = "Speeds forced on a robot, as by a hand that holds it.";
     static constexpr std::array<std::string_view, 2> kinds{"a component's disturb", "s:disturb"};
     static constexpr unsigned at_once = 1U << 0U, in_scenarios = 1U << 1U;
     static constexpr std::tuple fields{

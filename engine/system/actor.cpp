@@ -1,4 +1,4 @@
-// Actors as text.
+// Converts actors to text and back.
 #include "engine/system/actor.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ Expected<Actor> actor_from(std::string_view text) {
         if (rest.front() == ' ') return Actor{static_cast<Actor::Kind>(i), std::string(rest.substr(1))};
     }
     return failure(
-        fmt::format("'{}' is nobody who acts: expected one of {}", shown(text), fmt::join(actor_kinds, ", ")));
+        fmt::format("'{}' is not a kind of actor: expected one of {}", shown(text), fmt::join(actor_kinds, ", ")));
 }
 
 }  // namespace nezumi

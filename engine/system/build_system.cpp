@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "engine/base/schedule.hpp"
 #include "engine/system/robot_limits.hpp"
 
@@ -84,6 +86,7 @@ Expected<Component*> add_robot(System& system, const RobotEntry& entry, const Sy
         return at(entry.place, body.error());
     }
     made->take_body(std::move(*body));
+    if (entry.odometry_at_pose) made->set_odometry(entry.pose);
     if (const std::string lowered = lowered_limits(entry, model->second.drive); !lowered.empty())
         system.log(LogLevel::warn, describe({fmt::format("robot '{}': {}", entry.name, lowered), entry.place}));
     const Robot* real = entry.twin_of.empty() ? nullptr : system.find_robot(entry.twin_of);
@@ -196,13 +199,18 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
         if (const auto* robot = std::get_if<RobotEntry>(&entry))
             bodies.push_back(add_body(*system, as_run(*robot, spec, makers), spec, makers));
     }
+    std::set<std::string, std::less<>> left_out;
+    const auto is_left_out = [&](std::string_view port) { return left_out.contains(port.substr(0, port.find('.'))); };
     auto body = bodies.begin();
     for (const Entry& entry : spec.entries) {
         const auto* robot = std::get_if<RobotEntry>(&entry);
         auto added = robot != nullptr
                          ? add_robot(*system, as_run(*robot, spec, makers), spec, makers, std::move(*body++))
                          : add_entry(*system, entry, spec, makers);
-        if (!added) return Unexpected(added.error());
+        if (added) continue;
+        if (!options.keep_going || !std::holds_alternative<BehaviorEntry>(entry)) return Unexpected(added.error());
+        left_out.insert(name_of(entry));
+        system->log(LogLevel::error, describe(added.error()) + ": left out, and the others go on");
     }
     if (spec.network || spec.ros) {
         const Place& place = spec.network ? spec.network->place : spec.ros->place;
@@ -213,6 +221,7 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
         system->take_network(std::move(*network));
     }
     for (const ConnectionSpec& connection : spec.connections) {
+        if (is_left_out(connection.from) || is_left_out(connection.to)) continue;
         if (auto ok = system->connect(connection.from, connection.to); !ok) return at(connection.place, ok.error());
     }
     return system;

@@ -53,7 +53,8 @@ struct BuildOptions {
     bool seed_wins = false;  ///< the seed counts even when the file gives one
     int threads = 1;
     bool out_of_time_is_fatal = false;
-    bool real_time = false;  ///< as in `System::Settings`: for systems with a real robot
+    bool real_time = false;   ///< as in `System::Settings`: for systems with a real robot
+    bool keep_going = false;  ///< a behaviour that can't be made is left out, and logged, with its connections
     LogSink log;
 };
 

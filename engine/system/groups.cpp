@@ -1,4 +1,4 @@
-// Joins what is connected, by a forest of components that each name one before them.
+// Finds connected groups: a forest in which each component points to an earlier one.
 #include "engine/system/groups.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace nezumi {
 
 std::vector<Group> group_components(const std::vector<std::unique_ptr<Component>>& components,
                                     const std::vector<Connection>& connections, std::size_t large) {
-    // Each component names one before it in its group, or itself: the first.
+    // Each component points to an earlier one in its group, or to itself if it is the first.
     std::vector<std::size_t> earlier(components.size());
     std::iota(earlier.begin(), earlier.end(), std::size_t{0});
     const auto first_of = [&](std::size_t i) {
@@ -25,7 +25,7 @@ std::vector<Group> group_components(const std::vector<std::unique_ptr<Component>
         earlier[std::max(from, to)] = std::min(from, to);
     };
     for (const Connection& connection : connections) join(connection.from_component, connection.to_component);
-    for (const auto& component : components) {  // a twin looks at the real robot, in the same tick
+    for (const auto& component : components) {  // a twin reads the real robot in the same tick
         const auto* robot = dynamic_cast<const Robot*>(component.get());
         if (robot != nullptr && robot->real() != nullptr) join(robot, robot->real());
     }

@@ -1,4 +1,4 @@
-// A histogram whose classes grow with what they hold.
+// A histogram whose class widths grow with the values.
 #include "engine/system/lateness.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 namespace nezumi {
 namespace {
 
-constexpr double unit = 1e-6;  // [s], where the classes begin
+constexpr double unit = 1e-6;  // [s] start of the classes
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Every deadline is counted from the start, not from the tick before.
+// Each deadline is computed from the start, not from the previous tick.
 #include "engine/system/pacer.hpp"
 
 #include <cassert>

@@ -33,8 +33,8 @@ Expected<Port*> port_here(System& system, const std::string& path) {
 // Whether the port may have such a value.
 Expected<void> check_fits(const Port& port, const std::string& path, const Value& value) {
     if (port.type() != message_index(value.type())) {
-        return failure(fmt::format("types differ: {} is {}, the value is {}", path, port.type_name(),
-                                   message_type_names[message_index(value.type())]));
+        return failure(
+            fmt::format("types differ: {} is {}, the value is {}", path, port.type_name(), message_name(value.type())));
     }
     if (!is_finite(value)) return failure(fmt::format("{}: a number of the value is not finite", path));
     return {};

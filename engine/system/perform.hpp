@@ -43,6 +43,6 @@ struct SeenRobot {
 Expected<SeenRobot> seen_robot(const System& system, const Component& component);
 
 /// What is said of a real robot, after its name, where there could be a rig that sees it and is none.
-inline constexpr std::string_view not_seen = " is a real robot, and nobody sees it from outside";
+inline constexpr std::string_view not_seen = " is a real robot, whose true pose is not known";
 
 }  // namespace nezumi

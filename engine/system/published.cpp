@@ -1,4 +1,4 @@
-// A robot's own velocity is what it measures.
+// A robot's own velocity is the measured one.
 #include "engine/system/published.hpp"
 
 #include <algorithm>

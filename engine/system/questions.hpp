@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/components/plain_data.hpp"
+#include "engine/values/plain_data.hpp"
 
 namespace nezumi {
 

@@ -1,4 +1,4 @@
-// The smallest of three counts: the system's, the model's, and the hardware's as long as it is not calibrated.
+// The smallest of three limits applies: the system's, the model's, and the hardware's until it is calibrated.
 #include "engine/system/robot_limits.hpp"
 
 #include <fmt/format.h>

@@ -11,10 +11,10 @@ namespace nezumi {
 namespace {
 
 constexpr std::string_view prefix = "rtm:";
-constexpr std::string_view default_port = ":2809";  // of omniNames, as IANA assigned it to CORBA's name services
+constexpr std::string_view default_port = ":2809";  // port of omniNames, assigned by IANA to CORBA's name services
 constexpr int last_port = 65535;
 
-// The contexts and the name of an RTC: nothing that a person could not see, and none of them empty.
+// The contexts and the name of an RTC: printable and not empty.
 bool is_component(std::string_view text) {
     const auto plain = [](unsigned char c) { return std::isgraph(c) != 0 || c >= 0x80; };
     return !text.empty() && text.front() != '/' && text.back() != '/' && text.find("//") == std::string_view::npos &&

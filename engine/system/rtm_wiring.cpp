@@ -1,4 +1,4 @@
-// A connection is checked as far as it can be without the RTC at its other end.
+// Checks a connection as far as possible without the other RTC.
 #include "engine/system/rtm_wiring.hpp"
 
 #include <fmt/format.h>

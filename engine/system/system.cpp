@@ -1,4 +1,4 @@
-// The phases of a tick, and who is in the system.
+// The phases of a tick, and the components of the system.
 #include "engine/system/system.hpp"
 
 #include <fmt/format.h>
@@ -16,17 +16,17 @@
 namespace nezumi {
 namespace {
 
-// Fewer components than this are quicker on one thread: to share them out costs as much as some dozens of executions.
+// With fewer components, one thread is faster: sharing costs as much as some dozens of executions.
 constexpr std::size_t worth_threads = 64;
 
-// "name", or of another host "host/name".
+// "name", or "host/name" on another host.
 bool is_component_name(std::string_view name) {
     const std::size_t slash = name.find('/');
     if (slash == std::string_view::npos) return is_identifier(name);
     return is_identifier(name.substr(0, slash)) && is_identifier(name.substr(slash + 1));
 }
 
-// The worker that runs this thread's share; 0 on the thread that ticks.
+// The worker that runs this thread's share; 0 on the ticking thread.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a thread's own number, not shared state
 thread_local std::size_t current_worker = 0;
 
@@ -120,7 +120,7 @@ Expected<void> System::remove(std::string_view name) {
     gone->latch_outputs(now_);
     wiring_.disconnect_all(*gone, now_);
     by_name_.erase(gone->name());
-    // A hold on what is gone holds nothing: another that comes under the name begins free.
+    // Holds of removed ports end, so a later component with the same name starts without them.
     const std::string ports = gone->name() + ".";
     std::erase_if(holders_, [&](const auto& held) { return held.first.starts_with(ports); });
     grouped_ = false;
@@ -177,7 +177,7 @@ Expected<Port*> System::port_named(std::string_view port_path) const {
     return failure(fmt::format("{} has no port '{}'{}", owner->name(), shown(name), did_you_mean(name, names)));
 }
 
-// Has the network make the end of a connection that is another host's.
+// Makes the network create the other host's end of a connection.
 Expected<void> System::reach(std::string_view from, std::string_view to) {
     if (is_remote(from) == is_remote(to)) return {};
     const std::string_view remote = is_remote(from) ? from : to;
@@ -285,7 +285,7 @@ void System::share_out(std::size_t count, const Action& action) {
 }
 
 void System::flush_logs() {
-    // Shares are in order and each worker's lines are in order: together they are in the order of one thread.
+    // Shares are in order, and each worker's lines are in order, so the result has the order of one thread.
     for (std::vector<LogLine>& lines : worker_logs_) {
         if (log_) {
             for (const LogLine& line : lines) log_(line);
@@ -295,7 +295,7 @@ void System::flush_logs() {
 }
 
 void System::end_when_out_of_time() {
-    // Not only those that are due: a hook that ran between two ticks counts too.
+    // Checks all, not only those that are due: a hook may have run between two ticks.
     const auto found = std::find_if(components_.begin(), components_.end(),
                                     [](const auto& component) { return component->out_of_time().has_value(); });
     if (found != components_.end()) fatal_error_ = (*found)->out_of_time();
@@ -307,8 +307,8 @@ void System::run_phases(const Group& group, const ForEach& for_each) {
         device.sense(now_);
         device.latch_outputs(now_);
     });
-    // No execution sees what another one writes, as outputs latch when all have ended: each may follow its own inputs
-    // at once.
+    // Outputs latch after all executions, so no execution sees another's outputs, and each component can continue with
+    // its inputs at once.
     std::atomic<bool> has_hung = false;
     for_each(group.behaviors, [this, &has_hung](Component& behavior) {
         behavior.latch_inputs(now_);
@@ -334,7 +334,7 @@ void System::run_groups() {
         for (const Group& group : groups_) run_phases(group, one_by_one);
         return flush_logs();
     }
-    // A large group is shared out within each phase, the small ones as a whole.
+    // A large group is divided within each phase, small ones are not.
     const auto shared = [this](const auto& all, const auto& action) {
         share_out(all.size(), [&](std::size_t i) { action(*all[i]); });
     };
@@ -359,7 +359,7 @@ void System::step(World* world) {
     if (const Error* why = world->breakdown(); why != nullptr && !fatal_error_) fatal_error_ = *why;
 }
 
-// What the pacer leaves out after a stall passes all the same.
+// The ticks that the pacer skips after a stall count as passed.
 void System::pass_left_out_ticks() {
     const std::int64_t due = std::llround(now_.seconds * settings_.rate);
     now_.left_out = due - now_.tick > Pacer::longest_burst ? due - now_.tick : 0;

@@ -28,6 +28,8 @@ struct Describe<RobotEntry> {
                 "\"sim\": simulated with --hw as well; or the driver that --hw uses"},
         Setting{"calibrated", &RobotEntry::calibrated, "",
                 "in simulation too it is as `NAME.calibration.lua` beside this file says"},
+        Setting{"odometry_at_pose", &RobotEntry::odometry_at_pose, "",
+                "its odometry starts at `pose`, in the arena's coordinates; else where it stands is 0, 0, 0"},
         Setting{"active", &RobotEntry::active, "", "whether it is activated at the start"},
         Internal{&RobotEntry::name},
         Internal{&RobotEntry::place},

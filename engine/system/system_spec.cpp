@@ -1,4 +1,4 @@
-// What all kinds of entries have.
+// The common parts of all kinds of entries.
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {

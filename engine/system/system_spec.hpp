@@ -28,8 +28,9 @@ struct RobotEntry {
     std::string model;  ///< key of `SystemSpec::models`
     Pose2D pose;
     LimitChanges limits;
-    std::string backend;      ///< key of `Makers::bodies`; "": "sim"
-    bool calibrated = false;  ///< it is as it was measured in simulation too
+    std::string backend;            ///< key of `Makers::bodies`; "": "sim"
+    bool calibrated = false;        ///< it is as it was measured in simulation too
+    bool odometry_at_pose = false;  ///< its odometry starts at `pose`, else at 0, 0, 0
     bool active = true;
     Place place;
     std::string description;  ///< key of `SystemSpec::models` of this robot's own; "": `model`

@@ -1,4 +1,4 @@
-// Connecting, with errors that name the nearest.
+// Makes connections; errors suggest the most similar name.
 #include "engine/system/wiring.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 namespace nezumi {
 namespace {
 
-// Why a connection to a port that is not there can't be, with the nearest name or else all that there are.
+// The error for a missing port, with the most similar name, or else all names.
 std::string no_port(const Component& component, Direction direction, std::string_view name) {
     const std::string_view kind = direction == Direction::in ? "in-port" : "out-port";
     const auto names = port_names(component, direction);
@@ -17,7 +17,7 @@ std::string no_port(const Component& component, Direction direction, std::string
     return fmt::format("{} has no {} '{}'{}", component.name(), kind, shown(name), hint);
 }
 
-// The first port at either end that would make the types equal, as the end of a sentence.
+// Names the first port at either end with a matching type, as the end of a sentence.
 std::string fitting_port(const Component& from, const Port& out, const Component& to, const Port& in) {
     for (const auto& port : to.in_ports()) {
         if (port != &in && port->type() == out.type()) return fmt::format(" (did you mean '{}'?)", path(to, *port));
@@ -93,7 +93,8 @@ bool Wiring::disconnect(const Port& from, const Port& to) {
     return true;
 }
 
-// Drops the connections that `meets` something; what is on its way over those that it `leaves` still arrives.
+// Removes the connections for which `meets` is true. Messages already sent over those for which `leaves` is true still
+// arrive.
 template <class Leaves, class Meets>
 void Wiring::drop(const Time& now, const Leaves& leaves, const Meets& meets) {
     for (const Connection& connection : connections_) {

@@ -55,7 +55,7 @@ Error no_such(const TreeNode& owner, std::string_view name) {
 void visit_parameters(const Parameters& parameters, const LeafVisitor& visit) {
     for (const auto& parameter : parameters.all()) {
         const LeafPath root, path = root.field(parameter.spec.name);
-        std::visit([&](const auto& value) { visit_leaves(value, visit, path); }, parameter.value);
+        visit_leaves(parameter.value, visit, path);
     }
 }
 

@@ -1,4 +1,4 @@
-// Rows of one length in one block: a new sample costs no allocation once the ring is full.
+// Rows of equal length in one block: when the ring buffer is full, a new sample needs no allocation.
 #include "engine/trace/series.hpp"
 
 #include <algorithm>

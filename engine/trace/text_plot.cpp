@@ -1,4 +1,4 @@
-// One sheet of dots for both: a plain character is a dot, a Braille cell two by four.
+// One grid of dots for both styles: a plain character is one dot, a Braille character two by four.
 #include "engine/trace/text_plot.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ struct Range {
     }
 };
 
-// The marks of dots, row by row from the top; 0: nothing.
+// The marks of dots, row by row from the top; 0: none.
 struct Dots {
     std::size_t width, height;
     std::vector<char> marks = std::vector<char>(width * height, 0);
@@ -53,7 +53,7 @@ struct Dots {
         return text;
     }
     std::string braille_row(std::size_t row) {
-        // Unicode's numbers of the dots of a cell, from the top left: U+2800 plus the sum.
+        // Unicode's bits for the dots of a Braille character, from the top left: U+2800 plus the sum.
         constexpr unsigned bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
         std::string text;
         for (std::size_t column = 0; column < width / 2; ++column) {
@@ -72,7 +72,7 @@ std::string number_text(double value) { return fmt::format("{:.4g}", value == 0 
 
 enum class Ink { plain, braille };
 
-// The rows with their labels, and the axis of time.
+// The rows with their labels, and the time axis.
 std::vector<std::string> draw(const std::vector<Curve>& curves, const Range& times, const Range& values,
                               const PlotSize& size, Ink ink) {
     const bool braille = ink == Ink::braille;

@@ -1,4 +1,4 @@
-// Each publication has a hash of its own, and their sum is that of the run.
+// Each publication has its own hash; their sum is the hash of the run.
 #include "engine/trace/trace_hash.hpp"
 
 #include "engine/ports/payload.hpp"

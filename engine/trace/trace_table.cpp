@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
 
 #include "engine/base/csv.hpp"
 
@@ -14,6 +17,9 @@ std::string cell_of(const ValueView& leaf) {
     if (leaf.type->kind == Type::Kind::text) return csv_quoted(leaf.as<std::string>());
     return visit_number(leaf, []<class T>(const T& number) {
         if constexpr (std::is_same_v<T, bool>) return std::string(number ? "1" : "0");
+        if constexpr (std::is_floating_point_v<T>) {
+            if (std::isnan(number)) return std::string("nan");  // without its sign
+        }
         return fmt::format("{}", number);
     });
 }
@@ -78,6 +84,16 @@ void TraceTable::read(const std::function<void(const std::vector<std::string>& c
         add(cells_);
     }
     for (Source& source : sources_) source.turn = source.channel->turn();
+}
+
+void TraceTable::read_latest(const std::function<void(const std::vector<std::string>& cells)>& add) {
+    for (Source& source : sources_) {
+        const bool had_value = std::exchange(source.has_value, source.channel->has_value());
+        if (std::exchange(source.turn, source.channel->turn()) != source.channel->turn() ||
+            had_value != source.has_value)
+            fill(source, std::nullopt);
+    }
+    add(cells_);
 }
 
 std::vector<std::size_t> TraceTable::order() const {

@@ -26,6 +26,8 @@ public:
     /// To be called after a tick: calls `add` with the cells of its row, by their ids. A tick in which a channel had
     /// several messages has as many rows: in each the channels' next message, or the last where one had fewer.
     void read(const std::function<void(const std::vector<std::string>& cells)>& add);
+    /// The same for a table of some ticks alone: one row, of what each channel carried last.
+    void read_latest(const std::function<void(const std::vector<std::string>& cells)>& add);
     /// The columns' ids in the order of the channels and their values. An id, once given, stays.
     std::vector<std::size_t> order() const;
     /// "time,mouse.out.vx,mouse.out.vy": the columns' names in this order, as CSV, behind that of the time.

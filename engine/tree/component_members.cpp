@@ -3,7 +3,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "engine/ports/usage.hpp"
+#include "engine/ports/setting.hpp"
 #include "engine/system/act_fields.hpp"
 #include "engine/tree/read_member.hpp"
 
@@ -23,6 +23,18 @@ Read of_state(const TreeNode& node, const PlainLimit& limit) {
 NodeValue whole_of(PlainData data) {
     const std::size_t whole = data.tables.size();
     return PlainSnapshot{std::move(data), whole};
+}
+
+NodeValue failure_of(const Component& component) {
+    if (component.state() != LifeState::error) return {};
+    const Error& error = component.last_error();
+    PlainData data = PlainData::empty_table();
+    PlainData::Table& fields = data.tables.front();
+    if (!error.place.file.empty()) fields.push_back({"file", error.place.file});
+    if (error.place.line > 0) fields.push_back({"line", std::int64_t{error.place.line}});
+    fields.push_back({"text", error.message});
+    fields.push_back({"tm", component.failed_at()});
+    return whole_of(std::move(data));
 }
 
 std::vector<std::string> names_of(std::span<const CommandDeclaration> commands) {
@@ -89,15 +101,20 @@ const std::vector<MemberInfo>& all_members() {
          .yields = true,
          .most = 1,
          .usage = " " + usage_of<VelocityConstraint>(Describe<VelocityConstraint>::at_once),
-         .doc = "a hand forces these speeds on it; without them the hand lets go"},
+         .doc = "forces these speeds on it, as a hand would; without them it moves freely again"},
         {.name = "error",
          .type = "string?",
          .yields = true,
-         .doc = "what went wrong last, or nil",
+         .doc = "in ERROR: what sent it there; else nil",
          .value = of_component<[](const Component& component) {
-             const Error& error = component.last_error();
-             return text_if_any(error.message.empty() ? "" : describe(error));
+             return text_if_any(component.state() == LifeState::error ? describe(component.last_error()) : "");
          }>},
+        {.name = "failure",
+         .type = "{ text: string, tm: number, file?: string, line?: integer }?",
+         .yields = true,
+         .doc = "in ERROR: what sent it there, when [s] and in which line; else nil",
+         .instead = "its script fails",
+         .value = of_component<failure_of>},
         {.name = "leds",
          .type = "boolean[]",
          .robot = true,
@@ -192,7 +209,7 @@ const std::vector<MemberInfo>& all_members() {
          .yields = true,
          .most = 1,
          .usage = "(pose)",
-         .doc = "carries it to a pose, at rest"},
+         .doc = "puts it at a pose, at rest"},
         {.name = "touching",
          .type = "string?",
          .robot = true,

@@ -76,11 +76,6 @@ Names port_names(const Component& component) {
     return names;
 }
 
-// What a parameter is, as a value.
-Value to_value(const ParameterValue& value) {
-    return std::visit([](const auto& each) { return Value{each}; }, value);
-}
-
 }  // namespace
 
 std::vector<const Port*> ports_of(const Component& component) {
@@ -153,7 +148,7 @@ std::string_view TreeNode::doc() const {
 }
 
 const Type* TreeNode::whole_type() const {
-    if (parameter_ != nullptr) return std::visit([]<class T>(const T&) { return &type_of<T>(); }, parameter_->value);
+    if (parameter_ != nullptr) return &parameter_->value.type();
     if (is_of_value()) return message_infos()[port_->type()].payload;
     if (member_ != nullptr && member_->kind == Kind::truth) return &type_of<Truth>();
     if (member_ == nullptr || member_->kind != Kind::value || member_->value == nullptr) return nullptr;
@@ -323,7 +318,7 @@ Expected<NodeValue> TreeNode::value(const PlainLimit& limit) const {
         auto part = value_below(whole, part_);
         return part ? NodeValue{std::move(*part)} : NodeValue{};
     };
-    if (parameter_ != nullptr) return part_of(to_value(parameter_->value));
+    if (parameter_ != nullptr) return part_of(parameter_->value);
     if (is_of_value()) return part_of(port_->value());
     if (member_ == nullptr || member_->value == nullptr) return NodeValue{};
     auto whole = member_->value(*this, limit);
@@ -351,8 +346,6 @@ Expected<TreeNode> TreeNode::to_set(std::string_view name) const {
     return failure(fmt::format("{} can't be set; parameters can, as in {}.config.NAME = value", whole, path));
 }
 
-SetParameter TreeNode::set(ParameterValue value) const {
-    return {component_->name(), parameter_->spec.name, std::move(value)};
-}
+SetParameter TreeNode::set(Value value) const { return {component_->name(), parameter_->spec.name, std::move(value)}; }
 
 }  // namespace nezumi

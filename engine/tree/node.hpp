@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "engine/base/error.hpp"
-#include "engine/components/plain_data.hpp"
 #include "engine/system/system.hpp"
+#include "engine/values/plain_data.hpp"
 #include "engine/values/value.hpp"
 
 namespace nezumi {
@@ -82,7 +82,7 @@ public:
     /// The child that can be set by this name, a parameter; or why it can't.
     Expected<TreeNode> to_set(std::string_view name) const;
     /// Of a parameter: the act that sets it.
-    SetParameter set(ParameterValue value) const;
+    SetParameter set(Value value) const;
 
     const System& system() const { return *system_; }
     const SystemSpec* spec() const { return spec_; }

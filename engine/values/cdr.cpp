@@ -10,6 +10,8 @@
 #include <cstring>
 #include <limits>
 
+#include "engine/values/plain_data.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -25,7 +27,8 @@ std::size_t min_cdr_size(const Type& type) {
             return size;
         }
         case Type::Kind::array: return type.length * min_cdr_size(*type.element);
-        case Type::Kind::boolean: return 1;
+        case Type::Kind::boolean:
+        case Type::Kind::any: return 1;
         case Type::Kind::text: return sizeof(std::uint32_t) + 1;
         default: return type.is_number() ? type.size : sizeof(std::uint32_t);
     }
@@ -99,8 +102,19 @@ void CdrWriter::write(const ValueView& value) {
             return write_bytes(octets.data(), octets.size());
         }
         case Type::Kind::boolean: out_.push_back(value.as<bool>() ? 1 : 0); return;
+        case Type::Kind::any: return write_any(value.as<Value>());
+        case Type::Kind::nothing: return;
         default: assert(value.type->is_number()); return write_numbers(value.type->size, value.at, 1);
     }
+}
+
+void CdrWriter::write_any(const Value& value) {
+    const auto types = plain_types();
+    const auto type =
+        std::find_if(types.begin(), types.end(), [&](const PlainType& each) { return each.type == &value.type(); });
+    assert(type != types.end());
+    out_.push_back(static_cast<std::uint8_t>(type - types.begin()));
+    write(value);
 }
 
 void CdrWriter::write_elements(const ValueView& value) {
@@ -186,8 +200,20 @@ void CdrReader::read(const ValuePlace& value) {
         case Type::Kind::text: return read_text(value.as<std::string>());
         case Type::Kind::octets: return read_octets(value.as<Octets>());
         case Type::Kind::boolean: value.as<bool>() = read_truth(); return;
+        case Type::Kind::any: return read_any(value.as<Value>());
+        case Type::Kind::nothing: return;
         default: assert(value.type->is_number()); return read_numbers(value.type->size, value.at, 1);
     }
+}
+
+void CdrReader::read_any(Value& value) {
+    const std::uint8_t* place = take(1, 1);
+    if (place == nullptr) return;
+    const auto types = plain_types();
+    if (*place >= types.size())
+        return fail(at_ - 1, fmt::format("expected a type from 0 to {}, got {}", types.size() - 1, *place));
+    value = Value(*types[*place].type);
+    read(value);
 }
 
 void CdrReader::read_elements(const ValuePlace& value) {

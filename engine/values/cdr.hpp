@@ -3,7 +3,8 @@
 //
 // A number is aligned to its size, counted from the start of the stream. A truth value is one byte, a text its length
 // (with the final 0), its bytes and a 0, a sequence its length and its elements, an array its elements, a structure its
-// fields in order. What is written is a function of the value alone: padding is 0.
+// fields in order, a value of any type its type's place among `plain_types` in one byte and itself. What is written is
+// a function of the value alone: padding is 0.
 #pragma once
 
 #include <bit>
@@ -57,6 +58,7 @@ public:
     void write(const ValueView& value);
 
 private:
+    void write_any(const Value& value);
     void write_elements(const ValueView& value);
     void write_length(std::size_t length);
     void write_bytes(const void* first, std::size_t size);
@@ -78,6 +80,7 @@ public:
     Expected<void> finish();
 
 private:
+    void read_any(Value& value);
     void read_elements(const ValuePlace& value);
     void read_sequence(const ValuePlace& value);
     void read_numbers(std::size_t each, void* first, std::size_t count);

@@ -1,13 +1,21 @@
 // How a structure describes itself, once, at compile time: fields with their units and what they mean.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 namespace nezumi {
+
+/// Which numbers may stand in a field of a message.
+enum class Numbers {
+    finite,
+    any,  ///< infinite ones, and what is no number, mean something
+};
 
 /// One field of a structure: its name as scripts and files see it, where it is, its unit ("" for none) and its meaning.
 template <class S, class T>
@@ -16,9 +24,10 @@ struct Field {
     T S::*member;
     std::string_view unit;
     std::string_view doc;
+    Numbers numbers = Numbers::finite;
 };
 template <class S, class T>
-Field(const char*, T S::*, const char*, const char*) -> Field<S, T>;
+Field(const char*, T S::*, const char*, const char*, Numbers = Numbers::finite) -> Field<S, T>;
 
 /// What a structure says of itself: a tuple `fields`, its own, that lists every member in order, and its name: its
 /// `type_name` where others call it otherwise than C++. What files spell as tables is specialised for it instead,
@@ -31,6 +40,27 @@ template <class T>
 concept Described = requires {
     std::tuple_size<std::remove_cvref_t<decltype(T::fields)>>::value;
 };
+
+/// A structure that says its name.
+template <class T>
+concept Named = requires {
+    { T::type_name } -> std::convertible_to<std::string_view>;
+};
+
+/// Whether its members' names are all that a structure says of itself: it has a `type_name` and no `fields`, or this is
+/// specialised beside it.
+template <class T>
+inline constexpr bool described_by_names = Named<T> && !Described<T>;
+
+namespace detail {
+template <class T, class Variant>
+inline constexpr bool is_alternative = false;
+template <class T, class... Each>
+inline constexpr bool is_alternative<T, std::variant<Each...>> = (std::is_same_v<T, Each> || ...);
+}  // namespace detail
+/// One of a variant's types.
+template <class T, class Variant>
+concept is_alternative = detail::is_alternative<T, Variant>;
 
 namespace detail {
 
@@ -46,7 +76,7 @@ constexpr std::string_view own_name() {
 
 template <class T>
 constexpr std::string_view name_of_type() {
-    if constexpr (requires { T::type_name; }) {
+    if constexpr (Named<T>) {
         return T::type_name;
     } else {
         return own_name<T>();
@@ -59,6 +89,11 @@ template <Described T>
 struct Describe<T> {
     static constexpr std::string_view name = detail::name_of_type<T>();
     static constexpr const auto& fields = T::fields;
+};
+template <class T>
+requires described_by_names<T>
+struct Describe<T> {
+    static constexpr std::string_view name = detail::name_of_type<T>();
 };
 
 namespace detail {

@@ -16,8 +16,8 @@ std::pair<std::int64_t, std::int64_t> Type::integer_range() const {
 void detail::add_fields(Type& type, std::span<const FieldSeed> fields) {
     type.fields.reserve(fields.size());
     for (const FieldSeed& field : fields) {
-        type.fields.push_back(
-            {std::string(field.name), field.offset, &field.type(), std::string(field.unit), std::string(field.doc)});
+        type.fields.push_back({std::string(field.name), field.offset, &field.type(), std::string(field.unit),
+                               std::string(field.doc), field.numbers});
     }
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,11 +14,19 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "engine/values/describe.hpp"
+#include "engine/values/members.hpp"
 
 namespace nezumi {
+
+class Value;
+struct Rule;
+
+/// Takes an element of a map and its name.
+using EntryVisitor = std::function<void(const std::string& name, const void* element)>;
 
 /// Raw bytes: one value, a string in Lua.
 using Octets = std::vector<std::uint8_t>;
@@ -44,6 +53,7 @@ concept Sequence = detail::IsVector<T>::value && !std::is_same_v<T, Octets>;
 /// The table of a type. There is one for each type, so types are equal when their addresses are.
 struct Type {
     enum class Kind : std::uint8_t {
+        nothing,  ///< std::monostate
         boolean,
         int8,
         int16,
@@ -55,13 +65,16 @@ struct Type {
         uint64,
         float32,
         float64,
-        text,       ///< std::string
-        octets,     ///< Octets
-        structure,  ///< `fields`
-        array,      ///< `length` of `element`, without their number
-        sequence,   ///< any number of `element`
-        optional,   ///< one `element` or none
-        other,      ///< a value that describes itself to nobody: known by its address alone
+        enumeration,  ///< one of `choices`, by its place
+        text,         ///< std::string
+        octets,       ///< Octets
+        structure,    ///< `fields`
+        array,        ///< `length` of `element`, without their number
+        sequence,     ///< any number of `element`
+        optional,     ///< one `element` or none
+        map,          ///< any number of `element` by name (`entries`)
+        any,          ///< Value: of whatever type it says
+        other,        ///< a value that describes itself to nobody: known by its address alone
     };
 
     struct Field {
@@ -70,6 +83,10 @@ struct Type {
         const Type* type = nullptr;
         std::string unit;  ///< "" for none
         std::string doc;
+        Numbers numbers = Numbers::finite;
+        /// Of a table that a person writes (engine/ports/setting.hpp).
+        const Rule* rule = nullptr;
+        std::string lua_type{};  ///< where no member holds it (its type is `nothing`): Lua's, as editors know it
     };
 
     /// The elements of a sequence or an optional in memory.
@@ -82,6 +99,12 @@ struct Type {
         void (*set_bit)(void* value, std::size_t index, bool bit) = nullptr;
     };
 
+    /// The elements of a map in memory.
+    struct Entries {
+        void (*for_each)(const void* map, const EntryVisitor& visit) = nullptr;  ///< in the order of their names
+        void* (*add)(void* map, const std::string& name) = nullptr;              ///< or the one that is there
+    };
+
     /// How a value is made in memory of its own, and ended.
     struct Storage {
         void* (*make)(const Type& type) = nullptr;
@@ -90,12 +113,16 @@ struct Type {
     };
 
     Kind kind = Kind::other;
-    std::string name{};    ///< of a structure
-    std::size_t size = 0;  ///< [bytes] in memory, without what it refers to
+    std::string name{};                     ///< of a structure
+    std::string doc{};                      ///< of a structure that a person writes as a table
+    std::vector<std::string_view> kinds{};  ///< of such a structure that comes in kinds: their names
+    std::size_t size = 0;                   ///< [bytes] in memory, without what it refers to
     std::vector<Field> fields{};
     const Type* element = nullptr;
     std::size_t length = 0;
     Elements elements{};
+    Entries entries{};
+    std::vector<std::string> choices{};  ///< of an enumeration, in order
     Storage storage{};
 
     /// Of a sequence its elements' type, else itself.
@@ -106,6 +133,8 @@ struct Type {
     bool is_number() const { return kind >= Kind::int8 && kind <= Kind::float64; }
     bool is_integer() const { return kind >= Kind::int8 && kind <= Kind::uint64; }
     bool is_floating() const { return kind == Kind::float32 || kind == Kind::float64; }
+    /// A number, a truth value, a choice or nothing: a few bytes that refer to no others.
+    bool is_scalar() const { return kind < Kind::text; }
     /// Nothing is in it but itself.
     bool is_single() const { return kind < Kind::structure; }
 };
@@ -118,10 +147,12 @@ namespace detail {
 
 template <class T>
 constexpr Type::Kind kind_of() {
-    if constexpr (Described<T>) return Type::Kind::structure;
+    if constexpr (Described<T> || described_by_names<T>) return Type::Kind::structure;
     if constexpr (IsArray<T>::value) return Type::Kind::array;
     if constexpr (Sequence<T>) return Type::Kind::sequence;
     if constexpr (IsOptional<T>::value) return Type::Kind::optional;
+    if constexpr (std::is_same_v<T, Value>) return Type::Kind::any;
+    if constexpr (std::is_same_v<T, std::monostate>) return Type::Kind::nothing;
     if constexpr (std::is_same_v<T, bool>) return Type::Kind::boolean;
     if constexpr (std::is_same_v<T, std::int8_t>) return Type::Kind::int8;
     if constexpr (std::is_same_v<T, std::int16_t>) return Type::Kind::int16;
@@ -136,6 +167,11 @@ constexpr Type::Kind kind_of() {
     if constexpr (std::is_same_v<T, std::string>) return Type::Kind::text;
     if constexpr (std::is_same_v<T, Octets>) return Type::Kind::octets;
     return Type::Kind::other;
+}
+
+template <class T>
+constexpr bool is_scalar() {
+    return kind_of<T>() < Type::Kind::text;
 }
 
 template <class T>
@@ -179,30 +215,54 @@ struct FieldSeed {
     const Type& (*type)();
     std::string_view unit;
     std::string_view doc;
+    Numbers numbers;
 };
 void add_fields(Type& type, std::span<const FieldSeed> fields);
 
+template <class Member>
+constexpr Numbers numbers_of(const Member& field) {
+    if constexpr (requires { field.numbers; }) return field.numbers;
+    return Numbers::finite;
+}
+
+// Where a member is in its structure [bytes].
+inline std::size_t place_in(const auto& structure, const auto& member) {
+    return static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&member) -
+                                    reinterpret_cast<const std::byte*>(&structure));
+}
+
+template <class T>
+Type::Storage storage_of() {
+    return {.make = [](const Type&) -> void* { return new T{}; },
+            .copy = [](const Type&, const void* value) -> void* { return new T(*static_cast<const T*>(value)); },
+            .destroy = [](const Type&, void* value) { delete static_cast<T*>(value); }};
+}
+
 template <class T>
 Type make_type() {
-    Type type{.kind = kind_of<T>(), .size = sizeof(T)};
-    type.storage = {
-        .make = [](const Type&) -> void* { return new T{}; },
-        .copy = [](const Type&, const void* value) -> void* { return new T(*static_cast<const T*>(value)); },
-        .destroy = [](const Type&, void* value) { delete static_cast<T*>(value); }};
+    Type type{.kind = kind_of<T>(), .size = sizeof(T), .storage = storage_of<T>()};
     if constexpr (Described<T>) {
         type.name = Describe<T>::name;
         const T sample{};
-        const auto place = [&](const auto& member) {
-            return static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&member) -
-                                            reinterpret_cast<const std::byte*>(&sample));
-        };
         check_fields<T>();
         std::apply(
             [&]<class... M>(const Field<T, M>&... field) {
-                add_fields(type, std::array<FieldSeed, sizeof...(M)>{FieldSeed{
-                                     field.name, place(sample.*(field.member)), type_of<M>, field.unit, field.doc}...});
+                add_fields(type, std::array<FieldSeed, sizeof...(M)>{
+                                     FieldSeed{field.name, place_in(sample, sample.*(field.member)), type_of<M>,
+                                               field.unit, field.doc, numbers_of(field)}...});
             },
             T::fields);
+    } else if constexpr (described_by_names<T>) {
+        type.name = Describe<T>::name;
+        const T sample{};
+        std::apply(
+            [&]<class... M>(const M&... member) {
+                [[maybe_unused]] std::size_t next = 0;
+                add_fields(type, std::array<FieldSeed, sizeof...(M)>{FieldSeed{member_names<T>()[next++],
+                                                                               place_in(sample, member), type_of<M>, "",
+                                                                               "", Numbers::finite}...});
+            },
+            members_of(sample));
     } else if constexpr (IsArray<T>::value) {
         type.element = &type_of<typename T::value_type>();
         type.length = std::tuple_size_v<T>;
@@ -215,10 +275,10 @@ Type make_type() {
 
 }  // namespace detail
 
-/// A value that a walker can look into.
+/// A value that a walker can look into. A `Value` is none: it stands for the one that it holds.
 template <class T>
 concept Tabled = detail::kind_of<T>()
-!= Type::Kind::other;
+< Type::Kind::any;
 
 template <class T>
 const Type& type_of() {

@@ -1,70 +1,112 @@
-// A value of a type that is only known at run time: what acts, files, journals and other hosts carry.
+// A value of a type that is only known at run time: what parameters, acts, files, journals and other hosts hold.
 #pragma once
 
 #include <cassert>
-#include <memory>
+#include <cstddef>
+#include <cstring>
+#include <new>
+#include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "engine/values/view.hpp"
 
 namespace nezumi {
 
-/// A value and its type. It is never empty: by itself it is `false`, and one that was moved from can only be assigned
-/// to or destroyed.
+/// A value and its type. By itself, and when it was moved from, it holds nothing (`std::monostate`).
 class Value {
 public:
-    Value() : Value(false) {}
+    Value() : type_(&type_of<std::monostate>()) {}
     // NOLINTNEXTLINE(google-explicit-constructor): any described value is one
     template <class T>
     requires Tabled<std::remove_cvref_t<T>> Value(T&& value)  // NOLINT(bugprone-forwarding-reference-overload)
-        : type_(&type_of<std::remove_cvref_t<T>>()),
-          held_(new std::remove_cvref_t<T>(std::forward<T>(value)), {type_}) {}
+        : type_(&type_of<std::remove_cvref_t<T>>()) {
+        using Held = std::remove_cvref_t<T>;
+        if constexpr (detail::is_scalar<Held>()) {
+            new (scalar_) Held(value);
+        } else {
+            apart_ = new Held(std::forward<T>(value));
+        }
+    }
+    // NOLINTNEXTLINE(google-explicit-constructor): a text as any other
+    Value(std::string_view text) : Value(std::string(text)) {}
+    // NOLINTNEXTLINE(google-explicit-constructor): the same
+    Value(const char* text) : Value(std::string(text)) {}
     /// A value of this type, as it is by itself.
-    explicit Value(const Type& type) : type_(&type), held_(type.storage.make(type), {type_}) {}
-    Value(const Value& other) : type_(other.type_), held_(type_->storage.copy(*type_, other.held_.get()), {type_}) {}
-    Value(Value&&) noexcept = default;
-    Value& operator=(const Value& other) { return *this = Value(other); }
-    Value& operator=(Value&&) noexcept = default;
-    ~Value() = default;
+    explicit Value(const Type& type) : type_(&type) {
+        if (!type.is_scalar()) apart_ = type.storage.make(type);
+    }
+    /// A copy of a value that lies elsewhere.
+    explicit Value(const ValueView& view) : type_(view.type) {
+        if (type_->is_scalar()) {
+            std::memcpy(scalar_, view.at, type_->kind == Type::Kind::nothing ? 0 : type_->size);
+        } else {
+            apart_ = type_->storage.copy(*type_, view.at);
+        }
+    }
+    Value(const Value& other) : Value(ValueView(other)) {}
+    Value(Value&& other) noexcept : Value() { swap(other); }
+    Value& operator=(Value other) noexcept {
+        swap(other);
+        return *this;
+    }
+    ~Value() {
+        if (!type_->is_scalar()) type_->storage.destroy(*type_, apart_);
+    }
 
     const Type& type() const { return *type_; }
     template <class T>
     bool is() const {
         return type_ == &type_of<T>();
     }
+    bool is_nothing() const { return type_->kind == Type::Kind::nothing; }
     /// What it holds, if that is a T; else nullptr.
     template <class T>
     const T* get_if() const {
-        return is<T>() ? static_cast<const T*>(held_.get()) : nullptr;
+        return is<T>() ? static_cast<const T*>(place()) : nullptr;
+    }
+    template <class T>
+    T* get_if() {
+        return is<T>() ? static_cast<T*>(place()) : nullptr;
     }
     /// What it holds. It must be a T.
     template <class T>
     const T& get() const& {
         assert(is<T>());
-        return *static_cast<const T*>(held_.get());
+        return *static_cast<const T*>(place());
     }
     template <class T>
     T get() && {
         assert(is<T>());
-        return std::move(*static_cast<T*>(held_.get()));
+        return std::move(*static_cast<T*>(place()));
     }
 
     // NOLINTNEXTLINE(google-explicit-constructor): a walker takes any value
-    operator ValueView() const { return {*type_, held_.get()}; }
+    operator ValueView() const { return {*type_, place()}; }
     // NOLINTNEXTLINE(google-explicit-constructor): a reader takes any value
-    operator ValuePlace() { return {*type_, held_.get()}; }
+    operator ValuePlace() { return {*type_, place()}; }
 
     /// The same value of the same type.
     bool operator==(const Value& other) const;
 
 private:
-    struct Destroy {
-        const Type* type;
-        void operator()(void* value) const { type->storage.destroy(*type, value); }
-    };
+    void swap(Value& other) noexcept {
+        std::swap(type_, other.type_);
+        std::byte kept[sizeof scalar_];
+        std::memcpy(kept, scalar_, sizeof kept);
+        std::memcpy(scalar_, other.scalar_, sizeof kept);
+        std::memcpy(other.scalar_, kept, sizeof kept);
+    }
+    const void* place() const { return type_->is_scalar() ? static_cast<const void*>(scalar_) : apart_; }
+    void* place() { return type_->is_scalar() ? static_cast<void*>(scalar_) : apart_; }
 
     const Type* type_;
-    std::unique_ptr<void, Destroy> held_;
+    // A scalar is held here, all else in memory of its own.
+    union {
+        alignas(8) std::byte scalar_[8]{};
+        void* apart_;
+    };
 };
 
 }  // namespace nezumi

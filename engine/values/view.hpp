@@ -1,8 +1,12 @@
 // Values where they lie, of whatever type: what walkers take.
 #pragma once
 
+#include <bit>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <string>
 
 #include "engine/values/type.hpp"
 
@@ -26,6 +30,13 @@ struct ValueView {
     /// The value of one of its type's fields.
     ValueView field(const Type::Field& field) const {
         return {*field.type, static_cast<const std::byte*>(at) + field.offset};
+    }
+    /// Of an enumeration: the place of its choice.
+    std::size_t choice() const {
+        static_assert(std::endian::native == std::endian::little);
+        std::size_t place = 0;
+        std::memcpy(&place, at, type->size);
+        return place;
     }
     /// Of an array, a sequence or an optional: how many elements it has.
     std::size_t count() const { return type->elements.count != nullptr ? type->elements.count(at) : type->length; }
@@ -51,6 +62,8 @@ struct ValuePlace {
     T& as() const {
         return *static_cast<T*>(at);
     }
+    /// Of an enumeration.
+    void set_choice(std::size_t place) const { std::memcpy(at, &place, type->size); }
     ValuePlace field(const Type::Field& field) const {
         return {*field.type, static_cast<std::byte*>(at) + field.offset};
     }
@@ -98,6 +111,14 @@ void for_each_element(const ValuePlace& all, const Visit& visit) {
     }
 }
 
+/// Calls `visit(name, element)` for each element of a map, in the order of their names.
+template <class Visit>
+void for_each_entry(const ValueView& map, const Visit& visit) {
+    map.type->entries.for_each(map.at, [&](const std::string& name, const void* element) {
+        visit(name, ValueView(*map.type->element, element));
+    });
+}
+
 /// Calls `visit(number)` with a truth value or a number; `Any` is a `ValueView` or a `ValuePlace`.
 template <class Any, class Visit>
 decltype(auto) visit_number(const Any& value, const Visit& visit) {
@@ -112,7 +133,7 @@ decltype(auto) visit_number(const Any& value, const Visit& visit) {
         case Type::Kind::uint32: return visit(value.template as<std::uint32_t>());
         case Type::Kind::uint64: return visit(value.template as<std::uint64_t>());
         case Type::Kind::float32: return visit(value.template as<float>());
-        default: return visit(value.template as<double>());
+        default: assert(value.type->kind == Type::Kind::float64); return visit(value.template as<double>());
     }
 }
 

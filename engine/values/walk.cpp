@@ -5,6 +5,10 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <utility>
+#include <vector>
+
+#include "engine/values/value.hpp"
 
 namespace nezumi {
 
@@ -43,11 +47,28 @@ void visit_leaves(const ValueView& value, const LeafVisitor& visit, const LeafPa
                 return true;
             });
         }
+        case Type::Kind::map:
+            return for_each_entry(value, [&](const std::string& name, const ValueView& element) {
+                visit_leaves(element, visit, path.field(name));
+            });
+        case Type::Kind::enumeration: return visit(path, value.type->choices[value.choice()]);
+        case Type::Kind::any: return visit_leaves(value.as<Value>(), visit, path);
+        case Type::Kind::nothing:
         case Type::Kind::octets:
         case Type::Kind::other: return;
         default: return visit(path, value);
     }
 }
+
+namespace {
+
+std::vector<std::pair<std::string_view, ValueView>> entries_of(const ValueView& map) {
+    std::vector<std::pair<std::string_view, ValueView>> all;
+    for_each_entry(map, [&](const std::string& name, const ValueView& element) { all.emplace_back(name, element); });
+    return all;
+}
+
+}  // namespace
 
 bool is_equal(const ValueView& a, const ValueView& b) {
     if (a.type != b.type) return false;
@@ -66,6 +87,16 @@ bool is_equal(const ValueView& a, const ValueView& b) {
             }
             return equal;
         }
+        case Type::Kind::map: {
+            const auto all = entries_of(a), others = entries_of(b);
+            return std::equal(all.begin(), all.end(), others.begin(), others.end(),
+                              [](const auto& one, const auto& other) {
+                                  return one.first == other.first && is_equal(one.second, other.second);
+                              });
+        }
+        case Type::Kind::enumeration: return a.choice() == b.choice();
+        case Type::Kind::any: return is_equal(a.as<Value>(), b.as<Value>());
+        case Type::Kind::nothing: return true;
         case Type::Kind::text: return a.as<std::string>() == b.as<std::string>();
         case Type::Kind::octets: return a.as<Octets>() == b.as<Octets>();
         case Type::Kind::other: return a.at == b.at;
@@ -77,7 +108,7 @@ bool is_finite(const ValueView& value) {
     switch (value.type->kind) {
         case Type::Kind::structure:
             for (const Type::Field& field : value.type->fields) {
-                if (!is_finite(value.field(field))) return false;
+                if (field.numbers == Numbers::finite && !is_finite(value.field(field))) return false;
             }
             return true;
         case Type::Kind::array:
@@ -88,10 +119,23 @@ bool is_finite(const ValueView& value) {
             for_each_element(value, [&](const ValueView& element) { return finite = is_finite(element); });
             return finite;
         }
+        case Type::Kind::map: {
+            const auto all = entries_of(value);
+            return std::all_of(all.begin(), all.end(), [](const auto& entry) { return is_finite(entry.second); });
+        }
+        case Type::Kind::any: return is_finite(value.as<Value>());
         case Type::Kind::float32: return std::isfinite(value.as<float>());
         case Type::Kind::float64: return std::isfinite(value.as<double>());
         default: return true;
     }
+}
+
+std::size_t text_bytes(const ValueView& value) {
+    std::size_t bytes = 0;
+    visit_leaves(value, [&](const LeafPath&, const ValueView& leaf) {
+        if (leaf.type->kind == Type::Kind::text) bytes += leaf.as<std::string>().size();
+    });
+    return bytes;
 }
 
 std::size_t heap_bytes(const ValueView& value) {
@@ -109,6 +153,15 @@ std::size_t heap_bytes(const ValueView& value) {
                 return true;
             });
             return bytes;
+        case Type::Kind::map:
+            for_each_entry(value, [&](const std::string& name, const ValueView& element) {
+                bytes += name.size() + element.type->size + heap_bytes(element);
+            });
+            return bytes;
+        case Type::Kind::any: {
+            const Type& held = value.as<Value>().type();
+            return (held.is_scalar() ? 0 : held.size) + heap_bytes(value.as<Value>());
+        }
         case Type::Kind::text: return value.as<std::string>().size();
         case Type::Kind::octets: return value.as<Octets>().size();
         default: return bytes;
@@ -128,6 +181,14 @@ std::uint64_t mix_payload(std::uint64_t seed, const ValueView& value) {
                 return true;
             });
             return seed;
+        case Type::Kind::map:
+            for_each_entry(value, [&](const std::string& name, const ValueView& element) {
+                seed = mix_payload(mix(seed, std::string_view(name)), element);
+            });
+            return seed;
+        case Type::Kind::enumeration: return mix(seed, value.choice());
+        case Type::Kind::any: return mix_payload(seed, value.as<Value>());
+        case Type::Kind::nothing: return seed;
         case Type::Kind::text: return mix(seed, std::string_view(value.as<std::string>()));
         case Type::Kind::octets: {
             const auto& octets = value.as<Octets>();
@@ -137,7 +198,10 @@ std::uint64_t mix_payload(std::uint64_t seed, const ValueView& value) {
         default:
             return visit_number(value, [&]<class T>(const T& number) {
                 if constexpr (std::is_floating_point_v<T>) {
-                    return mix(seed, std::bit_cast<std::uint64_t>(static_cast<double>(number) + 0.0));
+                    // What is no number has a sign that differs from processor to processor.
+                    constexpr std::uint64_t no_number = 0x7ff8000000000000;
+                    const double wide = static_cast<double>(number) + 0.0;
+                    return mix(seed, std::isnan(wide) ? no_number : std::bit_cast<std::uint64_t>(wide));
                 } else {
                     return mix(seed, static_cast<std::uint64_t>(number));
                 }

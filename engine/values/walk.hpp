@@ -43,8 +43,11 @@ void visit_leaves(const ValueView& value, const LeafVisitor& visit, const LeafPa
 /// Whether two values are the same: of one type, with the same elements and equal numbers, texts and bytes.
 bool is_equal(const ValueView& a, const ValueView& b);
 
-/// Whether every number in a value is finite.
+/// Whether every number in a value is finite, but for fields in which others mean something (`Numbers::any`).
 bool is_finite(const ValueView& value);
+
+/// Bytes of all texts in a value.
+std::size_t text_bytes(const ValueView& value);
 
 /// Bytes that a value holds beside itself: of its texts and sequences.
 std::size_t heap_bytes(const ValueView& value);

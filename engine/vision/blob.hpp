@@ -1,4 +1,4 @@
-// The largest connected part of what is marked in a picture, and where in the picture that is.
+// The largest connected region of marked pixels, and its place in the picture.
 #pragma once
 
 #include <optional>
@@ -8,18 +8,18 @@
 namespace nezumi {
 
 struct Blob {
-    double x = 0;      ///< [px] its centre's column, from 0 in the middle of the first one
-    double y = 0;      ///< [px] its centre's row, from 0 in the middle of the first one
-    double area = 0;   ///< [px] how many it has
-    double angle = 0;  ///< [rad] of its long axis: 0 upright, positive leaning to the left, -pi/2 to pi/2
+    double x = 0;      ///< [px] column of its centre; 0 is the middle of the first column
+    double y = 0;      ///< [px] row of its centre; 0 is the middle of the first row
+    double area = 0;   ///< [px] number of pixels
+    double angle = 0;  ///< [rad] of its long axis: 0 vertical, positive if it leans to the left, -pi/2 to pi/2
 };
 
-/// The largest connected part of the pixels that are not 0, of two as large the one that begins higher; nothing when
-/// all are 0. Pixels that touch at a corner are connected. The axis is that of least inertia: by the moments of second
-/// order.
+/// Returns the largest connected region of pixels that are not 0; of two equal ones, the one that begins higher;
+/// nothing if all are 0. Pixels that touch at a corner are connected. The axis is that of least inertia, from the
+/// second moments.
 std::optional<Blob> largest_blob(const GrayImage& mask);
 
-/// Where a column, or a row, lies in a picture of so many: 1 at the left, or upper, edge, -1 at the other, 0 in the
+/// The relative position of a column or row among `count`: 1 at the left or upper edge, -1 at the other, 0 in the
 /// middle.
 inline double from_middle(double place, int count) { return 1 - (2 * place + 1) / count; }
 

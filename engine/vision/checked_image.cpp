@@ -3,24 +3,40 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <string_view>
 #include <utility>
 
+#include "engine/world/picture.hpp"
+
 namespace nezumi {
 namespace {
+
+constexpr int none = -1;
 
 struct Format {
     std::string_view name;
     int bits;
-    int to_gray;  // OpenCV's conversion
-    int to_rgb;   // OpenCV's conversion, or `none`
+    int type;      // OpenCV's, of a pixel
+    int to_gray;   // OpenCV's conversion, or `none`: it is grey
+    int to_rgb;    // OpenCV's conversion, or `none`: it is red, green and blue, or grey
+    bool colored;  // has colours
 };
-constexpr int none = -1;
-constexpr Format formats[] = {{"gray8", 8, none, none},
-                              {"mono8", 8, none, none},
-                              {"rgb8", 24, cv::COLOR_RGB2GRAY, none},
-                              {"bgr8", 24, cv::COLOR_BGR2GRAY, cv::COLOR_BGR2RGB}};
+// The names of sensor_msgs/image_encodings.hpp, and our own for grey.
+constexpr Format formats[] = {{"gray8", 8, CV_8UC1, none, none, false},
+                              {"mono8", 8, CV_8UC1, none, none, false},
+                              {"rgb8", 24, CV_8UC3, cv::COLOR_RGB2GRAY, none, true},
+                              {"bgr8", 24, CV_8UC3, cv::COLOR_BGR2GRAY, cv::COLOR_BGR2RGB, true},
+                              {"8UC3", 24, CV_8UC3, cv::COLOR_BGR2GRAY, cv::COLOR_BGR2RGB, true},
+                              {"rgba8", 32, CV_8UC4, cv::COLOR_RGBA2GRAY, cv::COLOR_RGBA2RGB, true},
+                              {"bgra8", 32, CV_8UC4, cv::COLOR_BGRA2GRAY, cv::COLOR_BGRA2RGB, true},
+                              {"mono16", 16, CV_16UC1, none, none, false},
+                              {"yuv422_yuy2", 16, CV_8UC2, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2RGB_YUY2, true},
+                              {"yuv422", 16, CV_8UC2, cv::COLOR_YUV2GRAY_UYVY, cv::COLOR_YUV2RGB_UYVY, true}};
+constexpr std::string_view compressed[] = {"jpeg", "png"};
 
 Expected<Format> format_of(const CameraImage& image) {
     std::vector<std::string_view> names;
@@ -31,10 +47,12 @@ Expected<Format> format_of(const CameraImage& image) {
             return failure(
                 fmt::format("format '{}' has {} bits a pixel, got bpp = {}", format.name, format.bits, image.bpp));
         }
+        if (image.format.empty() && image.bpp != 8 && image.bpp != 24) break;
         return format;
     }
     if (image.format.empty()) return failure(fmt::format("no format, and a bpp of {}: expected 8 or 24", image.bpp));
-    return failure(fmt::format("unknown format '{}': expected gray8, mono8, rgb8 or bgr8{}", shown(image.format),
+    names.insert(names.end(), std::begin(compressed), std::end(compressed));
+    return failure(fmt::format("unknown format '{}': expected {}{}", shown(image.format), fmt::join(names, ", "),
                                did_you_mean(image.format, names)));
 }
 
@@ -51,36 +69,73 @@ Expected<Format> checked_format(const CameraImage& image) {
         return failure(fmt::format("{} x {} pixels of {} need {} bytes, got {}", image.width, image.height,
                                    format->name, needed, image.pixels.size()));
     }
+    if (format->type == CV_8UC2 && image.width % 2 != 0)
+        return failure(fmt::format("{} pixels in a row of {}: expected an even number", image.width, format->name));
     return format;
 }
 
-// The pixels by one of OpenCV's conversions from three channels to so many.
-Octets converted(const CameraImage& image, int conversion, int channels, Octets pixels) {
-    if (conversion == none) {
+// The pixels by one of OpenCV's conversions to so many channels.
+Octets converted(const CameraImage& image, const Format& format, int conversion, int channels, Octets pixels) {
+    if (conversion == none && format.type != CV_16UC1) {
         pixels = image.pixels;
         return pixels;
     }
     pixels.resize(std::size_t{image.width} * image.height * static_cast<std::size_t>(channels));
     // OpenCV has no matrix that is not to be written; this one is only read.
-    const cv::Mat from(image.height, image.width, CV_8UC3, const_cast<std::uint8_t*>(image.pixels.data()));
+    const cv::Mat from(image.height, image.width, format.type, const_cast<std::uint8_t*>(image.pixels.data()));
     cv::Mat to(image.height, image.width, CV_8UC(channels), pixels.data());
-    cv::cvtColor(from, to, conversion);
+    constexpr double to_a_byte = 1 / 257.0;
+    if (format.type == CV_16UC1) {
+        from.convertTo(to, CV_8U, to_a_byte);
+    } else {
+        cv::cvtColor(from, to, conversion);
+    }
     return pixels;
+}
+
+bool is_compressed(const CameraImage& image) {
+    return std::find(std::begin(compressed), std::end(compressed), image.format) != std::end(compressed);
+}
+
+// What a compressed picture shows, as rgb8.
+Expected<CameraImage> decoded(const CameraImage& image) {
+    const auto picture = decode_picture({reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size()});
+    if (!picture) return failure(fmt::format("a {} that can't be read: {}", image.format, picture.error().message));
+    constexpr int most = std::numeric_limits<std::uint16_t>::max();
+    if (picture->width > most || picture->height > most)
+        return failure(fmt::format("{} x {} pixels", picture->width, picture->height));
+    CameraImage rgb{.width = static_cast<std::uint16_t>(picture->width),
+                    .height = static_cast<std::uint16_t>(picture->height),
+                    .bpp = 24,
+                    .format = "rgb8"};
+    rgb.pixels.reserve(picture->pixels.size() * 3);
+    for (const Rgb pixel : picture->pixels) {
+        for (const int shift : {16, 8, 0}) rgb.pixels.push_back(static_cast<std::uint8_t>(pixel >> shift & 0xff));
+    }
+    return rgb;
 }
 
 }  // namespace
 
 Expected<GrayImage> to_gray(const CameraImage& image, Octets memory) {
+    if (is_compressed(image)) {
+        const auto rgb = decoded(image);
+        return rgb ? to_gray(*rgb, std::move(memory)) : Unexpected(rgb.error());
+    }
     const auto format = checked_format(image);
     if (!format) return Unexpected(format.error());
-    return GrayImage{image.width, image.height, converted(image, format->to_gray, 1, std::move(memory))};
+    return GrayImage{image.width, image.height, converted(image, *format, format->to_gray, 1, std::move(memory))};
 }
 
 Expected<ColorImage> to_rgb(const CameraImage& image, Octets memory) {
+    if (is_compressed(image)) {
+        const auto rgb = decoded(image);
+        return rgb ? to_rgb(*rgb, std::move(memory)) : Unexpected(rgb.error());
+    }
     const auto format = checked_format(image);
     if (!format) return Unexpected(format.error());
-    if (format->bits != 24) return failure(fmt::format("{} has no colours: expected rgb8 or bgr8", format->name));
-    return ColorImage{image.width, image.height, converted(image, format->to_rgb, 3, std::move(memory))};
+    if (!format->colored) return failure(fmt::format("{} has no colours: expected rgb8 or bgr8", format->name));
+    return ColorImage{image.width, image.height, converted(image, *format, format->to_rgb, 3, std::move(memory))};
 }
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// A picture's colours become hues, those in the range are marked, and the largest connected part is the thing.
+// Converts colours to hues, marks those in the range, and takes the largest connected region.
 #include "engine/vision/color_detector.hpp"
 
 #include <fmt/format.h>
@@ -12,16 +12,16 @@
 namespace nezumi {
 namespace {
 
-// [px] Noise makes holes in a thing, and specks elsewhere.
+// [px] Noise makes holes in an object, and spots elsewhere.
 constexpr double smoothing = 1;
-// OpenCV's hues of 8 bits: so many go once round.
+// OpenCV's hues with 8 bits: a full circle.
 constexpr int hues = 256;
 constexpr double degrees_round = 360, brightest = 255;
 
 }  // namespace
 
 std::optional<Blob> find_color(const ColorImage& image, const ColorRange& range) {
-    // OpenCV has no matrix that is not to be written; this one is only read.
+    // cv::Mat has no constructor for const data; this one is only read.
     const cv::Mat rgb(image.height, image.width, CV_8UC3, const_cast<std::uint8_t*>(image.pixels.data()));
     cv::Mat hsv;
     cv::GaussianBlur(rgb, hsv, {}, smoothing);
@@ -42,7 +42,7 @@ std::optional<Blob> find_color(const ColorImage& image, const ColorRange& range)
     const double to = std::round(range.hue_to * hues / degrees_round);
     const bool through_red = to < from;
     mark(from, through_red ? hues - 1 : to, marked);
-    if (through_red || to == hues) {  // a full turn ends where it began, at red
+    if (through_red || to == hues) {  // a full circle ends at red again
         cv::Mat beyond;
         mark(0, through_red ? to : 0, beyond);
         cv::bitwise_or(marked, beyond, marked);
@@ -69,11 +69,11 @@ ColorDetector::ColorDetector(std::string name, bool wait)
     };
     bound("hue_from", 340, degrees_round, "deg", "first hue of the colour: 0 red, 60 yellow, 120 green, 240 blue");
     bound("hue_to", 20, degrees_round, "deg", "last hue; below hue_from: from there through red (360, 0) to here");
-    bound("saturation_from", 0.4, 1, "", "palest of the colour: 0 grey");
-    bound("saturation_to", 1, 1, "", "purest of the colour");
-    bound("value_from", 0.2, 1, "", "darkest of the colour: 0 black");
-    bound("value_to", 1, 1, "", "brightest of the colour");
-    bound("least_area", 0.0005, 1, "", "share of the picture; what is smaller is not seen");
+    bound("saturation_from", 0.4, 1, "", "lowest saturation: 0 grey");
+    bound("saturation_to", 1, 1, "", "highest saturation");
+    bound("value_from", 0.2, 1, "", "lowest value: 0 black");
+    bound("value_to", 1, 1, "", "highest value");
+    bound("least_area", 0.0005, 1, "", "smallest area, as a share of the picture");
     declare_latency();
     use_one_thread();
 }

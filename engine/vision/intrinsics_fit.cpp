@@ -14,12 +14,12 @@
 namespace nezumi {
 namespace {
 
-constexpr double most_error = 1.0 / 640;   // of the pictures' width: corners that are farther off fit no lens
-constexpr double most_uncertainty = 0.02;  // of the focal lengths, as a standard deviation
-constexpr double least_turn = 20;          // [degrees] between the two views of the board that differ most
+constexpr double most_error = 1.0 / 640;   // relative to the pictures' width: larger errors fit no lens
+constexpr double most_uncertainty = 0.02;  // standard deviation, relative to the focal lengths
+constexpr double least_turn = 20;          // [degrees] between the two most different views of the board
 
-// The largest angle [degrees] between the board's normals of two views. Views with one normal have nothing to tell a
-// focal length by, and calibrateCamera's deviations don't show it: they leave out what nothing is known of.
+// The largest angle [degrees] between the board's normals in two views. Views with the same normal do not determine a
+// focal length, and the deviations of calibrateCamera don't show that: they leave out undetermined parameters.
 double largest_turn(const std::vector<cv::Mat>& rotations) {
     std::vector<cv::Vec3d> normals;
     for (const cv::Mat& rotation : rotations) {
@@ -39,10 +39,10 @@ double largest_turn(const std::vector<cv::Mat>& rotations) {
 std::optional<Corners> find_corners(const GrayImage& image, const BoardSize& board) {
     const cv::Mat gray(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
     std::vector<cv::Point2f> found;
-    // Not CALIB_CB_NORMALIZE_IMAGE: it finds no more, and where there is no such board it takes ten times as long.
+    // Not CALIB_CB_NORMALIZE_IMAGE: it finds no more boards, and takes ten times as long if there is none.
     const int flags = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_FAST_CHECK;
     if (!cv::findChessboardCorners(gray, {board.columns, board.rows}, found, flags)) return std::nullopt;
-    // No window may reach the next corner.
+    // The window must not reach the next corner.
     const int reach = std::clamp(static_cast<int>(cv::norm(found[1] - found[0]) / 3), 2, 8);
     cv::cornerSubPix(gray, found, {reach, reach}, {-1, -1},
                      {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01});
@@ -80,13 +80,13 @@ Expected<IntrinsicsFit> fit_intrinsics(const std::vector<Corners>& views, const 
         error = cv::calibrateCamera(places, seen, {width, height}, matrix, distortion, rotations, shifts, deviations,
                                     cv::noArray(), cv::noArray());
     } catch (const cv::Exception& thrown) {
-        return failure(fmt::format("no lens fits these views of the board: {}", thrown.err));
+        return failure(fmt::format("no lens model fits these views of the board: {}", thrown.err));
     }
     const double fx = matrix(0, 0), fy = matrix(1, 1);
     const bool is_sure = std::max(deviations[0] / fx, deviations[1] / fy) < most_uncertainty;
     if (!is_sure || !(largest_turn(rotations) > least_turn))
         return failure(
-            "the views are too much alike to tell the focal length: hold the board tilted, to all sides, by "
+            "the views are too similar to determine the focal length: hold the board tilted, to all sides, by "
             "30 degrees or more");
     if (!(error < most_error * width))
         return failure(

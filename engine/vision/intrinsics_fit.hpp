@@ -1,4 +1,4 @@
-// A chessboard in pictures, and what its corners' places there say of the lens.
+// Finds a chessboard in pictures and computes the lens's intrinsics from its corners.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace nezumi {
 
-/// Its inner corners, where four squares meet. One number even and one odd tell its top from its bottom.
+/// The number of inner corners, where four squares meet. One even and one odd number make top and bottom different.
 struct BoardSize {
     int columns = 9, rows = 6;
 };
 
-/// Where its inner corners are [px], row by row.
+/// The inner corners [px], row by row.
 using Corners = std::vector<Point2D>;
 
-/// The corners to a fraction of a pixel; nothing unless the whole board is in sight.
+/// Finds the corners with subpixel accuracy; nothing unless the whole board is visible.
 std::optional<Corners> find_corners(const GrayImage& image, const BoardSize& board);
 
 /// The mean distance [px] between the corners of two views of the same board.
@@ -26,13 +26,13 @@ double mean_distance(const Corners& a, const Corners& b);
 
 struct IntrinsicsFit {
     CameraIntrinsics intrinsics;
-    double error = 0;  ///< [px] root of the mean square by which the corners are off their places
+    double error = 0;  ///< [px] root mean square error of the corners
 };
 
-/// The intrinsics with five coefficients of distortion, by Zhang's method as OpenCV has it (cv::calibrateCamera). The
-/// size of the squares makes no difference. `width`, `height` [px] are the pictures'. An error when the corners of
-/// some view don't lie where any lens has them (the board is bent), or when the views are so much alike that the focal
-/// length is unsure by more than 2 %, or the board is turned by less than 20 degrees from any to any other.
+/// Fits the intrinsics with five distortion coefficients by Zhang's method (cv::calibrateCamera). The size of the
+/// squares has no influence. `width`, `height` [px] are those of the pictures. Fails if the corners of a view fit no
+/// lens (for example a bent board), or if the views are too similar: the focal length is uncertain by more than 2 %, or
+/// no two boards differ by at least 20 degrees.
 Expected<IntrinsicsFit> fit_intrinsics(const std::vector<Corners>& views, const BoardSize& board, int width,
                                        int height);
 

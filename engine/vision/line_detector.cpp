@@ -1,4 +1,4 @@
-// What is before the robot is divided into line and floor, and the largest connected part of the one is the line.
+// Divides the area in front of the robot into line and floor; the largest connected region is the line.
 #include "engine/vision/line_detector.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace nezumi {
 namespace {
 
-constexpr double line_smoothing = 1.5;  // [px] noise frays a line, and makes specks elsewhere
+constexpr double line_smoothing = 1.5;  // [px] noise makes a line's edge rough, and spots elsewhere
 constexpr double white = 255;
 
 }  // namespace
@@ -20,13 +20,13 @@ std::optional<Blob> find_line(const GrayImage& image, const LineSettings& settin
     const int first = std::min(static_cast<int>(std::lround(settings.top * image.height)), image.height - 1);
     GrayImage mask{image.width, image.height - first, {}};
     mask.pixels.resize(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
-    // OpenCV has no matrix that is not to be written; this one is only read.
+    // cv::Mat has no constructor for const data; this one is only read.
     const cv::Mat whole(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
     cv::Mat part, marked(mask.height, mask.width, CV_8UC1, mask.pixels.data());
     cv::GaussianBlur(whole.rowRange(first, image.height), part, {}, line_smoothing);
     const int side = settings.dark ? cv::THRESH_BINARY_INV : cv::THRESH_BINARY;
     cv::threshold(part, marked, 0, white, side | cv::THRESH_OTSU);
-    // There is always a best division, of mere noise too: what it divides must differ.
+    // There is always a best threshold, even for noise only: the two sides must differ enough.
     const int count = cv::countNonZero(marked);
     if (count == 0 || count == mask.width * mask.height) return std::nullopt;
     const cv::Mat rest = ~marked;
@@ -45,7 +45,7 @@ LineDetector::LineDetector(std::string name, bool wait)
                                "where its centre is: 1 at the left edge of the picture, -1 at the right one; silent "
                                "while no line is in sight")),
       angle_(add_out_port<double>("angle",
-                                  "[rad] which way it runs in the picture: 0 straight ahead, positive to the left; "
+                                  "[rad] its angle in the picture: 0 straight ahead, positive to the left; "
                                   "together with offset")) {
     declare(
         {.name = "dark", .initial = true, .doc = "a dark line on a light floor; false: a light one on a dark floor"});
@@ -54,18 +54,18 @@ LineDetector::LineDetector(std::string name, bool wait)
              .min = 0,
              .max = 1,
              .widget = "slider",
-             .doc = "how much line and floor differ at least: 1 is black against white"});
+             .doc = "least difference of line and floor: 1 is black against white"});
     declare({.name = "top",
              .initial = 0.5,
              .min = 0,
              .max = 0.95,
              .widget = "slider",
-             .doc = "share of the picture, from above, that is not looked at"});
+             .doc = "upper share of the picture that is ignored"});
     declare({.name = "least_area",
              .initial = 0.005,
              .min = 0,
              .max = 1,
-             .doc = "share of the picture; what is smaller is no line"});
+             .doc = "smallest area of a line, as a share of the picture"});
     declare_latency();
     use_one_thread();
 }

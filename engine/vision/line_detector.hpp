@@ -1,4 +1,4 @@
-// The component that says where a line on the floor is: a picture in, how far off it is and which way it runs out.
+// The component that finds a line on the floor: its input is a picture, its outputs the line's offset and angle.
 #pragma once
 
 #include <optional>
@@ -9,28 +9,28 @@
 
 namespace nezumi {
 
-/// What a line looks like, and where in the picture it may be.
+/// The appearance of a line, and the searched part of the picture.
 struct LineSettings {
-    bool dark = true;       ///< on a lighter floor; else light on a darker one
-    double contrast = 0.3;  ///< least difference of its mean grey from the floor's: 1 is black against white
-    double top = 0.5;       ///< where the part of the picture begins that is looked at, as a share of its height
+    bool dark = true;       ///< on a lighter floor; if false, light on a darker floor
+    double contrast = 0.3;  ///< smallest difference of the mean grey values of line and floor: 1 is black against white
+    double top = 0.5;       ///< top of the searched part of the picture, relative to its height
 };
 
-/// The largest connected part of a picture that differs so from the rest (Otsu, 1979); nothing when there is none. The
-/// picture is smoothed by 1.5 px before.
+/// Returns the largest connected region that differs enough from the rest (Otsu, 1979); nothing if there is none. The
+/// picture is smoothed by 1.5 px first.
 std::optional<Blob> find_line(const GrayImage& image, const LineSettings& settings);
 
-/// Where in its picture a line is.
+/// The position of a line in its picture.
 struct LineSight {
-    double offset;  ///< its centre: 1 at the left edge, -1 at the right one
-    double angle;   ///< [rad] 0 upright, positive leaning to the left, -pi/2 to pi/2
+    double offset;  ///< of its centre: 1 at the left edge, -1 at the right one
+    double angle;   ///< [rad] 0 vertical, positive if it leans to the left, -pi/2 to pi/2
 };
 
 class LineDetector final : public ImageComponent<std::optional<LineSight>> {
 public:
-    /// `wait` as of `ImageComponent`.
+    /// `wait` as in `ImageComponent`.
     LineDetector(std::string name, bool wait);
-    ~LineDetector() override { finish(); }  // who looks uses picture_
+    ~LineDetector() override { finish(); }  // the detection uses picture_
     LineDetector(const LineDetector&) = delete;
     LineDetector& operator=(const LineDetector&) = delete;
 
@@ -41,7 +41,7 @@ private:
     OutPort<bool>& visible_;
     OutPort<double>& offset_;
     OutPort<double>& angle_;
-    GrayImage picture_;  // the one that is looked at
+    GrayImage picture_;  // the picture being searched
 };
 
 }  // namespace nezumi

@@ -43,7 +43,7 @@ MarkerDetector::MarkerDetector(std::string name, bool wait)
       markers_(add_out_port<std::vector<SeenMarker>>(
           "markers", "all that are in sight, the nearest first; once for each picture")) {
     image_port().set_companion(intrinsics_);
-    std::vector<ParameterValue> families;
+    std::vector<Value> families;
     for (const std::string_view family : TagFinder::families()) families.emplace_back(std::string(family));
     declare({.name = "tag_size",
              .initial = 0.1,
@@ -82,7 +82,11 @@ MarkerDetector::MarkerDetector(std::string name, bool wait)
              .doc = "of a row, for pictures without intrinsics while fx is 0"});
 }
 
-Expected<CameraIntrinsics> MarkerDetector::intrinsics_for(const GrayImage& image) const {
+void MarkerDetector::tell_unknown(std::string what) {
+    if (std::exchange(told_, what) != what) log(LogLevel::warn, std::move(what));
+}
+
+Expected<CameraIntrinsics> MarkerDetector::intrinsics_for(const GrayImage& image) {
     CameraIntrinsics own = pinhole(image.width, image.height, value<double>("field_of_view"));
     const double fx = value<double>("fx");
     if (fx > 0) {
@@ -97,12 +101,24 @@ Expected<CameraIntrinsics> MarkerDetector::intrinsics_for(const GrayImage& image
         return own;
     }
     const CameraIntrinsics& told = intrinsics_.latest().data;
-    if (!(told.fx > 0)) return own;
+    if (!(told.fx > 0)) {
+        if (told.width > 0)
+            tell_unknown(
+                fmt::format("intrinsics: fx = {:g}: the camera is not calibrated. field_of_view = {:g} is used: set "
+                            "it, or fx, to the camera's, or calibrate it",
+                            told.fx, value<double>("field_of_view")));
+        return own;
+    }
     if (told.width != image.width || told.height != image.height) {
         return failure(fmt::format("{} x {} pixels, but intrinsics for {} x {}", image.width, image.height, told.width,
                                    told.height));
     }
-    return told;
+    CameraIntrinsics used = told;
+    if (!(told.fy > 0)) {
+        tell_unknown(fmt::format("intrinsics: fy = {:g}: fx = {:g} is used instead", told.fy, told.fx));
+        used.fy = told.fx;
+    }
+    return used;
 }
 
 Expected<MarkerDetector::DetectionTask> MarkerDetector::detection_task(const CameraImage& image) {

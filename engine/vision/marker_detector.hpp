@@ -19,7 +19,9 @@ public:
 private:
     Expected<DetectionTask> detection_task(const CameraImage& image) override;
     void publish(const std::vector<SeenMarker>& seen) override;
-    Expected<CameraIntrinsics> intrinsics_for(const GrayImage& image) const;
+    Expected<CameraIntrinsics> intrinsics_for(const GrayImage& image);
+    /// Says once what is not known of the camera, and what is used instead.
+    void tell_unknown(std::string what);
 
     InPort<CameraIntrinsics>& intrinsics_;
     OutPort<Pose3D>& pos_;
@@ -29,6 +31,7 @@ private:
     GrayImage picture_;  // the one that is looked at
     std::optional<TagFinder> finder_;
     std::string family_;
+    std::string told_;  // of unknown intrinsics
 };
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// OpenCV's own setting.
+// Sets OpenCV's number of threads.
 #include "engine/vision/one_thread.hpp"
 
 #include <opencv2/core/utility.hpp>

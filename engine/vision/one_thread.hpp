@@ -1,10 +1,10 @@
-// How many threads OpenCV may take.
+// The number of threads that OpenCV uses.
 #pragma once
 
 namespace nezumi {
 
-/// From now on OpenCV works in the thread that calls it, in the whole program: a picture costs one core, as others run
-/// behaviours. What is seen does not depend on it. Returns true.
+/// From now on OpenCV works only in the calling thread, in the whole program: a picture uses one core, because
+/// behaviours need the others. Results do not depend on it. Returns true.
 bool use_one_thread();
 
 }  // namespace nezumi

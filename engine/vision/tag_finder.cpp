@@ -67,7 +67,7 @@ std::optional<CameraPose> pose_of(const apriltag_detection_t& tag, const CameraI
     std::array<cv::Point2d, 4> seen;
     for (std::size_t i = 0; i < 4; ++i) seen[i] = {tag.p[i][0] - pixel_offset, tag.p[i][1] - pixel_offset};
     const cv::Matx33d camera(c.fx, 0, c.cx, 0, c.fy, c.cy, 0, 0, 1);
-    const cv::Vec<double, 5> distortion(c.k1, c.k2, c.p1, c.p2, c.k3);
+    const cv::Vec<double, 8> distortion(c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6);
     // A square looks nearly the same in two poses: the one that fits better comes first, and is then fitted in the
     // picture itself.
     std::vector<cv::Mat> rotations, translations;

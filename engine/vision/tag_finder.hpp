@@ -1,4 +1,4 @@
-// Finds AprilTags in a grey picture, and where they are.
+// Finds AprilTags in a grey picture, and their poses.
 #pragma once
 
 #include <memory>
@@ -13,14 +13,13 @@ namespace nezumi {
 
 struct FoundTag {
     int id = 0;
-    /// Position: x forward, y left, z up from the camera [m]. Orientation: all 0 when the tag is upright and faces the
-    /// camera straight; as roll, pitch and yaw about the same axes, so a tag that is turned to the left (as seen from
-    /// above) has a positive yaw.
+    /// Position: x forward, y left, z up from the camera [m]. Orientation: roll, pitch and yaw about the same axes; all
+    /// 0 for an upright tag that faces the camera. A tag turned to the left (seen from above) has a positive yaw.
     Pose3D pose;
     double edge = 0;  ///< [px] mean edge of its black border in the picture
 };
 
-/// Not safe to use from two threads at once.
+/// Not thread-safe.
 class TagFinder {
 public:
     /// The names of the families: "36h11", "25h9", "16h5".
@@ -32,8 +31,9 @@ public:
     TagFinder(TagFinder&&) noexcept;
     TagFinder& operator=(TagFinder&&) noexcept;
 
-    /// The tags of the family in sight, the nearest first (of two as near, the one with the smaller number). `size` [m]
-    /// is the edge of their black border: a wrong one scales every position by wrong / right. Smooths the picture.
+    /// Returns the visible tags of the family, the nearest first (of two equally near, the one with the smaller
+    /// number). `size` [m] is the edge of their black border: a wrong one scales every position by wrong / right.
+    /// Smooths the picture.
     std::vector<FoundTag> find(GrayImage& image, const CameraIntrinsics& intrinsics, double size);
 
 private:

@@ -1,4 +1,4 @@
-// What the words of an arena mean.
+// Meaning of an arena's fields.
 #include "engine/world/arena_fields.hpp"
 
 #include <fmt/format.h>

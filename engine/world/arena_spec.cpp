@@ -1,4 +1,4 @@
-// Things have no names of their own: they are counted.
+// Things have no names, so they are numbered.
 #include "engine/world/arena_spec.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// From a model to one robot of it.
+// Applies the measurements of one robot to its model.
 #include "engine/world/calibration.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace nezumi {
 namespace {
 
-// A measured length of this many times its model's, or its part, is none of this robot's.
+// A measured length that differs from the model's by more than this factor is not plausible.
 constexpr double most_off = 2;
 
 }  // namespace

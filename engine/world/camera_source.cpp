@@ -28,12 +28,15 @@ CameraIntrinsics CameraSettings::raw_intrinsics() const {
     all.p1 = p1;
     all.p2 = p2;
     all.k3 = k3;
+    all.k4 = k4;
+    all.k5 = k5;
+    all.k6 = k6;
     return all;
 }
 
 CameraIntrinsics CameraSettings::intrinsics() const {
     CameraIntrinsics all = raw_intrinsics();
-    if (undistort) all.k1 = all.k2 = all.p1 = all.p2 = all.k3 = 0;
+    if (undistort) all.k1 = all.k2 = all.p1 = all.p2 = all.k3 = all.k4 = all.k5 = all.k6 = 0;
     return all;
 }
 

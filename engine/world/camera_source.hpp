@@ -23,12 +23,14 @@ struct CameraSettings {
     double frame_rate = 30;
     double field_of_view = 0;                       ///< [rad] of a row
     double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;  ///< distortion, as in `CameraIntrinsics`
+    double k4 = 0, k5 = 0, k6 = 0;                  ///< likewise
     bool color = true;                              ///< "rgb8", else "gray8"
     double noise = 0;                               ///< standard deviation of a pixel's value, which goes from 0 to 255
     double blur = 0;                                ///< [px] standard deviation of a Gaussian
     std::uint64_t seed = 0;                         ///< of the noise
     double fx = 0, fy = 0, cx = 0, cy = 0;          ///< as in `CameraIntrinsics`, instead of `field_of_view`; 0: not
     bool undistort = false;                         ///< its pictures are made those of the pinhole
+    std::string pixel_format;                       ///< that a real camera sends, four letters; "": what it likes
 
     /// Of what the camera takes: the pinhole of size and field of view, or of `fx` and its like, with the distortion.
     CameraIntrinsics raw_intrinsics() const;

@@ -1,4 +1,4 @@
-// Square by square, with a ring of white ones around them.
+// Makes squares one by one, with a ring of white ones around them.
 #include "engine/world/chessboard.hpp"
 
 #include <cmath>
@@ -25,7 +25,7 @@ std::vector<BoxSpec> chessboard(const ChessboardSpec& spec) {
 
 CameraMount view_of_chessboard(const ChessboardSpec& spec, int number) {
     constexpr double pi = std::numbers::pi;
-    // Angles that don't repeat: the golden one goes around, the others up and down and to the sides.
+    // Angles that don't repeat: the golden angle around the board, others for tilt.
     const double around = number * pi * (3 - std::sqrt(5.0));
     const double elevation = (45 + 13 * (number % 4)) * pi / 180;
     const double length = (spec.columns + 1) * spec.square;

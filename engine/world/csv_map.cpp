@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <optional>
+#include <utility>
 
 #include "engine/base/csv.hpp"
 
@@ -26,10 +29,39 @@ std::vector<std::string> fields_of(std::string_view row) {
     return fields;
 }
 
-Expected<BoxSpec> read_row(const std::vector<std::string>& fields, const Place& place) {
-    std::array<double, 7> v{};
+// The column of each number of a box in a row.
+using Order = std::array<std::size_t, columns.size()>;
+constexpr Order usual_order{0, 1, 2, 3, 4, 5, 6};
+
+Order order_of(const std::vector<std::string>& header) {
+    Order order{};
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const auto is_named = [&](std::string field) {
+            std::transform(field.begin(), field.end(), field.begin(), [](unsigned char c) { return std::tolower(c); });
+            return field == columns[i].name;
+        };
+        const auto found = std::find_if(header.begin(), header.end(), is_named);
+        if (found == header.end()) return usual_order;
+        order[i] = static_cast<std::size_t>(found - header.begin());
+    }
+    return order;
+}
+
+std::size_t least_fields(const Order& order) { return *std::max_element(order.begin(), order.end()) + 1; }
+
+// What separates a row's columns if that is no comma; else "".
+std::string other_separator(std::string_view row) {
+    for (const auto& [separator, name] : {std::pair{';', "semicolons"}, {'\t', "tabs"}}) {
+        if (std::count(row.begin(), row.end(), separator) >= static_cast<int>(columns.size()) - 1)
+            return fmt::format("columns that are separated by {}: separate them by commas", name);
+    }
+    return "";
+}
+
+Expected<BoxSpec> read_row(const std::vector<std::string>& fields, const Order& order, const Place& place) {
+    std::array<double, columns.size()> v{};
     for (std::size_t i = 0; i < v.size(); ++i) {
-        const auto number = csv_number(fields[i], columns[i], place);
+        const auto number = csv_number(fields[order[i]], columns[i], place);
         if (!number) return Unexpected(number.error());
         v[i] = *number;
     }
@@ -37,19 +69,26 @@ Expected<BoxSpec> read_row(const std::vector<std::string>& fields, const Place& 
 }
 
 // Whether a row would be a box if it had no quotes, and is none as one of them is not closed.
-bool hides_box(std::string_view row, const Place& place) {
+bool hides_box(std::string_view row, const Order& order, const Place& place) {
     if (split_csv_row(row)) return false;
     std::string bare(row);
     std::erase(bare, '"');
     const auto fields = fields_of(bare);
-    return fields.size() >= columns.size() && read_row(fields, place).has_value();
+    return fields.size() >= least_fields(order) && read_row(fields, order, place).has_value();
+}
+
+Unexpected no_box(const std::string& found, const Place& place) {
+    return failure(fmt::format("expected rows x,y,z,lx,ly,lz,yaw, got {}", found), place);
 }
 
 }  // namespace
 
 Expected<CsvMap> read_map(std::string_view text, const std::string& file) {
     if (text.empty()) return failure("is empty: expected a header line, then rows x,y,z,lx,ly,lz,yaw", {file});
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     CsvMap map;
+    Order order = usual_order;
+    std::optional<Unexpected> first_short;
     const char line_end = text.find('\n') == text.npos ? '\r' : '\n';
     for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = std::min(text.find(line_end), text.size());
@@ -58,22 +97,33 @@ Expected<CsvMap> read_map(std::string_view text, const std::string& file) {
         const Place place{file, number};
         const auto fields = fields_of(line);
         if (number == 1) {
-            map.header_is_numbers = fields.size() >= columns.size() && read_row(fields, place).has_value();
+            order = order_of(fields);
+            map.header_is_numbers = fields.size() >= columns.size() && read_row(fields, order, place).has_value();
             continue;
         }
         const auto is_empty = [](const std::string& field) { return field.empty(); };
         const bool is_blank = std::all_of(fields.begin(), fields.end(), is_empty);
         const bool is_comment = line.substr(std::min(line.find_first_not_of(" \t"), line.size())).starts_with('#');
-        const bool is_short = fields.size() < columns.size();
-        if (is_short && !is_comment && hides_box(line, place)) return failure("a quote is not closed", place);
+        const bool is_short = fields.size() < least_fields(order);
+        if (is_short && !is_comment && hides_box(line, order, place)) return failure("a quote is not closed", place);
+        if (is_short && !is_comment && !is_blank && !first_short) {
+            const std::string separator = other_separator(line);
+            const std::string count = fmt::format("{} column{}", fields.size(), fields.size() == 1 ? "" : "s");
+            first_short = no_box(separator.empty() ? count : separator, place);
+        }
         if (is_blank || is_comment || is_short) {
             ++map.skipped;
             continue;
         }
-        auto box = read_row(fields, place);
-        if (!box) return Unexpected(box.error());
+        auto box = read_row(fields, order, place);
+        if (!box) {
+            // With commas for points, a row has enough of them.
+            const std::string separator = other_separator(line);
+            return separator.empty() ? Unexpected(box.error()) : no_box(separator, place);
+        }
         map.boxes.push_back(std::move(*box));
     }
+    if (map.boxes.empty() && first_short) return *first_short;
     return map;
 }
 

@@ -15,11 +15,12 @@ struct CsvMap {
     bool header_is_numbers = false;  ///< the first line, which is skipped, reads like a row
 };
 
-/// Reads a map. The first line is a header, in any language and encoding, and skipped; rows `x,y,z,lx,ly,lz,yaw`
-/// (centre [m], size [m], yaw [rad]) are fixed boxes, whatever follows in them; comments, which begin with #, blank
-/// lines and rows of fewer than 7 columns are skipped. Of a row with a quote that is not closed count the columns
-/// before it; it is an error when the row would be a box without quotes. `file` is named in errors, which say line,
-/// column and what was found.
+/// Reads a map. The first line is a header, in any language and encoding: where it names all of the columns
+/// `x,y,z,lx,ly,lz,yaw` (centre [m], size [m], yaw [rad]), they are taken by their names, else as the first seven in
+/// this order. The rows are fixed boxes, whatever follows in them; comments, which begin with #, blank lines and rows
+/// of fewer columns are skipped. It is an error when no row at all is a box; it says how the columns are separated. Of
+/// a row with a quote that is not closed count the columns before it; it is an error when the row would be a box
+/// without quotes. `file` is named in errors, which say line, column and what was found.
 Expected<CsvMap> read_map(std::string_view text, const std::string& file);
 
 /// "map.csv: 12 boxes, 2 lines that are no box skipped".

@@ -1,4 +1,4 @@
-// The colours' names, and where one ends and the next begins.
+// Names of colours and the limits between them.
 #include "engine/world/floor_color.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ Parts parts_of(Rgb color) {
             static_cast<double>(color & 0xff)};
 }
 
-// [degrees] 0 red, 120 green, 240 blue; `range` is the largest part less the smallest, not 0.
+// [degrees] 0 red, 120 green, 240 blue; `range` is the largest component minus the smallest, not 0.
 double hue_of(const Parts& c, double range) {
     double sixth = 0;
     if (c.r >= c.g && c.r >= c.b) {
@@ -44,7 +44,7 @@ FloorColor nearest_floor_color(Rgb color) {
     if (largest < 45) return FloorColor::black;
     if (range < 0.2 * largest) return largest < 110 ? FloorColor::black : FloorColor::white;
     const double hue = hue_of(c, range);
-    // Brown is a dark orange, or a dark red that is not pure.
+    // Brown is dark orange, or a dark red that is not pure.
     const bool is_dark = largest < 180;
     if (hue < 12 || hue >= 330) return is_dark && range < 0.8 * largest ? FloorColor::brown : FloorColor::red;
     if (hue < 50 && is_dark) return FloorColor::brown;

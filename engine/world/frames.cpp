@@ -1,4 +1,4 @@
-// The order of the additions is part of every trace hash.
+// The order of the additions affects every trace hash.
 #include "engine/world/frames.hpp"
 
 #include <cmath>

@@ -1,8 +1,9 @@
-// A drawing is a lattice: posts where row and column are even, walls between them, cells where both are odd.
+// A drawing is a lattice: posts at even rows and columns, walls between them, cells where both are odd.
 #include "engine/world/maze.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <random>
@@ -11,21 +12,32 @@
 namespace nezumi {
 namespace {
 
-// A place in a drawing's lattice: columns from the west, rows from the north. Even ones are posts and walls.
+// A place in the lattice: columns from the west, rows from the north. Even ones are posts and walls.
 struct Lattice {
-    const std::vector<std::string>& rows;
+    explicit Lattice(const std::vector<std::string>& drawn)
+        : rows(drawn),
+          post(drawn.front().starts_with('o') ? "o" : "+"),
+          signs(drawn.front().find(post, 1) == 4 ? 4 : 3) {}
 
-    int columns() const { return static_cast<int>(rows.front().size()) / 3 * 2 + 1; }
+    const std::vector<std::string>& rows;
+    const std::string_view post;
+    const std::size_t signs;  // of a cell and a post: 3, or 4 as in the drawings that contests exchange
+
+    int columns() const { return static_cast<int>(rows.front().size() / signs) * 2 + 1; }
     int lines() const { return static_cast<int>(rows.size()); }
-    // What is drawn there: a column of posts is one letter wide, one between posts two.
+    // The number of the first letter there, from 0.
+    std::size_t first(int column) const {
+        return static_cast<std::size_t>(column / 2) * signs + static_cast<std::size_t>(column % 2);
+    }
+    // The drawn text there: a column of posts has one letter, one between posts the others of the cell.
     std::string_view at(int column, int line) const {
-        const auto first = static_cast<std::size_t>(column / 2 * 3 + column % 2);
-        return std::string_view(rows[static_cast<std::size_t>(line)]).substr(first, column % 2 == 0 ? 1 : 2);
+        return std::string_view(rows[static_cast<std::size_t>(line)])
+            .substr(first(column), column % 2 == 0 ? 1 : signs - 1);
     }
     bool is_solid(int column, int line) const { return at(column, line).front() != ' '; }
 };
 
-// A box from the middle of one post to that of another, its ends square around them.
+// A box from one post's middle to another's, with square ends.
 BoxSpec wall_between(const Point2D& from, const Point2D& to) {
     BoxSpec box;
     box.at = {(from.x + to.x) / 2, (from.y + to.y) / 2, maze_height / 2};
@@ -43,7 +55,7 @@ std::vector<std::string> draw_maze(const MazePlan& plan) {
         for (int column = 0; column < columns; ++column) row += line % 2 == 0 ? "--+" : "  |";
         rows.push_back(std::move(row));
     }
-    // A cell's place in the drawing; rows of cells are counted from the south.
+    // The place of a cell in the drawing; rows of cells are counted from the south.
     const auto letter = [](int column) { return static_cast<std::size_t>(3 * column + 1); };
     const auto line_of = [&](int row) { return static_cast<std::size_t>(lines - 2 - 2 * row); };
 
@@ -67,10 +79,10 @@ std::vector<std::string> draw_maze(const MazePlan& plan) {
             way.pop_back();
             continue;
         }
-        // The first step is north where there is a north. The remainder favours none by more than 2^-61.
+        // The first step is north if possible. The modulo's bias is below 2^-61.
         const std::size_t which = way.size() == 1 ? 0 : static_cast<std::size_t>(random() % fresh.size());
         const Step step = fresh[which];
-        // A wall that is gone, between cells beside each other or above each other.
+        // A removed wall between two neighbouring cells.
         if (step.column == 0) {
             std::string& line = rows[line_of(here.row) - static_cast<std::size_t>(step.row)];
             line[letter(here.column)] = line[letter(here.column) + 1] = ' ';
@@ -93,12 +105,13 @@ MazeProblem check_maze(const std::vector<std::string>& rows) {
                 0};
     }
     const std::size_t width = rows.front().size();
-    if (width < 4 || width % 3 != 1 || width > 3 * most + 1) {
-        return {fmt::format("expected 3 signs for each cell and one more, for 1 to {} cells, got {} signs",
+    const Lattice maze(rows);
+    if (width <= maze.signs || width % maze.signs != 1 || width > maze.signs * most + 1) {
+        return {fmt::format("expected {} signs for each cell and one more, for 1 to {} cells, got {} signs", maze.signs,
                             most_maze_cells, width),
                 1};
     }
-    const Lattice maze{rows};
+    const std::string_view dashes = maze.signs == 4 ? "---" : "--", blanks = maze.signs == 4 ? "   " : "  ";
     for (int line = 0; line < maze.lines(); ++line) {
         const std::size_t number = static_cast<std::size_t>(line) + 1;
         if (const std::size_t got = rows[number - 1].size(); got != width)
@@ -106,10 +119,14 @@ MazeProblem check_maze(const std::vector<std::string>& rows) {
         for (int column = 0; column < maze.columns(); ++column) {
             const std::string_view drawn = maze.at(column, line);
             const bool is_post = column % 2 == 0 && line % 2 == 0, is_cell = column % 2 == 1 && line % 2 == 1;
-            const std::string_view wall = is_post ? "+" : is_cell ? "  " : line % 2 == 0 ? "--" : "|";
-            if (drawn != wall && drawn.find_first_not_of(' ') != std::string_view::npos)
+            const std::string_view wall = is_post ? maze.post : is_cell ? blanks : line % 2 == 0 ? dashes : "|";
+            // A start or goal is marked by one letter.
+            const auto is_mark = [](char c) { return c == 'S' || c == 'G'; };
+            const bool is_marked = is_cell && std::count_if(drawn.begin(), drawn.end(), is_mark) == 1 &&
+                                   drawn.find_first_not_of(" SG") == std::string_view::npos;
+            if (drawn != wall && !is_marked && drawn.find_first_not_of(' ') != std::string_view::npos)
                 return {fmt::format("expected \"{}\"{} from sign {} on, got \"{}\"", wall, is_cell ? "" : " or blanks",
-                                    column / 2 * 3 + column % 2 + 1, drawn),
+                                    maze.first(column) + 1, drawn),
                         number};
         }
     }
@@ -117,7 +134,7 @@ MazeProblem check_maze(const std::vector<std::string>& rows) {
 }
 
 std::vector<BoxSpec> walls_of(const std::vector<std::string>& rows, double cell, const Point2D& at) {
-    const Lattice maze{rows};
+    const Lattice maze(rows);
     const int columns = maze.columns(), lines = maze.lines();
     const auto place = [&](int column, int line) {
         return Point2D{at.x + (column - 1) * cell / 2, at.y + (lines - 2 - line) * cell / 2};

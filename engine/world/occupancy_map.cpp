@@ -1,114 +1,66 @@
-// The few lines of YAML that a map has, its picture, and the rectangles that cover what is occupied.
+// What a map's YAML file says, its picture, and the rectangles that cover what is occupied.
 #include "engine/world/occupancy_map.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <optional>
-#include <span>
+#include <sstream>
 
-#include "engine/base/trimmed.hpp"
+#include "engine/base/yaml.hpp"
 #include "engine/ports/setting.hpp"
 #include "engine/world/frames.hpp"
 
 namespace nezumi {
 namespace {
 
-constexpr std::int64_t most_pixels = 64'000'000;
 constexpr double least_resolution = 1e-3, most_resolution = 1e3;  // [m]
-
-std::string_view without_quotes(std::string_view text) {
-    const bool quoted =
-        text.size() >= 2 && (text.front() == '"' || text.front() == '\'') && text.front() == text.back();
-    return quoted ? text.substr(1, text.size() - 2) : text;
-}
-
-std::optional<double> number_of(std::string_view text) {
-    text = trimmed(text);
-    if (text.starts_with('+')) text.remove_prefix(1);
-    double number = 0;
-    const auto [stopped, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (problem != std::errc() || stopped != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
-    return number;
-}
+constexpr std::array<std::string_view, 3> modes{"trinary", "scale", "raw"};
 
 // `[x, y, yaw]`, or the first two of them.
-std::optional<Pose2D> pose_of(std::string_view text) {
-    if (!text.starts_with('[') || !text.ends_with(']')) return std::nullopt;
-    text = text.substr(1, text.size() - 2);
-    std::array<double, 3> numbers{};
-    std::size_t count = 0;
-    while (count < numbers.size()) {
-        const std::size_t comma = std::min(text.find(','), text.size());
-        const auto number = number_of(text.substr(0, comma));
-        if (!number) return std::nullopt;
-        numbers[count++] = *number;
-        if (comma == text.size())
-            return count < 2 ? std::nullopt : std::optional(Pose2D{{numbers[0], numbers[1]}, numbers[2]});
-        text.remove_prefix(comma + 1);
-    }
-    return std::nullopt;
+std::optional<Pose2D> pose_of(const YAML::Node& value) {
+    const auto numbers = yaml_numbers(value);
+    if (!numbers || numbers->size() < 2 || numbers->size() > 3) return std::nullopt;
+    return Pose2D{{(*numbers)[0], (*numbers)[1]}, numbers->size() == 3 ? (*numbers)[2] : 0};
 }
 
-// What a line says; empty names for lines that say nothing here.
-struct Line {
-    std::string_view key, value;
-};
-
-Line line_of(std::string_view text) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool begins_comment = text[i] == '#' && (i == 0 || text[i - 1] == ' ' || text[i - 1] == '\t');
-        if (begins_comment) text = text.substr(0, i);
-    }
-    const std::size_t colon = text.find(':');
-    if (colon == std::string_view::npos) return {};
-    return {trimmed(text.substr(0, colon)), without_quotes(trimmed(text.substr(colon + 1)))};
-}
-
-// A portable grey map: its pixels row by row from the top, and what is white.
-struct Grey {
-    int columns = 0, rows = 0, white = 255;
-    std::span<const unsigned char> pixels;
-};
-
-Expected<Grey> read_grey(std::string_view bytes, const std::string& file) {
-    const auto refuse = [&](std::string_view why) { return failure(fmt::format("is no map: {}", why), {file}); };
-    if (!bytes.starts_with("P5")) return refuse("expected a binary PGM, which begins with P5");
-    std::size_t at = 2;
-    const auto is_blank = [&] {
-        return at < bytes.size() && std::string_view(" \t\r\n").find(bytes[at]) != std::string_view::npos;
-    };
-    const auto next = [&]() -> std::int64_t {
-        while (is_blank() || (at < bytes.size() && bytes[at] == '#')) {
-            if (bytes[at] == '#') {
-                at = std::min(bytes.find('\n', at), bytes.size());
-            } else {
-                ++at;
-            }
+// What white is in a picture whose bytes OpenCV takes as they stand, of a portable grey map its largest value; else
+// that of 8 bits.
+double white_of(std::string_view bytes) {
+    constexpr double usual = 255, usual_of_two_bytes = 65535;
+    if (!bytes.starts_with("P5")) return usual;
+    std::istringstream in(std::string(bytes.substr(0, 4096)));
+    std::string word;
+    for (int words = 0; in >> word;) {  // P5, columns, rows, white, and comments between them
+        if (word.starts_with('#')) {
+            std::getline(in, word);
+        } else if (++words == 4) {
+            const double white = std::atof(word.c_str());
+            return white > usual ? white / usual_of_two_bytes * usual : white > 0 ? white : usual;
         }
-        std::int64_t number = -1;
-        const auto [stopped, problem] = std::from_chars(bytes.data() + at, bytes.data() + bytes.size(), number);
-        if (problem != std::errc()) return -1;
-        at = static_cast<std::size_t>(stopped - bytes.data());
-        return number;
-    };
-    const std::int64_t columns = next(), rows = next(), white = next();
-    if (columns < 1 || rows < 1 || white < 1 || !is_blank()) return refuse("its header has no width, height and white");
-    if (white > 255) return refuse(fmt::format("expected pixels of 8 bits, its white is {}", white));
-    if (columns > most_pixels / rows)
-        return refuse(
-            fmt::format("it has {} x {} pixels, expected at most {} million", columns, rows, most_pixels / 1'000'000));
-    const std::string_view data = bytes.substr(at + 1);
-    const auto count = static_cast<std::size_t>(columns * rows);
-    if (data.size() < count) return refuse(fmt::format("it ends after {} of {} pixels", data.size(), count));
-    return Grey{static_cast<int>(columns),
-                static_cast<int>(rows),
-                static_cast<int>(white),
-                {reinterpret_cast<const unsigned char*>(data.data()), count}};
+    }
+    return usual;
+}
+
+// From 0, black, to 1.
+std::vector<double> light_of(const Picture& picture, double white) {
+    constexpr int channels = 3;
+    std::vector<double> light;
+    light.reserve(picture.pixels.size());
+    for (const Rgb pixel : picture.pixels) {
+        const auto sum = (pixel >> 16 & 0xff) + (pixel >> 8 & 0xff) + (pixel & 0xff);
+        light.push_back(std::min(1.0, sum / (channels * white)));
+    }
+    return light;
+}
+
+bool is_occupied(const OccupancyFacts& facts, double light) {
+    if (facts.mode != OccupancyFacts::Mode::raw) return (facts.negate ? light : 1 - light) > facts.threshold;
+    constexpr double white = 255, certain = 100;
+    const double percent = std::round(light * white);
+    return percent <= certain && percent / certain > facts.threshold;
 }
 
 // A rectangle of pixels; row 0 is at the top.
@@ -146,59 +98,64 @@ std::vector<Rectangle> cover(std::vector<bool> marked, int columns, int rows) {
 }  // namespace
 
 Expected<OccupancyFacts> read_occupancy_facts(std::string_view text, const std::string& file) {
+    const auto yaml = read_yaml(text, file);
+    if (!yaml) return Unexpected(yaml.error());
     OccupancyFacts facts;
-    bool has_origin = false;
-    for (int number = 1; !text.empty(); ++number) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const auto [key, value] = line_of(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-        const auto refuse = [&, key = key, value = value](std::string_view expected) {
-            return failure(fmt::format("'{}': expected {}, got '{}'", key, expected, shown(value)), {file, number});
-        };
-        const auto real = number_of(value);
-        if (key == "image") {
-            facts.image = value;
-        } else if (key == "resolution") {
-            if (!real || *real < least_resolution || *real > most_resolution)
-                return refuse(
-                    fmt::format("the edge of a pixel in m, from {} to {}", least_resolution, most_resolution));
-            facts.resolution = *real;
-        } else if (key == "origin") {
-            const auto pose = pose_of(value);
-            if (!pose) return refuse("[x, y, yaw]");
-            if (!check_pose(*pose).empty()) return refuse(fmt::format("numbers up to {}", Rule{}.most));
-            facts.origin = *pose;
-            has_origin = true;
-        } else if (key == "negate") {
-            if (value != "0" && value != "1" && value != "false" && value != "true") return refuse("0 or 1");
-            facts.negate = value == "1" || value == "true";
-        } else if (key == "mode") {
-            // The others tell more of a pixel than whether something stands there.
-            if (value != "trinary") return refuse("trinary, the only mode that is read");
-        } else if (key == "occupied_thresh") {
-            if (!real || *real < 0 || *real > 1) return refuse("a number from 0 to 1");
-            facts.threshold = *real;
-        }
+    const auto refuse = [&](const char* key, std::string_view expected) {
+        const YAML::Node value = yaml_field(*yaml, key);
+        return failure(fmt::format("'{}': expected {}, got '{}'", key, expected, shown(yaml_text(value))),
+                       yaml_place(value, file));
+    };
+    if (const YAML::Node image = yaml_field(*yaml, "image"); image.IsDefined()) {
+        facts.image = image.IsScalar() ? image.Scalar() : "";
+        if (facts.image.empty()) return refuse("image", "the name of a picture's file");
+        facts.image_place = yaml_place(image, file);
     }
-    const std::string_view missing = facts.image.empty() ? "image" : facts.resolution == 0 ? "resolution" : "origin";
-    if (facts.image.empty() || facts.resolution == 0 || !has_origin)
-        return failure(fmt::format("is no map of ROS: it has no '{}:'", missing), {file});
+    if (const YAML::Node value = yaml_field(*yaml, "resolution"); value.IsDefined()) {
+        const auto resolution = yaml_number(value);
+        if (!resolution || *resolution < least_resolution || *resolution > most_resolution)
+            return refuse("resolution",
+                          fmt::format("the edge of a pixel in m, from {} to {}", least_resolution, most_resolution));
+        facts.resolution = *resolution;
+    }
+    if (const YAML::Node value = yaml_field(*yaml, "origin"); value.IsDefined()) {
+        const auto origin = pose_of(value);
+        if (!origin) return refuse("origin", "[x, y, yaw]");
+        if (!check_pose(*origin).empty()) return refuse("origin", fmt::format("numbers up to {}", Rule{}.most));
+        facts.origin = *origin;
+    }
+    if (const YAML::Node negate = yaml_field(*yaml, "negate"); negate.IsDefined()) {
+        const auto truth = yaml_boolean(negate);
+        if (!truth) return refuse("negate", "0 or 1");
+        facts.negate = *truth;
+    }
+    if (const YAML::Node mode = yaml_field(*yaml, "mode"); mode.IsDefined()) {
+        const auto* const found = std::find(modes.begin(), modes.end(), yaml_text(mode));
+        if (found == modes.end()) return refuse("mode", "trinary, scale or raw");
+        facts.mode = static_cast<OccupancyFacts::Mode>(found - modes.begin());
+    }
+    if (const YAML::Node value = yaml_field(*yaml, "occupied_thresh"); value.IsDefined()) {
+        const auto threshold = yaml_number(value);
+        if (!threshold || *threshold < 0 || *threshold > 1) return refuse("occupied_thresh", "a number from 0 to 1");
+        facts.threshold = *threshold;
+    }
+    for (const char* key : {"image", "resolution", "origin"}) {
+        if (!yaml_field(*yaml, key).IsDefined())
+            return failure(fmt::format("is no map of ROS: it has no '{}:'", key), {file});
+    }
     return facts;
 }
 
 Expected<OccupancyMap> read_occupancy(const OccupancyFacts& facts, std::string_view picture, const std::string& file,
-                                      const Place& place) {
-    const auto grey = read_grey(picture, file);
-    if (!grey) return Unexpected(grey.error());
+                                      double height, const Place& place) {
+    const auto decoded = decode_picture(picture);
+    if (!decoded) return failure(fmt::format("is no map: {}", decoded.error().message), {file});
     OccupancyMap map;
-    map.columns = grey->columns;
-    map.rows = grey->rows;
+    map.columns = decoded->width;
+    map.rows = decoded->height;
     std::vector<bool> occupied;
-    occupied.reserve(grey->pixels.size());
-    for (const unsigned char pixel : grey->pixels) {
-        const double light = std::min(1.0, static_cast<double>(pixel) / grey->white);
-        occupied.push_back((facts.negate ? light : 1 - light) > facts.threshold);
-    }
+    occupied.reserve(decoded->pixels.size());
+    for (const double light : light_of(*decoded, white_of(picture))) occupied.push_back(is_occupied(facts, light));
     map.occupied = static_cast<std::size_t>(std::count(occupied.begin(), occupied.end(), true));
     const double edge = facts.resolution;
     for (const Rectangle& found : cover(std::move(occupied), map.columns, map.rows)) {
@@ -206,8 +163,8 @@ Expected<OccupancyMap> read_occupancy(const OccupancyFacts& facts, std::string_v
                                  (map.rows - found.row - found.rows / 2.0) * edge};
         const Point2D at = placed_at(facts.origin, {in_picture, 0}).position;
         BoxSpec box;
-        box.at = {at.x, at.y, occupancy_height / 2};
-        box.size = {found.columns * edge, found.rows * edge, occupancy_height};
+        box.at = {at.x, at.y, height / 2};
+        box.size = {found.columns * edge, found.rows * edge, height};
         box.yaw = facts.origin.heading;
         box.place = place;
         map.boxes.push_back(std::move(box));

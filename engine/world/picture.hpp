@@ -1,8 +1,10 @@
 // Pictures that lie on surfaces: a file's on the floor, a marker's.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/base/error.hpp"
@@ -18,6 +20,15 @@ struct Picture {
 
 /// Reads a picture's file. An error says what the matter with the file is.
 using PictureReader = std::function<Expected<Picture>(const std::string& file)>;
+
+/// The picture in a file's bytes, of any format that OpenCV reads, by a module that is loaded then. Transparent parts
+/// are white. The error, without a place, says what the matter with them is.
+Expected<Picture> decode_picture(std::string_view bytes);
+/// Whether this program can do so: one without simulation needs no pictures.
+bool decodes_pictures();
+
+/// Why no picture has so many pixels, or "".
+std::string too_many_pixels(std::int64_t width, std::int64_t height);
 
 /// A marker, a tag of AprilTag's family 36h11, is 10 x 10 cells with its white margin, of which the black border's
 /// outer edges enclose 8 x 8.

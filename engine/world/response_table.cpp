@@ -1,4 +1,4 @@
-// Distance to sensor value: between points, before the first, beyond the last.
+// Converts a distance to a sensor value: between points, before the first, beyond the last.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -91,7 +91,7 @@ double ResponseTable::operator()(double distance) const {
                  (right.value - left.value) * ((distance - left.distance) / (right.distance - left.distance)));
 }
 
-// Halving finds the place either way.
+// A binary search works for both slopes.
 double distance_at(const ResponseTable& response, double value) {
     double near = 0, far = response.range();
     const double at_near = response(near), at_far = response(far);

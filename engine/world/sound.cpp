@@ -1,4 +1,4 @@
-// Tells tones from speech.
+// Distinguishes tones from speech.
 #include "engine/world/sound.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view blanks(" \t\r\n\v\f\0", 7);
 
-// A whole number of decimal digits, `most` if it is larger; nothing for any other text.
+// Reads an integer of decimal digits, limited to `most`; nothing for any other text.
 std::optional<int> read_number(std::string_view text, int most) {
     const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
     if (text.empty() || !std::all_of(text.begin(), text.end(), is_digit)) return std::nullopt;

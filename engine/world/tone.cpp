@@ -1,4 +1,4 @@
-// A sine, and the header of a WAV file.
+// Makes a sine and the header of a WAV file.
 #include "engine/world/tone.hpp"
 
 #include <algorithm>
@@ -10,10 +10,10 @@ namespace nezumi {
 namespace {
 
 constexpr int samples_a_second = 22'050;
-constexpr double loudness = 0.3;  // of what 16 bits hold
-constexpr double swell = 0.005;   // [s]
+constexpr double loudness = 0.3;  // relative to the range of 16 bits
+constexpr double swell = 0.005;   // [s] fade in and out
 
-// Appends the lowest bytes of a number, the lowest first.
+// Appends the lowest bytes of a number, lowest first.
 void append(std::string& bytes, std::uint32_t number, int count) {
     for (int i = 0; i < count; ++i) bytes += static_cast<char>(number >> (8 * i) & 0xffu);
 }
@@ -26,12 +26,12 @@ std::string tone_as_wav(double hertz, double seconds) {
     append(bytes, 36 + 2 * count, 4);
     bytes += "WAVEfmt ";
     append(bytes, 16, 4);
-    append(bytes, 1, 2);  // plain samples
+    append(bytes, 1, 2);  // PCM
     append(bytes, 1, 2);  // mono
     append(bytes, samples_a_second, 4);
-    append(bytes, 2 * samples_a_second, 4);  // bytes a second
-    append(bytes, 2, 2);                     // bytes a sample
-    append(bytes, 16, 2);                    // bits a sample
+    append(bytes, 2 * samples_a_second, 4);  // bytes per second
+    append(bytes, 2, 2);                     // bytes per sample
+    append(bytes, 16, 2);                    // bits per sample
     bytes += "data";
     append(bytes, 2 * count, 4);
     for (std::uint32_t i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// What a world answers that has neither markers nor a camera's view.
+// Default answers of a world without markers and camera views.
 #include "engine/world/world.hpp"
 
 #include <fmt/format.h>

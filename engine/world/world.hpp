@@ -79,6 +79,9 @@ public:
     /// All sensors of the spec at `now`, in its order, one reading for each; good until the next call. Comes after
     /// `read_wheels`, and not while the robot is not ACTIVE.
     virtual std::span<const SensorReading> read_sensors(const Time& now, double period) = 0;
+    /// Whether somebody takes what scan `index` of the spec says in the next `read_sensors` calls: casting its rays is
+    /// the dearest part of a tick. It is taken until this says otherwise.
+    virtual void set_due(std::size_t /*index*/, bool /*due*/) {}
     /// What sensor `index` of the spec said in that call, of which one value is not all: of a scan the distances [m] of
     /// its rays from right to left, of an imu three rates [rad/s] and three accelerations [m/s^2]. Empty for others.
     virtual std::span<const double> sensor_values(std::size_t /*index*/) const { return {}; }
@@ -89,6 +92,8 @@ public:
 
     /// Whether its supply lets it drive. Where it does not the robot brakes and stands, and `take_faults` says why.
     virtual bool may_drive() const { return true; }
+    /// Whether a wheel's motor gives all its power and does not get its speed, as its driver says.
+    virtual bool is_stalled() const { return false; }
 
     /// Surface speed [m/s] of each wheel to hold from now on, already limited.
     virtual void set_wheel_speeds(Wheels speeds) = 0;

@@ -1,4 +1,4 @@
-// A view counts when the board is found twice at the same place, far from where it was before.
+// A view counts when the board is found twice at the same place, far from all earlier views.
 #include "hw/calibrate/camera.hpp"
 
 #include <fmt/format.h>
@@ -11,9 +11,9 @@
 namespace nezumi::hw {
 namespace {
 
-// Of the pictures' width, by which all corners move in the mean:
-constexpr double still = 0.004;  // a hand does, that holds the board still
-constexpr double apart = 0.05;   // a view is from all before it
+// Mean movement of the corners, as a part of the picture's width:
+constexpr double still = 0.004;  // at most this while a person holds the board still
+constexpr double apart = 0.05;   // at least this between a view and each earlier one
 
 }  // namespace
 
@@ -21,7 +21,7 @@ Expected<IntrinsicsFit> calibrate_camera(const BoardCourse& course, const std::f
                                          const std::function<void(const std::string& text)>& tell) {
     std::vector<Corners> views;
     std::optional<Corners> before;
-    std::optional<double> since;  // [s] the last view
+    std::optional<double> since;  // [s] time of the last view
     int width = 0, height = 0;
     while (static_cast<int>(views.size()) < course.views) {
         const auto picture = next();

@@ -1,4 +1,4 @@
-// The system of the file, of which only the camera is left.
+// A system made of a system file, reduced to one camera.
 #include "hw/calibrate/guided_camera.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace nezumi::hw {
 namespace {
 
-constexpr double picture_patience = 30;  // [s] for a picture
+constexpr double picture_patience = 30;  // [s] to wait for a picture
 
 template <class AnEntry>
 const AnEntry* find_entry(const SystemSpec& spec, const std::string& name) {
@@ -30,7 +30,7 @@ Expected<std::unique_ptr<GuidedCamera>> GuidedCamera::make(SystemSpec spec, cons
     camera->entry_ = *find_entry<ComponentEntry>(camera->spec_, name);
     const RobotEntry* robot = find_entry<RobotEntry>(camera->spec_, camera->entry_.on);
     if (robot == nullptr)
-        return failure(fmt::format("camera '{}' is on no robot, whose calibration would have it: give it one by on = "
+        return failure(fmt::format("camera '{}' is not on a robot, so it has no calibration file: add on = "
                                    "\"NAME\"",
                                    name),
                        camera->entry_.place);
@@ -40,7 +40,7 @@ Expected<std::unique_ptr<GuidedCamera>> GuidedCamera::make(SystemSpec spec, cons
 }
 
 Expected<void> GuidedCamera::build(const Makers& makers) {
-    // By itself: what was measured of it before would be a robot's.
+    // Without a robot: otherwise the calibration of that robot would be used.
     entry_.on.clear();
     entry_.active = true;
     entry_.config["undistort"] = false;
@@ -65,8 +65,7 @@ Expected<TimedPicture> GuidedCamera::next() {
     if (options_.simulated) return rehearse();
     const double since = system_->now().seconds;
     do {
-        if (options_.end != nullptr && *options_.end != 0)
-            return failure("ended before it was done: nothing was written");
+        if (options_.end != nullptr && *options_.end != 0) return failure("interrupted: nothing was written");
         if (system_->now().seconds - since > picture_patience)
             return failure(fmt::format("no picture came for {} s", picture_patience));
         pacer_->wait();
@@ -76,7 +75,7 @@ Expected<TimedPicture> GuidedCamera::next() {
     return TimedPicture{out_->read(), system_->now().seconds};
 }
 
-// Each view twice, as of a board that is held still.
+// Gives each view twice, as if a person held the board still.
 Expected<TimedPicture> GuidedCamera::rehearse() {
     const auto& camera = dynamic_cast<const Camera&>(*system_->find(entry_.name));
     auto source =

@@ -1,4 +1,4 @@
-// A camera whose pictures a sub-command looks at, alone in its system.
+// A camera alone in its system, for calibration.
 #pragma once
 
 #include <csignal>
@@ -15,22 +15,22 @@
 
 namespace nezumi::hw {
 
-/// Runs the camera alone, with what a system says of it and without what was measured before.
+/// Runs one camera with the settings of a system but without its earlier calibration.
 class GuidedCamera {
 public:
     struct Options {
-        bool simulated = false;                             ///< held over a chessboard, as `view_of_chessboard` says
-        const volatile std::sig_atomic_t* end = nullptr;    ///< not 0: no further picture is waited for
-        std::function<void(const LogLine& line)> log = {};  ///< may be empty
+        bool simulated = false;                           ///< held over a chessboard, as `view_of_chessboard` describes
+        const volatile std::sig_atomic_t* end = nullptr;  ///< if not 0, waiting for a picture ends
+        std::function<void(const LogLine& line)> log = {};  ///< optional
     };
 
-    /// The camera of this name in `spec`, which must be there. `makers` make it: simulated, or the real one by the
-    /// driver that they have for cameras. A camera is on a robot: what is measured is in that one's file. Errors as of
+    /// Makes the camera `name` of `spec`, which must exist. `makers` make it: a simulated camera, or the real one with
+    /// their default driver. The camera is on a robot, and its calibration goes into that robot's file. Errors as of
     /// `build_system`.
     static Expected<std::unique_ptr<GuidedCamera>> make(SystemSpec spec, const std::string& name, const Makers& makers,
                                                         Options options);
 
-    /// The next picture; waits for it. An error when the person wants to end.
+    /// Waits for the next picture. Fails when the person ends the program.
     Expected<TimedPicture> next();
 
     const std::string& name() const { return entry_.name; }
@@ -41,14 +41,14 @@ private:
     Expected<void> build(const Makers& makers);
     Expected<TimedPicture> rehearse();
 
-    SystemSpec spec_;  // outlives the system
+    SystemSpec spec_;  // must outlive the system
     const Options options_;
     ComponentEntry entry_;
     RobotEntry robot_;
     std::unique_ptr<System> system_;
     std::unique_ptr<Pacer> pacer_;
     const OutPort<CameraImage>* out_ = nullptr;
-    std::uint64_t count_ = 0;  // of its messages that were looked at
+    std::uint64_t count_ = 0;  // number of messages already used
 };
 
 }  // namespace nezumi::hw

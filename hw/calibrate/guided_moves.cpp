@@ -1,23 +1,25 @@
-// Braking begins where it will end at the goal: v^2 / 2a before it.
+// Braking starts v^2 / 2a before the goal.
 #include "hw/calibrate/guided_moves.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
+#include <utility>
 
 namespace nezumi::hw {
 namespace {
 
-constexpr double least_move = 5e-4;  // [m], [rad]: less is no more than a pulse of a stepping motor
-constexpr double move_patience = 2;  // times as long as it should take, and two seconds
+constexpr double least_move = 5e-4;  // [m], [rad]: smaller moves are below one pulse of a stepping motor
+constexpr double move_patience = 2;  // a move fails after this multiple of its planned time plus two seconds
 
-// `moved` says how far it has come of `amount`.
+// `moved` returns the part of `amount` done so far.
 Expected<void> move(GuidedRobot& robot, double amount, double fastest, double limit, double deceleration,
                     const std::function<Velocity2D(double signed_speed)>& velocity,
                     const std::function<double()>& moved, const GuidedRobot::EachTick& each_tick) {
     if (std::abs(amount) < least_move) return {};
     const double size = std::abs(amount);
-    // No faster than it can brake halfway.
+    // At most the speed from which it can stop within half of the move.
     const double speed = std::min({fastest, limit, std::sqrt(size * deceleration)});
     const double braking = speed * speed / (2 * deceleration);
     const double seconds = move_patience * (size / speed + speed / deceleration) + 2;
@@ -32,7 +34,7 @@ Expected<void> move(GuidedRobot& robot, double amount, double fastest, double li
     if (!driven) return driven;
     if (is_there) return {};
     robot.rest();
-    return failure("the robot does not move as it is told: nezumi doctor says why, or its wheel counters are silent");
+    return failure("the robot does not move as commanded: run nezumi doctor, and check its wheel counters");
 }
 
 }  // namespace
@@ -52,11 +54,17 @@ Expected<void> go(GuidedRobot& robot, double distance, const Pace& pace, const G
 
 Expected<void> turn(GuidedRobot& robot, double angle, const Pace& pace, const GuidedRobot::EachTick& each_tick) {
     const Limits& limits = robot.robot().guard().limits();
-    const double start = robot.robot().odometry().pose().heading;
+    double latest = robot.robot().odometry().pose().heading, turned = 0;
     return move(
         robot, angle, pace.yaw_rate, limits.yaw_rate, limits.yaw_acceleration,
         [](double rate) { return Velocity2D{.va = rate}; },
-        [&] { return std::abs(robot.robot().odometry().pose().heading - start); }, each_tick);
+        [&] {
+            // The heading is wrapped to one turn; its steps are small.
+            const double heading = robot.robot().odometry().pose().heading;
+            turned += std::remainder(heading - std::exchange(latest, heading), 2 * std::numbers::pi);
+            return std::abs(turned);
+        },
+        each_tick);
 }
 
 }  // namespace nezumi::hw

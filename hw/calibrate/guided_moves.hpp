@@ -1,19 +1,19 @@
-// Moves of a guided robot by its own odometry.
+// Moves of a guided robot, measured by its own odometry.
 #pragma once
 
 #include "hw/calibrate/guided_robot.hpp"
 
 namespace nezumi::hw {
 
-/// How fast it moves, before its limits.
+/// Speeds of the moves, before the robot's limits apply.
 struct Pace {
     double speed = 0.15;    ///< [m/s]
     double yaw_rate = 1.0;  ///< [rad/s]
 };
 
-/// Straight on by so much [m], backwards when it is negative. An error when it does not move.
+/// Drives straight by `distance` [m], backwards if negative. Fails if the robot does not move.
 Expected<void> go(GuidedRobot& robot, double distance, const Pace& pace, const GuidedRobot::EachTick& each_tick = {});
-/// Turns by so much [rad], to the left when it is positive. An error when it does not move.
+/// Turns by `angle` [rad], to the left if positive. Fails if the robot does not move.
 Expected<void> turn(GuidedRobot& robot, double angle, const Pace& pace, const GuidedRobot::EachTick& each_tick = {});
 
 }  // namespace nezumi::hw

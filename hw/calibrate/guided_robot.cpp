@@ -1,4 +1,4 @@
-// While it rests the robot is not ACTIVE: nobody has to tick while a person reads, measures and carries it.
+// While it rests the robot is not ACTIVE, so no ticks are needed while a person reads, measures and carries it.
 #include "hw/calibrate/guided_robot.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ Expected<std::unique_ptr<GuidedRobot>> GuidedRobot::make(SystemSpec spec, const 
     });
     spec.connections.clear();
     std::unique_ptr<GuidedRobot> guided(new GuidedRobot(std::move(spec), std::move(options)));
-    // That it rested is no stall: nobody has to read of it.
+    // The pause is not a fault, so it is not reported.
     BuildOptions build{.real_time = guided->options_.real_time, .log = [owner = guided.get()](const LogLine& line) {
                            if (owner->options_.log && !owner->is_waking_) owner->options_.log(line);
                        }};
@@ -59,7 +59,7 @@ void GuidedRobot::rest() {
     if (robot_->state() != LifeState::active) return;
     static_cast<void>(robot_->deactivate(system_->now()));
     const double begin = system_->now().seconds;
-    // Its motors lose their power a moment after it stands.
+    // The motors are switched off a moment after the robot stops.
     constexpr double powering_off = 0.7;  // [s]
     while (system_->now().seconds < begin + powering_off) tick();
 }
@@ -86,7 +86,7 @@ Expected<void> GuidedRobot::drive(const Velocity2D& velocity, double seconds, co
     while (system_->now().seconds < end && !robot_->stands()) step({});
     if (!should_end()) return {};
     rest();
-    return failure("ended before it was done: the robot stands");
+    return failure("interrupted: the robot stands");
 }
 
 }  // namespace nezumi::hw

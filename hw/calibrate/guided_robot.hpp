@@ -1,4 +1,4 @@
-// A robot that a sub-command drives by itself, with no behaviour: to check it, or to calibrate it.
+// A robot that a sub-command drives without behaviours, for tests and calibration.
 #pragma once
 
 #include <csignal>
@@ -17,15 +17,15 @@ namespace nezumi::hw {
 class GuidedRobot {
 public:
     struct Options {
-        bool real_time = true;                              ///< as real robots want it
-        const volatile std::sig_atomic_t* end = nullptr;    ///< not 0: everything ends as soon as it stands
-        std::function<void(const LogLine& line)> log = {};  ///< may be empty
+        bool real_time = true;                              ///< real robots need it
+        const volatile std::sig_atomic_t* end = nullptr;    ///< if not 0, the work ends as soon as the robot stands
+        std::function<void(const LogLine& line)> log = {};  ///< optional
     };
 
-    /// Builds a system of this robot alone, in the arena of `spec`. Errors as of `build_system`.
+    /// Builds a system of this robot only, in the arena of `spec`. Errors as of `build_system`.
     static Expected<std::unique_ptr<GuidedRobot>> make(SystemSpec spec, const std::string& name, const Makers& makers,
                                                        Options options);
-    /// It stands, and its motors have no power.
+    /// Stops the robot and switches its motors off.
     ~GuidedRobot();
     GuidedRobot(const GuidedRobot&) = delete;
     GuidedRobot& operator=(const GuidedRobot&) = delete;
@@ -33,18 +33,18 @@ public:
     /// Called after each tick of a drive.
     using EachTick = std::function<void()>;
 
-    /// Drives with this velocity for so long [s], or until `reached`, and brakes until it stands. An error when it was
-    /// asked to end.
+    /// Drives with this velocity for `seconds`, or until `reached` returns true, then brakes to standstill. Fails if
+    /// the person ends the program.
     Expected<void> drive(const Velocity2D& velocity, double seconds, const std::function<bool()>& reached = {},
                          const EachTick& each_tick = {});
-    /// Stands for so long [s], with its motors holding it.
+    /// Stands for `seconds` with the motors holding it.
     Expected<void> stand(double seconds, const EachTick& each_tick = {}) { return drive({}, seconds, {}, each_tick); }
 
-    /// Its motors have no power until the next drive: it may be carried, and nobody has to tick.
+    /// Switches the motors off until the next drive: the robot may be carried, and no ticks are needed.
     void rest();
 
     const Robot& robot() const { return *robot_; }
-    /// The system as it was built, with the calibrated descriptions of its robots.
+    /// The system as built, with the calibrated descriptions of its robots.
     const SystemSpec& spec() const { return spec_; }
     System& system() { return *system_; }
 
@@ -52,7 +52,7 @@ private:
     GuidedRobot(SystemSpec spec, Options options) : spec_(std::move(spec)), options_(std::move(options)) {}
     void tick();
 
-    SystemSpec spec_;  // outlives the system
+    SystemSpec spec_;  // must outlive the system
     Options options_;
     std::unique_ptr<System> system_;
     std::unique_ptr<Pacer> pacer_;

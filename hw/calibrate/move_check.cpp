@@ -1,4 +1,4 @@
-// Slowly, a second for each: the left wheel forward and back, then the right one.
+// Turns each wheel slowly for one second each way: first left, then right.
 #include "hw/calibrate/move_check.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double rim_speed = 0.05;  // [m/s]
 constexpr double seconds = 1;
-constexpr double tolerance = 0.4;  // of the way: speeding up and braking are in it
+constexpr double tolerance = 0.4;  // relative, because speeding up and braking are part of the way
 
 Finding judged(const std::string& what, double wanted, double own, double other) {
     using enum Finding::State;
@@ -21,11 +21,11 @@ Finding judged(const std::string& what, double wanted, double own, double other)
     if (std::abs(own - wanted) > tolerance * std::abs(wanted))
         return {"wheels", wrong, found,
                 std::abs(own) < 0.1 * std::abs(wanted)
-                    ? "its counter or its motor is not connected: look at their cables"
-                    : "look at its motor's cables: left and right, or forward and backward, are exchanged"};
+                    ? "its counter or its motor is not connected: check their cables"
+                    : "check its motor's cables: left and right, or forward and backward, are swapped"};
     if (std::abs(other) > tolerance * std::abs(wanted))
         return {"wheels", wrong, fmt::format("{}: the other wheel turned by {:.3f} m", what, other),
-                "look at the motors' cables: left and right are exchanged"};
+                "check the motors' cables: left and right are swapped"};
     return {"wheels", good, found, ""};
 }
 
@@ -37,7 +37,7 @@ Expected<Findings> check_moves(GuidedRobot& robot, const std::function<void(cons
     for (const bool is_left : {true, false}) {
         for (const bool is_forward : {true, false}) {
             const double speed = is_forward ? rim_speed : -rim_speed;
-            // The other wheel stands: the robot would turn about it.
+            // The other wheel stands, so the robot would turn about it.
             const Velocity2D velocity{.vx = speed / 2, .va = (is_left ? -speed : speed) / track};
             const std::string what =
                 fmt::format("{} wheel {}", is_left ? "left" : "right", is_forward ? "forward" : "backward");
@@ -56,7 +56,7 @@ Expected<Findings> check_moves(GuidedRobot& robot, const std::function<void(cons
         }
     }
     robot.rest();
-    tell("Did each wheel turn as it was said? The counters see what the motors are told, not what they do.");
+    tell("Did each wheel turn as announced? The counters count the commands to the motors, not their motion.");
     return findings;
 }
 

@@ -1,4 +1,4 @@
-// Each wheel both ways, with the robot in the air: do its counters, and the person who looks, see it turn?
+// Checks that each wheel, with the robot lifted, turns both ways and that its encoder counts.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,8 @@
 
 namespace nezumi::hw {
 
-/// The person who holds the robot has been asked before, and is told which wheel turns. A finding for each wheel and
-/// direction; an error when the robot was asked to end.
+/// Assumes that a person already holds the robot; `tell` says which wheel turns next. Returns a finding for each wheel
+/// and direction. Fails if the person ends the program.
 Expected<Findings> check_moves(GuidedRobot& robot, const std::function<void(const std::string& text)>& tell);
 
 }  // namespace nezumi::hw

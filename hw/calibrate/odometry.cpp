@@ -1,4 +1,5 @@
-// What the wheels did is read back from the odometry, tick by tick: the fit then does it anew with other wheels.
+// Reads the motion of the wheels from the odometry in each tick, so that the fit can repeat it with other wheel
+// parameters.
 #include "hw/calibrate/odometry.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ Expected<WheelFit> calibrate_odometry(GuidedRobot& robot, const OdometryCourse& 
         TravelRecorder recorder(robot.robot());
         if (auto driven = drive([&] { recorder.sample(); }); !driven) return driven;
         robot.rest();
-        recorder.sample();  // what the braking has left
+        recorder.sample();  // the rest of the braking
         auto end = help.measure(name);
         if (!end) return Unexpected(end.error());
         drives.push_back({.travel = recorder.take(), .end = *end});

@@ -1,4 +1,4 @@
-// The drives that calibrate a robot's wheels, and where they ended.
+// The drives that calibrate a robot's wheels, and the measured end of each.
 #pragma once
 
 #include <functional>
@@ -10,22 +10,23 @@
 namespace nezumi::hw {
 
 struct OdometryCourse {
-    double side = 0.5;      ///< [m] of the squares; the straight drive is twice as long
-    double speed = 0.15;    ///< [m/s], at most what the robot's limits allow
+    double side = 0.5;      ///< [m] side of the squares; the straight drive is twice as long
+    double speed = 0.15;    ///< [m/s], reduced to the robot's limits
     double yaw_rate = 1.0;  ///< [rad/s]
 };
 
-/// Told before a drive, asked after it: where the robot stands in the frame of its start [m].
+/// `place` is called before a drive, `measure` after it: it returns the position [m] in the frame of the start.
 struct CourseHelp {
     std::function<Expected<void>(const std::string& drive)> place;
     std::function<Expected<Point2D>(const std::string& drive)> measure;
 };
 
-/// Drives straight, a square to the left and one to the right, each from where `place` says, and fits the wheels to the
-/// measured ends. Errors as of `fit_wheels`, or when the robot was asked to end or does not move.
+/// Drives straight, a square to the left and one to the right, each after a call of `place`, and fits the wheel
+/// parameters to the measured ends. Errors as of `fit_wheels`, or if the robot does not move or the person ends the
+/// program.
 Expected<WheelFit> calibrate_odometry(GuidedRobot& robot, const OdometryCourse& course, const CourseHelp& help);
 
-/// The wheels that the robot's odometry reckons with.
+/// The wheel parameters that the odometry uses.
 WheelCalibration wheels_of(const DriveSpec& drive);
 
 }  // namespace nezumi::hw

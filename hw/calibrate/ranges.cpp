@@ -1,4 +1,4 @@
-// A sensor that looks aside by an angle sees the wall squarely when the robot has turned by it the other way.
+// A sensor mounted at an angle faces the wall squarely when the robot has turned by the opposite angle.
 #include "hw/calibrate/ranges.hpp"
 
 #include <fmt/format.h>
@@ -21,10 +21,10 @@ constexpr double least_clearance = 0.004;  // [m] between hull and wall
 constexpr double widest_angle = std::numbers::pi / 3;
 constexpr Pace pace{.speed = 0.05, .yaw_rate = 0.5};
 
-// How far ahead [m] a point of the body is when the robot has this heading.
+// The distance [m] of a point of the body ahead of the axle at this heading.
 double ahead(double x, double y, double heading) { return x * std::cos(heading) - y * std::sin(heading); }
 
-// How far ahead [m] of the axis the hull reaches.
+// The distance [m] that the hull extends ahead of the axle.
 double reach_of_hull(const BodySpec& body, double heading) {
     if (body.shape == BodySpec::Shape::cylinder) return ahead(body.at.x, body.at.y, heading) + body.size.x / 2;
     double reach = 0;
@@ -41,14 +41,14 @@ public:
         : robot_(robot), course_(course), spec_(robot.robot().spec()), start_(robot.robot().odometry().pose()) {}
 
     Expected<std::vector<RangeCalibration>> drive() {
-        // Those that look straight ahead first: the robot stands before the wall already.
+        // First the sensors that face straight ahead, because the robot already faces the wall.
         std::map<double, std::vector<std::size_t>> by_angle;
         for (std::size_t i = 0; i < spec_.sensors.size(); ++i) {
             const SensorSpec& sensor = spec_.sensors[i];
             if (sensor.kind == SensorSpec::Kind::range && sensor.on.empty() && std::abs(sensor.yaw) <= widest_angle)
                 by_angle[sensor.yaw].push_back(i);
         }
-        if (by_angle.empty()) return failure("this robot has no range sensors that look ahead");
+        if (by_angle.empty()) return failure("this robot has no range sensors that face ahead");
         std::vector<std::pair<double, std::vector<std::size_t>>> groups(by_angle.begin(), by_angle.end());
         std::stable_sort(groups.begin(), groups.end(),
                          [](const auto& a, const auto& b) { return std::abs(a.first) < std::abs(b.first); });
@@ -59,7 +59,7 @@ public:
         for (auto& [index, points] : points_) {
             const std::string& name = spec_.sensors[index].name;
             if (points.size() < 2)
-                return failure(fmt::format("sensor '{}' says nothing: nezumi doctor may know why", name));
+                return failure(fmt::format("sensor '{}' gives no readings: run nezumi doctor", name));
             std::sort(points.begin(), points.end(),
                       [](const auto& a, const auto& b) { return a.distance < b.distance; });
             all.push_back({name, std::move(points)});
@@ -69,7 +69,7 @@ public:
 
 private:
     Pose2D pose() const { return seen_from(start_, robot_.robot().odometry().pose()); }
-    // From a sensor along its ray to the wall.
+    // The distance [m] from a sensor along its ray to the wall.
     double distance_of(const SensorSpec& sensor) const {
         const Pose2D now = pose();
         const double clear = course_.wall - now.position.x - ahead(sensor.at.x, sensor.at.y, now.heading);

@@ -1,4 +1,4 @@
-// What a robot's range sensors say of a wall, at distances that its odometry knows.
+// Measures a robot's range sensors in front of a wall at distances known from odometry.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 namespace nezumi::hw {
 
 struct RangeCourse {
-    double wall = 0.1;      ///< [m] from the middle of the wheels' axis to the wall, which the robot faces squarely
-    double settling = 0.3;  ///< [s] for which it stands before its sensors are believed
-    double looking = 0.5;   ///< [s] over which they are averaged
+    double wall = 0.1;      ///< [m] from the middle of the axle to the wall; the robot faces it squarely
+    double settling = 0.3;  ///< [s] of standstill before readings count
+    double looking = 0.5;   ///< [s] over which readings are averaged
 };
 
-/// Backs away from the wall, stops at one distance after the other, turns so that sensors that look aside see it
-/// squarely as well, and gives what they say. Sensors that look more than 60 degrees aside are left out. An error when
-/// none is left, or when one says too little.
+/// Backs away from the wall and stops at one distance after the other. Turns so that sensors mounted at an angle face
+/// the wall squarely too. Returns the mean readings. Sensors at more than 60 degrees are left out. Fails if none is
+/// left, or if a sensor gives too few readings.
 Expected<std::vector<RangeCalibration>> calibrate_ranges(GuidedRobot& robot, const RangeCourse& course);
 
 }  // namespace nezumi::hw

@@ -1,4 +1,4 @@
-// A camera's device that is open: what the driver needs of it, and of it alone.
+// An open camera device, as the driver uses it.
 #pragma once
 
 #include <cstdint>
@@ -12,40 +12,41 @@
 
 namespace nezumi::hw {
 
-/// What a camera is asked for, and what becomes of its pictures.
+/// The requested settings of a camera, and the processing of its pictures.
 struct CaptureSettings {
     int width = 640;                  ///< [px]
     int height = 480;                 ///< [px]
-    double frame_rate = 30;           ///< [Hz] the device may have another one
-    bool color = true;                ///< red, green, blue; else grey
+    double frame_rate = 30;           ///< [Hz] the device may choose another rate
+    bool color = true;                ///< red, green, blue; otherwise grey
     CameraIntrinsics raw_intrinsics;  ///< for `undistort`
+    std::string pixel_format;         ///< that it sends, four letters; "": what it likes
     bool undistort = false;           ///< the pictures become those of a pinhole with the same `fx`, `fy`, `cx`, `cy`
 };
 
-/// Not for two threads at once.
+/// Not thread-safe.
 class Capture {
 public:
     virtual ~Capture() = default;
 
-    /// What `wait` came to.
+    /// The result of `wait`.
     enum class Wait { frame, nothing, failed };
-    /// Waits for the next frame, at most these seconds.
+    /// Waits for the next frame for at most `seconds`.
     virtual Wait wait(double seconds) = 0;
-    /// [s] when the frame that `wait` gave was taken, by the device's driver: usually the monotonic clock.
+    /// The time [s] when the last frame was taken, given by the device driver: usually of the monotonic clock.
     virtual double frame_time() const = 0;
-    /// Makes that frame a picture: its bytes, row by row from the top left, replace `pixels`. False when it is torn.
+    /// Writes the last frame to `pixels`, row by row from the top left. Returns false if the frame is damaged.
     virtual bool take(std::vector<std::uint8_t>& pixels) = 0;
 };
 
-/// Opens the device of this node. An error says why not, with what to do.
+/// Opens the device node. An error gives the reason and what to do.
 using OpenCapture = std::function<tl::expected<std::unique_ptr<Capture>, std::string>(const std::string& node,
                                                                                       const CaptureSettings& settings)>;
 
-/// By OpenCV's videoio, a module of the program that is loaded when the first camera is opened: it costs more to load
-/// than all else of it together.
+/// Uses OpenCV's videoio, a module that is loaded when the first camera is opened: loading it takes longer than loading
+/// the rest of the program.
 tl::expected<std::unique_ptr<Capture>, std::string> open_by_opencv(const std::string& node,
                                                                    const CaptureSettings& settings);
-/// Loads that module. An error says why there are no cameras without it, with what to install.
+/// Loads that module. An error says why cameras can't be used, and what to install.
 tl::expected<void, std::string> load_opencv();
 
 }  // namespace nezumi::hw

@@ -1,4 +1,4 @@
-// Cameras by OpenCV's videoio: a module that is loaded when the first one is opened.
+// Loads the module with OpenCV's videoio when the first camera is opened.
 #include "engine/base/module.hpp"
 #include "hw/camera/capture.hpp"
 #include "hw/camera/module.hpp"

@@ -1,4 +1,4 @@
-// The module for cameras: OpenCV's capture by Video4Linux. The one place that needs its videoio.
+// The camera module: OpenCV's capture by Video4Linux. Only this file needs OpenCV's videoio.
 #include <cstdint>
 #include <memory>
 #include <opencv2/calib3d.hpp>
@@ -16,18 +16,27 @@ class OpencvCapture final : public Capture {
 public:
     OpencvCapture(const std::string& node, const CaptureSettings& settings) : settings_(settings) {
         captures_.emplace_back();
-        // What does not work, a line of ours says, once.
+        // Errors are reported once by nezumi itself.
         cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
         if (!device().open(node, cv::CAP_V4L2)) return;
+        if (const std::string& code = settings.pixel_format; code.size() == 4)
+            device().set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc(code[0], code[1], code[2], code[3]));
         device().set(cv::CAP_PROP_FRAME_WIDTH, settings.width);
         device().set(cv::CAP_PROP_FRAME_HEIGHT, settings.height);
         device().set(cv::CAP_PROP_FPS, settings.frame_rate);
-        // The newest frame is wanted: what waits behind it is old.
+        // Only the newest frame is wanted.
         device().set(cv::CAP_PROP_BUFFERSIZE, 2);
         if (settings.undistort) make_maps();
     }
 
     bool is_open() const { return captures_.front().isOpened(); }
+    // What it sends now, as four letters.
+    std::string pixel_format() const {
+        const auto code = static_cast<std::uint32_t>(captures_.front().get(cv::CAP_PROP_FOURCC));
+        std::string letters;
+        for (unsigned shift = 0; shift < 32; shift += 8) letters += static_cast<char>(code >> shift & 0xff);
+        return letters;
+    }
     cv::Size size() const {
         const cv::VideoCapture& device = captures_.front();
         return {static_cast<int>(device.get(cv::CAP_PROP_FRAME_WIDTH)),
@@ -36,12 +45,12 @@ public:
 
     Wait wait(double seconds) override {
         try {
-            // OpenCV's own reading waits for 10 s when no frame comes. This grabs the frame as well.
+            // OpenCV's read waits up to 10 s for a frame. `waitAny` has a time limit and also grabs the frame.
             const std::int64_t begin = cv::getTickCount();
             std::vector<int> ready;
             if (cv::VideoCapture::waitAny(captures_, ready, static_cast<std::int64_t>(seconds * 1e9)))
                 return Wait::frame;
-            // A device that has gone keeps nobody waiting.
+            // A device that has gone returns at once.
             const double waited = static_cast<double>(cv::getTickCount() - begin) / cv::getTickFrequency();
             return waited < seconds / 2 ? Wait::failed : Wait::nothing;
         } catch (const cv::Exception&) {
@@ -74,14 +83,14 @@ private:
     void make_maps() {
         const CameraIntrinsics& raw = settings_.raw_intrinsics;
         const cv::Matx33d matrix(raw.fx, 0, raw.cx, 0, raw.fy, raw.cy, 0, 0, 1);
-        const cv::Vec<double, 5> distortion(raw.k1, raw.k2, raw.p1, raw.p2, raw.k3);
+        const cv::Vec<double, 8> distortion(raw.k1, raw.k2, raw.p1, raw.p2, raw.k3, raw.k4, raw.k5, raw.k6);
         cv::initUndistortRectifyMap(matrix, distortion, cv::noArray(), matrix, {settings_.width, settings_.height},
                                     CV_16SC2, places_, weights_);
     }
 
     const CaptureSettings settings_;
-    std::vector<cv::VideoCapture> captures_;  // the one, as `waitAny` wants it
-    cv::Mat frame_, straight_;                // kept for their memory
+    std::vector<cv::VideoCapture> captures_;  // the only one, in the form that `waitAny` needs
+    cv::Mat frame_, straight_;                // buffers, kept to avoid allocation
     cv::Mat places_, weights_;
 };
 
@@ -91,6 +100,14 @@ std::unique_ptr<Capture> open(const std::string& node, const CaptureSettings& se
         if (!capture->is_open()) {
             problem =
                 node + ": it gives no pictures that OpenCV can read. v4l2-ctl --list-formats-ext shows what it has";
+            return nullptr;
+        }
+        if (const std::string sent = capture->pixel_format();
+            !settings.pixel_format.empty() && sent != settings.pixel_format) {
+            problem = cv::format(
+                "%s: it sends %s, not %s: set pixel_format to one that it has: v4l2-ctl "
+                "--list-formats-ext",
+                node.c_str(), sent.c_str(), settings.pixel_format.c_str());
             return nullptr;
         }
         if (const cv::Size size = capture->size(); size != cv::Size(settings.width, settings.height)) {

@@ -1,4 +1,4 @@
-// Finds the camera's node by what the kernel says of it, and keeps the newest picture.
+// Finds the camera's node by its capabilities, and keeps the newest picture.
 #include "hw/camera/video_camera.hpp"
 
 #include <fcntl.h>
@@ -21,9 +21,9 @@
 namespace nezumi::hw {
 namespace {
 
-constexpr double waiting = 0.05;    // [s] for a frame, at once
-constexpr double oldest_frame = 1;  // [s] one that is older when it comes has another clock than ours
-constexpr double early = 0.2;       // of a period, by which a frame may be ahead of its time
+constexpr double waiting = 0.05;    // [s] for a frame per call
+constexpr double oldest_frame = 1;  // [s] an older frame must have its time from another clock
+constexpr double early = 0.2;       // part of a period by which a frame may come early
 
 std::string with_advice(const NodeError& error) {
     switch (error.code) {
@@ -38,7 +38,7 @@ std::string with_advice(const NodeError& error) {
     }
 }
 
-// A node that is open for questions.
+// A node opened to ask for its capabilities.
 class Questions {
 public:
     explicit Questions(const std::string& node) : file_(::open(node.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC)) {}
@@ -58,16 +58,16 @@ private:
     int file_;
 };
 
-// 0 when pictures may be had of it, -1 when it is no camera, else why they can't be had.
+// Returns 0 if the node can capture pictures, -1 if it is not a camera, otherwise the errno.
 int why_not(const std::string& node, const CaptureSettings& settings) {
     const Questions camera(node);
     if (!camera.is_open()) return errno;
     v4l2_capability about{};
     if (!camera.ask(VIDIOC_QUERYCAP, about)) return errno == ENOTTY || errno == EINVAL ? -1 : errno;
     const unsigned can = (about.capabilities & V4L2_CAP_DEVICE_CAPS) != 0 ? about.device_caps : about.capabilities;
-    // A USB camera has a second node for what is no picture; a Raspberry Pi has some for its codecs.
+    // A USB camera has a second node for metadata, and a Raspberry Pi has nodes for its codecs.
     if ((can & V4L2_CAP_VIDEO_CAPTURE) == 0 || (can & V4L2_CAP_STREAMING) == 0) return -1;
-    // Setting the size is what a camera refuses that streams for somebody else.
+    // A camera that another program is using refuses a new size.
     v4l2_format format{};
     format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     if (!camera.ask(VIDIOC_G_FMT, format)) return errno;
@@ -82,6 +82,7 @@ CaptureSettings capture_settings(const CameraSettings& settings) {
             .frame_rate = settings.frame_rate,
             .color = settings.color,
             .raw_intrinsics = settings.raw_intrinsics(),
+            .pixel_format = settings.pixel_format,
             .undistort = settings.undistort && settings.raw_intrinsics() != settings.intrinsics()};
 }
 
@@ -117,7 +118,7 @@ tl::expected<void, std::string> VideoCamera::find() {
         if (code > 0) {
             why = with_advice({node, code});
         } else if (!wanted_.empty()) {
-            why = node + " is none: no pictures can be had of it";
+            why = node + " is not a camera: it can't take pictures";
         }
     }
     return tl::unexpected(why);
@@ -128,12 +129,12 @@ void VideoCamera::close(const std::string& why) {
     health_.lost(why);
 }
 
-// A camera may be faster than it was asked to be.
+// A camera may be faster than requested.
 bool VideoCamera::is_due(double tm) {
     const double period = 1 / settings_.frame_rate;
     if (tm < due_ - early * period && due_ - tm < 2 * period) return false;
     due_ = std::max(due_, tm - period) + period;
-    if (due_ - tm > 2 * period) due_ = tm + period;  // the camera's clock went back
+    if (due_ - tm > 2 * period) due_ = tm + period;  // the camera's clock was set back
     return true;
 }
 

@@ -1,4 +1,4 @@
-// A camera that Linux knows by a node video0, read on a thread of its own.
+// A camera with a Linux video node, read on its own thread.
 #pragma once
 
 #include <atomic>
@@ -17,23 +17,23 @@
 
 namespace nezumi::hw {
 
-/// A job. Takes the camera up when it is plugged in, and again after it was unplugged, failed or fell silent.
+/// A job. Opens the camera when it is plugged in, and again after it was unplugged, failed or stopped sending.
 class VideoCamera final : public DeviceJob {
 public:
-    /// `dev` stands for /dev. A device of the settings that begins with /dev/ is there.
+    /// `dev` is /dev or a folder in its place. Applies to device paths that begin with /dev/ too.
     VideoCamera(std::string dev, const CameraSettings& settings, OpenCapture open);
 
-    /// How often [s] it is looked for.
+    /// Interval [s] of the search for the camera.
     static constexpr double search_period = 1;
-    /// For how long [s] at least it may give no picture before it counts as silent.
+    /// Time [s] without a picture after which the camera counts as silent; longer at low frame rates.
     static constexpr double patience = 1;
-    /// How long [s] opening it may take.
+    /// Longest time [s] to open it.
     static constexpr double slowest_opening = 3;
 
-    /// From the control loop, at `now` by `clock_seconds`: when [s] by the same clock the newest picture was taken,
-    /// which is then the one that `give` gives; nothing when there is no new one.
+    /// Called by the control loop at `now` (`clock_seconds`). Returns the time [s], by the same clock, of the newest
+    /// picture, which `give` then gives; nothing if there is no new one.
     std::optional<double> look(double now);
-    /// From the control loop: the bytes of the picture. What `pixels` held is the memory of a later one.
+    /// Called by the control loop. Gives the bytes of the picture; the old buffer of `pixels` is used for a later one.
     void give(std::vector<std::uint8_t>& pixels) { std::swap(pixels, looked_at_); }
     std::vector<std::string> take_faults() { return health_.take(); }
 
@@ -51,18 +51,18 @@ private:
     const CaptureSettings settings_;
     std::unique_ptr<Capture> capture_;
     std::string node_;                  // of capture_
-    double frame_at_ = 0;               // [s] when the last frame came
-    double due_ = 0;                    // [s] when the next picture is due, by its own time
-    std::vector<std::uint8_t> filled_;  // where the next picture is made
+    double frame_at_ = 0;               // [s] time of the last frame
+    double due_ = 0;                    // [s] time at which the next picture is due
+    std::vector<std::uint8_t> filled_;  // buffer for the next picture
     Health health_{"camera"};
-    std::atomic<double> alive_at_;  // [s] when its thread went through `run`
-    Mutex mutex_;                   // held for a swap at most
+    std::atomic<double> alive_at_;  // [s] time of the last call of `run`
+    Mutex mutex_;                   // held only for a swap
     std::vector<std::uint8_t> newest_;
     std::optional<double> newest_at_;
-    std::vector<std::uint8_t> looked_at_;  // the control loop's own
+    std::vector<std::uint8_t> looked_at_;  // used by the control loop only
 };
 
-/// The camera with its thread, as a Camera wants it. It stamps pictures with the system's time.
+/// A camera with its thread. Pictures have the system's time.
 std::unique_ptr<CameraSource> open_camera(const std::string& dev, const CameraSettings& settings,
                                           OpenCapture open = open_by_opencv);
 

@@ -1,11 +1,11 @@
-// The clock that samples of devices are stamped with.
+// The clock for time stamps of device samples.
 #pragma once
 
 #include <chrono>
 
 namespace nezumi::hw {
 
-/// [s] of the monotonic clock, the same in all processes of a machine.
+/// The monotonic clock [s]; the same for all processes of a machine.
 inline double clock_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

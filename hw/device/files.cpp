@@ -1,4 +1,4 @@
-// System calls, again where a signal came between.
+// System calls, repeated after an interruption by a signal.
 #include "hw/device/files.hpp"
 
 #include <fcntl.h>

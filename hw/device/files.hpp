@@ -1,4 +1,4 @@
-// The files of devices as drivers reach them: the kernel's own, unless they are logged or played back.
+// Access of drivers to device files: the kernel's, a logged one or a replay.
 #pragma once
 
 #include <cstddef>
@@ -13,38 +13,39 @@ namespace nezumi::hw {
 
 enum class Access { read, write };
 
-/// What a system call gave, or its `errno`.
+/// The result of a system call, or its `errno`.
 template <class T>
 using Answer = tl::expected<T, int>;
 
-/// A file that is open, until this goes.
+/// An open file; the destructor closes it.
 class OpenFile {
 public:
     virtual ~OpenFile() = default;
-    /// Reads from its beginning: how many bytes.
+    /// Reads from the beginning of the file. Returns the number of bytes.
     virtual Answer<std::size_t> read(std::span<char> buffer) = 0;
-    /// Writes all of it at once, a plain file's content: how many bytes it took.
+    /// Writes all of `text` in one call; for a regular file it is the whole content. Returns the number of bytes
+    /// written.
     virtual Answer<std::size_t> write(std::string_view text) = 0;
-    /// Which keys of an event device are down, a bit each (EVIOCGKEY): how many bytes.
+    /// Gets the pressed keys of an event device, one bit each (EVIOCGKEY). Returns the number of bytes.
     virtual Answer<std::size_t> keys(std::span<char> down) = 0;
-    /// The kernel's number of it; -1: there is no device behind it.
+    /// The kernel's file descriptor; -1 if there is no real device.
     virtual int descriptor() const { return -1; }
 };
 
-/// Any call may come from any thread, and may wait for a device.
+/// Any function may be called from any thread, and may block on a device.
 class DeviceFiles {
 public:
     virtual ~DeviceFiles() = default;
     virtual Answer<std::unique_ptr<OpenFile>> open(const std::string& path, Access access) = 0;
     /// The names in a folder, in its order.
     virtual Answer<std::vector<std::string>> list(const std::string& folder) = 0;
-    /// Whether there are devices behind them: motors that a guard has to stop, and that one program at a time drives.
+    /// True for real devices: their motors need a guard, and only one program at a time may drive them.
     virtual bool are_real() const { return true; }
 };
 
 std::shared_ptr<DeviceFiles> kernel_files();
 
-/// Where a file is, and through what it is reached.
+/// The path of a device file and the access to it.
 class DevicePath {
 public:
     DevicePath(std::string text, std::shared_ptr<DeviceFiles> files = kernel_files())
@@ -57,7 +58,7 @@ public:
 
 private:
     std::string text_;
-    std::shared_ptr<DeviceFiles> files_;  // shared with threads that a device has never let go
+    std::shared_ptr<DeviceFiles> files_;  // shared with threads that hang in a device
 };
 
 }  // namespace nezumi::hw

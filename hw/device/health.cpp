@@ -1,4 +1,4 @@
-// A loss is told at the moment it happens, a return when it has lasted.
+// Reports a loss at once, and a recovery when it has lasted.
 #include "hw/device/health.hpp"
 
 #include <iterator>

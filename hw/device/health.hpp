@@ -1,4 +1,4 @@
-// What a device has to say about itself: lost, and back again.
+// Reports whether a device is lost or works again.
 #pragma once
 
 #include <optional>
@@ -10,38 +10,38 @@
 
 namespace nezumi::hw {
 
-/// Why a device counts as lost whose thread hangs.
+/// The reason when the device's thread hangs.
 inline constexpr const char* no_answer = "no answer for 0.3 s: restart its driver, or the robot";
 
-/// Tells each loss once, however often it is noticed, and the return when it has lasted: a device that comes and goes
-/// is lost. From any thread.
+/// Reports each loss once, and the recovery when it has lasted; so a device that fails again and again counts as lost.
+/// Any thread may call it.
 class Health {
 public:
-    /// `device` as a person calls it: "the light sensors".
+    /// `device` is the name in messages: "the light sensors".
     explicit Health(std::string device) : device_(std::move(device)) {}
 
-    /// It does not work, for this reason. Told unless it did not work before.
+    /// The device does not work, for this reason. Reported only if it worked before.
     void lost(const std::string& why);
-    /// It works, at `now` by `clock_seconds`.
+    /// The device works at `now` (`clock_seconds`).
     void works(double now = clock_seconds());
-    /// Whether it did not work when it was tried last.
+    /// True if it did not work at the last try.
     bool is_lost() const;
-    /// What is to be told: a line each.
+    /// Returns the new messages, one line each.
     std::vector<std::string> take(double now = clock_seconds());
 
-    /// [s] without a loss after which a device counts as back: longer than the time between two tries.
+    /// Time [s] without a loss before a device counts as working again: longer than the interval between tries.
     static constexpr double proven_after = 1;
 
 private:
     const std::string device_;
     mutable Mutex mutex_;
     bool is_lost_ = false;
-    bool is_told_ = false;              // that it is lost
-    std::optional<double> well_since_;  // [s]
+    bool is_told_ = false;              // the loss was reported
+    std::optional<double> well_since_;  // [s] since when it works
     std::vector<std::string> lines_;
 };
 
-/// Adds lines to others.
+/// Appends lines to others.
 void append(std::vector<std::string>& lines, std::vector<std::string> more);
 
 }  // namespace nezumi::hw

@@ -1,4 +1,4 @@
-// Each LED is written when it changes, and again when a write failed.
+// Writes each LED when it changes, and again after a failed write.
 #include "hw/device/lights.hpp"
 
 #include <utility>
@@ -23,7 +23,7 @@ std::vector<std::string> Lights::take_faults() {
 }
 
 double Lights::run() {
-    constexpr double idle = 1;  // [s]; it is woken when something is to be done
+    constexpr double idle = 1;  // [s]; new values wake it earlier
     std::vector<bool> wanted;
     {
         const std::lock_guard lock(mutex_);

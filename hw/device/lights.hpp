@@ -13,13 +13,13 @@ namespace nezumi::hw {
 
 class Lights final : public DeviceJob {
 public:
-    /// What a person can do about a node that does not work.
+    /// Explains a failed node and what to do.
     using Advice = std::string (*)(const NodeError& error);
 
-    /// A node for each LED, which takes the text `on` or "0".
+    /// One node per LED, which takes the text `on` or "0".
     Lights(const std::vector<DevicePath>& nodes, std::string on, Advice advice);
 
-    /// From the control loop: the newest counts. LEDs that are not named stay as they are.
+    /// Called by the control loop: sets the wanted states. LEDs beyond the end of `on` are unchanged.
     void set(const std::vector<bool>& on);
     std::vector<std::string> take_faults();
 
@@ -31,7 +31,7 @@ private:
     const Advice advice_;
     std::vector<bool> is_on_;  // as written
     Health health_{"LEDs"};
-    Mutex mutex_;  // held for a copy at most
+    Mutex mutex_;  // held only for a copy
     std::vector<bool> wanted_;
 };
 

@@ -1,4 +1,4 @@
-// The newest value that one thread has for another.
+// Passes the newest value from one thread to another.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace nezumi::hw {
 
-/// Commands: who takes one knows whether it is new.
+/// The newest command, and whether it is new since it was last taken.
 template <class T>
 class Newest {
 public:
@@ -19,7 +19,7 @@ public:
     }
     struct Taken {
         T value;
-        bool is_new;  ///< since it was taken last
+        bool is_new;  ///< since it was last taken
     };
     Taken take() {
         const std::lock_guard lock(mutex_);
@@ -27,7 +27,7 @@ public:
     }
 
 private:
-    Mutex mutex_;  // held for a copy at most
+    Mutex mutex_;  // held only for a copy
     T value_{};
     std::uint64_t count_ = 0, taken_ = 0;
 };

@@ -1,4 +1,4 @@
-// Reads and writes of device files, as their drivers want them.
+// Reads and writes device files.
 #include "hw/device/node.hpp"
 
 #include <cerrno>
@@ -27,8 +27,8 @@ tl::expected<void, NodeError> Node::open() {
 }
 
 tl::expected<std::string_view, NodeError> Node::read() {
-    // Opening a node anew for each reading floods some drivers' log. One that can't be read twice from its beginning
-    // says so by an end of file or an error, and is opened again.
+    // Opening a node for each reading fills the log of some drivers. A node that can't be read twice from its beginning
+    // returns end of file or an error, and is opened again.
     for (const bool again : {false, true}) {
         const bool was_open = file_ != nullptr;
         if (auto ok = open(); !ok) return tl::unexpected(ok.error());

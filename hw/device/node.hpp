@@ -1,4 +1,4 @@
-// A device's file: kept open, every return value looked at.
+// A device file that is kept open, with every return value checked.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace nezumi::hw {
 
-/// What the kernel answered when a node could not be used.
+/// The error of a device node.
 struct NodeError {
     std::string path;
     int code = 0;  ///< `errno`
@@ -19,8 +19,8 @@ struct NodeError {
 /// "/dev/rtled0: no such file or directory".
 std::string describe(const NodeError& error);
 
-/// Opened when it is first used, and again after an error: a device that went is taken up when it is back. A plain file
-/// in its place is truncated before each write. Not for two threads at once.
+/// Opened at first use, and again after an error, so a device that was removed works again when it is back. A regular
+/// file is truncated before each write. Not thread-safe.
 class Node {
 public:
     using Access = hw::Access;
@@ -29,13 +29,13 @@ public:
 
     tl::expected<void, NodeError> open();
     void close() { file_.reset(); }
-    /// What it says, from its beginning: at most 255 bytes, good until the next call.
+    /// Reads the node from its beginning: at most 255 bytes, valid until the next call.
     tl::expected<std::string_view, NodeError> read();
-    /// Writes all of the text at once. A device that took less of it failed (EIO).
+    /// Writes all of the text in one call. A shorter write is an error (EIO).
     tl::expected<void, NodeError> write(std::string_view text);
 
     const std::string& path() const { return path_.text(); }
-    /// Of the device that is open; -1: none is.
+    /// The descriptor of the open device; -1 if it is closed.
     int descriptor() const { return file_ ? file_->descriptor() : -1; }
 
 private:
@@ -43,8 +43,8 @@ private:
 
     DevicePath path_;
     Access access_;
-    std::unique_ptr<OpenFile> file_;  // null: it is not open
-    char buffer_[256]{};              // some drivers write past a buffer of less than 64 bytes
+    std::unique_ptr<OpenFile> file_;  // null: closed
+    char buffer_[256]{};              // 256 because some drivers write past a buffer of less than 64 bytes
 };
 
 }  // namespace nezumi::hw

@@ -1,4 +1,4 @@
-// What is not a number after the name is another kind of node.
+// Only names that end in a number after `name` count.
 #include "hw/device/numbered_nodes.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace nezumi::hw {
 namespace {
 
-// "video7" is the 7th of "video".
+// Returns 7 for "video7" and the name "video".
 std::optional<int> number_of(std::string_view node, std::string_view name) {
     if (!node.starts_with(name)) return std::nullopt;
     node.remove_prefix(name.size());

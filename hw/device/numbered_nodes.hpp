@@ -1,4 +1,4 @@
-// Device nodes that the kernel numbers as they are plugged in: /dev/video0, /dev/input/event7.
+// Device nodes numbered by the kernel: /dev/video0, /dev/input/event7.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace nezumi::hw {
 
-/// The nodes "NAME0", "NAME1", ... in a folder, by their numbers: the first is the one that was plugged in first. None
-/// where the folder can't be read.
+/// The nodes "NAME0", "NAME1", ... in a folder, sorted by number, which is the order of plugging in. Empty if the
+/// folder can't be read.
 std::vector<std::string> numbered_nodes(const std::string& folder, std::string_view name);
 
-/// "/dev/video0" in the folder that stands for /dev; another path as it is.
+/// Replaces /dev of "/dev/video0" by the folder `dev`; other paths are unchanged.
 std::string under_dev(const std::string& dev, const std::string& device);
 
 }  // namespace nezumi::hw

@@ -1,4 +1,4 @@
-// Where devices are: /dev and /sys, or folders that stand for them.
+// The folders of devices: /dev and /sys, or others in their place.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace nezumi::hw {
 struct DeviceRoots {
     std::string dev = "/dev";
     std::string sys = "/sys";
-    std::shared_ptr<DeviceFiles> files = kernel_files();  ///< through which drivers reach them
+    std::shared_ptr<DeviceFiles> files = kernel_files();  ///< the access for drivers
 
     DevicePath in_dev() const { return {dev, files}; }
     DevicePath in_sys() const { return {sys, files}; }

@@ -1,4 +1,4 @@
-// A device that is read again and again beside the loop, which gets the newest sample with its time.
+// A device that is read periodically on its own thread; the control loop gets the newest sample with its time.
 #pragma once
 
 #include <optional>
@@ -14,19 +14,19 @@
 
 namespace nezumi::hw {
 
-/// What a device said, and when.
+/// A value of a device and its time.
 template <class T>
 struct Sample {
     T value{};
     double tm = 0;  ///< [s] by `clock_seconds`: the middle of the reading
 };
 
-/// After how many seconds without a new sample a device counts as silent.
+/// Time [s] without a new sample after which a device counts as silent.
 inline constexpr double stale_after = 0.3;
-/// How often [s] a device that failed is tried again.
+/// Interval [s] at which a failed device is tried again.
 inline constexpr double retry_period = 0.5;
 
-/// The newest sample, from the thread that reads to the control loop.
+/// Passes the newest sample from the reading thread to the control loop.
 template <class T>
 class NewestSample {
 public:
@@ -34,7 +34,7 @@ public:
         const std::lock_guard lock(mutex_);
         sample_ = std::move(sample);
     }
-    /// At `now`, by `clock_seconds`; none when there is no recent one.
+    /// The sample at `now` (`clock_seconds`), or nothing if it is not recent.
     std::optional<Sample<T>> at(double now) const {
         const std::lock_guard lock(mutex_);
         if (!sample_ || now - sample_->tm > stale_after) return std::nullopt;
@@ -42,21 +42,21 @@ public:
     }
 
 private:
-    mutable Mutex mutex_;  // held for a copy at most
+    mutable Mutex mutex_;  // held only for a copy
     std::optional<Sample<T>> sample_;
 };
 
-/// Who derives from it says how to read the device once.
+/// A derived class defines how to read the device once.
 template <class T>
 class Sampler : public DeviceJob {
 public:
-    /// Reads every `period` [s], or as fast as the device allows when that is slower.
+    /// Reads every `period` [s], or slower if the device is slower.
     Sampler(std::string device, double period) : health_(std::move(device)), period_(period) {}
 
-    /// The newest sample at `now`, by `clock_seconds`; none when there is no recent one.
+    /// The newest sample at `now` (`clock_seconds`), or nothing if it is not recent.
     std::optional<Sample<T>> newest(double now) const { return newest_.at(now); }
 
-    /// A device that has not answered for too long is told as lost.
+    /// Returns new messages; a device that has not answered for too long counts as lost.
     std::vector<std::string> take_faults() {
         if (hangs(clock_seconds())) health_.lost(no_answer);
         return health_.take();
@@ -78,7 +78,7 @@ public:
     }
 
 protected:
-    /// Reads the device once, at `now` by `clock_seconds`: a value, nothing yet, or why not, with what to do.
+    /// Reads the device once at `now` (`clock_seconds`). Returns a value, nothing yet, or an error with what to do.
     virtual tl::expected<std::optional<T>, std::string> sample(double now) = 0;
 
 private:

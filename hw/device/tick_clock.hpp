@@ -1,4 +1,4 @@
-// From the clock that samples are stamped with to the time of the system.
+// Converts the clock of samples to the system's time.
 #pragma once
 
 #include <algorithm>
@@ -11,18 +11,18 @@ namespace nezumi::hw {
 
 class TickClock {
 public:
-    /// In every tick. Returns what the clock says.
+    /// Must be called in every tick. Returns the clock's time [s].
     double look(const Time& now) {
         const double clock = clock_seconds();
-        // The tick began a little before this, never after: the smallest difference is the nearest.
+        // The tick starts before this call, never after, so the smallest difference is the most exact.
         offset_ = std::min(offset_, clock - now.seconds);
         return clock;
     }
-    /// When something was measured whose sample has this stamp: never later than now.
+    /// The system's time of a sample with the stamp `tm`; never later than now.
     double system_time(const Time& now, double tm) const { return std::min(now.seconds, tm - offset_); }
 
 private:
-    double offset_ = std::numeric_limits<double>::infinity();  // [s] of the clock at the system's time 0
+    double offset_ = std::numeric_limits<double>::infinity();  // [s] the clock's value at the system's time 0
 };
 
 }  // namespace nezumi::hw

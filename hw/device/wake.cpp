@@ -1,4 +1,4 @@
-// An eventfd, polled.
+// An eventfd and poll.
 #include "hw/device/wake.hpp"
 
 #include <poll.h>
@@ -22,7 +22,7 @@ Wake::~Wake() { close(bell_); }
 
 void Wake::ring() const {
     const std::uint64_t one = 1;
-    // It fails only when it has rung 2^64 times.
+    // It fails only after 2^64 calls.
     [[maybe_unused]] const ssize_t written = write(bell_, &one, sizeof one);
 }
 

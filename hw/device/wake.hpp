@@ -1,4 +1,4 @@
-// A bell that one thread rings and another waits for, together with files.
+// Wakes a thread that waits, also for files.
 #pragma once
 
 #include <span>
@@ -12,9 +12,9 @@ public:
     Wake(const Wake&) = delete;
     Wake& operator=(const Wake&) = delete;
 
-    /// Ends a `wait` that runs, or the next one. From any thread; never waits itself.
+    /// Ends the present or the next `wait`. Any thread may call it; never blocks.
     void ring() const;
-    /// Waits until it rings, `file` (-1: none) has something to read or is at its end, or these seconds are over.
+    /// Waits for `ring`, for `file` (-1: none) to have data or an end, or for at most `seconds`.
     void wait(double seconds, int file = -1) const;
 
 private:

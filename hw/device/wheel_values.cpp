@@ -1,4 +1,4 @@
-// From pulses to metres.
+// Converts pulses to metres.
 #include "hw/device/wheel_values.hpp"
 
 #include <numbers>

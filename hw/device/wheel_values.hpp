@@ -1,4 +1,4 @@
-// What wheels' counters say, and how fast they count.
+// Readings of wheel encoders and their rates.
 #pragma once
 
 #include <cstdint>
@@ -11,26 +11,26 @@
 
 namespace nezumi::hw {
 
-/// How far the wheels have turned, and how fast they do.
+/// The positions and speeds of the wheels.
 struct WheelValues {
     WheelPulses pulses;  ///< since the start
     Wheels rates;        ///< [pulses/s]
 };
 
-/// [m] that each rim moves in a pulse.
+/// Travel [m] of each wheel's rim per pulse.
 Wheels metres_per_pulse(const DriveSpec& drive);
-/// [m/s^2] of one rim, when both axes speed up as the hardware's limits allow.
+/// Acceleration [m/s^2] of one rim when forward and yaw acceleration are both at their hardware limits.
 double rim_acceleration(const DriveSpec& drive);
-/// What a body reports of its wheels at `now`, by their newest sample.
+/// The wheel reading of a body at `now`, from the newest sample.
 WheelReading wheel_reading(const std::optional<Sample<WheelValues>>& sample, const TickClock& clock, const Time& now,
                            const DriveSpec& drive);
 
-/// The rate of a counter, by the times of its readings.
+/// The rate of a counter, from the times of its readings.
 class PulseRate {
 public:
-    static constexpr double window = 0.05;  ///< [s] over which it is measured
+    static constexpr double window = 0.05;  ///< [s] time over which it is measured
 
-    /// A reading at `tm` [s].
+    /// Adds a reading at `tm` [s].
     void take(double tm, std::int64_t pulses) {
         readings_.push_back({tm, pulses});
         while (readings_.size() > 2 && tm - readings_[1].tm >= window) readings_.pop_front();
@@ -47,7 +47,7 @@ private:
         double tm;
         std::int64_t pulses;
     };
-    std::deque<Reading> readings_;  // as far back as the window
+    std::deque<Reading> readings_;  // back to the length of the window
 };
 
 }  // namespace nezumi::hw

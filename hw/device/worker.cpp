@@ -1,4 +1,4 @@
-// Runs a job until nobody wants it any more, or leaves it behind.
+// Runs a job until it is stopped, or abandons it if it hangs.
 #include "hw/device/worker.hpp"
 
 #include <chrono>
@@ -11,7 +11,7 @@ namespace nezumi::hw {
 
 DeviceWorker::DeviceWorker(std::unique_ptr<DeviceJob> job) : state_(std::make_shared<State>()) {
     state_->job = std::move(job);
-    // Detached, as a thread that hangs in the kernel can't be joined; the state is its own as well.
+    // Detached, because a thread that hangs in the kernel can't be joined; so it co-owns the state.
     std::thread([state = state_] { work(*state); }).detach();
 }
 
@@ -34,7 +34,7 @@ void DeviceWorker::work(State& state) {
         if (!should_end()) state.bell.wait(seconds, state.job->watched_file());
     }
     state.job->end();
-    state.job.reset();  // before who waits goes on: with it goes what it holds, as a lease
+    state.job.reset();  // before the waiting thread continues: resources such as a lease are then free
     const std::lock_guard lock(state.mutex);
     state.has_ended = true;
     state.ended.notify_all();

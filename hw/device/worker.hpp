@@ -1,4 +1,4 @@
-// A thread that does the reading and writing of one device, so that nobody else waits for it.
+// A thread that reads and writes one device, so that no other thread waits for it.
 #pragma once
 
 #include <atomic>
@@ -11,24 +11,24 @@
 
 namespace nezumi::hw {
 
-/// What a worker does, again and again. Where its thread hangs in the kernel it outlives its worker: it must own all
-/// that it uses, or share it with jobs of other threads.
+/// The repeated work of a worker. If its thread hangs in the kernel, the job outlives its worker: it must own all that
+/// it uses, or share it.
 class DeviceJob {
 public:
     virtual ~DeviceJob() = default;
-    /// Does what is to be done now. Returns after how many seconds it wants to be called again at the latest.
+    /// Does the present work. Returns the longest time [s] until the next call.
     virtual double run() = 0;
-    /// A file that makes it run as well when there is something to read; -1: none.
+    /// A file whose data also start a run; -1: none.
     virtual int watched_file() const { return -1; }
-    /// The last thing it does, on the same thread.
+    /// Called last, on the same thread.
     virtual void end() {}
 
-    /// Whether its `run` has not come back at `now` [s] after `hangs_after`. From any thread.
+    /// True if `run` has not returned for `hangs_after` at `now` [s]. Any thread may call it.
     bool hangs(double now) const {
         const double since = running_since_;
         return since > 0 && now - since > hangs_after;
     }
-    /// [s] that a device may take for all that is done at once.
+    /// Longest normal time [s] of one run.
     static constexpr double hangs_after = 0.3;
 
 private:
@@ -38,16 +38,16 @@ private:
 
 class DeviceWorker {
 public:
-    /// How long [s] a thread has time to end. One that hangs in the kernel for longer is left behind.
+    /// Time [s] for a thread to end. After that it is abandoned: it hangs in the kernel.
     static constexpr double patience = 1.0;
 
-    /// Begins at once. Throws std::system_error when there can be no more threads.
+    /// Starts at once. Throws std::system_error if no thread can be made.
     explicit DeviceWorker(std::unique_ptr<DeviceJob> job);
     ~DeviceWorker();
     DeviceWorker(const DeviceWorker&) = delete;
     DeviceWorker& operator=(const DeviceWorker&) = delete;
 
-    /// Makes the job run now, or again when it runs. Never waits.
+    /// Runs the job now, or once more if it is running. Never blocks.
     void wake() const { state_->bell.ring(); }
 
 private:
@@ -61,17 +61,17 @@ private:
     };
     static void work(State& state);
 
-    std::shared_ptr<State> state_;  // shared with the thread, which may be left behind
+    std::shared_ptr<State> state_;  // shared with the thread, which may be abandoned
 };
 
-/// A job and the thread that runs it, from now on until this goes.
+/// A job with its running thread.
 template <class Job>
 class RunningJob {
 public:
     explicit RunningJob(std::unique_ptr<Job> job) : job_(*job), worker_(std::move(job)) {}
 
     Job* operator->() const { return &job_; }
-    /// Makes the job run now, or again when it runs. Never waits.
+    /// Runs the job now, or once more if it is running. Never blocks.
     void wake() const { worker_.wake(); }
 
 private:

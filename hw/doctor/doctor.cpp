@@ -1,4 +1,4 @@
-// Which robot this is decides what is looked at.
+// Examines the machine according to its kind of robot.
 #include "hw/doctor/doctor.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What keeps this machine from driving its robot: driver, nodes, permissions, board, supply, camera and sound.
+// Finds what prevents this machine from driving its robot: driver, nodes, permissions, board, supply, camera and sound.
 #pragma once
 
 #include <functional>
@@ -12,22 +12,22 @@
 
 namespace nezumi::hw {
 
-/// Where a machine, and the program that looks at it, tell of themselves.
+/// The folders with information about the machine and the program.
 struct MachineRoots {
     DeviceRoots devices;
     std::string proc = "/proc";
     std::vector<std::string> udev{"/etc/udev", "/lib/udev"};  ///< each has a folder `rules.d`
-    std::string rules;  ///< the file of rules that comes with nezumi, for who has to install it
-    /// Whether this program can use cameras; only asked where there is one.
+    std::string rules;  ///< path of the udev rules that come with nezumi, for the advice to install them
+    /// Tests whether this program can use cameras. Called only if there is a camera.
     std::function<tl::expected<void, std::string>()> load_cameras = load_opencv;
 };
 
 struct Examination {
-    std::string driver;  ///< of the robot that this machine belongs to: "raspimouse", "ev3"; "": it is none
+    std::string driver;  ///< the machine's robot: "raspimouse", "ev3", or "" for none
     Findings findings;
 };
 
-/// Looks at all of it, and writes nothing. A device that hangs costs a second.
+/// Examines everything without writing. A device that hangs costs one second.
 Examination examine(const MachineRoots& roots);
 
 }  // namespace nezumi::hw

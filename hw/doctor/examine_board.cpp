@@ -1,4 +1,4 @@
-// A Raspberry Pi tells its name in its device tree, and a supply that is too weak in a flag of its firmware.
+// Reads a Raspberry Pi's name from its device tree, and low voltage from a flag of its firmware.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 using enum Finding::State;
 
-// The kernel calls the processor of a Pi 1 and Zero "ARMv6-compatible processor rev 7 (v6l)".
+// The kernel names the processor of a Pi 1 and Zero "ARMv6-compatible processor rev 7 (v6l)".
 bool is_armv6(const std::string& proc) {
     std::ifstream file(proc + "/cpuinfo");
     std::stringstream text;
@@ -22,7 +22,8 @@ bool is_armv6(const std::string& proc) {
     return text.str().find("ARMv6") != std::string::npos;
 }
 
-// The firmware's bits: 0: under-voltage now, 16: since the start (documentation of vcgencmd get_throttled).
+// The firmware's bits: 0: under-voltage now; 16: under-voltage since the start (documentation of vcgencmd
+// get_throttled).
 void examine_supply(const MachineRoots& roots, Findings& findings) {
     const std::string& sys = roots.devices.sys;
     std::string text = first_line(sys + "/devices/platform/soc/soc:firmware/get_throttled");

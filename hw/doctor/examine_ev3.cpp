@@ -99,7 +99,7 @@ private:
         const std::string folder = sys_ + "/class/power_supply/lego-ev3-battery";
         const double now = volts(folder + "/voltage_now"), design = volts(folder + "/voltage_min_design");
         const double least = design > 0 ? design : Battery::least;
-        if (now == 0) return say("battery", note, "it tells no voltage");
+        if (now == 0) return say("battery", note, "its voltage is unknown");
         const std::string text = fmt::format("{:.1f} V", now);
         if (now < least) {
             say("battery", wrong, fmt::format("{}, and the robot stands below {:.1f} V", text, least),

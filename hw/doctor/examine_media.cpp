@@ -1,4 +1,4 @@
-// Cameras by the kernel's list of them, loudspeakers by ALSA's.
+// Finds cameras by the kernel's list, loudspeakers by ALSA's.
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -36,13 +36,13 @@ void examine_cameras(const MachineRoots& roots, Findings& findings) {
         }
     }
     if (!any) {
-        findings.push_back({"camera", note, "none is there", "plug one in, where a system has a component Camera"});
+        findings.push_back({"camera", note, "not found", "plug one in if a system has a component Camera"});
     } else if (const auto loaded = roots.load_cameras(); !loaded) {
         findings.push_back({"camera", wrong, "nezumi can't use it", loaded.error()});
     }
 }
 
-// ALSA's list has two lines for a card: " 0 [Headphones     ]: bcm2835_headpho - bcm2835 Headphones".
+// ALSA's list has two lines per card: " 0 [Headphones     ]: bcm2835_headpho - bcm2835 Headphones".
 void examine_sound(const MachineRoots& roots, Findings& findings) {
     std::ifstream cards(roots.proc + "/asound/cards");
     std::vector<std::string> names;
@@ -51,8 +51,7 @@ void examine_sound(const MachineRoots& roots, Findings& findings) {
         if (dash != line.npos && name != line.npos) names.push_back(line.substr(name + 3));
     }
     if (names.empty()) {
-        findings.push_back(
-            {"sound", note, "no sound card is there", "plug in a loudspeaker, where a robot is to speak"});
+        findings.push_back({"sound", note, "no sound card is there", "plug in a loudspeaker if a robot must speak"});
         return;
     }
     const std::string folder = roots.devices.dev + "/snd";

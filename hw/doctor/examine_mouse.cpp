@@ -1,6 +1,8 @@
-// The mouse's kernel driver, its nodes, and what the nodes say of the parts behind them.
+// The mouse's kernel driver and nodes, and the parts behind the nodes.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
@@ -30,10 +32,10 @@ constexpr MouseNode all_nodes[] = {
     {"rtswitch2", reads},    {"rtled0", writes},         {"rtled1", writes},         {"rtled2", writes},
     {"rtled3", writes},      {"rtbuzzer0", writes},
 };
-// What other programs like to open: the counters' signed nodes change what the unsigned ones say.
+// Nodes that other programs often open: opening the signed counter nodes changes the values of the unsigned ones.
 constexpr const char* nodes_of_others[] = {"rtcounter_l1", "rtcounter_r1", "rtmotor0"};
 
-constexpr int light_readings = 5;  // that all say 0 0 0 0 are no measurement
+constexpr int light_readings = 5;  // number of readings; if all are 0 0 0 0, the sensors do not measure
 
 class Mouse {
 public:
@@ -45,6 +47,7 @@ public:
         look_at_nodes();
         if (look_at_lights()) look_at_overlay();
         look_at_counters();
+        look_at_i2c_clock();
     }
 
 private:
@@ -57,11 +60,11 @@ private:
         const std::string module = roots_.devices.sys + "/module/rtmouse";
         const std::string version = first_line(module + "/version");
         if (!version.empty()) return say("driver", good, "rtmouse " + version);
-        if (!names_in(module).empty()) return say("driver", good, "rtmouse, which tells no version");
+        if (!names_in(module).empty()) return say("driver", good, "rtmouse, version unknown");
         if (opening_fails_with(node("rtmotoren0"), writes) != ENOENT)
             return say("driver", note, module + " is not there, but its nodes are");
         say("driver", wrong, "rtmouse is not loaded",
-            "sudo modprobe rtmouse; where there is no such module, build it: "
+            "sudo modprobe rtmouse; if there is no such module, build it: "
             "https://github.com/rt-net/RaspberryPiMouse");
     }
 
@@ -82,7 +85,7 @@ private:
                 fmt::format("end it before a robot is driven: kill {}", holder.process));
         }
         if (is_power_held || opening_fails_with(power, writes) != 0) return;
-        // A program of another user is not to be seen, its lease is.
+        // A program of another user can't be seen, but its lease can.
         if (const auto lease = Lease::take("raspimouse", power); !lease) {
             const std::string text = lease.error().message;
             const std::size_t colon = text.rfind(": ");
@@ -119,7 +122,10 @@ private:
             say("nodes", wrong,
                 fmt::format("{} of {} are missing in {}: {}", missing.size(), count, roots_.devices.dev,
                             listed(missing)),
-                missing.size() == count
+                std::all_of(missing.begin(), missing.end(),
+                            [](const std::string& name) { return name.starts_with("rtcounter"); })
+                    ? std::string("the driver has not found the counters on I2C. ") + counters_on_i2c
+                : missing.size() == count
                     ? "load the driver: sudo modprobe rtmouse"
                     : "load the driver anew, and look at what dmesg says: sudo modprobe -r rtmouse, "
                       "then sudo modprobe rtmouse");
@@ -132,7 +138,7 @@ private:
         }
     }
 
-    // Without a rule, permissions are as the driver has them: someone has changed them by hand, until the next start.
+    // Without a rule, someone has changed the permissions by hand; they are lost at the next start.
     void look_at_rules() {
         for (const std::string& folder : roots_.udev) {
             for (const std::string& name : names_in(folder + "/rules.d")) {
@@ -144,8 +150,8 @@ private:
                     return say("udev rules", good, path);
             }
         }
-        say("udev rules", note,
-            "there is none for the nodes: other users may not use them, or not after the next start", rule_advice());
+        say("udev rules", note, "no rule for the nodes: other users may not use them, or not after the next start",
+            rule_advice());
     }
 
     std::string rule_advice() const {
@@ -155,7 +161,7 @@ private:
             roots_.rules.empty() ? "60-nezumi.rules" : roots_.rules);
     }
 
-    // Returns whether it has to be found out why they say nothing.
+    // Returns true if the cause of missing values must be found.
     bool look_at_lights() {
         LightValues values{};
         for (int i = 0; i < light_readings; ++i) {
@@ -181,8 +187,8 @@ private:
             say("light sensors", good, fmt::format("{}", fmt::join(values, " ")));
             return false;
         }
-        say("light sensors", wrong, "they say 0 0 0 0 all the time: that is no measurement",
-            "turn SPI on, see overlay; and look at the boards' connector");
+        say("light sensors", wrong, "they always give 0 0 0 0: that is not a measurement",
+            "switch SPI on, see overlay; and check the boards' connector");
         return true;
     }
 
@@ -195,7 +201,7 @@ private:
             if (its.find("mcp320") != its.npos) return say("overlay", good, fmt::format("{} is {}", name, its));
         }
         const bool needs_overlay = std::pair(major, minor) >= std::pair(5, 16);
-        say("overlay", wrong, "the light sensors' converter is not on the SPI bus",
+        say("overlay", wrong, "the converter of the light sensors is not on the SPI bus",
             fmt::format(
                 "write dtparam=spi=on{}{} into /boot/firmware/config.txt (/boot/config.txt on older systems), and "
                 "restart",
@@ -207,7 +213,7 @@ private:
         const std::string i2c =
             "write dtparam=i2c_arm=on into /boot/firmware/config.txt (/boot/config.txt on older "
             "systems), and restart; then i2cdetect -y 1 shows 10 and 11";
-        if (is_counter_held_) return say("wheel counters", note, "another program has them: they were left alone");
+        if (is_counter_held_) return say("wheel counters", note, "another program uses them: not tested");
         std::vector<std::string> said;
         for (const char* name : {"rtcounter_l0", "rtcounter_r0"}) {
             const auto text = ask(node(name));
@@ -221,6 +227,23 @@ private:
         } else {
             say("I2C", wrong, "it is off, and the wheel counters need it", i2c);
         }
+    }
+
+    // As the device tree says it, where there is one: four bytes, the first the greatest.
+    void look_at_i2c_clock() {
+        const std::string path = roots_.devices.sys + "/bus/i2c/devices/i2c-1/of_node/clock-frequency";
+        std::ifstream file(path, std::ios::binary);
+        std::array<unsigned char, 4> bytes{};
+        if (!file.read(reinterpret_cast<char*>(bytes.data()), bytes.size())) return;
+        unsigned hertz = 0;
+        for (const unsigned char byte : bytes) hertz = hertz << 8U | byte;
+        if (hertz <= counters_i2c_clock) return say("I2C clock", good, fmt::format("{} Hz", hertz));
+        say("I2C clock", wrong,
+            fmt::format("{} Hz: the wheel counters' makers ask for {} Hz, else readings fail", hertz,
+                        counters_i2c_clock),
+            fmt::format("write dtparam=i2c_baudrate={} into /boot/firmware/config.txt (/boot/config.txt on older "
+                        "systems), and restart",
+                        counters_i2c_clock));
     }
 
     const MachineRoots& roots_;

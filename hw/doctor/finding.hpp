@@ -1,4 +1,4 @@
-// One thing that was looked at on a machine: what was found, and what a person can do about it.
+// One finding about a machine: what was found, and what to do about it.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@ namespace nezumi::hw {
 struct Finding {
     enum class State {
         good,
-        note,   ///< good to know; a robot can do without
-        wrong,  ///< something is to be done
+        note,   ///< for information; a robot works without it
+        wrong,  ///< needs action
     };
 
-    std::string check;  ///< what was looked at: "driver"
+    std::string check;  ///< what was examined: "driver"
     State state = State::good;
     std::string found;   ///< "rtmouse 3.3.2"
     std::string advice;  ///< what to do; "": nothing

@@ -1,4 +1,4 @@
-// Whatever can't be read counts as not there: a person who may not see something still gets the rest.
+// What can't be read counts as missing, so a user with few permissions still gets the rest.
 #include "hw/doctor/machine_queries.hpp"
 
 #include <sys/stat.h>
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// As /etc/group has it. getgrgid would load what else the computer asks for groups, which a static program can't.
+// Reads /etc/group. getgrgid would load the computer's name services, which a static program can't do.
 std::string name_of_group(gid_t id) {
     std::ifstream groups("/etc/group");
     for (std::string line; std::getline(groups, line);) {
@@ -35,7 +35,7 @@ std::string name_of_group(gid_t id) {
     return "";
 }
 
-// 0 where it is not told.
+// Returns 0 if unknown.
 int parent_of(const std::string& folder) {
     std::ifstream status(folder + "/status");
     for (std::string line; std::getline(status, line);) {
@@ -50,7 +50,7 @@ std::string first_line(const std::string& path) {
     std::ifstream file(path);
     std::string line;
     std::getline(file, line);
-    // Device trees end their texts by a zero.
+    // Texts in a device tree end with a zero byte.
     while (!line.empty() && (line.back() == '\0' || line.back() == ' ' || line.back() == '\r')) line.pop_back();
     return line;
 }

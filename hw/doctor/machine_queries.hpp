@@ -1,4 +1,4 @@
-// What can be asked of a machine: files of the kernel, nodes, and the programs that have them open.
+// Queries about a machine: kernel files, nodes, and the programs that have them open.
 #pragma once
 
 #include <chrono>
@@ -15,13 +15,13 @@
 
 namespace nezumi::hw {
 
-/// The first line of a file of the kernel, without what ends it; "" when it can't be read.
+/// The first line of a kernel file without its line end; "" if it can't be read.
 std::string first_line(const std::string& path);
 
-/// The names in a folder, sorted; none when it can't be read.
+/// The names in a folder, sorted; empty if it can't be read.
 std::vector<std::string> names_in(const std::string& folder);
 
-/// What `query` gives, if it does so in time. One that hangs in the kernel is left behind: it must own all that it
+/// The result of `query`, if it comes in time. A query that hangs in the kernel is abandoned: it must own all that it
 /// uses.
 template <class Query>
 std::optional<std::invoke_result_t<Query>> in_time(Query query) {
@@ -33,25 +33,25 @@ std::optional<std::invoke_result_t<Query>> in_time(Query query) {
     return answer.get();
 }
 
-/// Whether a node can be opened: 0, an errno, or ETIMEDOUT when it does not answer.
+/// Tries to open a node. Returns 0, an errno, or ETIMEDOUT if it does not answer.
 int opening_fails_with(const std::string& path, Node::Access access);
 
-/// What a node says, read once; an errno, or ETIMEDOUT.
+/// Reads a node once. Returns its text, an errno, or ETIMEDOUT.
 tl::expected<std::string, int> ask(const std::string& path);
 
 /// A program that has files open.
 struct Holder {
     int process = 0;
-    std::string name;                ///< "python3"; "" when it can't be told
-    std::vector<std::string> files;  ///< which of those asked for, in their order
+    std::string name;                ///< "python3"; "" if unknown
+    std::vector<std::string> files;  ///< the open ones of the files asked for, in their order
 };
 
-/// The other programs that have any of these files open, as far as this user may see that. A child of such a program,
-/// as the guard of a nezumi is, ends with it and is left out.
+/// The other programs that have any of these files open, as far as this user may see them. A child of such a program
+/// (as the guard of nezumi) ends with it and is left out.
 std::vector<Holder> holders_of(const std::vector<std::string>& files, const std::string& proc);
 
-/// What gives this user access to a node that it may not use, where a group does: "sudo adduser $USER dialout, then
-/// log in again"; "" where no group of /etc/group does.
+/// How this user can get access to a node, if a group has it: "sudo adduser $USER dialout, then log in again". "" if no
+/// group of /etc/group has access.
 std::string group_that_may(const std::string& path);
 
 /// "a, b and c".

@@ -1,4 +1,4 @@
-// EVIOCGKEY of the keys' event device.
+// Reads the keys with EVIOCGKEY.
 #include "hw/ev3/brick_keys.hpp"
 
 #include <linux/input-event-codes.h>

@@ -1,4 +1,4 @@
-// The keys of the brick, read on a thread of their own.
+// The keys of the brick, read on their own thread.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@
 
 namespace nezumi::hw {
 
-/// As a robot file's `port` calls them.
+/// The names for `port` in a robot file.
 inline constexpr std::array<std::string_view, 6> brick_keys{"up", "down", "left", "right", "enter", "back"};
 
-/// Whether each is pressed, in the order of `brick_keys`.
+/// True for each pressed key, in the order of `brick_keys`.
 using BrickKeyValues = std::array<bool, brick_keys.size()>;
 
-/// Asks the event device which keys are down: what happened before it was opened, or while nobody read, is not missed.
+/// Asks the event device which keys are down, so no event is missed before it is opened or between readings.
 class BrickKeys final : public Sampler<BrickKeyValues> {
 public:
-    /// `dev` stands for /dev.
+    /// `dev` is /dev or a folder in its place.
     explicit BrickKeys(const DevicePath& dev);
 
     static constexpr double period = 0.03;  ///< [s] between readings
@@ -32,8 +32,8 @@ protected:
 private:
     tl::expected<void, std::string> open();
 
-    const std::array<DevicePath, 2> nodes_;  // of newer systems and of older ones
-    std::string node_;                       // the one that is open
+    const std::array<DevicePath, 2> nodes_;  // of newer and older systems
+    std::string node_;                       // the open one
     std::unique_ptr<OpenFile> file_;
 };
 

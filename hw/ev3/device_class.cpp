@@ -1,4 +1,4 @@
-// Looks at the address and the driver of each device in a class's folder.
+// Checks the address and the driver of each device in a class folder.
 #include "hw/ev3/device_class.hpp"
 
 #include <fmt/format.h>
@@ -17,14 +17,14 @@ std::string_view without_newline(std::string_view text) {
     return text;
 }
 
-// "" when it can't be read: the device has gone meanwhile.
+// "" if it can't be read: the device was removed.
 std::string read_line(const DevicePath& path) {
     Node node(path, Node::Access::read);
     const auto text = node.read();
     return text ? std::string(without_newline(*text)) : "";
 }
 
-// "outB" of "ev3-ports:outB", and of "outB" as older systems have it.
+// "outB" of "ev3-ports:outB"; older systems have only "outB".
 std::string_view port_of(std::string_view address) {
     const std::size_t colon = address.rfind(':');
     return colon == std::string_view::npos ? address : address.substr(colon + 1);

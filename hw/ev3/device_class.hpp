@@ -1,4 +1,4 @@
-// A device of the brick by what it is and where it is plugged in: its number says nothing.
+// Finds a device of the brick by driver and port, because its number has no meaning.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace nezumi::hw {
 
-/// One of ev3dev's folders of devices, "/sys/class/tacho-motor" or "/sys/class/lego-sensor": each device is a folder in
-/// it, whose number grows with every plugging in.
+/// A folder of ev3dev devices, "/sys/class/tacho-motor" or "/sys/class/lego-sensor". Each device is a folder in it with
+/// a number, which increases each time a device is plugged in.
 class DeviceClass {
 public:
     explicit DeviceClass(DevicePath folder) : folder_(std::move(folder)) {}
 
-    /// The folder of the device with this driver ("lego-ev3-gyro") at this port ("in2"; "": at any). An error says what
-    /// is there instead, and what to do.
+    /// Returns the folder of the device with this driver ("lego-ev3-gyro") at this port ("in2"; "": any). An error says
+    /// what is there instead, and what to do.
     tl::expected<DevicePath, std::string> find(std::string_view driver, std::string_view port) const;
     const DevicePath& folder() const { return folder_; }
 
@@ -24,10 +24,10 @@ private:
     DevicePath folder_;
 };
 
-/// Why a node of the brick does not work, with what to do.
+/// The reason why a node of the brick does not work, with what to do.
 std::string with_ev3_advice(const NodeError& error);
 
-/// Reads a node that holds a whole number; an error with what to do.
+/// Reads an integer from a node. An error says what to do.
 tl::expected<long long, std::string> read_whole_number(Node& node);
 
 }  // namespace nezumi::hw

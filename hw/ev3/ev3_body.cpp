@@ -1,4 +1,4 @@
-// The brick's devices to the sensors and actuators of its description, and their units to ours.
+// Assigns the brick's devices to the described sensors and actuators, and converts their units.
 #include "hw/ev3/ev3_body.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ using SensorKind = SensorSpec::Kind;
 
 constexpr double degree = std::numbers::pi / 180;
 
-// How the sensor of a kind is read; nothing where the brick has none.
+// The mode to read a sensor of this kind; nothing if the brick has no such sensor.
 std::optional<SensorMode> mode_of(SensorKind kind) {
     switch (kind) {
         case SensorKind::touch: return SensorMode{"lego-ev3-touch", "TOUCH"};
@@ -33,7 +33,7 @@ std::optional<SensorMode> mode_of(SensorKind kind) {
 
 bool is_color(SensorKind kind) { return kind == SensorKind::color || kind == SensorKind::reflect; }
 
-// The devices of a kind: sensors of the spec that are one device have one place.
+// Numbers the devices of a kind. Sensors of the spec that are one device have one number.
 std::vector<std::size_t> devices_of(const RobotSpec& spec) {
     std::vector<std::size_t> first(spec.sensors.size());
     for (std::size_t i = 0; i < first.size(); ++i) {
@@ -68,7 +68,7 @@ Expected<void> check(const RobotSpec& spec) {
         return actuator.kind == ActuatorSpec::Kind::servo;
     });
     if (servos > 1)
-        return failure(fmt::format("the driver ev3 has one servo, and model '{}' wants {}", spec.model, servos));
+        return failure(fmt::format("the driver ev3 has one servo, but model '{}' needs {}", spec.model, servos));
     if (!spec.drive.port.empty() && spec.drive.port.size() != 2)
         return failure(fmt::format("drive.port of model '{}': expected two, the left motor's and the right's, got {}",
                                    spec.model, spec.drive.port.size()));
@@ -161,7 +161,7 @@ void Ev3Body::add_sensors(const DevicePath& folder) {
     for (std::size_t i = 0; i < devices.size(); ++i) {
         const SensorSpec& sensor = spec_.sensors[i];
         const auto mode = mode_of(sensor.kind);
-        // The room's light is another mode of the sensor that tells colours.
+        // Ambient light is another mode of the sensor that measures colours.
         if (!mode || (sensor.kind == SensorKind::ambient && has_color(spec_))) continue;
         if (devices[i] == i) {
             channels_.push_back(std::make_unique<RunningJob<ModeSensor>>(
@@ -178,7 +178,7 @@ WheelReading Ev3Body::read_wheels(const Time& now, double /*period*/) {
     return wheel_reading(sample, clock_, now, spec_.drive);
 }
 
-// Whether another touch sensor has been there: the robot has one, and this is the one that it lacks.
+// True if another touch sensor has been found: then the robot has only one, and this one is missing.
 bool Ev3Body::is_touch_elsewhere(std::size_t sensor) const {
     for (std::size_t i = 0; i < channel_of_.size(); ++i) {
         if (i != sensor && spec_.sensors[i].kind == SensorKind::touch && (*channel_of_[i])->was_there()) return true;
@@ -213,7 +213,7 @@ void Ev3Body::read(std::size_t sensor, const SensorValues& values) {
         case SensorKind::ambient:
         case SensorKind::button: reading.value = first; break;
         case SensorKind::scan:
-        case SensorKind::imu: break;  // no device of a brick
+        case SensorKind::imu: break;  // not on a brick
     }
 }
 

@@ -24,8 +24,8 @@
 
 namespace nezumi::hw {
 
-/// The angle that a gyro has turned by, counter-clockwise [rad], from what it says: whole degrees clockwise, modulo
-/// 65536, from 0 when it is plugged in.
+/// Converts a gyro's value to its angle, counter-clockwise [rad]. The value is in whole degrees clockwise, modulo
+/// 65536, and is 0 when the gyro is plugged in.
 class GyroAngle {
 public:
     double take(const SensorValues& values);
@@ -36,17 +36,17 @@ private:
     double degrees_ = 0;
 };
 
-/// What RGB-RAW says of the floor, 300 for each part on white paper, as a colour; nothing in sight is no colour.
+/// Converts RGB-RAW, where white paper gives 300 per channel, to a colour. Nothing if nothing is in range.
 std::optional<Rgb> floor_seen(const SensorValues& values);
 
-/// Nothing of it waits for a device: each has a thread of its own.
+/// Never blocks on a device: each has its own thread.
 class Ev3Body final : public RobotBody {
 public:
-    /// A device is found by its kind, and by its `port` where the spec names one ("in3", "outB"); the wheels' motors
-    /// are at outB and outC else, a servo at outA. Of several sensors of a kind each needs a port. A button is one of
-    /// `brick_keys`. An error, with what to do, when there are more devices than the brick can have, when a wheel's
-    /// motor is not there, or when another program drives it. What else is missing is told as a fault. `spec` must
-    /// outlive this.
+    /// Finds a device by its kind, and by its `port` if the spec has one ("in3", "outB"). The default ports are outB
+    /// and outC for the wheels' motors and outA for a servo. If there are several sensors of a kind, each needs a port.
+    /// A button is one of `brick_keys`. Fails, with what to do, if there are more devices than the brick can have, if a
+    /// wheel's motor is missing, or if another program drives it. Other missing devices are reported as faults. `spec`
+    /// must outlive the body.
     static Expected<std::unique_ptr<RobotBody>> make(const RobotSpec& spec, const DeviceRoots& roots);
 
     RobotId id() const override { return not_simulated; }
@@ -55,6 +55,7 @@ public:
     double servo_angle(std::size_t index) const override;
     std::vector<std::string> take_faults() override;
     bool may_drive() const override { return !battery_->is_low(); }
+    bool is_stalled() const override { return wheels_->is_stalled(); }
     void set_wheel_speeds(Wheels speeds) override;
     void coast() override;
     void set_motor_power(bool on) override;
@@ -76,7 +77,7 @@ private:
     std::vector<SensorReading> readings_;
     std::vector<const RunningJob<ModeSensor>*> channel_of_;  // a sensor's device; null: none
     std::vector<std::pair<std::size_t, std::size_t>>
-        keys_of_;  // sensors that are keys: their indices in the spec, and in `brick_keys`
+        keys_of_;  // sensors that are keys: indices in the spec and in `brick_keys`
     TickClock clock_;
     bool may_have_power_ = false;
     std::size_t servo_index_;

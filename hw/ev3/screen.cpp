@@ -1,4 +1,4 @@
-// A picture becomes what the frame buffer holds, and is written whole.
+// Converts a picture to the format of the frame buffer and writes it in one call.
 #include "hw/ev3/screen.hpp"
 
 #include <fmt/format.h>
@@ -79,7 +79,7 @@ ScreenFormat BrickScreen::format() const {
 }
 
 double BrickScreen::run() {
-    constexpr double idle = 1;  // [s]; it is woken when there is a picture
+    constexpr double idle = 1;  // [s]; a new picture wakes it earlier
     std::optional<CameraImage> picture;
     {
         const std::lock_guard lock(mutex_);
@@ -91,7 +91,7 @@ double BrickScreen::run() {
         health_.lost(fmt::format("a picture of {} bits a pixel is not shown: expected 8, 24 or 32", picture->bpp));
         return idle;
     }
-    // A frame buffer goes on where the last write ended: it is opened for each picture.
+    // A frame buffer continues after the last write, so it is opened for each picture.
     if (auto ok = Node(frame_buffer_, Node::Access::write).write(frame); !ok) {
         health_.lost(with_ev3_advice(ok.error()));
         const std::lock_guard lock(mutex_);

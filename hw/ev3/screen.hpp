@@ -1,4 +1,4 @@
-// The brick's screen, painted on a thread of its own.
+// The brick's screen, painted on its own thread.
 #pragma once
 
 #include <optional>
@@ -13,25 +13,26 @@
 
 namespace nezumi::hw {
 
-/// What a frame buffer wants to have.
+/// The pixel format of a frame buffer.
 struct ScreenFormat {
     int width = 178, height = 128;  ///< [px]
     int bits_per_pixel = 32;        ///< 32: XRGB, 8 bits each; 1: lowest bit first, 1 is dark
-    int stride = 712;               ///< [bytes] from row to row
+    int stride = 712;               ///< [bytes] per row
 };
 
-/// The picture, 8 (grey), 24 (rgb) or 32 bits (rgb and one that does not count) a pixel, as large as fits in the middle
-/// of a white screen. "" when it has other bits. Where there is one bit a pixel, less than half the light is dark.
+/// Scales the picture to the largest size that fits, in the middle of a white screen. It has 8 (grey), 24 (rgb) or 32
+/// bits (rgb and an unused byte) per pixel; for others it returns "". With one bit per pixel on the screen, less than
+/// half brightness is dark.
 std::string paint_screen(const CameraImage& picture, const ScreenFormat& format);
 
 /// A job.
 class BrickScreen final : public DeviceJob {
 public:
-    /// `frame_buffer` is "/dev/fb0"; `properties` the folder that says what it is, "/sys/class/graphics/fb0".
+    /// `frame_buffer` is "/dev/fb0". `properties` is the folder with its format, "/sys/class/graphics/fb0".
     BrickScreen(DevicePath frame_buffer, DevicePath properties)
         : frame_buffer_(std::move(frame_buffer)), properties_(std::move(properties)) {}
 
-    /// From the control loop: the newest counts.
+    /// Called by the control loop: shows the newest picture.
     void show(const CameraImage& picture);
     std::vector<std::string> take_faults();
 
@@ -42,7 +43,7 @@ private:
 
     const DevicePath frame_buffer_, properties_;
     Health health_{"screen"};
-    Mutex mutex_;  // held for a copy at most
+    Mutex mutex_;  // held only for a copy
     std::optional<CameraImage> newest_;
 };
 

@@ -1,4 +1,4 @@
-// How the brick's sensors are found, kept in their mode, and read.
+// Finds the brick's sensors, keeps their modes and reads them.
 #include "hw/ev3/sensors.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ std::string ModeSensor::lost(const std::string& why) {
     return why;
 }
 
-// Another program may have changed it, and what the values mean with it.
+// Another program may have changed the mode, and with it the meaning of the values.
 tl::expected<bool, std::string> ModeSensor::is_in_mode(double now) {
     const auto mode = nodes_->get_mode.read();
     if (!mode) return tl::unexpected(with_ev3_advice(mode.error()));
@@ -42,7 +42,7 @@ tl::expected<bool, std::string> ModeSensor::is_in_mode(double now) {
 }
 
 tl::expected<std::optional<SensorValues>, std::string> ModeSensor::sample(double now) {
-    if (nodes_ && now < settled_at_) return std::nullopt;  // a mode asked for meanwhile would be no failure
+    if (nodes_ && now < settled_at_) return std::nullopt;  // a change of mode that is still going on is not an error
     if (!nodes_) {
         const auto folder = class_.find(mode_.driver, port_);
         if (!folder) return tl::unexpected(folder.error());
@@ -78,7 +78,7 @@ Battery::Battery(const DevicePath& folder)
 tl::expected<std::optional<double>, std::string> Battery::sample(double now) {
     const auto microvolts = read_whole_number(voltage_);
     if (!microvolts) {
-        is_low_ = false;  // nothing is known
+        is_low_ = false;  // unknown
         low_since_.reset();
         return tl::unexpected(microvolts.error());
     }
@@ -93,8 +93,8 @@ tl::expected<std::optional<double>, std::string> Battery::sample(double now) {
     if (!low_since_) low_since_ = now;
     if (now - *low_since_ < low_after) return volts;
     is_low_ = true;
-    return tl::unexpected(
-        fmt::format("is low, below {:.1f} V: the robot stands until it is charged, or its cells are changed", lowest));
+    return tl::unexpected(fmt::format(
+        "is low, below {:.1f} V: the robot stands until the battery is charged or its cells are changed", lowest));
 }
 
 }  // namespace nezumi::hw

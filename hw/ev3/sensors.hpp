@@ -1,4 +1,4 @@
-// A sensor of the brick in one of its modes, and the battery, each read on a thread of its own.
+// A sensor of the brick in one of its modes, and the battery, each read on its own thread.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace nezumi::hw {
 
-/// What a sensor is read as.
+/// How a sensor is read.
 struct SensorMode {
     std::string_view driver;  ///< "lego-ev3-gyro"
     std::string_view mode;    ///< "GYRO-G&A"
@@ -23,24 +23,25 @@ struct SensorMode {
 
 struct SensorValues {
     std::array<double, 3> values{};  ///< in the mode's unit, with its decimals
-    int plugged_in = 0;              ///< how often it was found: one that was plugged in again counts from 0
+    int plugged_in = 0;              ///< how often it was found: a sensor that was plugged in again counts from 0
 };
 
-/// Keeps its sensor in one mode, as a change takes up to 50 ms and what follows it is stale.
+/// Keeps its sensor in one mode, because a change takes up to 50 ms and the values after it are stale.
 class ModeSensor final : public Sampler<SensorValues> {
 public:
-    /// `folder` of the class lego-sensor; `port` as "in3", "": any; `name` as a person calls it.
+    /// `folder` of the class lego-sensor. `port` as "in3", or "" for any. `name` is for messages.
     ModeSensor(std::string name, const DevicePath& folder, SensorMode mode, std::string port)
         : Sampler(std::move(name), period), class_(folder), mode_(mode), port_(std::move(port)) {}
 
     static constexpr double period = 0.02;  ///< [s] between readings
-    /// [s] after a change of mode that values are not believed: a change takes up to 50 ms, and 20 ms are stale.
+    /// Time [s] after a change of mode in which values are ignored: the change takes up to 50 ms, and then values are
+    /// stale for 20 ms.
     static constexpr double settling = 0.08;
-    /// How often a change of mode is tried before it is told that it fails, and that it is asked for in vain: for 0.8
-    /// s, as a slow brick may take longer than others.
+    /// Failed tries, and tries without effect, before an error is reported: 0.8 s, because a slow brick needs more
+    /// time.
     static constexpr int most_failures = 3, most_attempts = 10;
 
-    /// Whether it has ever said something. From any thread.
+    /// True if it has ever sent a value. Any thread may call it.
     bool was_there() const { return was_there_; }
 
 protected:
@@ -72,11 +73,11 @@ public:
     /// `folder` of the class power_supply.
     explicit Battery(const DevicePath& folder);
 
-    /// Low is below the least voltage that it was made for (`voltage_min_design`, or else 6.2 V, that of six alkaline
-    /// cells) for so long [s], until it is `margin` [V] above.
+    /// Low means below its design minimum (`voltage_min_design`, or else 6.2 V for six alkaline cells) for `low_after`
+    /// [s], until it is `margin` [V] above.
     static constexpr double low_after = 2, margin = 0.2, least = 6.2;
 
-    /// From any thread.
+    /// Any thread may call it.
     bool is_low() const { return is_low_; }
 
 protected:

@@ -1,4 +1,4 @@
-// A target is given once: the kernel turns there and holds it.
+// The target is written once: the kernel turns the motor there and holds it.
 #include "hw/ev3/servo_motor.hpp"
 
 #include <cmath>
@@ -31,7 +31,7 @@ std::vector<std::string> ServoMotor::take_faults() {
 tl::expected<void, std::string> ServoMotor::serve() {
     if (!motor_.is_found()) {
         if (auto ok = motor_.find(); !ok) return ok;
-        // Without a proof: it turns to its target and stands, and the wheels need not wait for it.
+        // Without proof: the motor stops at its target by itself, and the wheels need not wait for it.
         const auto guarded = guard_->take_up(motor_.command_node(), {.index = WheelMotors::count, .text = "stop"});
         if (!guarded) return tl::unexpected(motor_.give_up(with_ev3_advice(guarded.error())));
     }

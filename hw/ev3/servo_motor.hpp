@@ -1,4 +1,4 @@
-// The EV3's medium motor, which turns to an angle, on a thread of its own.
+// The EV3's medium motor as a servo, on its own thread.
 #pragma once
 
 #include <memory>
@@ -14,17 +14,17 @@
 
 namespace nezumi::hw {
 
-/// A job. Its angle is 0 where it stood when it was found first. It may be missing: it is told, and taken up when it is
-/// there.
+/// A job. Angle 0 is the position where the motor was first found. The motor may be missing: this is reported, and it
+/// works when it is plugged in.
 class ServoMotor final : public DeviceJob {
 public:
-    /// `folder` of the class tacho-motor; `name` as a person calls it: "medium motor 'arm'". `guard` stops it as well.
+    /// `folder` of the class tacho-motor. `name` is for messages: "medium motor 'arm'". `guard` stops this motor too.
     ServoMotor(const DevicePath& folder, const std::string& port, std::string name, std::shared_ptr<Guard> guard)
         : motor_(folder, "lego-ev3-m-motor", port), guard_(std::move(guard)), health_(std::move(name)) {}
 
-    /// From the control loop: turns to `angle` [rad] at `speed` [rad/s] (0: as fast as it can).
+    /// Called by the control loop: turns to `angle` [rad] at `speed` [rad/s] (0: the fastest).
     void aim(double angle, double speed);
-    /// [rad] as it was read last.
+    /// The angle [rad] as last read.
     double angle() const;
     std::vector<std::string> take_faults();
 
@@ -42,7 +42,7 @@ private:
     TachoMotor motor_;
     std::shared_ptr<Guard> guard_;
     Health health_;
-    mutable Mutex mutex_;  // held for a copy at most
+    mutable Mutex mutex_;  // held only for a copy
     std::optional<Target> target_;
     bool is_new_ = false;
     double angle_ = 0;

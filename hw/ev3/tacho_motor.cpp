@@ -1,4 +1,4 @@
-// The order of writes that ev3dev wants: what is set takes effect with the command that follows.
+// The order of writes for ev3dev: a setting takes effect with the next command.
 #include "hw/ev3/tacho_motor.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,8 @@ TachoMotor::Nodes::Nodes(const DevicePath& folder)
       target(folder + "/position_sp", Access::write),
       time(folder + "/time_sp", Access::write),
       after_stop(folder + "/stop_action", Access::write),
-      position(folder + "/position", Access::read) {}
+      position(folder + "/position", Access::read),
+      state(folder + "/state", Access::read) {}
 
 TachoMotor::TachoMotor(const DevicePath& folder, std::string driver, std::string port)
     : class_(folder), driver_(std::move(driver)), port_(std::move(port)) {}
@@ -45,7 +46,7 @@ tl::expected<void, std::string> TachoMotor::find() {
     return {};
 }
 
-// A motor of which one thing fails must not go on by the others.
+// If one access to a motor fails, its other nodes are no longer used.
 std::string TachoMotor::give_up(const std::string& why) {
     static_cast<void>(nodes_->command.write("stop"));
     nodes_.reset();
@@ -67,7 +68,7 @@ tl::expected<void, std::string> TachoMotor::set_after_stop(AfterStop wanted) {
 
 tl::expected<void, std::string> TachoMotor::prepare() {
     if (auto ok = coast(); !ok) return ok;
-    // Other programs may have left these; a ramp would lengthen the way to a stop.
+    // Other programs may have changed these. A ramp would lengthen the braking distance.
     for (const auto& [name, text] : {std::pair("ramp_up_sp", "0"), {"ramp_down_sp", "0"}, {"polarity", "normal"}}) {
         Node node(folder_ + "/" + name, Access::write);
         if (auto ok = write(node, text); !ok) return ok;
@@ -89,7 +90,7 @@ tl::expected<void, std::string> TachoMotor::go_to(std::int64_t position, int rat
     return write(nodes_->command, "run-to-abs-pos");
 }
 
-// A speed of 0 would be no power, and not a stop.
+// Speed 0 would switch the power off instead of holding the motor.
 tl::expected<void, std::string> TachoMotor::hold() {
     if (auto ok = set_after_stop(AfterStop::hold); !ok) return ok;
     return write(nodes_->command, "stop");
@@ -98,6 +99,12 @@ tl::expected<void, std::string> TachoMotor::hold() {
 tl::expected<void, std::string> TachoMotor::coast() {
     if (auto ok = set_after_stop(AfterStop::coast); !ok) return ok;
     return write(nodes_->command, "stop");
+}
+
+bool TachoMotor::is_stalled() {
+    if (!nodes_) return false;
+    const auto words = nodes_->state.read();
+    return words && (words->find("stalled") != words->npos || words->find("overloaded") != words->npos);
 }
 
 tl::expected<std::int64_t, std::string> TachoMotor::position() {

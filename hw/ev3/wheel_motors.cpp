@@ -1,5 +1,8 @@
-// A wheel is told what changes, and again to run before the kernel would stop it, while the control loop wants it.
+// Writes a wheel's command when it changes, and repeats it before the kernel would stop the motor, as long as the
+// control loop wants it.
 #include "hw/ev3/wheel_motors.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +13,7 @@
 namespace nezumi::hw {
 namespace {
 
-constexpr double attention = 0.05;                       // [s] between readings when nobody wakes it
+constexpr double attention = 0.05;                       // [s] between readings if it is not woken
 constexpr double tell_again = TachoMotor::dead_man / 2;  // [s]
 
 }  // namespace
@@ -19,7 +22,7 @@ Expected<std::unique_ptr<WheelMotors>> WheelMotors::make(const DevicePath& folde
                                                          const std::array<std::string, count>& ports,
                                                          double acceleration) {
     std::unique_ptr<WheelMotors> motors(new WheelMotors(folder, ports, acceleration));
-    // Both are looked for before any is written: where one is missing, nothing is touched.
+    // Finds both motors before it writes: if one is missing, nothing is changed.
     for (Wheel& wheel : motors->wheels_) {
         if (auto ok = wheel.motor.find(); !ok) return failure("motors: " + ok.error());
     }
@@ -57,13 +60,14 @@ std::optional<Sample<WheelValues>> WheelMotors::newest(double now) {
 
 std::vector<std::string> WheelMotors::take_faults() {
     std::vector<std::string> all = health_.take();
+    append(all, stalls_.take());
     append(all, guard_->take_faults());
     return all;
 }
 
 bool WheelMotors::turns() const { return wheels_[0].told == Wheel::Told::run || wheels_[1].told == Wheel::Told::run; }
 
-// One by one: a motor that fails must not keep the other running.
+// Each on its own: a motor that fails must not keep the other one running.
 void WheelMotors::stop_all() {
     for (Wheel& wheel : wheels_) {
         wheel.told = Wheel::Told::nothing;
@@ -91,9 +95,9 @@ bool WheelMotors::has_to_stop(double now, bool they_turn) {
     return true;
 }
 
-// From standstill, or a stop that was not asked for, a wheel speeds up no faster than the robot's limits allow.
+// From standstill, or after an unexpected stop, a wheel accelerates within the robot's limits.
 double WheelMotors::reachable(const Wheel& wheel, double rate, double elapsed) const {
-    // Ticks come a little unevenly, and a gap in them allows no leap.
+    // Ticks are slightly irregular. After a gap the speed must not jump.
     constexpr double unevenness = 1.5, longest_gap = 0.1;
     if (!std::isfinite(rate)) return 0;
     const double held = wheel.told == Wheel::Told::run ? wheel.told_rate : 0;
@@ -122,8 +126,8 @@ tl::expected<void, std::string> WheelMotors::tell(Wheel& wheel, const Command& c
 tl::expected<void, std::string> WheelMotors::perform(const Command& command, double now) {
     const double elapsed = now - std::exchange(served_at_, now);
     const std::array rates{command.rates.left, command.rates.right};
-    // While this thread stood still the guard may have stopped the motors, or have been stopped: then the command is
-    // void.
+    // While this thread was suspended, the guard may have stopped the motors or been suspended itself. Then the command
+    // is void.
     const auto is_void = [&] { return has_to_stop(clock_seconds(), turns() || (rates[0] != 0 || rates[1] != 0)); };
     for (std::size_t i = 0; i < count && !is_void(); ++i) {
         Wheel& wheel = wheels_[i];
@@ -151,6 +155,24 @@ tl::expected<void, std::string> WheelMotors::read_positions() {
     return {};
 }
 
+// The wheels' motors are told to go on: what is in their way may go.
+void WheelMotors::look_for_stalls(double now) {
+    constexpr double period = 0.1;  // [s]
+    if (now - looked_at_ < period) return;
+    looked_at_ = now;
+    std::vector<std::string_view> ports;
+    for (Wheel& wheel : wheels_) {
+        if (wheel.motor.is_stalled()) ports.emplace_back(wheel.motor.port());
+    }
+    is_stalled_ = !ports.empty();
+    if (ports.empty()) {
+        stalls_.works();
+    } else {
+        stalls_.lost(fmt::format("{} stalled: it gives all its power and does not get its speed: is a wheel blocked?",
+                                 fmt::join(ports, " and ")));
+    }
+}
+
 double WheelMotors::run() {
     const double now = clock_seconds();
     has_to_stop(now, turns());
@@ -158,7 +180,7 @@ double WheelMotors::run() {
     if (health_.is_lost()) {
         if (now < retry_at_) return retry_at_ - now;
         retry_at_ = now + retry_period;
-        // Where its encoder is not to be read a motor must not turn for a moment either.
+        // If its encoder can't be read, a motor must not turn at all.
         if (!prepare() || !read_positions()) {
             stop_all();
             return retry_period;
@@ -169,7 +191,7 @@ double WheelMotors::run() {
     if (is_new) wants_to_turn_ = command.drives && (command.rates.left != 0 || command.rates.right != 0);
     if (wants_to_turn_ && !guard_->may_turn(now)) command.rates = {};
     auto ok = is_new ? perform(command, now) : tl::expected<void, std::string>();
-    if (ok && health_.is_lost()) return attention;  // it failed while it was stopped
+    if (ok && health_.is_lost()) return attention;  // it failed while it was being stopped
     if (ok) ok = read_positions();
     if (!ok) {
         health_.lost(ok.error());
@@ -177,6 +199,7 @@ double WheelMotors::run() {
         retry_at_ = clock_seconds() + retry_period;
         return retry_period;
     }
+    look_for_stalls(now);
     if (!wants_to_turn_) {
         guard_->rest();
     } else if (is_new) {
@@ -185,7 +208,7 @@ double WheelMotors::run() {
     return attention;
 }
 
-// Those that stand already a hand may roll from now on.
+// Wheels that stand are released, so a person can roll the robot.
 void WheelMotors::end() {
     const bool turned = turns();
     stop_all();

@@ -1,7 +1,8 @@
-// The two motors that drive an EV3, with their encoders, on a thread of their own under a guard.
+// The two drive motors of an EV3 with their encoders, on their own thread under a guard.
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -20,33 +21,35 @@
 
 namespace nezumi::hw {
 
-/// A job: the newest command counts. A wheel that is to stand is held. When a motor fails both stop, each by itself,
-/// and are looked for again every half a second. The kernel stops a motor that is not told again to run in time: that
-/// holds when engine and guard are killed at once as well.
+/// A job that executes the newest command. A wheel with rate 0 is held. If a motor fails, both are stopped
+/// independently, and are searched for every half second. The kernel stops a motor whose command is not repeated in
+/// time; so they stop even if engine and guard are killed at once.
 class WheelMotors final : public DeviceJob {
 public:
-    /// What the control loop wants.
+    /// The command of the control loop.
     struct Command {
-        bool drives = false;  ///< else the wheels roll freely
+        bool drives = false;  ///< if false, the wheels roll freely
         Wheels rates;         ///< [pulses/s]
     };
 
     static constexpr std::size_t count = 2;
 
-    /// Takes the brick's lease and starts the guard. `folder` is the class's; `ports` of the left motor and the right;
-    /// `acceleration` [pulses/s^2] that the limits allow a wheel. An error, with what to do, when a motor is missing,
-    /// and nothing has been written, or when another program drives them.
+    /// Takes the brick's lease and starts the guard. `folder` is that of the class; `ports` are of the left and right
+    /// motor; `acceleration` [pulses/s^2] is a wheel's limit. Fails, with what to do, if a motor is missing (then
+    /// nothing was written) or if another program drives them.
     static Expected<std::unique_ptr<WheelMotors>> make(const DevicePath& folder,
                                                        const std::array<std::string, count>& ports,
                                                        double acceleration);
-    /// Which stops other motors of the brick as well: nodes from the index `count` on.
+    /// This guard also stops other motors of the brick: their nodes have the index `count` and above.
     const std::shared_ptr<Guard>& guard() const { return guard_->guard(); }
 
-    /// From the control loop, once a tick at least: whoever falls silent is stopped.
+    /// Called by the control loop at least once per tick. Without calls the motors are stopped.
     void command(const Command& command) { newest_.put(command); }
-    /// The newest readings at `now`, by `clock_seconds`; none when there are no recent ones.
+    /// The newest readings at `now` (`clock_seconds`), or nothing if they are not recent.
     std::optional<Sample<WheelValues>> newest(double now);
     std::vector<std::string> take_faults();
+    /// Whether a motor gives all its power and does not get its speed.
+    bool is_stalled() const { return is_stalled_; }
 
     double run() override;
     int watched_file() const override { return guard_->file(); }
@@ -59,7 +62,7 @@ private:
         PulseRate rate;
         enum class Told { nothing, roll, hold, run } told = Told::nothing;
         int told_rate = 0;
-        double told_at = 0;  // [s] when it was last told to run
+        double told_at = 0;  // [s] time of the last run command
     };
 
     WheelMotors(const DevicePath& folder, const std::array<std::string, count>& ports, double acceleration)
@@ -72,18 +75,23 @@ private:
     tl::expected<void, std::string> tell(Wheel& wheel, const Command& command, double rate, double now);
     tl::expected<void, std::string> perform(const Command& command, double now);
     tl::expected<void, std::string> read_positions();
+    void look_for_stalls(double now);
     bool turns() const;
 
     std::array<Wheel, count> wheels_;  // left, right
     const double acceleration_;        // [pulses/s^2]
     std::unique_ptr<GuardWatch> guard_;
     Health health_{"motors"};
+    Health stalls_{"motors"};
+    std::atomic<bool> is_stalled_ = false;
+    double looked_at_ = 0;  // [s] when the motors' states were read last
 
     Newest<Command> newest_;
     NewestSample<WheelValues> sample_;
     double served_at_ = 0;
-    double retry_at_ = 0;         // while they are lost: when to look for them
-    bool wants_to_turn_ = false;  // by the newest command: they do once the guard has proved that it can stop them
+    double retry_at_ = 0;  // [s] while the motors are lost: time of the next search
+    bool wants_to_turn_ =
+        false;  // of the newest command: it is executed after the guard has proved that it can stop them
 };
 
 }  // namespace nezumi::hw

@@ -1,4 +1,4 @@
-// Finds a device that is a gamepad, and keeps up with its events.
+// Finds a gamepad and processes its events.
 #include "hw/gamepad/evdev_gamepad.hpp"
 
 #include <fcntl.h>
@@ -18,6 +18,8 @@
 
 namespace nezumi::hw {
 namespace {
+
+constexpr double usual_dead_zone = 0.05;  // of a stick's way
 
 // What a gamepad or a joystick has, and neither a keyboard nor a mouse nor a touch pad.
 bool is_gamepad(libevdev* device) {
@@ -49,9 +51,9 @@ void EvdevGamepad::Close::operator()(libevdev* device) const {
 }
 
 double EvdevGamepad::Axis::at(int value) const {
-    const int middle = (least + most) / 2;
     const double off = std::abs(value - middle), reach = value < middle ? middle - least : most - middle;
-    if (off <= flat || reach <= flat) return 0;
+    // The middle of a range such as -32768 to 32767 lies between two values.
+    if (off <= flat + 0.5 || reach <= flat) return 0;
     return std::min((off - flat) / (reach - flat), 1.0) * (value < middle ? -1 : 1);
 }
 
@@ -59,7 +61,10 @@ EvdevGamepad::EvdevGamepad(const std::string& dev, const GamepadSettings& settin
     : folder_(dev + "/input"),
       wanted_(under_dev(dev, settings.device)),
       dead_man_name_(settings.dead_man_button),
-      stop_name_(settings.stop_button) {}
+      stop_name_(settings.stop_button),
+      dead_zone_(settings.dead_zone),
+      centre_x_(settings.centre_x),
+      centre_y_(settings.centre_y) {}
 
 std::optional<GamepadState> EvdevGamepad::state() {
     if (hangs(clock_seconds())) {
@@ -103,12 +108,19 @@ tl::expected<void, std::string> EvdevGamepad::take(Device device, const std::str
     for (unsigned code = ABS_X; code < ABS_MT_SLOT; ++code) {
         const input_absinfo* range = libevdev_get_abs_info(device_.get(), code);
         if (range == nullptr) continue;
-        axes_.push_back({code, range->minimum, range->maximum, std::max(0, range->flat)});
+        const double reach = (range->maximum - range->minimum) / 2.0;
+        // Linux has y down.
+        const double centre = code == ABS_X ? centre_x_ : code == ABS_Y ? -centre_y_ : 0;
+        axes_.push_back({code, range->minimum, range->maximum,
+                         dead_zone_ > 0    ? dead_zone_ * reach
+                         : range->flat > 0 ? range->flat
+                                           : usual_dead_zone * reach,
+                         range->minimum + reach * (1 + centre)});
     }
     for (unsigned code = BTN_MISC; code <= KEY_MAX; ++code) {
         if (libevdev_has_event_code(device_.get(), EV_KEY, code) == 1) buttons_.push_back(code);
     }
-    // A button that is to keep people safe and does not exist must not be found out when it is needed.
+    // A missing safety button must be noticed before it is needed.
     for (const auto& [name, code] : {std::pair(&dead_man_name_, &dead_man_), {&stop_name_, &stop_}}) {
         if (name->empty()) continue;
         const auto found = button(*name);
@@ -123,7 +135,7 @@ tl::expected<void, std::string> EvdevGamepad::find() {
         auto device = open(wanted_);
         if (!device) return tl::unexpected(device.error());
         if (!is_gamepad(device->get()))
-            return tl::unexpected(fmt::format("{} ({}) is none: it has no stick or no buttons", wanted_,
+            return tl::unexpected(fmt::format("{} ({}) is not a gamepad: it has no stick or no buttons", wanted_,
                                               shown(libevdev_get_name(device->get()))));
         return take(std::move(*device), wanted_);
     }
@@ -157,11 +169,11 @@ tl::expected<void, std::string> EvdevGamepad::read_events() {
         if (status == -EINTR) continue;
         if (status == -EAGAIN) {
             if (flag == LIBEVDEV_READ_FLAG_NORMAL) return {};
-            flag = LIBEVDEV_READ_FLAG_NORMAL;  // in step again
+            flag = LIBEVDEV_READ_FLAG_NORMAL;  // synchronised again
             continue;
         }
         if (status < 0) return tl::unexpected(with_advice({node_, -status}));
-        // Events were lost: what has changed meanwhile comes as events of its own.
+        // Events were lost: libevdev sends the changes as events.
         if (status == LIBEVDEV_READ_STATUS_SYNC) flag = LIBEVDEV_READ_FLAG_SYNC;
         if (stop_ && event.type == EV_KEY && event.code == *stop_ && event.value == 1) ++stops_;
     }
@@ -175,7 +187,7 @@ void EvdevGamepad::publish() {
     for (const Axis& axis : axes_) {
         const double at = axis.at(libevdev_get_event_value(device_.get(), EV_ABS, axis.code));
         if (axis.code == ABS_X) now.x = at;
-        if (axis.code == ABS_Y) now.y = -at;  // Linux has it down
+        if (axis.code == ABS_Y) now.y = -at;  // on Linux, down is positive
         now.axes.push_back(static_cast<float>(at));
     }
     for (const unsigned code : buttons_) now.buttons.push_back(is_pressed(code));

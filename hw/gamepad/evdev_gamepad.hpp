@@ -1,4 +1,4 @@
-// A gamepad of Linux' event devices, read by libevdev on a thread of its own.
+// A gamepad as a Linux event device, read by libevdev on its own thread.
 #pragma once
 
 #include <memory>
@@ -15,16 +15,16 @@ struct libevdev;
 
 namespace nezumi::hw {
 
-/// A job. Takes the gamepad up when it is plugged in, and again after it was unplugged.
+/// A job. Opens the gamepad when it is plugged in, and again after it was unplugged.
 class EvdevGamepad final : public DeviceJob {
 public:
-    /// `dev` stands for /dev. A device of the settings that begins with /dev/ is there.
+    /// `dev` is /dev or a folder in its place. Applies to device paths that begin with /dev/ too.
     EvdevGamepad(const std::string& dev, const GamepadSettings& settings);
 
-    /// How often [s] it is looked for.
+    /// Interval [s] of the search for it.
     static constexpr double search_period = 1;
 
-    /// From the control loop: what it says; nothing while there is none, or its thread hangs.
+    /// Called by the control loop: the present state, or nothing if there is no gamepad or its thread hangs.
     std::optional<GamepadState> state();
     std::vector<std::string> take_faults();
 
@@ -36,10 +36,12 @@ private:
         void operator()(libevdev* device) const;
     };
     using Device = std::unique_ptr<libevdev, Close>;
-    // An axis, and how its numbers become -1 to 1.
+    // An axis, and how its values are scaled to -1 to 1.
     struct Axis {
         unsigned code;
-        int least, most, flat;
+        int least, most;
+        double flat;    // around the middle
+        double middle;  // where it rests
         double at(int value) const;
     };
 
@@ -52,6 +54,7 @@ private:
     void publish();
 
     const std::string folder_, wanted_, dead_man_name_, stop_name_;
+    const double dead_zone_, centre_x_, centre_y_;
     Device device_;
     std::string node_;  // of device_
     std::vector<Axis> axes_;
@@ -59,11 +62,11 @@ private:
     std::optional<unsigned> dead_man_, stop_;
     int stops_ = 0;
     Health health_{"gamepad"};
-    Mutex mutex_;  // held for a copy at most
+    Mutex mutex_;  // held only for a copy
     std::optional<GamepadState> state_;
 };
 
-/// The gamepad with its thread, as a joystick wants it.
+/// A gamepad with its thread, as a joystick component needs it.
 std::unique_ptr<Gamepad> open_gamepad(const std::string& dev, const GamepadSettings& settings);
 
 }  // namespace nezumi::hw

@@ -1,4 +1,4 @@
-// Forks the guard and talks to it without ever waiting.
+// Forks the guard and talks to it without blocking.
 #include "hw/guard/guard.hpp"
 
 #include <fcntl.h>
@@ -26,7 +26,7 @@
 namespace nezumi::hw {
 namespace {
 
-// A descriptor of the guard's own: where the engine's hangs in a driver, another one need not.
+// Gives the guard its own descriptor: if the engine's descriptor hangs in a driver, another one may still work.
 tl::expected<int, int> open_again(const std::string& path, int file) {
     const int again = open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
     if (again < 0) return tl::unexpected(errno);
@@ -55,7 +55,7 @@ bool send_with(int socket, GuardOrder& order, int file) {
     return sendmsg(socket, &message, MSG_DONTWAIT | MSG_NOSIGNAL) == static_cast<ssize_t>(sizeof order);
 }
 
-// The sockets of all guards. Who ends the program at once is a signal's thread, and knows no robots.
+// The sockets of all guards of this process. The signal thread that ends the program uses them, and it knows no robots.
 struct Sockets {
     Mutex mutex;
     std::vector<int> all;
@@ -77,7 +77,7 @@ void Guard::brake_all() {
     const GuardOrder order{.kind = GuardOrder::Kind::brake};
     for (const int socket : sockets().all)
         send(socket, &order, offsetof(GuardOrder, node), MSG_DONTWAIT | MSG_NOSIGNAL);
-    // What it has not taken yet it has not done.
+    // An order still in the socket has not been executed.
     const double end = clock_seconds() + std::chrono::duration<double>(longest_braking).count();
     for (const int socket : sockets().all) {
         int waiting = 0;
@@ -115,8 +115,8 @@ Guard::~Guard() {
         std::erase(sockets().all, socket_);
     }
     close(socket_);
-    kill(process_, SIGCONT);  // it may have been stopped
-    // One that hangs in the kernel is left behind.
+    kill(process_, SIGCONT);  // in case it was suspended
+    // A guard that hangs in the kernel is abandoned.
     if (const int guard = static_cast<int>(syscall(SYS_pidfd_open, process_, 0)); guard >= 0) {
         pollfd ended{.fd = guard, .events = POLLIN, .revents = 0};
         poll(&ended, 1, 1000);
@@ -127,7 +127,7 @@ Guard::~Guard() {
 
 tl::expected<void, NodeError> Guard::take_up(const Node& node, const Stop& stop) {
     const auto failed = [&](int code) { return tl::unexpected(NodeError{node.path(), code}); };
-    if (node.descriptor() < 0) return {};  // no device is behind it
+    if (node.descriptor() < 0) return {};  // no real device
     GuardOrder order{.kind = GuardOrder::Kind::node};
     if (node.path().size() >= order.node.path.size()) return failed(ENAMETOOLONG);
     order.node.index = static_cast<std::uint8_t>(stop.index);
@@ -151,7 +151,7 @@ tl::expected<void, NodeError> Guard::take_up(const Node& node, const Stop& stop)
 void Guard::say(GuardOrder::Kind kind, double now) {
     if (has_ended_) return;
     const GuardOrder order{.kind = kind, .tm = now};
-    // A guard that takes nothing is noticed by the answers that fail to come.
+    // If the guard does not receive, its answers are missing, and that is noticed.
     const ssize_t sent = send(socket_, &order, offsetof(GuardOrder, node), MSG_DONTWAIT | MSG_NOSIGNAL);
     if (sent < 0 && errno != EAGAIN && errno != EINTR) has_ended_ = true;
 }
@@ -165,7 +165,7 @@ void Guard::beat(double now) {
 }
 
 void Guard::rest() {
-    // A beat that has had no answer yet still wants it.
+    // A beat without an answer would cancel this order.
     if (!std::exchange(beats_, false)) return;
     say(GuardOrder::Kind::rest);
 }
@@ -179,7 +179,7 @@ bool Guard::has_stopped() {
         if (length <= 0) return stopped;
         asked_at_ = 0;
         if (answer.kind == GuardAnswer::Kind::stopped) stopped = true;
-        // What it said of nodes that it has no longer is void.
+        // Ignores statements about nodes that were replaced.
         if (answer.kind == GuardAnswer::Kind::stopped || answer.tm < taken_up_at_) continue;
         if (answer.kind == GuardAnswer::Kind::proved) {
             proved_at_ = answer.tm;

@@ -25,17 +25,17 @@
 namespace nezumi::hw {
 namespace {
 
-// The kernel's word that the engine's main thread is dead. The socket's end comes later: it waits for all threads, and
-// a thread that waits for a device ends only with its reading.
+// The kernel's signal that the engine's main thread is dead. The end of the socket comes later, because it waits for
+// all threads, and a thread in a device ends only after its reading.
 constexpr int engine_died = SIGUSR1;
 
-// What kills every nezumi (`pkill nezumi`, `pkill -f nezumi`, `killall nezumi`) must leave the guard alive.
+// Commands that kill every nezumi (`pkill nezumi`, `pkill -f nezumi`, `killall nezumi`) must not kill the guard.
 constexpr std::string_view guard_name = "motor-guard";
 
 using Nodes = std::array<GuardedNode, GuardOrder::most_nodes>;
 
-// Each in a process of its own: a node that does not answer keeps none of the others from being written. Returns when
-// all are, or `patience` [s] later.
+// Each node in its own process, so that one that hangs does not delay the others. Returns when all are written, or
+// after `patience` [s].
 void stop_all(const Nodes& nodes, int socket) {
     constexpr double patience = 0.1;
     const double begin = clock_seconds();
@@ -45,7 +45,7 @@ void stop_all(const Nodes& nodes, int socket) {
         const pid_t process = fork();
         if (process > 0) ++writing;
         if (process > 0) continue;
-        if (process == 0) close(socket);  // its end is the guard's
+        if (process == 0) close(socket);  // the guard must see the socket's end
         stop(each);
         if (process == 0) _exit(0);
     }
@@ -66,7 +66,7 @@ void close_all_but(int a, int b) {
     if (nothing > STDERR_FILENO) close(nothing);
 }
 
-// A session, and so a process group, a name and words of its own.
+// Gets its own session, process group, name and command line.
 void part_from_engine(const ProcessWords& words) {
     setsid();
     prctl(PR_SET_NAME, guard_name.data());
@@ -75,7 +75,8 @@ void part_from_engine(const ProcessWords& words) {
     std::memcpy(words.begin, guard_name.data(), guard_name.size());
 }
 
-// Ctrl-C in the engine's terminal is not for the guard, whose engine may take a while to end; all else is as anywhere.
+// Ctrl-C in the engine's terminal must not end the guard, since the engine may take a while to end. Other signals are
+// as usual.
 void set_signals() {
     for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
     for (const int signal : {SIGINT, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP}) std::signal(signal, SIG_IGN);
@@ -92,8 +93,8 @@ int open_death_notice() {
     return signalfd(-1, &only, SFD_CLOEXEC | SFD_NONBLOCK);
 }
 
-// Where it may: before all that is not of real time, or the machine's load would be the motors' time; and the last that
-// is killed for want of memory, also where the kernel kills a whole cgroup (memory.oom.group).
+// If permitted: real-time priority, so that load does not delay stopping the motors, and the lowest rank when the
+// kernel kills processes for lack of memory, even a whole cgroup (memory.oom.group).
 void claim_resources() {
     const sched_param priority{.sched_priority = 1};
     sched_setscheduler(0, SCHED_FIFO, &priority);
@@ -114,7 +115,7 @@ GuardAnswer prove(const Nodes& nodes, double tm) {
     return {.kind = GuardAnswer::Kind::proved, .tm = tm};
 }
 
-// One order. Returns what recvmsg(2) does: 0 at the socket's end, below 0 where there is none.
+// Receives one order. Returns the result of recvmsg(2): 0 at the socket's end, negative if there is none.
 ssize_t receive(int socket, GuardOrder& order, int& file) {
     iovec content{.iov_base = &order, .iov_len = sizeof order};
     alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> extra{};
@@ -133,7 +134,7 @@ ssize_t receive(int socket, GuardOrder& order, int& file) {
 }  // namespace
 
 ProcessWords ProcessWords::of_this() {
-    // proc(5): arg_start and arg_end are fields 48 and 49; the second, the program's name, may hold anything.
+    // proc(5): arg_start and arg_end are fields 48 and 49. The program's name, field 2, may contain any characters.
     std::array<char, 1024> text{};
     const int file = open("/proc/self/stat", O_RDONLY | O_CLOEXEC);
     const ssize_t length = file < 0 ? -1 : read(file, text.data(), text.size() - 1);
@@ -185,11 +186,11 @@ void be_guard(int socket, int lease, pid_t engine, const ProcessWords& words) {
             case GuardOrder::Kind::beat:
                 if (brakes) break;
                 awaits_beat = true;
-                beat_at = order.tm;  // not when it is read: both processes may have been stopped meanwhile
+                beat_at = order.tm;  // not the time of receiving: both processes may have been suspended meanwhile
                 say(socket, prove(nodes, order.tm));
                 break;
         }
-        // What was written since is undone as well.
+        // Undoes writes that came after.
         if (brakes) {
             stop_all(nodes, socket);
             say(socket, {.kind = GuardAnswer::Kind::stopped});

@@ -1,4 +1,4 @@
-// The process that stops a robot's motors when the program that drives them has ended or stalled.
+// The process that stops a robot's motors when the program that drives them ends or stalls.
 #pragma once
 
 #include <sys/types.h>
@@ -9,62 +9,61 @@
 
 namespace nezumi::hw {
 
-/// How a guard proves that it could write to a node, without writing anything to it (docs/hardware.md has what each
-/// driver makes of it).
+/// How a guard proves, without writing, that it could write to a node (docs/hardware.md describes it for each driver).
 enum class Proof : std::uint8_t {
-    none,         ///< not at all: what the node moves ends by itself
-    is_there,     ///< the guard's descriptor is of a node that has not been removed
-    empty_write,  ///< and the node's driver takes a write of no bytes through it
+    none,         ///< no proof: this motion ends by itself
+    is_there,     ///< the node of the guard's descriptor has not been removed
+    empty_write,  ///< as above, and the node's driver accepts a write of no bytes
 };
 
-/// What the engine says to the guard: a packet each. Of all but a `node` only what comes before its member; with a
-/// `node` comes a descriptor, open for writing, of the guard's own.
+/// A message from the engine to the guard, one packet each. Only `node` orders contain the member `node`, and carry a
+/// descriptor, open for writing, for the guard.
 struct GuardOrder {
     enum class Kind : std::uint8_t {
-        beat,   ///< the motors have power, or shall have it, and the control loop is alive at `tm`
-        rest,   ///< the motors have no power; there may be no beats now
-        node,   ///< stop this node as well, in place of the one that had its index before
-        brake,  ///< stop all nodes, now and at each beat that still comes: the engine is about to end
+        beat,   ///< the motors have power or will have it, and the control loop is alive at `tm`
+        rest,   ///< the motors have no power; beats may pause
+        node,   ///< also stop this node, in place of the one with the same index
+        brake,  ///< stop all nodes, now and at each further beat: the engine is about to end
     };
     Kind kind = Kind::beat;
     double tm = 0;  ///< [s] by the engine's `clock_seconds`
     struct Node {
         std::uint8_t index = 0;
         Proof proof = Proof::none;
-        std::array<char, 8> text{};    ///< what makes it stop, up to a zero
-        std::array<char, 512> path{};  ///< where it is looked for when its descriptor does not work, up to a zero
+        std::array<char, 8> text{};    ///< the text that stops it, zero-terminated
+        std::array<char, 512> path{};  ///< the path used if its descriptor does not work, zero-terminated
     } node{};
 
     static constexpr std::size_t most_nodes = 4;
 };
 
-/// What the guard says to the engine.
+/// A message from the guard to the engine.
 struct GuardAnswer {
     enum class Kind : std::uint8_t {
-        proved,    ///< to a beat: I can stop all nodes
-        unproved,  ///< to a beat: I can't stop the node `index`, for the reason `error`
-        stopped,   ///< no beat came in time, or the engine is about to end: the motors are stopped
+        proved,    ///< answer to a beat: all nodes can be stopped
+        unproved,  ///< answer to a beat: the node `index` can't be stopped because of `error`
+        stopped,   ///< the motors are stopped: no beat came in time, or the engine is about to end
     };
     Kind kind = Kind::proved;
-    double tm = 0;  ///< the beat's
+    double tm = 0;  ///< of the beat
     std::uint8_t index = 0;
     int error = 0;  ///< `errno`
 };
 
-/// For how long [s] the guard waits for a beat, and a proof is good.
+/// Time [s] that the guard waits for a beat, and that a proof is valid.
 inline constexpr double beat_timeout = 0.2;
 
-/// The words that a process was started with, where they are in its memory.
+/// The command line of a process, in its memory.
 struct ProcessWords {
-    char* begin = nullptr;  ///< null: they could not be found
+    char* begin = nullptr;  ///< null: not found
     std::size_t size = 0;
 
     static ProcessWords of_this();
 };
 
-/// What the forked guard does, until its engine has ended: never returns. `socket` leads to the engine, the process
-/// `engine`, which started with `words`; `lease` is kept open. Allocates nothing: the engine's other threads were not
-/// forked.
+/// The guard's main function, until its engine has ended; never returns. `socket` leads to the engine, the process
+/// `engine`, whose command line was `words`. `lease` is kept open. Allocates nothing, because the engine's other
+/// threads do not exist after the fork.
 [[noreturn]] void be_guard(int socket, int lease, pid_t engine, const ProcessWords& words);
 
 }  // namespace nezumi::hw

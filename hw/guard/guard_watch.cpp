@@ -1,4 +1,4 @@
-// What a guard does becomes lines for a person.
+// Turns the guard's actions into messages for people.
 #include "hw/guard/guard_watch.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ bool GuardWatch::may_turn(double now) {
 bool GuardWatch::must_stop(double now, bool they_turn) {
     const bool has_stopped = guard_->has_stopped();
     if (!has_stopped && (!they_turn || may_turn(now))) return false;
-    // What else is wrong has been told, or is by who looks at the trouble.
+    // Other problems are reported elsewhere.
     const bool is_stall = has_stopped || !(guard_->has_ended() || guard_->is_late(now) || guard_->trouble());
     if (is_stall)
         health_.lost(

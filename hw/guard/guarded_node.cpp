@@ -1,4 +1,4 @@
-// A descriptor works on where permissions, another mount or another node have taken its path.
+// An open descriptor still works if permissions, a mount or another node change its path.
 #include "hw/guard/guarded_node.hpp"
 
 #include <fcntl.h>
@@ -11,7 +11,7 @@
 namespace nezumi::hw {
 namespace {
 
-// 0, or why its name is gone.
+// 0, or why the name of the file is gone.
 int removal_of(int file) {
     struct stat status {};
     if (fstat(file, &status) != 0) return errno;
@@ -22,7 +22,7 @@ bool write_text(int file, const char* text) {
     const std::size_t size = std::strlen(text);
     struct stat status {};
     const bool is_plain = fstat(file, &status) == 0 && S_ISREG(status.st_mode);
-    // A plain file in a device's place holds what was written last.
+    // A regular file in place of a device contains only the last write.
     if (is_plain && ftruncate(file, 0) != 0) status = {};
     const ssize_t written = is_plain ? pwrite(file, text, size, 0) : write(file, text, size);
     return written == static_cast<ssize_t>(size);

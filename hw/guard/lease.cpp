@@ -1,4 +1,4 @@
-// A bound socket in the abstract namespace: it needs no file, and goes with the last process that has it.
+// A bound socket in the abstract namespace: it needs no file, and vanishes with the last process that holds it.
 #include "hw/guard/lease.hpp"
 
 #include <fcntl.h>
@@ -22,7 +22,7 @@
 namespace nezumi::hw {
 namespace {
 
-// Whether it is the kernel's own, and no file that stands for it.
+// True for the kernel's own nodes, false for a file in their place.
 bool is_of_kernel(const std::string& node) {
     struct stat status {};
     struct statfs system {};
@@ -36,7 +36,7 @@ struct Address {
 
     explicit Address(const std::string& robot) {
         name.sun_family = AF_UNIX;
-        // The first byte is a zero: it is not the name of a file.
+        // The first byte is zero, so it is not a file name.
         const std::size_t length = std::min(robot.size(), sizeof name.sun_path - 1);
         std::copy_n(robot.data(), length, name.sun_path + 1);
         size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + length);
@@ -44,7 +44,7 @@ struct Address {
     const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&name); }
 };
 
-// The process that holds it; 0: not known, as where it is in another container.
+// The process that holds it; 0 if unknown, as in another container.
 pid_t holder(const Address& address) {
     const int file = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     ucred other{};
@@ -64,7 +64,7 @@ Expected<Lease> Lease::take(const std::string& driver, const std::string& node) 
     const Address address("nezumi " + driver + (is_of_kernel(node) ? "" : " " + fingerprint(place)));
     Lease lease(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
     const bool is_bound = lease.file_ >= 0 && bind(lease.file_, address.get(), address.size) == 0;
-    // Who finds it taken asks it for its process.
+    // Listens so that a second program can ask for the holder's process.
     if (is_bound && listen(lease.file_, SOMAXCONN) == 0) return lease;
     if (errno != EADDRINUSE) return failure(describe(NodeError{node, errno}));
     const pid_t process = holder(address);

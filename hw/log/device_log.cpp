@@ -1,4 +1,4 @@
-// Words are separated by one blank; texts stand in quotes, with what no terminal shows escaped.
+// Words are separated by one blank. Texts are quoted, with non-printable characters escaped.
 #include "hw/log/device_log.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ constexpr std::array<std::pair<Kind, std::string_view>, 6> names{{{Kind::open_re
                                                                   {Kind::write, "write"},
                                                                   {Kind::list, "list"},
                                                                   {Kind::keys, "keys"}}};
-constexpr std::string_view never = "never";  // came back
+constexpr std::string_view never = "never";  // it did not return
 
 std::string quoted_text(std::string_view text) {
     std::string all = "\"";
@@ -52,9 +52,9 @@ std::string error_name(int error) {
     return name != nullptr ? name : fmt::format("E{}", error);
 }
 
-// The number of "EIO", or of "E5"; 0: none.
+// The number of "EIO" or of "E5"; 0: unknown.
 int error_number(std::string_view name) {
-    constexpr int most = 4095;  // as the kernel has them
+    constexpr int most = 4095;  // the kernel's largest
     if (!name.starts_with('E')) return 0;
     for (int error = 1; error < most; ++error) {
         if (const char* its = strerrorname_np(error); its != nullptr && name == its) return error;
@@ -65,7 +65,7 @@ int error_number(std::string_view name) {
     return is_whole && number > 0 && number < most && error_name(number) == name ? number : 0;
 }
 
-// The words of one line, taken one by one.
+// Splits a line into words.
 class Words {
 public:
     explicit Words(std::string_view line) : rest_(line) {}
@@ -77,7 +77,7 @@ public:
         if (blank != all.npos) rest_ = all.substr(blank + 1);
         return all.substr(0, blank);
     }
-    // A text in quotes; none when there is no such thing.
+    // A quoted text, or nothing if there is none.
     std::optional<std::string> text() {
         if (!rest_.starts_with('"')) return std::nullopt;
         std::string text;
@@ -125,7 +125,7 @@ std::optional<Number> number(std::string_view word) {
     return value;
 }
 
-// [s]: not negative, and no longer than anybody runs a robot.
+// A time [s] from 0 to `longest_run`.
 std::optional<double> seconds(std::string_view word) {
     const auto value = number<double>(word);
     return value && *value >= 0 && *value <= longest_run ? value : std::nullopt;
@@ -145,7 +145,7 @@ std::string path_text(const std::string& path) {
     return is_plain ? path : quoted_text(path);
 }
 
-// A line of a log, or what was expected in it.
+// A line of a log, or an error with what was expected.
 class Line {
 public:
     explicit Line(std::string_view line) : words_(line) {}
@@ -260,8 +260,8 @@ Expected<DeviceLog> read_device_log(std::string_view text, const std::string& fi
         const auto wrong = [&](std::string why) { return failure(std::move(why), {.file = file, .line = number}); };
         if (++number == 1) {
             if (line != header)
-                return wrong(fmt::format("is no device log of nezumi run --device-log: expected '{}', got '{}'", header,
-                                         shown(line)));
+                return wrong(fmt::format("is not a device log of nezumi run --device-log: expected '{}', got '{}'",
+                                         header, shown(line)));
             continue;
         }
         if (const auto blank = line.find(' '); line.substr(blank + 1) == "start" || line.substr(blank + 1) == "end") {

@@ -1,4 +1,4 @@
-// A device log: what drivers asked of their devices, when, and what they got, a line each.
+// A device log: each access of a driver to a device with its time and result, one per line.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace nezumi::hw {
 
-/// One thing that a driver did.
+/// One access of a driver.
 struct DeviceCall {
     enum class Kind {
         open_read,   ///< opened for reading
@@ -18,18 +18,18 @@ struct DeviceCall {
         read,
         write,
         list,  ///< of a folder
-        keys,  ///< of an event device that are down
+        keys,  ///< pressed keys of an event device
     };
     Kind kind = Kind::read;
-    std::string path;  ///< begins with /dev or /sys, whatever folders stood for them
-    double begin = 0;  ///< [s] since the run began
-    double took = 0;   ///< [s]; infinite: it never came back
+    std::string path;  ///< begins with /dev or /sys, even if other folders were in their place
+    double begin = 0;  ///< [s] since the start of the run
+    double took = 0;   ///< [s]; infinite: it did not return
     int error = 0;     ///< an errno; 0: none
-    /// Read or written, or the names of a folder with a '\n' after each. Of what was written and is longer than
-    /// `longest_text`, its `fingerprint`.
+    /// The text that was read or written, or the names of a folder with a '
+    /// ' after each. A written text longer than `longest_text` is replaced by its `fingerprint`.
     std::string text;
-    std::size_t bytes = 0;  ///< that a device took of what was written
-    int line = 0;           ///< in the file
+    std::size_t bytes = 0;  ///< number that the device accepted
+    int line = 0;           ///< line of the file
 
     double end() const { return begin + took; }
     bool operator==(const DeviceCall&) const = default;
@@ -37,29 +37,29 @@ struct DeviceCall {
 
 inline constexpr std::size_t longest_text = 1024;  ///< [bytes]
 
-/// What stands for a long text: "#LENGTH:HASH", 64 bits of FNV-1a.
+/// Replaces a long text: "#LENGTH:HASH", 64 bits of FNV-1a.
 std::string fingerprint(std::string_view text);
 
-/// "read", and as the others are called in a log.
+/// The kind's name in a log: "read".
 std::string_view name_of(DeviceCall::Kind kind);
 
-/// What a log begins with.
+/// The first lines of a log.
 std::string device_log_header();
-/// A call as a line, with its end.
+/// A call as a line with a line end.
 std::string to_line(const DeviceCall& call);
-/// The line that says that the system was there, and its ticks began, at `when` [s].
+/// The line for the start of the ticks at `when` [s].
 std::string start_line(double when);
-/// The line that says that the run ended at `when` [s]: what follows is how the robots were stopped.
+/// The line for the end of the run at `when` [s]; later lines show how the robots were stopped.
 std::string end_line(double when);
 
 struct DeviceLog {
-    std::vector<DeviceCall> calls;  ///< by the time of their ends, as they were written
-    double start = 0;               ///< [s] when the ticks began
-    double length = 0;              ///< [s] when the run ended, or was cut off
-    bool is_torn = false;           ///< its last line is not whole, and left out
+    std::vector<DeviceCall> calls;  ///< in the order of the file, which is that of their ends
+    double start = 0;               ///< [s] start of the ticks
+    double length = 0;              ///< [s] end of the run, or of an incomplete log
+    bool is_torn = false;           ///< the last line is incomplete and left out
 };
 
-/// Reads what was written. An error says the line, what it has and what was expected.
+/// Reads a device log. An error gives the line, what it contains and what was expected.
 Expected<DeviceLog> read_device_log(std::string_view text, const std::string& file);
 
 }  // namespace nezumi::hw

@@ -1,4 +1,4 @@
-// A call is known from its beginning, so that one that never comes back is in the log as well.
+// Logs a call's start too, so that a call that never returns is in the log.
 #include "hw/log/logged_files.hpp"
 
 #include <limits>
@@ -67,7 +67,7 @@ LoggedFiles::LoggedFiles(ResultFile file, DeviceRoots roots)
 
 double LoggedFiles::now() const { return clock_seconds() - began_; }
 
-// Whatever folders stand for /dev and /sys: a log means the same on another machine.
+// Restores /dev and /sys, so that a log is valid on another machine.
 std::string LoggedFiles::canonical(const std::string& path) const {
     const bool is_sys =
         is_under(roots_.sys, path) && (roots_.sys.size() > roots_.dev.size() || !is_under(roots_.dev, path));

@@ -1,4 +1,4 @@
-// Device files whose use is written to a device log, beside the threads that use them.
+// Device files whose accesses are written to a device log.
 #pragma once
 
 #include <cstdint>
@@ -17,32 +17,32 @@
 
 namespace nezumi::hw {
 
-/// Each line is written whole as soon as its call has come back: a process that is killed leaves a log of whole lines.
-/// When the log can't be written any more, the devices go on without it.
+/// Writes each line in one call as soon as the access has returned, so the log of a killed process has whole lines. If
+/// the log can't be written, the devices still work.
 class LoggedFiles final : public DeviceFiles, public std::enable_shared_from_this<LoggedFiles> {
 public:
-    /// Begins a log of what is done through the files of `roots`; the older one of its name is set aside until it is
-    /// closed. An error when the file can't be written.
+    /// Starts a log of accesses through `roots`. An older log of the same name is kept until `close`. Fails if the file
+    /// can't be written.
     static Expected<std::shared_ptr<LoggedFiles>> create(const std::string& file, const DeviceRoots& roots);
 
     Answer<std::unique_ptr<OpenFile>> open(const std::string& path, Access access) override;
     Answer<std::vector<std::string>> list(const std::string& folder) override;
     bool are_real() const override { return roots_.files->are_real(); }
 
-    /// The ticks begin.
+    /// The ticks start.
     void start();
-    /// The run is over; the robots are to be stopped.
+    /// The run has ended; the robots will be stopped.
     void end();
-    /// The error that ended the writing (an errno), 0 so far.
+    /// The errno that ended writing; 0: none.
     int problem() const { return writer_.problem(); }
-    /// What is not written yet is not: `close` returns soon. From any thread.
+    /// Drops what is not written yet, so that `close` returns soon. Any thread may call it.
     void give_up() { writer_.give_up(); }
-    /// The log, and where the older one of its name is.
+    /// The log's file, and the place of the older log.
     const ResultFile& file() const { return file_; }
-    /// Writes what is still to be written, calls that have not come back as well. Returns the error, or 0. Once.
+    /// Writes the rest, including calls that have not returned. Returns an errno or 0. Call it once.
     int close();
 
-    /// Does a call, and logs it: `answer` gives its result and fills in what the line says of it.
+    /// Executes a call and logs it. `answer` returns its result and fills in the line.
     template <class Do>
     auto logged(DeviceCall call, Do answer) {
         const std::uint64_t number = begin(call);
@@ -63,9 +63,9 @@ private:
     const double began_;  // [s] by `clock_seconds`
     ResultFile file_;
     FileWriter writer_;
-    Mutex mutex_;  // held for a copy at most
+    Mutex mutex_;  // held only for a copy
     std::uint64_t calls_ = 0;
-    std::map<std::uint64_t, DeviceCall> waiting_;  // that have not come back
+    std::map<std::uint64_t, DeviceCall> waiting_;  // calls that have not returned
     bool is_closed_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Each path has its calls in the log's order; the clock says which of them is due.
+// Each path has its calls in the log's order; the clock decides which one is due.
 #include "hw/log/played_files.hpp"
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace {
 
 using Kind = DeviceCall::Kind;
 
-// [s] for which a call of the log is waited for that begins a little later than the one of now.
+// Time [s] to wait for a call of the log that begins slightly later than now.
 constexpr double patience = 0.02;
-// [s] a call takes that is no reading: a device that hangs does so again, the rest has its own time.
+// Longer calls [s] other than readings hang in the replay too; shorter ones take their own time.
 constexpr double hang = 0.05;
 
 WriteComparison::Writes writes_of(const DeviceLog& log) {
@@ -83,7 +83,7 @@ std::vector<std::string> PlayedFiles::finish() {
 
 PlayedFiles::Track& PlayedFiles::track(Kind kind, const std::string& path) { return tracks_[{kind, path}]; }
 
-// The last call that has begun by now, or else the first: what is known. Null: there is none.
+// The last call that has begun by now, or else the first. Null: there is none.
 const DeviceCall* PlayedFiles::newest(const Track& track) const {
     if (track.calls.empty()) return nullptr;
     const auto next = std::upper_bound(track.calls.begin(), track.calls.end(), now() + patience,
@@ -92,7 +92,7 @@ const DeviceCall* PlayedFiles::newest(const Track& track) const {
 }
 
 void PlayedFiles::wait_for(Lock& lock, const DeviceCall& call) {
-    // One that has not begun yet is known ahead of its time.
+    // A call that has not begun yet is already known.
     while (!is_finished_ && call.begin <= now() + patience && now() < call.end()) {
         const double left = std::min(call.end() - now(), 1.0);
         over_.wait_for(lock, std::chrono::duration<double>(left));

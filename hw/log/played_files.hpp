@@ -1,4 +1,4 @@
-// Device files that say what a device log has, at its times: the drivers run without the robot.
+// Device files that replay a device log at its times: the drivers run without the robot.
 #pragma once
 
 #include <condition_variable>
@@ -13,22 +13,22 @@
 
 namespace nezumi::hw {
 
-/// A reading gets the next one of the log, when that comes in; who comes late the newest, who comes often the last one
-/// again. What failed or hung in the log does so again. What is written is compared with what the log has. Times are
-/// those of `clock_seconds` since this was made, or as `start` says.
+/// A read returns the log's next value when its time comes; a late reader gets the newest value, and a frequent reader
+/// the last one again. Calls that failed or hung in the log do so again. Writes are compared with the log. Times are
+/// those of `clock_seconds` since construction, or as set by `start`.
 class PlayedFiles final : public DeviceFiles, public std::enable_shared_from_this<PlayedFiles> {
 public:
-    /// `file` is the log's name in what is told.
+    /// `file` is the log's name in messages.
     PlayedFiles(DeviceLog log, const std::string& file);
     ~PlayedFiles() override;
 
-    /// The ticks begin: the log's time is that of its own start.
+    /// The ticks start: the log's time is set to its own start.
     void start();
-    /// Whether the log is at its end.
+    /// True at the end of the log.
     bool is_over() const;
-    /// What differs from the log so far; a line each.
+    /// Returns the new differences from the log, one line each.
     std::vector<std::string> take_differences();
-    /// Compares what is left, as far as it can be: the run is over. Readings that hang come back.
+    /// Ends the run: compares the rest as far as possible. Reads that hang return.
     std::vector<std::string> finish();
     const WriteComparison& comparison() const { return comparison_; }
 
@@ -38,7 +38,7 @@ public:
 
 private:
     friend class PlayedFile;
-    // The calls of one kind to one path, and which of them was given last.
+    // The calls of one kind to one path, and the last one used.
     struct Track {
         std::vector<const DeviceCall*> calls;
         std::ptrdiff_t given = -1;

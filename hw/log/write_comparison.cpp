@@ -1,4 +1,4 @@
-// A file's writes are steps: what was written last is in force until the next.
+// The writes of a file are a step function: a value holds until the next write.
 #include "hw/log/write_comparison.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ std::optional<double> number(const std::string& text) {
     return value;
 }
 
-// The first that comes after `tm`.
+// The first write after `tm`.
 auto after(const std::vector<Write>& writes, double tm) {
     return std::upper_bound(writes.begin(), writes.end(), tm, [](double t, const Write& each) { return t < each.tm; });
 }
@@ -31,7 +31,7 @@ auto after(const std::vector<Write>& writes, double tm) {
 bool is_like(const Write& write, const std::vector<Write>& other) {
     auto from = after(other, write.tm - WriteComparison::window);
     const auto to = after(other, write.tm + WriteComparison::window);
-    if (from != other.begin()) --from;  // in force when the window begins
+    if (from != other.begin()) --from;  // the value at the start of the window
     if (std::any_of(from, to, [&](const Write& each) { return each.text == write.text; })) return true;
     const auto wanted = number(write.text);
     if (!wanted) return false;
@@ -79,17 +79,17 @@ void WriteComparison::judge(Progress& progress, bool is_like, std::vector<std::s
 
 std::vector<std::string> WriteComparison::compare(double now) {
     std::vector<std::string> told;
-    // Also what only one of the two has.
+    // Adds the paths that only the log has.
     for (const auto& [path, writes] : logged_) written_[path];
     for (const auto& [path, writes] : written_) logged_[path];
     for (auto& [path, written] : written_) {
         const std::vector<Write>& logged = logged_[path];
         Progress& progress = progress_[path];
-        // By their times, as they come: of both runs what is older first.
+        // In order of time: the older write of the two runs first.
         for (;;) {
             const Write* was = progress.logged < logged.size() ? &logged[progress.logged] : nullptr;
             const Write* is = progress.written < written.size() ? &written[progress.written] : nullptr;
-            // What comes after the end nobody waits for: the other half of its window is missing.
+            // Writes near the end are not decided: half of their window is missing.
             if (was != nullptr && (was->tm > now - window || was->tm > end_ - window)) was = nullptr;
             if (is != nullptr && is->tm > now - window) is = nullptr;
             if (was == nullptr && is == nullptr) break;
@@ -100,7 +100,7 @@ std::vector<std::string> WriteComparison::compare(double now) {
             const bool alike = is_like(write, is_logged ? written : logged);
             judge(progress, alike, told,
                   is_logged
-                      ? fmt::format("{}:{}: at {:.3f} s '{}' was written to {}, and now it has {}", file_, write.line,
+                      ? fmt::format("{}:{}: at {:.3f} s '{}' was written to {}, but now it has {}", file_, write.line,
                                     write.tm, shown(write.text), shown(path), in_force(written, write.tm))
                       : fmt::format("{}: at {:.3f} s '{}' is written to {}, and the log has {}", file_, write.tm,
                                     shown(write.text), shown(path), in_force(logged, write.tm)));

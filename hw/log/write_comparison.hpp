@@ -1,4 +1,4 @@
-// What a driver writes now against what a log has: the same at about the same time?
+// Compares a driver's writes with those of a log: the same values at about the same time.
 #pragma once
 
 #include <map>
@@ -7,30 +7,30 @@
 
 namespace nezumi::hw {
 
-/// No two runs are in step to the millisecond, and a ramp has other steps each time. A write is like the other run's
-/// when within `window` of it the other had the same text in its file, or numbers around it.
+/// Two runs are never exactly simultaneous, and a ramp has different steps each time. A write matches if within
+/// `window` of it the other run had the same text in that file, or numbers around it.
 class WriteComparison {
 public:
     struct Write {
         double tm = 0;  ///< [s]
         std::string text;
-        int line = 0;  ///< of the log; 0: of now
+        int line = 0;  ///< line of the log; 0: written now
     };
-    using Writes = std::map<std::string, std::vector<Write>, std::less<>>;  ///< by path, in the order of their times
+    using Writes = std::map<std::string, std::vector<Write>, std::less<>>;  ///< by path, in order of time
 
     static constexpr double window = 0.2;  ///< [s]
-    /// Numbers differ when they are further apart than this part of the larger, and `least`.
+    /// Numbers differ if their distance is more than this part of the larger one, and more than `least`.
     static constexpr double part = 0.1, least = 5;
 
-    /// `file` is the log, of which the writes from `start` to `end` [s] are compared.
+    /// `file` is the log's name; its writes from `start` to `end` [s] are compared.
     WriteComparison(std::string file, Writes logged, double start, double end)
         : file_(std::move(file)), start_(start), end_(end), logged_(std::move(logged)) {}
 
-    /// Written now. Times do not go back, of any file.
+    /// Records a write. Times must not go back, over all files.
     void wrote(const std::string& path, double tm, std::string text);
-    /// The clock was set: what was written so far was so much [s] later.
+    /// The clock was set: all earlier writes are moved later by `seconds`.
     void move_written(double seconds);
-    /// Compares what can be decided at `now` [s]. What differs: a line where it begins, for each file.
+    /// Compares everything that can be decided at `now` [s]. Returns one line per file at the start of a difference.
     std::vector<std::string> compare(double now);
 
     int compared() const { return compared_; }
@@ -38,7 +38,7 @@ public:
 
 private:
     struct Progress {
-        std::size_t logged = 0, written = 0;  // so many are compared
+        std::size_t logged = 0, written = 0;  // number of writes already compared
         bool differs = false;
     };
     void judge(Progress& progress, bool is_like, std::vector<std::string>& told, std::string line);

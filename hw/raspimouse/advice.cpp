@@ -1,4 +1,4 @@
-// One sentence for each kind of trouble with the mouse's nodes.
+// Error messages for each kind of trouble with the mouse's nodes.
 #include "hw/raspimouse/advice.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Strict both ways: what is not exactly as the driver writes it is no value.
+// Strict: only texts exactly in the driver's format are values.
 #include "hw/raspimouse/codec.hpp"
 
 #include <charconv>
@@ -6,7 +6,7 @@
 namespace nezumi::hw {
 namespace {
 
-// Takes one number from the front, and one character that ends it; `end` is the last number's.
+// Takes one number and the character after it from the front. `end` is the character after the last number.
 std::optional<int> take_number(std::string_view& text, char end) {
     int value = 0;
     const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);

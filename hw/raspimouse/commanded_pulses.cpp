@@ -1,4 +1,4 @@
-// A sum that is brought up to date whenever the rate changes.
+// A sum that is updated whenever the rate changes.
 #include "hw/raspimouse/commanded_pulses.hpp"
 
 #include <algorithm>

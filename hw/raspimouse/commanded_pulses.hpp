@@ -1,22 +1,22 @@
-// How many pulses a motor has been told to make, forward and backward: what its counter should have counted.
+// The pulses commanded to a motor, forward and backward: its counter should have the same number.
 #pragma once
 
 #include "engine/base/mutex.hpp"
 
 namespace nezumi::hw {
 
-/// Pulses since the start by direction; both grow.
+/// Pulses since the start, by direction; both only increase.
 struct PulseTotals {
     double forward = 0;
     double backward = 0;
 };
 
-/// The sum of rates over time. Any thread may ask.
+/// The sum of rates over time. Any thread may use it.
 class CommandedPulses {
 public:
-    /// From `now` [s] on this rate [pulses/s] holds.
+    /// Sets the rate [pulses/s] from `now` [s] on.
     void set_rate(int rate, double now);
-    /// Until `now` [s].
+    /// The pulses up to `now` [s].
     PulseTotals until(double now) const;
 
 private:

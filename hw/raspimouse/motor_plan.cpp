@@ -1,4 +1,4 @@
-// The order in which nodes of motors, power and buzzer may be written.
+// The order of writes to the nodes of motors, power and buzzer.
 #include "hw/raspimouse/motor_plan.hpp"
 
 namespace nezumi::hw {

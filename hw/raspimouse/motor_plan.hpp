@@ -1,11 +1,11 @@
-// Which writes lead the mouse's motors and buzzer from what they do to what they are meant to do.
+// Plans the writes that lead the mouse's motors and buzzer from one state to another.
 #pragma once
 
 #include <vector>
 
 namespace nezumi::hw {
 
-/// What the nodes of motors and buzzer hold.
+/// The values of the nodes of motors and buzzer.
 struct MotorState {
     bool power = false;
     int left = 0;   ///< [pulses/s], forward positive
@@ -23,16 +23,16 @@ struct MotorWrite {
     bool operator==(const MotorWrite&) const = default;
 };
 
-/// `state` once this has been written.
+/// The state after this write.
 MotorState after(const MotorState& state, const MotorWrite& write);
 
-/// `wanted` as the hardware can have it: without power nothing turns, and no tone in motion, as the buzzer shares its
-/// PWM channel with the right motor.
+/// The nearest state that the hardware allows: no motion without power, and no tone in motion, because the buzzer
+/// shares its PWM channel with the right motor.
 MotorState possible(MotorState wanted);
 
-/// The writes, in order, from one state to another, `possible` one. Only what changes is written, as any write to a
-/// motor silences the buzzer: a tone ends before the wheels begin, and begins anew after a write that silenced it.
-/// Power comes before motion and goes after it.
+/// Returns the writes, in order, from one state to another (`possible`) one. Only changes are written, because any
+/// write to a motor silences the buzzer: a tone ends before the wheels start, and starts again after a write that
+/// silenced it. Power is switched on before motion and off after it.
 std::vector<MotorWrite> plan(const MotorState& is, const MotorState& wanted);
 
 }  // namespace nezumi::hw

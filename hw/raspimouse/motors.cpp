@@ -1,4 +1,4 @@
-// Every command goes through the guard's beat: a loop, or a node, that hangs lets it stop the motors.
+// Every command needs the guard's beat: if the control loop or a node hangs, the guard stops the motors.
 #include "hw/raspimouse/motors.hpp"
 
 #include <fmt/format.h>
@@ -14,8 +14,8 @@
 namespace nezumi::hw {
 namespace {
 
-constexpr double idle = 1;          // [s] between looks while there is nothing to do
-constexpr double attention = 0.05;  // the same while the motors have power
+constexpr double idle = 1;          // [s] between checks while there is nothing to do
+constexpr double attention = 0.05;  // [s] the same while the motors have power
 
 }  // namespace
 
@@ -34,7 +34,7 @@ Expected<std::unique_ptr<Motors>> Motors::make(const DevicePath& folder, Wheels 
                                                double standing_power) {
     const DevicePath power = folder + "/rtmotoren0", left = folder + "/rtmotor_raw_l0",
                      right = folder + "/rtmotor_raw_r0";
-    // All are looked at before any is written: where one is missing, nothing is touched.
+    // Checks all nodes before it writes: if one is missing, nothing is changed.
     for (const DevicePath& path : {power, left, right}) {
         if (auto ok = Node(path, Node::Access::write).open(); !ok) return failure("motors: " + with_advice(ok.error()));
     }
@@ -67,9 +67,9 @@ void Motors::follow(const MotorState& state) {
 
 tl::expected<void, NodeError> Motors::stop_all() {
     const auto power = power_.write(encode_switch(false));
-    if (power) guard_.rest();  // without power nothing turns
+    if (power) guard_.rest();  // without power there is no motion
     const auto left = left_.write(encode_number(0)), right = right_.write(encode_number(0));
-    if (left && right) guard_.rest();  // nor without pulses
+    if (left && right) guard_.rest();  // without pulses there is no motion
     forget();
     for (const auto* each : {&power, &left, &right}) {
         if (!*each) return *each;
@@ -77,8 +77,8 @@ tl::expected<void, NodeError> Motors::stop_all() {
     return {};
 }
 
-// Without power nothing turns, so the guard proves most of that. The driver writes a line into the kernel's log for
-// each empty write to the motors themselves.
+// Without power there is no motion, so the guard proves mainly that it can switch it off. The driver logs a kernel
+// message for each empty write to the motors themselves.
 tl::expected<void, NodeError> Motors::be_guarded() {
     const std::array nodes{&power_, &left_, &right_};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -89,7 +89,7 @@ tl::expected<void, NodeError> Motors::be_guarded() {
                                             .text = is_power ? encode_switch(false) : encode_number(0),
                                             .proof = is_power ? Proof::empty_write : Proof::is_there});
         if (ok) continue;
-        for (Node* node : nodes) node->close();  // their paths may lead elsewhere now
+        for (Node* node : nodes) node->close();  // their paths may now lead to other files
         return ok;
     }
     return {};
@@ -97,7 +97,7 @@ tl::expected<void, NodeError> Motors::be_guarded() {
 
 void Motors::reopen(const std::string& why) {
     health_.lost(why);
-    static_cast<void>(stop_all());  // by what is still open
+    static_cast<void>(stop_all());  // through descriptors that are still open
     for (Node* node : {&power_, &left_, &right_, &buzzer_}) node->close();
 }
 
@@ -107,7 +107,7 @@ bool Motors::has_to_stop(double now, bool they_turn) {
     return true;
 }
 
-// They have been stopped: what was wanted before counts no longer, however long the control loop stays silent.
+// The motors were stopped: the earlier command is void, even if the control loop stays silent.
 void Motors::forget() {
     follow({});
     goal_ = {};
@@ -133,7 +133,7 @@ MotorState Motors::wanted(const MotorCommand& command, bool is_new, double now) 
 bool Motors::write(const MotorWrite& write) {
     switch (write.node) {
         case MotorWrite::Node::buzzer: {
-            // A robot without its voice drives as well.
+            // A robot without its buzzer can still drive.
             const auto ok = buzzer_.write(encode_number(write.value));
             if (ok) {
                 buzzer_health_.works();
@@ -158,7 +158,8 @@ bool Motors::write(const MotorWrite& write) {
 }
 
 bool Motors::perform(const MotorState& goal) {
-    // While this thread stood still the guard may have stopped the motors, or have been stopped: then the goal is void.
+    // While this thread was suspended, the guard may have stopped the motors or been suspended itself. Then the goal is
+    // void.
     const auto is_void = [&] { return has_to_stop(clock_seconds(), goal.power); };
     for (const MotorWrite& each : plan(state_, goal)) {
         if (is_void()) return true;
@@ -195,7 +196,7 @@ double Motors::run() {
 }
 
 void Motors::end() {
-    // One by one: a motor that fails must not keep the other running. The guard does the same once more.
+    // Each on its own: a motor that fails must not keep the other one running. The guard then does the same.
     static_cast<void>(stop_all());
     if (state_.tone != 0) static_cast<void>(buzzer_.write(encode_number(0)));
 }

@@ -1,4 +1,4 @@
-// The mouse's motors, their power and its buzzer, driven on a thread of their own under a guard.
+// The mouse's motors, their power and its buzzer, driven on their own thread under a guard.
 #pragma once
 
 #include <atomic>
@@ -19,33 +19,33 @@
 
 namespace nezumi::hw {
 
-/// What both motors have been told, for those who count their pulses.
+/// The commands to both motors, for the thread that counts pulses.
 struct CommandedWheels {
     CommandedPulses left, right;
-    /// Counted up by who finds that the driver's nodes have gone: what the motors were told is forgotten as well.
+    /// Increased when the driver's nodes were removed: then the motors' commands are lost too.
     std::atomic<int> driver_losses = 0;
 };
 
-/// What the control loop wants of motors and buzzer.
+/// The control loop's command for motors and buzzer.
 struct MotorCommand {
     bool power = false;  ///< whether the motors may have power
     Wheels speeds;       ///< [m/s] of the rims
     int tone = 0;        ///< [Hz]; 0: silent
 };
 
-/// A job: the newest command counts. Motor power is off until a command wants it, and again when one no longer does,
-/// when the robot has stood for some time, when the guard has stopped it, and when a motor fails: then neither
-/// turns, and both are tried again every half a second.
+/// A job that executes the newest command. Motor power is off until a command needs it. It goes off when no command
+/// needs it, after some time of standstill, when the guard has stopped the robot, and when a motor fails: then both
+/// stop and are tried again every half second.
 class Motors final : public DeviceJob {
 public:
-    /// Takes the robot's lease, starts the guard and has all motors stopped and without power. `folder` has the nodes.
-    /// `metres_per_pulse` of the wheels' rims, `acceleration` [m/s^2] that the limits allow it, `standing_power` [s] of
-    /// standstill after which the motors' power goes off, until they are to turn again. An error, with what to do, when
-    /// another program drives the motors, or when motors or their power can't be written.
+    /// Takes the robot's lease, starts the guard, stops all motors and switches their power off. `folder` has the
+    /// nodes; `metres_per_pulse` is that of the rims; `acceleration` [m/s^2] is the limit; after `standing_power` [s]
+    /// of standstill the power goes off until the next motion. Fails, with what to do, if another program drives the
+    /// motors, or if the motors or their power can't be written.
     static Expected<std::unique_ptr<Motors>> make(const DevicePath& folder, Wheels metres_per_pulse,
                                                   double acceleration, double standing_power = 30);
 
-    /// From the control loop, once a tick at least: whoever falls silent is stopped by the guard.
+    /// Called by the control loop at least once per tick. Without calls the guard stops the motors.
     void command(const MotorCommand& command) { newest_.put(command); }
     const std::shared_ptr<CommandedWheels>& commanded() const { return commanded_; }
     std::vector<std::string> take_faults();
@@ -57,7 +57,7 @@ public:
 private:
     Motors(const DevicePath& folder, std::unique_ptr<Guard> guard, Wheels metres_per_pulse, double acceleration,
            double standing_power);
-    /// All motors stopped and without power, whatever they were: every node is written, also after one that failed.
+    /// Stops all motors and switches their power off in any state. Every node is written, even after an error.
     tl::expected<void, NodeError> stop_all();
     tl::expected<void, NodeError> be_guarded();
     void reopen(const std::string& why);
@@ -72,7 +72,7 @@ private:
     Node power_, left_, right_, buzzer_;
     StepRate left_rate_, right_rate_;
     const double standing_power_;  // [s]
-    // Shared with the counters, whose thread may be left behind.
+    // Shared with the counters, whose thread may be abandoned.
     std::shared_ptr<CommandedWheels> commanded_ = std::make_shared<CommandedWheels>();
     Health health_{"motors"}, buzzer_health_{"buzzer"};
 
@@ -81,11 +81,11 @@ private:
     MotorState state_;
     MotorState goal_;
     double served_at_ = 0;
-    double moved_at_ = 0;  // when the wheels were last meant to turn, or power was first wanted
-    double retry_at_ = 0;  // while they are lost: when to try again
+    double moved_at_ = 0;  // when motion was last commanded, or power first wanted
+    double retry_at_ = 0;  // while they are lost: time of the next try
     bool has_power_command_ = false;
     bool wants_power_ =
-        false;  // of the newest command: the motors get it once the guard has proved that it can stop them
+        false;  // of the newest command: it is executed after the guard has proved that it can stop the motors
 };
 
 }  // namespace nezumi::hw

@@ -1,4 +1,4 @@
-// Channels of the mouse's devices to sensors of its description, and the clock's time to the system's.
+// Assigns the mouse's devices to the described sensors, and converts their times to the system's.
 #include "hw/raspimouse/mouse_body.hpp"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ Expected<std::vector<MouseBody::Wired>> MouseBody::wire(const RobotSpec& spec, S
                                            spec.model, fmt::join(ports, ", "), shown(sensor.port)));
             if (channel == devices)
                 return failure(
-                    fmt::format("the driver raspimouse has 4 distance sensors and 3 buttons, and model '{}' wants more",
+                    fmt::format("the driver raspimouse has 4 distance sensors and 3 buttons, but model '{}' needs more",
                                 spec.model));
             if (is_taken[channel])
                 return failure(fmt::format("sensor '{}' of model '{}': port: another sensor has '{}' already",
@@ -55,12 +55,12 @@ Expected<std::vector<MouseBody::Wired>> MouseBody::wire(const RobotSpec& spec, S
 
 Expected<std::unique_ptr<RobotBody>> MouseBody::make(const RobotSpec& spec, const DeviceRoots& roots) {
     if (!spec.drive.port.empty())
-        return failure(
-            fmt::format("drive.port of model '{}' means nothing to the driver raspimouse: leave it out", spec.model));
+        return failure(fmt::format("drive.port of model '{}' has no meaning for the driver raspimouse: remove it out",
+                                   spec.model));
     for (const ActuatorSpec& actuator : spec.actuators) {
         if (!actuator.port.empty() && actuator.kind != ActuatorSpec::Kind::speaker)
             return failure(
-                fmt::format("port of actuator '{}' of model '{}' means nothing to the driver raspimouse: leave "
+                fmt::format("port of actuator '{}' of model '{}' has no meaning for the driver raspimouse: remove "
                             "it out",
                             actuator.name, spec.model));
     }

@@ -20,14 +20,14 @@
 
 namespace nezumi::hw {
 
-/// Nothing of it waits for a device: each has a thread of its own.
+/// Never blocks on a device: each has its own thread.
 class MouseBody final : public RobotBody {
 public:
-    /// A range sensor of the spec is the light sensor of its `port`, "0" (right front) to "3", a button the switch of
-    /// its `port`, "rtswitch0" to "rtswitch2"; those without one are the others, in the order of their names. An error,
-    /// with what to do, when there are more, when a `port` means nothing to this robot, when motors or their power are
-    /// not there, or when another program drives them. What else is missing is told as a fault. `spec` must outlive
-    /// this.
+    /// A range sensor of the spec is the light sensor of its `port`, "0" (right front) to "3"; a button is the switch
+    /// of its `port`, "rtswitch0" to "rtswitch2". Sensors without a port get the remaining ones in the order of their
+    /// names. Fails, with what to do, if there are too many, if a `port` is unknown, if motors or their power are
+    /// missing, or if another program drives them. Other missing devices are reported as faults. `spec` must outlive
+    /// the body.
     static Expected<std::unique_ptr<RobotBody>> make(const RobotSpec& spec, const DeviceRoots& roots);
 
     RobotId id() const override { return not_simulated; }
@@ -45,10 +45,10 @@ public:
     void set_buzzer(int hertz) override;
 
 private:
-    // A sensor of the spec, by its index, and which of the robot's devices of its kind it is.
+    // The index of a sensor in the spec, and the index of its device.
     struct Wired {
         std::size_t sensor, channel;
-        int converted = 0;  // what its reading has been made of
+        int converted = 0;  // the raw value of its present reading
     };
     static Expected<std::vector<Wired>> wire(const RobotSpec& spec, SensorSpec::Kind kind, std::string_view port_begin,
                                              std::size_t devices);

@@ -1,4 +1,4 @@
-// Believes a reading that fits what was commanded, and others only when they insist.
+// Accepts a reading that fits the commands; others only if they are repeated.
 #include "hw/raspimouse/pulse_counter.hpp"
 
 #include <cmath>
@@ -13,14 +13,14 @@ PulseTotals between(const PulseTotals& earlier, const PulseTotals& later) {
 
 double sum(const PulseTotals& totals) { return totals.forward + totals.backward; }
 
-// The pulses counted from one reading to a later one.
+// The pulses counted between two readings.
 int counted(std::uint16_t earlier, std::uint16_t later) { return static_cast<std::uint16_t>(later - earlier); }
 
-// More than this can't have been counted when so many were commanded: times are known to a few milliseconds, and a slow
-// rate holds until its period is over.
+// The largest plausible count for so many commanded pulses: times are known to a few milliseconds, and a slow rate
+// holds until its period ends.
 double most(double commanded) { return commanded * 1.25 + 24; }
 
-// So many commanded pulses without one counted show that the counter is not read.
+// This many commanded pulses without a count show that the counter can't be read.
 constexpr double silent_pulses = 64;
 
 }  // namespace
@@ -29,7 +29,7 @@ bool PulseCounter::agree(const Mark& earlier, const Mark& later) {
     return counted(earlier.reading, later.reading) <= most(sum(between(earlier.commanded, later.commanded)));
 }
 
-// Signed counters count downwards as well.
+// Signed counters also count downwards.
 bool PulseCounter::agree_either_way(const Mark& earlier, const Mark& later) {
     return agree(earlier, later) ||
            counted(later.reading, earlier.reading) <= most(sum(between(earlier.commanded, later.commanded)));
@@ -59,7 +59,7 @@ PulseCounter::Verdict PulseCounter::take(std::uint16_t reading, const PulseTotal
         return Verdict::taken;
     }
     if (agree(last_, now)) {
-        // A failed reading is 0 as well: of a counter that stood at 0 it is told by the pulses that are missing.
+        // A failed reading gives 0 too. If the counter was at 0, the missing pulses show the failure.
         if (reading == 0 && last_.reading == 0 && sum(meanwhile) > silent_pulses) return Verdict::zero;
         if (reading == 0 && last_.reading == 0 && sum(meanwhile) > 0) return Verdict::taken;
         count(counted(last_.reading, reading), meanwhile);

@@ -1,4 +1,4 @@
-// From what a wheel's counter says to how far the wheel has turned.
+// Computes the travel of a wheel from its counter.
 #pragma once
 
 #include <cstdint>
@@ -7,29 +7,29 @@
 
 namespace nezumi::hw {
 
-/// The counter counts the motor's pulses modulo 65536 and knows no direction: that is the command's, in the proportion
-/// of what was commanded meanwhile. It counts what the motor is told, so a number that is far from that is not to be
-/// believed: a byte torn in the middle of a reading (256 off), a 0 that stands for a failed reading, or a counter that
-/// counts from elsewhere because its module was loaded anew or another program has switched it to signed numbers.
+/// The counter counts the motor's pulses modulo 65536 without direction. The direction comes from the commands, in
+/// proportion. The count follows the commands, so a very different number is an error: a torn byte (off by 256), a 0
+/// for a failed reading, or a new starting value because the module was loaded again or another program has switched it
+/// to signed numbers.
 class PulseCounter {
 public:
     enum class Verdict {
-        taken,    ///< the pulses have been counted
-        doubted,  ///< left out; the next reading may show what it was
-        zero,     ///< the reading failed: a 0 that can't be
-        /// It counts from elsewhere now, and the pulses of the jump are those that were commanded. The next reading is
-        /// taken as it is: the node may be opened again before it.
+        taken,    ///< accepted; its pulses were counted
+        doubted,  ///< ignored; the next reading may explain it
+        zero,     ///< the reading failed: a wrong 0
+        /// The counter has a new starting value; the commanded pulses are used for the jump. The next reading is
+        /// accepted as it is, so the node may be opened again before it.
         jumped,
     };
 
-    /// Takes a reading, and what was commanded until then. The first sets the beginning.
+    /// Takes a reading and the pulses commanded until then. The first reading is the starting value.
     Verdict take(std::uint16_t reading, const PulseTotals& commanded);
-    /// The next reading may count from anywhere: the counter was away. Its pulses are those commanded meanwhile.
+    /// The next reading may have any value, because the counter was away. The commanded pulses are used for the gap.
     void begin_anew() { begins_anew_ = started_; }
     /// Pulses since the first reading, forward positive.
     std::int64_t pulses() const { return pulses_; }
 
-    /// So many readings after a jump agree before it is believed.
+    /// A jump is accepted after this number of consistent readings.
     static constexpr int readings_to_believe = 3;
 
 private:
@@ -42,10 +42,10 @@ private:
     void count(double pulses, const PulseTotals& meanwhile);
 
     bool started_ = false;
-    bool begins_anew_ = false;  // the next reading counts from anywhere
-    Mark last_;                 // the last one taken
-    Mark doubted_;              // the last one doubted
-    int doubts_ = 0;            // readings in a row that agree with each other, not with last_
+    bool begins_anew_ = false;  // the next reading may have any value
+    Mark last_;                 // the last accepted one
+    Mark doubted_;              // the last ignored one
+    int doubts_ = 0;            // number of readings in a row that agree with each other but not with last_
     std::int64_t pulses_ = 0;
     int direction_ = 1;  // of the last pulses
 };

@@ -1,4 +1,4 @@
-// How each of the mouse's sensors is read, and what is not believed.
+// How each of the mouse's sensors is read, and which readings are ignored.
 #include "hw/raspimouse/sensors.hpp"
 
 #include <fmt/format.h>
@@ -13,11 +13,12 @@ namespace {
 
 using Access = Node::Access;
 
-// [s] between readings. The light sensors take 2.4 ms or more, a switch up to 40 ms, a counter 1.2 ms.
+// [s] between readings. A reading takes at least 2.4 ms for the light sensors, up to 40 ms for a switch, 1.2 ms for a
+// counter.
 constexpr double light_period = 0.01;
 constexpr double switch_period = 0.03;
 constexpr double counter_period = 0.01;
-// A counter that fails for so many readings in a row is lost.
+// A counter is lost after this number of failed readings in a row.
 constexpr int zeros_to_lose = 10;
 
 }  // namespace
@@ -33,7 +34,7 @@ tl::expected<std::optional<LightValues>, std::string> LightSensors::sample(doubl
     zeros_ = *values == LightValues{} ? zeros_ + 1 : 0;
     if (zeros_ >= zeros_to_doubt)
         return tl::unexpected(fmt::format(
-            "{}: says only 0 0 0 0: the SPI overlay is missing. Add {} to config.txt and start the robot again",
+            "{}: gives only 0 0 0 0: the SPI overlay is missing. Add {} to config.txt and start the robot again",
             node_.path(), light_sensor_overlay));
     return *values;
 }
@@ -70,12 +71,16 @@ tl::expected<PulseCounter::Verdict, std::string> WheelCounters::read(Wheel& whee
         const bool is_gone = text.error().code == ENODEV || text.error().code == ENOENT;
         if (is_gone) wheel.counter.begin_anew();
         if (is_gone && std::exchange(was_there_, false)) ++commanded_->driver_losses;
+        // The motors' nodes are there: the driver is loaded, and has found no counters.
+        if (text.error().code == ENOENT && !was_there_)
+            return tl::unexpected(
+                fmt::format("{}: the driver has not found them on I2C. {}", describe(text.error()), counters_on_i2c));
         return tl::unexpected(with_advice(text.error()));
     }
     const auto reading = decode_counter(*text);
     if (!reading) return tl::unexpected(not_understood(wheel.node, *text, "a number from 0 to 65535"));
     const Verdict verdict = wheel.counter.take(*reading, commanded.until(tm));
-    // Whoever opens a node last decides whether both kinds of it are signed.
+    // The program that opened a node last determines whether its numbers are signed.
     if (verdict == Verdict::jumped) wheel.node.close();
     if (verdict == Verdict::taken || verdict == Verdict::jumped) wheel.rate.take(tm, wheel.counter.pulses());
     return verdict;
@@ -87,12 +92,10 @@ tl::expected<std::optional<WheelValues>, std::string> WheelCounters::sample(doub
     if (!left) return tl::unexpected(left.error());
     const auto right = read(right_, commanded_->right);
     if (!right) return tl::unexpected(right.error());
-    was_there_ = true;  // both: one that is missing is one loss, however often the other is read
+    was_there_ = true;  // only if both are there: one missing counter is one loss, even if the other can be read
     zeros_ = *left == Verdict::zero || *right == Verdict::zero ? zeros_ + 1 : 0;
     if (zeros_ >= zeros_to_lose)
-        return tl::unexpected(
-            std::string("they say 0 while the motors turn: I2C fails. Is dtparam=i2c_arm=on in "
-                        "config.txt, and do the addresses 0x10 and 0x11 answer (i2cdetect -y 1)?"));
+        return tl::unexpected(fmt::format("they give 0 while the motors turn: I2C fails. {}", counters_on_i2c));
     const auto in_doubt = [](Verdict verdict) { return verdict == Verdict::zero || verdict == Verdict::doubted; };
     if (in_doubt(*left) || in_doubt(*right)) return std::nullopt;
     return WheelValues{.pulses = {.left = left_.counter.pulses(), .right = right_.counter.pulses()},

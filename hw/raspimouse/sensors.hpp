@@ -1,4 +1,4 @@
-// The mouse's light sensors, switches and wheel counters, each read on a thread of its own.
+// The mouse's light sensors, switches and wheel counters, each read on its own thread.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class LightSensors final : public Sampler<LightValues> {
 public:
     explicit LightSensors(const DevicePath& folder);
 
-    /// So many times `0 0 0 0` in a row is no measurement: noise alone would be more.
+    /// After this number of `0 0 0 0` in a row the sensors do not measure: noise alone would give other values.
     static constexpr int zeros_to_doubt = 100;
 
 protected:
@@ -30,7 +30,7 @@ private:
     int zeros_ = 0;
 };
 
-/// Whether each is pressed.
+/// True for each pressed switch.
 using SwitchValues = std::array<bool, 3>;
 
 class Switches final : public Sampler<SwitchValues> {

@@ -1,4 +1,4 @@
-// Whole pulses a second: rounded, limited, and never a low one on the way.
+// Whole pulses per second: rounded, limited, and without low rates while the speed changes.
 #include "hw/raspimouse/step_rate.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace nezumi::hw {
 
 int StepRate::next(double speed, int held, double elapsed) {
-    // Ticks come a little unevenly, and a gap in them allows no leap.
+    // Ticks are slightly irregular. After a gap the rate must not jump.
     constexpr double unevenness = 1.5;
     constexpr double longest_gap = 0.1;
 

@@ -1,4 +1,4 @@
-// Looks for the Pi's monitor by its name: its number says nothing.
+// Finds the Pi's voltage monitor by its name, because its number has no meaning.
 #include "hw/raspimouse/supply.hpp"
 
 #include <string>

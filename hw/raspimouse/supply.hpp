@@ -1,4 +1,4 @@
-// Whether the Raspberry Pi gets the voltage that it needs, read on a thread of its own.
+// Whether the Raspberry Pi has enough voltage, read on its own thread.
 #pragma once
 
 #include <atomic>
@@ -10,8 +10,8 @@
 
 namespace nezumi::hw {
 
-/// The kernel's alarm of the Pi's supply (driver raspberrypi-hwmon), which goes on under 4.63 V and off 2 s after that
-/// at the earliest. Counts as failed while it is on. A machine without it has nothing to say.
+/// The kernel's alarm for the Pi's supply (driver raspberrypi-hwmon): on below 4.63 V, off at least 2 s later. Counts
+/// as failed while it is on. A machine without this driver reports nothing.
 class Supply final : public Sampler<bool> {
 public:
     /// `folder` of the class hwmon.
@@ -19,7 +19,7 @@ public:
 
     static constexpr double period = 0.2;  ///< [s] between readings
 
-    /// From any thread.
+    /// Any thread may call it.
     bool is_low() const { return is_low_; }
 
 protected:

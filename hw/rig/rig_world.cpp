@@ -1,4 +1,4 @@
-// Questions and answers, a line each; what was asked in a tick is not asked again.
+// Requests and answers as lines; within a tick each answer is cached.
 #include "hw/rig/rig_world.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr timeval longest_answer{.tv_sec = 1, .tv_usec = 0};
 
-// The connection to what sees one robot.
+// The connection to the observer of one robot.
 class Witness {
 public:
     static Expected<Witness> connect(const std::string& robot, std::vector<std::string> sensors,
@@ -31,7 +31,7 @@ public:
         };
         sockaddr_un address{};
         address.sun_family = AF_UNIX;
-        if (path.size() >= sizeof address.sun_path) return refuse("this is too long for a socket's name");
+        if (path.size() >= sizeof address.sun_path) return refuse("the path is too long for a socket");
         std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
         Witness made(robot, std::move(sensors), socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
         setsockopt(made.socket_, SOL_SOCKET, SO_RCVTIMEO, &longest_answer, sizeof longest_answer);
@@ -50,7 +50,7 @@ public:
     Witness(const Witness&) = delete;
     Witness& operator=(const Witness&) = delete;
 
-    // What is answered, without the line with the dot.
+    // Returns the answer without the line with the dot.
     Expected<std::string> ask(const std::string& line) {
         const std::string text = line + "\n";
         if (send(socket_, text.data(), text.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(text.size())) return lost();
@@ -68,7 +68,7 @@ public:
     const std::string& robot() const { return robot_; }
     const std::string& sensor(std::size_t index) const { return sensors_[index]; }
 
-    // What was asked since the last tick.
+    // The answers of this tick.
     std::optional<Truth> truth{};
     std::optional<std::string> touched{};
 
@@ -88,7 +88,7 @@ public:
 
     Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& /*spec*/,
                                                    Pose2D /*pose*/) override {
-        return failure(fmt::format("{}: a rig has the robots that it has", name));
+        return failure(fmt::format("{}: a rig can't add robots", name));
     }
     void step(int /*count*/) override {
         for (Witness& witness : witnesses_) {
@@ -105,7 +105,7 @@ public:
         std::istringstream numbers(ask(witness, "truth"));
         if (!(numbers >> truth.pose.position.x >> truth.pose.position.y >> truth.pose.heading >> truth.velocity.vx >>
               truth.velocity.vy >> truth.velocity.va >> truth.height >> truth.tilt))
-            break_down(fmt::format("the rig of '{}' says '{}': expected eight numbers for 'truth'", witness.robot(),
+            break_down(fmt::format("the rig of '{}' answered '{}': expected eight numbers for 'truth'", witness.robot(),
                                    shown(numbers.str())));
         return *(witness.truth = truth);
     }
@@ -186,7 +186,7 @@ Expected<Rig> open_rig(const SystemSpec& spec, const std::map<std::string, std::
         rig.world->disturb(id, {});
         for (const std::size_t button : buttons[id]) rig.world->press(id, button, false);
         if (auto placed = rig.world->teleport(id, poses[id]); !placed) return Unexpected(placed.error());
-        rig.world->collided(id);  // what was before does not count
+        rig.world->collided(id);  // clears earlier contacts
         if (const Error* why = rig.world->breakdown()) return Unexpected(*why);
     }
     rig.world->step(0);

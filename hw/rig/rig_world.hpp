@@ -1,4 +1,4 @@
-// A test rig as a world: it sees real robots from outside, pushes them and puts them back, each over a socket.
+// A test rig for real robots as a world: over a socket per robot it observes, pushes and moves them.
 #pragma once
 
 #include <map>
@@ -9,15 +9,17 @@
 
 namespace nezumi::hw {
 
-/// Connects to the Unix stream sockets of a rig, those of the system's real robots by their names, and puts these
-/// robots where the system's file has them. A line goes out, and the answer is lines up to one with a dot alone. What
-/// is refused has a line that says why.
-///   truth                    X Y HEADING VX VY VA HEIGHT TILT: units as `Truth`
-///   touched                  what the robot has touched since this was asked last, as "box 1"; nothing where nothing
-///   place X Y HEADING        puts it there, at rest
-///   disturb VX VY VA         forces these velocities on it, "-" leaves one free
-///   press SENSOR 1|0         presses, lets go
-/// A rig that does not answer within a second is the world's breakdown.
+/// Connects to the rig's Unix stream sockets, one per real robot by its name, and moves the robots to the poses of the
+/// system's file. A request is one line; the answer is lines that end with a line with only a dot. A refused request is
+/// answered with the reason.
+///
+///     truth                    X Y HEADING VX VY VA HEIGHT TILT: units as `Truth`
+///     touched                  obstacles touched since the last such request, as "box 1"; empty if none
+///     place X Y HEADING        moves the robot there, at rest
+///     disturb VX VY VA         forces these velocities on it; "-" leaves one free
+///     press SENSOR 1|0         presses or releases
+///
+/// If a rig does not answer within a second, the world fails.
 Expected<Rig> open_rig(const SystemSpec& spec, const std::map<std::string, std::string>& sockets);
 
 }  // namespace nezumi::hw

@@ -1,4 +1,4 @@
-// Sounds become WAV files without a name, which ALSA's player gets as its input.
+// Writes sounds to WAV files without a name, the standard input of ALSA's player.
 #include "hw/sound/speaker.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 constexpr const char* player = "aplay";
 constexpr double longest_sound = 120;  // [s]
 
-// One is as good as the other.
+// The first one found is used.
 std::string speech_program() {
     for (const char* program : {"espeak-ng", "espeak"}) {
         if (can_run(program)) return program;
@@ -61,7 +61,7 @@ std::vector<std::string> Speaker::take_faults() {
     return all;
 }
 
-// Speech as a WAV file; "" when it was made, else why not.
+// Makes speech as a WAV file. Returns "" or the reason of the failure.
 std::string Speaker::synthesize(const std::string& text, int output) {
     const std::string program = speech_program();
     if (program.empty()) return "espeak-ng is not installed: sudo apt install espeak-ng";
@@ -86,14 +86,14 @@ std::string Speaker::play_wav(int wav) {
 }
 
 double Speaker::run() {
-    constexpr double idle = 1;  // [s]; it is woken when there is a sound
+    constexpr double idle = 1;  // [s]; a new sound wakes it earlier
     std::optional<Sound> sound;
     {
         const std::lock_guard lock(mutex_);
         if (!waiting_.empty()) {
             sound = std::move(waiting_.front());
             waiting_.pop_front();
-            is_silenced_ = has_ended_.load();  // a silence is over when there is a new sound
+            is_silenced_ = has_ended_.load();  // a silence ends with the next sound
         }
     }
     if (!sound) return idle;

@@ -1,4 +1,4 @@
-// A robot's loudspeaker: tones by ALSA's player, speech by espeak-ng, one after the other beside the loop.
+// A robot's loudspeaker: tones by ALSA's player, speech by espeak-ng, one after the other on its own thread.
 #pragma once
 
 #include <atomic>
@@ -17,21 +17,21 @@
 
 namespace nezumi::hw {
 
-/// A job. Both programs are run without a shell, and get what they are for as their input. Where one is missing it is
-/// told once, and the robot is silent.
+/// A job. Both programs run without a shell and get the sound as standard input. A missing program is reported once,
+/// and the robot is silent.
 class Speaker final : public DeviceJob {
 public:
-    /// `device` as ALSA calls it ("plughw:1"); "": its default.
+    /// `device` as named by ALSA ("plughw:1"); "" is its default.
     explicit Speaker(std::string device = "") : device_(std::move(device)) {}
 
-    /// Sounds that may wait; what comes while so many do is left out.
+    /// Longest queue; further sounds are dropped.
     static constexpr std::size_t most_waiting = 16;
 
-    /// From the control loop: plays it after those that came before.
+    /// Called by the control loop: plays the sound after the earlier ones.
     void play(const Sound& sound);
-    /// From any thread: what plays ends at once, and what waits is left out.
+    /// Ends the present sound and drops the waiting ones. Any thread may call it.
     void silence();
-    /// The same, and nothing is played any more.
+    /// The same, and no further sound is played.
     void silence_for_good();
     std::vector<std::string> take_faults();
 
@@ -44,22 +44,22 @@ private:
     const std::string device_;
     Health player_health_{"loudspeaker"}, speech_health_{"speech"}, queue_health_{"loudspeaker"};
     std::atomic<bool> is_silenced_ = false, has_ended_ = false;
-    Mutex mutex_;  // held for a copy at most
+    Mutex mutex_;  // held only for a copy
     std::deque<Sound> waiting_;
 };
 
-/// The loudspeaker of a robot, with its thread: that begins with the first sound.
+/// The loudspeaker of a robot with its thread, which starts with the first sound.
 class Loudspeaker {
 public:
     /// Its device is the `port` of the spec's first speaker.
     explicit Loudspeaker(const RobotSpec& spec);
-    /// What plays ends.
+    /// Ends the present sound.
     ~Loudspeaker();
     Loudspeaker(const Loudspeaker&) = delete;
     Loudspeaker& operator=(const Loudspeaker&) = delete;
 
     void play(const Sound& sound);
-    /// What plays ends, and what waits is left out.
+    /// Ends the present sound and drops the waiting ones.
     void silence();
     std::vector<std::string> take_faults();
 

@@ -58,13 +58,16 @@ void step(std::span<const std::uint8_t> bytes) {
 void request(std::span<const std::uint8_t> bytes) {
     dds::RemoteRequest read;
     if (!read_cdr(bytes, {.header = true}, read)) return;
-    const auto data = dds::from_wire(read.values);
-    if (!data) return;
-    for (const PlainData::Value& value : data->values) {
-        const auto* table = std::get_if<PlainData::TableRef>(&value);
-        require(table == nullptr || table->index < data->tables.size());
+    const PlainData& data = read.values;
+    if (!is_sound(data)) return;
+    for (const Value& value : data.values) {
+        const auto* table = value.get_if<TableRef>();
+        require(table == nullptr || table->index < data.tables.size());
     }
-    require(dds::from_wire(dds::to_wire(*data)).has_value());
+    Octets written;
+    write_cdr(written, {.header = true}, data);
+    PlainData again;
+    require(read_cdr(written, {.header = true}, again).has_value() && (again == data || !is_finite(data)));
 }
 
 void receive(std::size_t type, std::span<const std::uint8_t> bytes) {

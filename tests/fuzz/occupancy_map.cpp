@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     require(facts->resolution > 0 && !facts->image.empty() && std::isfinite(facts->origin.heading));
-    const auto map = read_occupancy(*facts, text.substr(begin), "map.pgm", {"any.lua", 1});
+    const auto map = read_occupancy(*facts, text.substr(begin), "map.pgm", occupancy_height, {"any.lua", 1});
     if (!map) {
         check(map.error());
         return 0;

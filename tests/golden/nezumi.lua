@@ -105,12 +105,12 @@
 ---@field frequency? number [Hz] scans per second
 
 ---@class (exact) RangeData
----@field ranges number[] [m] distances, one per scan angle
+---@field ranges number[] [m] distances, one per scan angle; inf: nothing within reach, -inf: too near, nan: no reading (REP 117)
 ---@field geometry RangerGeometry where the ranger sits
 ---@field config RangerConfig what it can measure
 
 ---@class (exact) RangeData.Written
----@field ranges? number[] [m] distances, one per scan angle
+---@field ranges? number[] [m] distances, one per scan angle; inf: nothing within reach, -inf: too near, nan: no reading (REP 117)
 ---@field geometry? RangerGeometry.Written where the ranger sits
 ---@field config? RangerConfig.Written what it can measure
 
@@ -142,6 +142,9 @@
 ---@field p1 number tangential distortion
 ---@field p2 number tangential distortion
 ---@field k3 number radial distortion
+---@field k4 number radial distortion of a rational model
+---@field k5 number radial distortion of a rational model
+---@field k6 number radial distortion of a rational model
 
 ---@class (exact) CameraIntrinsics.Written
 ---@field width? integer [px] of the pictures that they are for 0..65535
@@ -155,6 +158,9 @@
 ---@field p1? number tangential distortion
 ---@field p2? number tangential distortion
 ---@field k3? number radial distortion
+---@field k4? number radial distortion of a rational model
+---@field k5? number radial distortion of a rational model
+---@field k6? number radial distortion of a rational model
 
 ---@class (exact) SeenMarker
 ---@field id integer its number -2147483648..2147483647
@@ -581,6 +587,7 @@ function output(name, type, doc, options) end
 ---@field limits? LimitChangesFields in the place of the model's
 ---@field backend? string "sim": simulated with --hw as well; or the driver that --hw uses
 ---@field calibrated? boolean in simulation too it is as `NAME.calibration.lua` beside this file says
+---@field odometry_at_pose? boolean its odometry starts at `pose`, in the arena's coordinates; else where it stands is 0, 0, 0
 ---@field active? boolean whether it is activated at the start
 ---@field doc? string what it is
 ---@field mass? number [kg] of the whole robot
@@ -956,6 +963,13 @@ function ros(fields) end
 ---@param fields RtmFields
 function rtm(fields) end
 
+---A value that `--set name=value` gives in the place of the default.
+---@param name string
+---@param default any
+---@param options table?
+---@return any
+function argument(name, default, options) end
+
 ---Connects an out-port to an in-port of the same type.
 ---@param from string|Port "name.port", "rtm:NAME.port", or in a scenario the port itself
 ---@param to string|Port
@@ -987,17 +1001,17 @@ function robot_model(fields) end
 ---A port as seen from outside: looking at it consumes nothing.
 ---@class Port
 ---@field age number how long ago its stamp was [s]; math.huge before anything came
----@field connected boolean whether somebody is at its other end
+---@field connected boolean whether another port is connected to it
 ---@field count integer messages since the start
 ---@field direction "in"|"out" whether its component reads or writes it
----@field doc string what its component says that it is
----@field drop fun(self: Port) nothing gets through, until release
----@field freeze fun(self: Port) the present value again and again, until release
----@field hold fun(self: Port, value: any, options?: HoldOptions) this value and nothing else, until release
----@field holder string? whose hand is on it, or nil
+---@field doc string its description
+---@field drop fun(self: Port) no message gets through until release
+---@field freeze fun(self: Port) the present value is repeated until release
+---@field hold fun(self: Port, value: any, options?: HoldOptions) only this value gets through until release
+---@field holder string? who holds, drops or freezes it, or nil
 ---@field inject fun(self: Port, value: any) one message, as from a connection
 ---@field name string its name
----@field note string what its robot says of it: that commands are ignored, for example
+---@field note string a note of its robot, for example that commands are ignored
 ---@field override string "held", "dropped", "frozen" or ""
 ---@field path string "name.port"
 ---@field peers string[] the ports at its other end
@@ -1016,8 +1030,9 @@ function robot_model(fields) end
 ---@field commands string[] the names of its commands
 ---@field config table<string, ParameterValue> its parameters, read and written within their bounds
 ---@field deactivate fun(self: Component): string makes it INACTIVE; gives the status that follows
----@field disturb fun(self: Component, velocities?: VelocityConstraintFields) of robots: a hand forces these speeds on it; without them the hand lets go
----@field error string? what went wrong last, or nil
+---@field disturb fun(self: Component, velocities?: VelocityConstraintFields) of robots: forces these speeds on it, as a hand would; without them it moves freely again
+---@field error string? in ERROR: what sent it there; else nil
+---@field failure { text: string, tm: number, file?: string, line?: integer }? in ERROR: what sent it there, when [s] and in which line; else nil
 ---@field leds boolean[] of robots: which of its lights are on
 ---@field limits table<string, number> of robots: the highest speeds and accelerations that it obeys
 ---@field name string its name
@@ -1032,7 +1047,7 @@ function robot_model(fields) end
 ---@field state table a copy of what its script keeps in `state`
 ---@field status "INACTIVE"|"ACTIVE"|"ERROR" "INACTIVE", "ACTIVE" or "ERROR"
 ---@field tasks table<string, TaskView> its tasks: status, since, waiting and line of each
----@field teleport fun(self: Component, pose: PoseFields) of robots: carries it to a pose, at rest
+---@field teleport fun(self: Component, pose: PoseFields) of robots: puts it at a pose, at rest
 ---@field touching string? of robots: what it touches, or nil
 ---@field truth { pose: Pose2D, velocity: Velocity2D, height: number, tilt: number } of robots: what the simulation knows of it: pose, velocity, height, tilt
 ---@field type string its component type
@@ -1125,6 +1140,12 @@ function s:check(value, message) end
 ---@param tolerance number
 ---@param message? string
 function s:near(actual, expected, tolerance, message) end
+
+---Compares deeply; a failure shows both values.
+---@param actual any
+---@param expected any
+---@param message? string
+function s:equal(actual, expected, message) end
 
 ---From here on this component may go to ERROR; else that fails the scenario.
 ---@param component Component|string

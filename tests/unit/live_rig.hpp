@@ -1,10 +1,10 @@
 // A live system from texts: a system file and behaviours in a scratch folder, simulated, and what it said.
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -59,7 +59,7 @@ struct LiveRig {
         options.components = {{"Joystick", {{"sim", make_joystick}}}};
         options.build.log = [this](const LogLine& line) { log.push_back(line); };
         auto loaded = RunningSystem::load(file, std::move(options));
-        if (!loaded) FAIL(describe(loaded.error()));
+        if (!loaded) throw std::runtime_error(describe(loaded.error()));
         live = std::move(*loaded);
         live->activate();
     }
@@ -69,8 +69,9 @@ struct LiveRig {
     }
     // Past the one door through which systems are changed: only tests have this key.
     Component& component(const std::string& name) {
-        REQUIRE(live->system().find(name) != nullptr);
-        return const_cast<Component&>(*live->system().find(name));
+        const Component* found = live->system().find(name);
+        if (found == nullptr) throw std::runtime_error("there is no component " + name);
+        return const_cast<Component&>(*found);
     }
     bool said(const std::string& text) const {
         for (const LogLine& line : log) {

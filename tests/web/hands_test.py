@@ -100,7 +100,7 @@ class Driving(rig.PageCase):
         self.assertEqual([each.text for each in page.all(".cells output")], ["0", "150", "150", "90", "0.30", "0.00"])
         rig.wait_until(lambda: page.pose()[0] > 0.1, "the robot drives forward")
         self.release("\ue013")
-        page.until("document.querySelector('.who').textContent === 'Nobody drives.'", "nobody drives any more")
+        page.until("document.querySelector('.who').textContent === 'No driver.'", "no driver any more")
         self.stands()
 
     def test_a_joystick_component_hears_pixels(self):
@@ -126,7 +126,7 @@ class Driving(rig.PageCase):
         rig.wait_until(lambda: page.pose()[2] > 20, "the robot turns left")
         page.keys().release().perform()
         self.assertEqual(page.js("return document.querySelector('.pad .knob').getAttribute('transform')"), "translate(0 0)")
-        page.until("document.querySelector('.who').textContent === 'Nobody drives.'", "nobody drives any more")
+        page.until("document.querySelector('.who').textContent === 'No driver.'", "no driver any more")
 
     def test_losing_the_focus_is_letting_go(self):
         self.open(text=STANDING)
@@ -134,7 +134,7 @@ class Driving(rig.PageCase):
         self.hold("\ue013")
         page.until("document.querySelector('.who').textContent === 'You drive.'", "the page says who drives")
         page.js("window.dispatchEvent(new Event('blur'))")
-        page.until("document.querySelector('.who').textContent === 'Nobody drives.'", "nobody drives any more")
+        page.until("document.querySelector('.who').textContent === 'No driver.'", "no driver any more")
         self.release("\ue013")
 
     def test_nobody_drives_once_the_connection_is_lost(self):
@@ -142,7 +142,7 @@ class Driving(rig.PageCase):
         self.hold("\ue013")
         self.page.until("document.querySelector('.who').textContent === 'You drive.'", "the page says who drives")
         system.process.kill()
-        self.page.until("document.querySelector('.who').textContent === 'Nobody drives.'", "nobody drives any more")
+        self.page.until("document.querySelector('.who').textContent === 'No driver.'", "no driver any more")
         self.release("\ue013")
 
     def test_a_gamepad_drives_while_its_stick_is_away_from_the_centre(self):
@@ -157,7 +157,7 @@ class Driving(rig.PageCase):
         rig.wait_until(lambda: page.pose()[0] > 0.1, "the robot drives forward")
         self.assertIn("In use: a gamepad", page.text(".driving"))
         page.js("window.stick = [0.05, 0.05]")
-        page.until("document.querySelector('.who').textContent === 'Nobody drives.'", "nobody drives any more")
+        page.until("document.querySelector('.who').textContent === 'No driver.'", "no driver any more")
         self.stands()
 
     def test_another_browser_sees_who_drives_and_takes_over_on_purpose(self):
@@ -170,7 +170,7 @@ class Driving(rig.PageCase):
         other.until("document.querySelector('.who').classList.contains('other')", "the other browser says who drives")
         self.assertRegex(other.text(".who"), r"^browser \d+ drives\.$")
         other.press("Take over")
-        page.until("[...document.querySelectorAll('.notice')].some((each) => each.textContent.includes('somebody else drives it'))",
+        page.until("[...document.querySelectorAll('.notice')].some((each) => each.textContent.includes('another user drives it'))",
                    "who drove is told")
         self.assertEqual(page.js("return document.querySelector('.pad .knob').getAttribute('transform')"), "translate(0 0)")
         self.release("\ue013")

@@ -52,7 +52,7 @@ same(cdr.read("TimedShortSeq", offset).data, [1, -1, 256], "a part of a longer m
 refused(() => cdr.read("TimedShortSeq", shorts.subarray(0, 15)), "ends at byte 15", "a message cut short");
 refused(() => cdr.read("Octets", bytes(255, 255, 255, 255, 1)), "ends at byte 5", "a length that lies");
 refused(() => cdr.read("Lost", bytes(0)), "no type is called 'Nothing'", "an unknown type");
-same(numbers_in({ position: { x: 1, y: 2 }, on: true, name: "a", list: [3] }), [["position.x", 1], ["position.y", 2], ["on", 1], ["list[0]", 3]], "numbers by their path");
+same(numbers_in({ position: { x: 1, y: 2 }, on: true, name: "a", list: [3] }), [["position.x", 1], ["position.y", 2], ["on", 1], ["list[1]", 3]], "numbers by their path");
 same(to_message({ tm: { sec: 1, nsec: 0 }, width: 2, height: 3 }).value, { width: 2, height: 3 }, "a message of several fields");
 
 const parameter = { type: "number", min: -1.5, max: 1.5 };

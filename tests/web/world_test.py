@@ -132,7 +132,7 @@ class Explain(rig.PageCase):
         self.assertIn("mouse.target_velocity_in", page.text(".explain .outputs"))
         self.assertIn("left", page.text(".explain .wheels"))
         before = page.text(".explain .when")
-        page.press("Again and again")
+        page.press("Repeat")
         rig.wait_until(lambda: page.text(".explain .when") != before, "it looks again")
         self.assertEqual(page.errors(), [])
 

@@ -1,4 +1,4 @@
-// Looks for the installed files and joins the rooms.
+// Finds the installed files and connects the rooms.
 #include "bindings/cli/base/environment.hpp"
 
 #include <fmt/format.h>
@@ -17,8 +17,8 @@
 namespace nezumi::cli {
 
 std::vector<std::filesystem::path> installed_folders() {
-    // bin/nezumi and share/nezumi lie side by side. In a build folder the second is a link to the sources, whose name
-    // is the one that people know.
+    // bin/nezumi and share/nezumi are next to each other. In a build folder the second one is a link to the sources,
+    // whose path is shown to people.
     std::error_code none;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
     std::filesystem::path folder =
@@ -43,7 +43,7 @@ Expected<void> need_simulation(std::initializer_list<std::pair<std::string_view,
 }
 
 std::string refusal(const Error& error) {
-    // A place begins the line, so that editors can go there.
+    // The place comes first in the line, so that editors can jump to it.
     if (error.place.file.empty()) return visible("nezumi: " + error.message) + "\n";
     return visible(describe(error)) + "\n";
 }

@@ -1,6 +1,7 @@
 // What every sub-command takes from around it: the installed files, the simulator, the way to speak.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <initializer_list>
 #include <string_view>
@@ -14,6 +15,9 @@ namespace nezumi::cli {
 
 /// The folder of the installed files, which has `behaviors/` and `engine/robots/`; none where they are not installed.
 std::vector<std::filesystem::path> installed_folders();
+
+/// What decides all that is drawn at random where nobody says another seed.
+inline constexpr std::uint64_t usual_seed = 124;
 
 /// How systems are made here: simulated, from the project's files and the installed ones.
 LiveOptions simulated_systems();

@@ -1,4 +1,4 @@
-// Escapes byte by byte, after a look at whether the bytes are UTF-8 (RFC 3629, table of section 4).
+// Escapes byte by byte, after a check that the bytes are UTF-8 (RFC 3629, table of section 4).
 #include "bindings/cli/base/json_text.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ unsigned byte_at(std::string_view text, std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
 }
 
-// How many bytes the character at `i` has, from 2 to 4; 0 when it is none.
+// The length of the character at `i`, from 2 to 4 bytes; 0 if it is invalid.
 std::size_t character_size(std::string_view text, std::size_t i) {
     const unsigned first = byte_at(text, i);
     const unsigned second = byte_at(text, i + 1);

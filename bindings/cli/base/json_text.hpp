@@ -1,4 +1,4 @@
-// Texts as JSON writes them.
+// Texts in JSON's form.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace nezumi::cli {
 
-/// A text as a JSON string with its quotes; what is no UTF-8 becomes U+FFFD.
+/// Returns a text as a JSON string with its quotes; invalid UTF-8 becomes U+FFFD.
 std::string json_text(std::string_view text);
 
 }  // namespace nezumi::cli

@@ -1,5 +1,4 @@
-// A behaviour may use 1 MB of the C stack (watchdog.hpp); what calls it, and libraries, need far less than as much
-// again.
+// A behaviour may use 1 MB of the C stack (watchdog.hpp); its callers and libraries need much less than another 1 MB.
 #include "bindings/cli/base/stack_limit.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +9,8 @@ namespace nezumi::cli {
 std::string stack_problem() {
     constexpr rlim_t least = rlim_t{2} << 20;
     rlimit stack{};
-    if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= least) return "";  // RLIM_INFINITY is the largest
+    if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= least)
+        return "";  // RLIM_INFINITY is the largest value
     return fmt::format("the limit of the stack is {} kB, at least {} are needed: say `ulimit -s 8192` before",
                        stack.rlim_cur >> 10, least >> 10);
 }

@@ -1,12 +1,12 @@
-// Whether the system gives the program a stack that it can work with.
+// Checks that the program's stack is large enough.
 #pragma once
 
 #include <string>
 
 namespace nezumi::cli {
 
-/// What to do about a limit of the stack (`ulimit -s`) under which code would end by a signal; empty: it is large
-/// enough.
+/// Returns what to do about a stack limit (`ulimit -s`) that is so small that the program would crash; empty if it is
+/// large enough.
 std::string stack_problem();
 
 }  // namespace nezumi::cli

@@ -1,4 +1,4 @@
-// A closed standard output is opened for reading only, so that writing to it fails as it should.
+// A closed standard output is opened for reading only, so that writing to it still fails.
 #include "bindings/cli/base/standard_files.hpp"
 
 #include <fcntl.h>
@@ -14,7 +14,7 @@ namespace nezumi::cli {
 void open_missing_standard_files() {
     for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(file, F_GETFD) >= 0 || errno != EBADF) continue;
-        // The lowest free number is this one: those below are open by now.
+        // The lowest free number is this one, because those below are open by now.
         static_cast<void>(open("/dev/null", file == STDERR_FILENO ? O_RDWR : O_RDONLY));
     }
 }

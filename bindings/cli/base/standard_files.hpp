@@ -1,16 +1,15 @@
-// Standard input, output and error: that they are there, and that what was said has got through.
+// Standard input, output and error: makes sure that they exist, and reports lost output.
 #pragma once
 
 #include <string>
 
 namespace nezumi::cli {
 
-/// Opens /dev/null for those of the three that whoever started us has closed; a file that is opened later would take
-/// their place, and get what is meant for a person.
+/// Opens /dev/null for those of the three that were closed at the start. Otherwise a file opened later would get their
+/// number and the output for people.
 void open_missing_standard_files();
 
-/// Writes out what standard output still holds. Returns why something that was said there got lost, once; empty:
-/// nothing.
+/// Writes the rest of standard output. Returns the reason if output was lost, once; otherwise an empty text.
 std::string lost_output();
 
 }  // namespace nezumi::cli

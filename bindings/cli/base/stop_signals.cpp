@@ -1,4 +1,4 @@
-// A handler can reach nothing but variables of the whole program: it wakes a thread that does what there is to do.
+// A signal handler can access only global variables: it wakes a thread that does the work.
 #include "bindings/cli/base/stop_signals.hpp"
 
 #include <fmt/format.h>
@@ -19,18 +19,18 @@
 namespace nezumi::cli {
 namespace {
 
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): the only thing that a signal's handler can reach
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler can access nothing else
 volatile std::sig_atomic_t last_signal = 0;
 
-// Posted by each signal, and at the end of it all.
+// Posted by each signal, and at the end.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): likewise
 sem_t news;
-// Read by the thread that watches as well. A handler may use atomics that need no lock.
+// Also read by the watching thread. A handler may use lock-free atomics.
 static_assert(std::atomic<int>::is_always_lock_free);
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): likewise
 std::atomic<int> second_signal = 0, is_watched = 0, is_over = 0;
 
-// How long files have to be completed at once, and a line to be written.
+// Time limits for completing files at once, and for writing a line.
 constexpr std::chrono::milliseconds longest_completion{1000}, longest_telling{100};
 
 void take(int signal) {
@@ -47,9 +47,9 @@ void take(int signal) {
     errno = saved_errno;
 }
 
-// Whether the semaphore was posted before `until`.
+// True if the semaphore was posted before `until`.
 bool is_posted_before(sem_t& semaphore, std::chrono::steady_clock::time_point until) {
-    const auto since_begin = until.time_since_epoch();  // the monotonic clock's
+    const auto since_begin = until.time_since_epoch();  // of the monotonic clock
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(since_begin);
     const timespec end{.tv_sec = static_cast<std::time_t>(seconds.count()),
                        .tv_nsec = static_cast<long>(std::chrono::nanoseconds(since_begin - seconds).count())};
@@ -59,7 +59,7 @@ bool is_posted_before(sem_t& semaphore, std::chrono::steady_clock::time_point un
     return true;
 }
 
-// Does it beside this thread, which waits so long at most: what is done may hang in a file system for ever.
+// Runs `action` on another thread and waits for at most `patience`: the action may hang in a file system.
 void do_within(std::chrono::milliseconds patience, std::function<void()> action) {
     struct Shared {
         Shared() { sem_init(&done, 0, 0); }
@@ -77,7 +77,7 @@ void do_within(std::chrono::milliseconds patience, std::function<void()> action)
     is_posted_before(shared->done, std::chrono::steady_clock::now() + patience);
 }
 
-// Standard error may take nothing.
+// Standard error may block.
 void tell_if_taken(const std::string& line) {
     pollfd error{.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
     if (poll(&error, 1, 0) > 0) static_cast<void>(write(STDERR_FILENO, line.data(), line.size()) >= 0);
@@ -89,7 +89,7 @@ void tell_if_taken(const std::string& line) {
 }
 
 void watch_end_of_run(const StopSignals::Ends& ends) {
-    // Waits, and returns whether nothing more is to be done: the run has ended.
+    // Waits; returns true if the run has ended.
     const auto is_over_before = [&](std::chrono::steady_clock::time_point until) {
         is_posted_before(news, until);
         if (second_signal != 0) {
@@ -134,7 +134,7 @@ StopSignals::StopSignals() {
 }
 
 void StopSignals::watch_end(Ends ends) {
-    // Signals are for the thread that runs the loop: they end its waiting.
+    // Signals must go to the thread that runs the loop, because they end its waiting.
     watch_ = start_thread([ends = std::move(ends)] { watch_end_of_run(ends); });
     is_watched = 1;
 }

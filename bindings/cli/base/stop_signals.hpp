@@ -1,4 +1,5 @@
-// Ctrl-C and its kin: the first ends a run in good order, but within 2 s; the second at once and with its files whole.
+// Signals such as Ctrl-C: the first one ends a run in order, within 2 s; the second one at once, but with complete
+// files.
 #pragma once
 
 #include <array>
@@ -10,9 +11,9 @@
 
 namespace nezumi::cli {
 
-/// While one exists, SIGINT, SIGTERM and SIGHUP are only noted, the first time; and writing to a pipe that nobody reads
-/// is an error like others. A signal that was ignored before (nohup, a shell's background jobs) stays ignored. One at a
-/// time.
+/// During its lifetime, SIGINT, SIGTERM and SIGHUP are only recorded the first time, and writing to a pipe without a
+/// reader is an ordinary error. A signal that was ignored before (nohup, background jobs of a shell) stays ignored.
+/// Only one instance at a time.
 class StopSignals {
 public:
     StopSignals();
@@ -20,24 +21,24 @@ public:
     StopSignals(const StopSignals&) = delete;
     StopSignals& operator=(const StopSignals&) = delete;
 
-    /// The signal that has come, 0 before.
+    /// The signal received, or 0.
     const volatile std::sig_atomic_t& received() const;
 
-    /// What a run waits for that does not end, and the status that it ends with.
+    /// What keeps a run from ending, and its exit status.
     struct Held {
         std::string by;
         int status = 0;
     };
-    /// What is done for an end that does not come, on other threads, wherever the run's own are in the middle of.
+    /// Actions for a run that does not end; called on other threads at any time.
     struct Ends {
-        /// `until_given_up` after the first signal: what is not written yet is given up, so that the end may come.
+        /// `until_given_up` after the first signal: drops what is not written yet, so that the run can end.
         std::function<void()> give_up;
-        /// At the second signal, which then ends the program, or `until_ended` after the first: files are completed
-        /// with what they have. It is given a second.
+        /// At the second signal, which then ends the program, or `until_ended` after the first: completes the files
+        /// with the present data. It has one second.
         std::function<void()> at_once;
         std::function<Held()> held;
     };
-    /// From now on. A third signal ends the program without anything. Once.
+    /// Starts watching. A third signal ends the program without any action. Call it once.
     void watch_end(Ends ends);
 
     static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};

@@ -1,4 +1,4 @@
-// The only file that is compiled anew for another version.
+// The only file that is recompiled for a new version.
 #include "bindings/cli/base/version.hpp"
 
 namespace nezumi::cli {

@@ -1,5 +1,4 @@
-// What a program without pictures and vision (NEZUMI_SIMULATION=OFF) has instead of its drawings: nothing is taken, and
-// each says so.
+// Replaces the drawings in a program without pictures and vision (NEZUMI_SIMULATION=OFF): each one is refused.
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/draw/marker_sheet.hpp"
 #include "bindings/draw/picture.hpp"

@@ -1,4 +1,4 @@
-// `nezumi attach`: the console of a system that runs already.
+// `nezumi attach`: the console of a running system.
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -38,7 +38,7 @@ int list_systems() {
     return systems->empty() ? refuse("nothing is running: start a system with `nezumi run FILE`") : exit_done;
 }
 
-// The console of a system on another computer is that computer's `nezumi attach`.
+// For a system on another computer, runs `nezumi attach` there.
 Expected<int> attach_by_ssh(const AttachOptions& options, const std::string& which) {
     const std::size_t slash = which.find('/');
     const auto remote = push::Remote::at(which.substr(0, slash), options.ssh_config);

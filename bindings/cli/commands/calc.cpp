@@ -1,4 +1,4 @@
-// `nezumi calc`: finds the system, and hands its console to the program in Python that reaches LibreOffice Calc.
+// `nezumi calc`: finds the system and gives its console to the Python program for LibreOffice Calc.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -20,7 +20,7 @@
 namespace nezumi::cli {
 namespace {
 
-// Debian's own, which python3-uno belongs to.
+// Debian's Python, which python3-uno needs.
 constexpr const char* python = "/usr/bin/python3";
 
 struct CalcOptions {
@@ -32,7 +32,7 @@ struct CalcOptions {
     bool headless = false;
 };
 
-// Every number, truth value, text and picture of a type as [name, unit, kind, is a sequence].
+// Adds every number, boolean, text and picture of a type as [name, unit, kind, is a sequence].
 void add_fields(const Type& type, const std::string& name, std::string_view unit, std::vector<std::string>& fields) {
     for (const Type::Field& field : type.fields)
         add_fields(*field.type, name + (name.empty() ? "" : ".") + field.name, field.unit, fields);
@@ -80,8 +80,8 @@ int link(const CalcOptions& options) {
     if (!reached) return refuse(reached.error());
 
     const int socket = reached->socket.get();
-    fcntl(socket, F_SETFD, 0);  // it goes along
-    // -B -E -s: Python leaves nothing beside the program, and takes nothing from around it.
+    fcntl(socket, F_SETFD, 0);  // the child process inherits it
+    // -B -E -s: Python writes no files beside the program and ignores the user's environment.
     std::vector<std::string> words{python,
                                    "-B",
                                    "-E",

@@ -1,4 +1,4 @@
-// `nezumi calibrate`: guided runs that measure one robot and write what it is like beside its system.
+// `nezumi calibrate`: guided runs that measure one robot and write the results beside its system file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -158,7 +158,7 @@ private:
         return Point2D{(*end)[0], (*end)[1]};
     }
     Pose2D truth() { return robot_->system().world()->truth(robot_->robot().id()).pose; }
-    // By its first ray that looks ahead.
+    // Measured along the first ray that faces ahead.
     double distance_to_wall() {
         const Pose2D now = truth();
         double nearest = 1e6;
@@ -168,7 +168,7 @@ private:
         return nearest;
     }
 
-    // The file as it is, with what is new in it.
+    // Writes the file with the new values; others stay.
     template <class Change>
     Expected<int> write(const RobotEntry& robot, Change change) {
         if (options_.simulated) {

@@ -14,6 +14,7 @@
 #include "bindings/cli/files/check_files.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/base/whole_file.hpp"
+#include "engine/project/project.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -99,7 +100,17 @@ int check(const CheckOptions& options) {
     }
     if (options.name != unnamed)
         return refuse("check: --name is for what comes from standard input: give - as the file");
-    const FoundFiles found = lua_files(options.paths);
+    std::vector<std::string> paths = options.paths;
+    if (paths.empty()) {
+        const Project project = Project::of("here");
+        if (project.root().empty())
+            return refuse(
+                "check: this is no project, as no folder behaviors/ is here or above: name files, or . for all "
+                "that are here");
+        const std::string root = project.shown(project.root());
+        paths.push_back(root.empty() ? "." : root);
+    }
+    const FoundFiles found = lua_files(paths);
     for (const Error& error : found.errors) findings.could_not(error);
     for (const std::filesystem::path& file : found.files) {
         if (auto readable = read_whole(file, file.string()); !readable) {
@@ -117,9 +128,9 @@ SubCommand check_command() {
     auto options = std::make_shared<CheckOptions>();
     return {.name = "check",
             .help = "Say what is wrong with files, without running them",
-            .options = {{"FILE", &options->paths,
+            .options = {{"[FILE]", &options->paths,
                          "behaviours, modules, systems, robots, scenarios, by path or name, or folders with them, for "
-                         "example .; - is standard input"},
+                         "example .; - is standard input; without any, those of the project"},
                         {"--name", &options->name, "with -: the file that the text is to be", "FILE.lua"},
                         {"--json", &options->json, "write an array of {file, line, column, message}"}},
             .run = [options] { return check(*options); },

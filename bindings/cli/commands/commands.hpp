@@ -11,6 +11,7 @@ SubCommand attach_command();
 SubCommand calc_command();
 SubCommand types_command();
 SubCommand check_command();
+SubCommand list_command();
 SubCommand new_command();
 SubCommand test_command();
 SubCommand doctor_command();

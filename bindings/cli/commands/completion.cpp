@@ -1,4 +1,4 @@
-// `nezumi completion`: what can be typed, told to a shell.
+// `nezumi completion`: completions of the command line for a shell.
 #include <fmt/format.h>
 
 #include <algorithm>

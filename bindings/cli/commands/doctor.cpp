@@ -1,4 +1,4 @@
-// `nezumi doctor`: what this machine has of a robot, and what to do about what is missing.
+// `nezumi doctor`: examines this machine as a robot, and says what to do about missing parts.
 #include <fmt/format.h>
 
 #include <algorithm>

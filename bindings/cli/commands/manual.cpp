@@ -1,4 +1,4 @@
-// `nezumi manual`: what can be typed, told to man.
+// `nezumi manual`: the manual page.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// `nezumi network`: who is there, and the secret that hosts share.
+// `nezumi network`: lists the hosts of a domain and makes their shared secret.
 #include <fmt/format.h>
 #include <sys/stat.h>
 
@@ -30,10 +30,10 @@ struct ListOptions {
     std::string interface;
     std::vector<std::string> peers;
     std::string secret;  // a file; "": none
-    double seconds = 3;  // hosts announce themselves every second or so
+    double seconds = 3;  // hosts announce themselves about once per second
 };
 
-// The secret of the hosts to be seen: on the loopback this user's, where that is not said and there is one.
+// The secret for finding hosts: on the loopback by default this user's, if there is one.
 std::optional<Expected<dds::Secret>> secret_for(const ListOptions& options) {
     if (!options.secret.empty()) return dds::read_secret(options.secret, options.secret);
     const auto own = dds::user_secret_file();
@@ -65,7 +65,7 @@ int list_network(const ListOptions& options) {
         for (const dds::TopicSample& sample : reader->take()) hosts.heard(sample.writer, sample.bytes, 0);
     }
     const std::string text = dds::list_domain(hosts.all(), (*place)->seen());
-    put_text(stdout, text.empty() ? fmt::format("nobody is in domain {}\n", options.domain) : text);
+    put_text(stdout, text.empty() ? fmt::format("domain {} is empty\n", options.domain) : text);
     return exit_done;
 }
 
@@ -73,7 +73,7 @@ int write_secret(const std::string& file) {
     std::error_code none;
     if (std::filesystem::exists(file, none))
         return refuse(fmt::format("network secret: {} is there already: hosts that have it would be without it", file));
-    // Nobody else may read it, not even while it is written.
+    // Other users must not be able to read it, even while it is written.
     const mode_t before = umask(077);
     const auto written = write_whole(file, dds::secret_text(dds::make_secret()));
     umask(before);

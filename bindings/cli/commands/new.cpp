@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// `name` is what other files call the first one.
+// `name` is the first file's name in other files.
 int write_files(const std::vector<NewFile>& files, const std::string& next, const std::string& name = "") {
     const std::string shipped = name.empty() ? "" : shipped_file_called(name);
     if (auto ok = write_new_files(files); !ok) return refuse(ok.error());
@@ -39,7 +39,7 @@ int write_files(const std::vector<NewFile>& files, const std::string& next, cons
     return exit_done;
 }
 
-// The project that we are in; outside of any, one begins here.
+// The project of the working folder; outside of any project, a new one starts here.
 struct Here {
     Project project = Project::of("here", installed_folders());
     fs::path root;
@@ -68,7 +68,7 @@ int new_behavior(const NewBehavior& wanted) {
                        "nezumi test " + scenario, texts->name);
 }
 
-// What would be wrong with it once it was written.
+// The error that the text would have in this file.
 std::optional<Error> problem_of(const std::string& text, const std::string& file) {
     auto errors = check_text(text, file, simulated_systems());
     return errors.empty() ? std::nullopt : std::optional<Error>(std::move(errors.front()));
@@ -111,7 +111,7 @@ int new_scenario(const NewScenario& wanted) {
     if (!system) return refuse(system.error());
     const Here here;
     const std::string written = here.scenario(*name);
-    // As a scenario names it: from behaviors/ on, wherever that is.
+    // In a scenario's form: the path from behaviors/ on.
     const std::string shown_path = project.shown(*file);
     const std::size_t behaviors = shown_path.rfind("behaviors/");
     const std::string path =

@@ -1,4 +1,4 @@
-// `nezumi push`: brings a project to the robot, where the running nezumi reloads it.
+// `nezumi push`: copies a project to the robot, where a running nezumi reloads it.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -34,7 +34,7 @@ struct PushOptions {
 
 std::string our_version() { return fmt::format("nezumi {}", version()); }
 
-// The project that the working directory is in.
+// The project of the working directory.
 Expected<fs::path> project_here() {
     std::error_code none;
     const fs::path here = fs::current_path(none);
@@ -43,7 +43,7 @@ Expected<fs::path> project_here() {
     return fs::canonical(root, none);
 }
 
-// Says which nezumi is there, and lets it take the project if it is ours. `sh` reads it the same on every computer.
+// Prints the version of nezumi there, and receives the project if it is ours. Works the same in any `sh`.
 std::string receiving_command() {
     return "exec sh -c " + shell_text(fmt::format("v=$(nezumi --version) || exit; echo \"$v\"; "
                                                   "test \"$v\" = '{}' && exec nezumi receive",
@@ -57,7 +57,7 @@ Expected<void> compare_versions(const push::Remote& remote, const std::string& t
         fmt::format("{} has {}, here is {}: install the same on both", remote.host(), shown(theirs), our_version()));
 }
 
-// What the robot's nezumi says of itself; "" when it says nothing. A shell may have greeted before.
+// Reads the version of the robot's nezumi; "" if there is none. A shell may print a greeting before it.
 std::string take_version(const push::PushConnection& connection) {
     while (const auto line = connection.take_line()) {
         if (line->starts_with("nezumi ")) return *line;
@@ -98,7 +98,7 @@ std::string name_shown(const std::string& name) {
     return quoted.size() == name.size() + 2 ? name : quoted;
 }
 
-// What is there instead of the project's file, or besides the project, and what to do.
+// Explains which file was kept on the robot, and what to do.
 std::string explain_kept(const push::FileChange& change) {
     switch (change.what) {
         case What::kept_edited: return "it was edited there; copy it here or remove it there, then push again";
@@ -123,7 +123,7 @@ void say_changes(const push::Sent& sent, const std::string& host, bool only_show
 }
 
 Expected<int> run_there(const push::Remote& remote, const std::string& folder, std::string file) {
-    if (file.starts_with("-")) file.insert(0, "./");  // a file, and no option
+    if (file.starts_with("-")) file.insert(0, "./");  // a file, not an option
     const bool has_terminal = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
     const auto ran = push::run_in_front(remote.ssh(
         fmt::format("cd {} && exec nezumi run {} --hw", shell_text(folder), shell_text(file)), has_terminal));

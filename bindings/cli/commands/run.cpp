@@ -1,4 +1,4 @@
-// `nezumi run`: a system file, simulated until its end or Ctrl-C.
+// `nezumi run`: runs a system file until its end or Ctrl-C.
 #include <memory>
 #include <utility>
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/cli/test/test.hpp"
@@ -15,6 +16,8 @@ SubCommand test_command() {
         .help = "Run scenarios: files *_test.lua",
         .options =
             {{"[PATHS]", &options->paths, "scenario files, and folders that are searched for *_test.lua"},
+             {"--project", &options->project,
+              "test this project: PATHS, and -o, are in its folder (default: the one here)", "DIR"},
              {"--filter", &options->filter, "only runs whose name contains this; a whole name means only that", "TEXT"},
              {"--list", &options->list, "show the names of the runs and where they are, and run nothing"},
              {"--seed", &options->seed,
@@ -64,7 +67,7 @@ SubCommand test_command() {
              {"--quiet", &options->quiet, "tell only of runs that do not pass, and the summary"},
              {"--update-goldens", &options->update_goldens, "write the traces of s:golden instead of comparing"},
              {"-o,--output", &options->folder, "the folder for traces and pictures of failures", "DIR"}},
-        .run = [options] { return test(*options); },
+        .run = [options] { return test(std::move(*options)); },
         .footer =
             "Without PATHS: the scenarios in tests/ and behaviors/ of the project. Exit status: 0 all passed, 1 "
             "a\nscenario failed, 2 something could not be run."};

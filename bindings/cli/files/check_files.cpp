@@ -1,4 +1,4 @@
-// Gives each file to the reader that will load it.
+// Gives each file to the reader that would load it.
 #include "bindings/cli/files/check_files.hpp"
 
 #include <fmt/format.h>
@@ -30,9 +30,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_errors = 50;  // of one system: each costs a build
+constexpr int most_errors = 50;  // per system: each one costs a build
 
-// The text of a script as messages here call it: by its path, so that an editor finds it.
+// Reads a script's text; messages use its path, so that an editor finds it.
 Expected<SourceText> read_shown(const fs::path& path, const Project& project) {
     const std::string name = project.shown(path);
     auto text = read_whole(path, name);
@@ -52,7 +52,7 @@ ScriptContext context_of(const std::string& component, const Project& project) {
     return context;
 }
 
-// Whether an entry, or one of its values, stands at that place.
+// True if an entry, or one of its values, is at this place.
 bool stands_at(const Entry& entry, const Place& place) {
     if (place_of(entry) == place) return true;
     return std::visit(
@@ -67,8 +67,8 @@ bool stands_at(const Entry& entry, const Place& place) {
         entry);
 }
 
-// Takes out of a system what an error is about, and all that needs it, so that a further build finds further errors.
-// False when nothing is at that place.
+// Removes from a system the entry of an error, and all that needs it, so that a further build finds further errors.
+// Returns false if nothing is at this place.
 bool leave_out(SystemSpec& spec, const Project& project, const Place& place) {
     if (std::erase_if(spec.connections, [&](const ConnectionSpec& c) { return c.place == place; }) > 0) return true;
     if (spec.network && spec.network->place == place) {
@@ -100,7 +100,7 @@ bool leave_out(SystemSpec& spec, const Project& project, const Place& place) {
     return !gone.empty();
 }
 
-// Where nothing is simulated robots have no bodies: what is checked never runs.
+// Without simulation robots have no bodies; a checked system never runs.
 void leave_out_bodies(SystemSpec& spec, Makers& makers) {
     const std::string none = "none";
     makers.bodies[none] = [](const RobotEntry& /*entry*/, const RobotSpec& /*spec*/) { return nullptr; };
@@ -110,7 +110,7 @@ void leave_out_bodies(SystemSpec& spec, Makers& makers) {
     }
 }
 
-// What RTCs would be shown of a system.
+// Checks what would be exported to RTCs.
 void check_rtm(const System& system, const SystemSpec& spec, std::vector<Error>& errors) {
     if (!spec.rtm) return;
     if (const auto profiles = openrtm::profiles_of(system, *spec.rtm); !profiles) errors.push_back(profiles.error());
@@ -162,7 +162,7 @@ std::vector<Error> check_system(const std::string& text, const std::string& show
     return errors;
 }
 
-// A text that is compiled and not run, and may name these words.
+// Checks a text that is compiled but not run, and may use these words.
 std::vector<Error> check_words(const std::string& text, const std::string& shown,
                                const std::vector<std::string_view>& words) {
     KnownGlobals known = sandbox_globals();
@@ -172,7 +172,7 @@ std::vector<Error> check_words(const std::string& text, const std::string& shown
     return chunk ? std::vector<Error>() : std::move(chunk.error());
 }
 
-// Declares the scenarios and runs none.
+// Declares the scenarios without running any.
 std::vector<Error> check_scenarios(const fs::path& file, const std::string& text, const LiveOptions& options) {
     std::vector<Error> errors;
     static_cast<void>(ScenarioFile::read(file, {.installed = options.installed, .text = text}, &errors));

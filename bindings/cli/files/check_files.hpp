@@ -1,4 +1,4 @@
-// Finds what is wrong with files without running them: everything for which they would be refused when they load.
+// Checks files without running them: finds every error for which loading them would fail.
 #pragma once
 
 #include <filesystem>
@@ -12,17 +12,17 @@
 
 namespace nezumi::cli {
 
-/// All that is wrong with one Lua file, in order of place; empty when it would load. A system is built as well, so that
-/// its ports, parameters and scripts are checked, and never started. An error without a line says that the file can't
+/// Returns all errors of a Lua file in order of their places; empty if it would load. A system is also built, so that
+/// its ports, parameters and scripts are checked, but never started. An error without a line means that the file can't
 /// be read.
 std::vector<Error> check_file(const std::filesystem::path& file, const LiveOptions& options);
 
-/// The same for a text that is not in a file yet: `file` is what it is to be, which decides what errors call it, where
-/// the names in it are looked up and, where its words don't say it, what kind it is.
+/// The same for a text that is not in a file yet. `file` is its future path, used in errors, for searching names, and,
+/// if its words are not enough, for its kind.
 std::vector<Error> check_text(const std::string& text, const std::filesystem::path& file, const LiveOptions& options);
 
-/// The Lua files that a person names: files as they are or by `find_lua_files`, and of folders all that is in them and
-/// below, sorted, without hidden ones. Every file once. The errors name paths that are not there or no Lua, and folders
+/// Finds the Lua files given by a person: files as they are or by `find_lua_files`, and for folders all files within
+/// them, sorted, without hidden ones; each file once. Errors: a path that does not exist or is not Lua, a folder
 /// without Lua files or that can't be read.
 FoundFiles lua_files(const std::vector<std::string>& paths);
 

@@ -17,7 +17,7 @@ bool has(const Names& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Whether the file ends by returning something, as modules do.
+// True if the file ends by returning a value, as modules do.
 bool returns(const SyntaxTree& tree) {
     const SyntaxNode& root = tree.root();
     return std::any_of(begin(root), end(root),

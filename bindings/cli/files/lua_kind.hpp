@@ -1,4 +1,4 @@
-// What a Lua file is for, told by its words and its place.
+// Determines the kind of a Lua file from its words and its place.
 #pragma once
 
 #include <filesystem>
@@ -8,17 +8,17 @@ namespace nezumi::cli {
 
 enum class LuaKind {
     behavior,
-    module,         ///< of behaviours: returns something and declares nothing
+    module,         ///< of behaviours: returns a value and declares nothing
     system_module,  ///< a module that uses the words of system files
     system,
     robot,
     calibration,  ///< `ROBOT.calibration.lua`
     scenario,     ///< `*_test.lua`
-    definitions,  ///< `---@meta`: for the language server, nothing that runs
+    definitions,  ///< `---@meta`: for the language server, never run
 };
 
-/// Decides by the file's name, then by the words that its text uses, then by its folder. A text that is no Lua gets
-/// some kind: it is wrong as any.
+/// Decides by the file's name, then by the words in its text, then by its folder. A text that is not Lua gets an
+/// arbitrary kind: it is wrong as any kind.
 LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace nezumi::cli

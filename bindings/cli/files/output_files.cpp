@@ -1,4 +1,4 @@
-// A file is tried without leaving a trace.
+// Tests whether a file can be written, without changing it.
 #include "bindings/cli/files/output_files.hpp"
 
 #include <unistd.h>
@@ -12,7 +12,7 @@ bool is_picture_name(std::string_view name) {
 }
 
 Expected<void> check_can_write(const std::string& file) {
-    // Opening is the only test that all file systems answer truly; what it made goes again.
+    // Only opening a file is a reliable test on all file systems; a file made by it is removed again.
     const bool was_there = access(file.c_str(), F_OK) == 0;
     const auto opened = open_to_write(file);
     if (!opened) return Unexpected(opened.error());

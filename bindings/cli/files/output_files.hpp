@@ -1,4 +1,4 @@
-// Names of files that a command is to write, looked at before it begins.
+// Checks the names of output files before a command starts.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace nezumi::cli {
 
-/// Whether a name ends in .png or .svg.
+/// True if a name ends in .png or .svg.
 bool is_picture_name(std::string_view name);
-/// An error when a file could not be written there, as far as can be known without writing it.
+/// Fails if the file could not be written, as far as that can be known beforehand.
 Expected<void> check_can_write(const std::string& file);
 
 }  // namespace nezumi::cli

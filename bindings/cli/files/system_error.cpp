@@ -1,4 +1,4 @@
-// A global of another kind of file says what that file is for.
+// For an unknown global of another kind of file, names that kind.
 #include "bindings/cli/files/system_error.hpp"
 
 #include <algorithm>

@@ -1,11 +1,11 @@
-// Why a system file is refused, where another kind of file is meant.
+// Explains the error of a system file if it is another kind of file.
 #pragma once
 
 #include "engine/base/error.hpp"
 
 namespace nezumi::cli {
 
-/// The error, and of an unknown global that belongs to another kind of file, what that file is for.
+/// Returns the error, with an explanation if an unknown global belongs to another kind of file.
 Error explain_system_error(Error error);
 
 }  // namespace nezumi::cli

@@ -1,4 +1,4 @@
-// Questions go to standard error, so that standard output has the results alone.
+// Questions go to standard error, so that standard output has only results.
 #include "bindings/cli/guided/person.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace nezumi::cli {
 
 Expected<void> Person::is_there() const {
     if (is_sure_ || isatty(STDIN_FILENO) != 0) return {};
-    return failure("somebody has to stand beside the robot: run this on a terminal, or with --yes");
+    return failure("a person has to stand beside the robot: run this on a terminal, or with --yes");
 }
 
 void Person::tell(const std::string& text) const { put_text(stderr, text + "\n"); }
@@ -51,8 +51,7 @@ Expected<std::string> Person::line() {
         if (length == 1) text += c;
         if (length == 1 || (length < 0 && errno == EINTR && end_ == 0)) continue;
         put_text(stderr, "\n");
-        return failure(end_ != 0 ? "ended before it was done: the robot stands"
-                                 : "nobody answers: standard input has ended");
+        return failure(end_ != 0 ? "interrupted: the robot stands" : "there is no answer: standard input has ended");
     }
 }
 

@@ -1,4 +1,4 @@
-// The person beside the robot: told what to do, asked what was measured.
+// The person beside the robot: gets instructions and answers questions.
 #pragma once
 
 #include <csignal>
@@ -11,16 +11,16 @@ namespace nezumi::cli {
 
 class Person {
 public:
-    /// `end`: a signal that has come while it waits ends the waiting. With `is_sure` nothing is confirmed, and numbers
-    /// come from wherever standard input does.
+    /// `end`: a signal ends waiting. With `is_sure` nothing must be confirmed, and numbers are read from any standard
+    /// input.
     Person(const volatile std::sig_atomic_t& end, bool is_sure) : end_(end), is_sure_(is_sure) {}
 
-    /// An error where nobody is there who could be asked.
+    /// Fails if no person can be asked.
     Expected<void> is_there() const;
     void tell(const std::string& text) const;
     /// Waits for Enter.
     Expected<void> confirm(const std::string& text);
-    /// Asks until the answer is so many numbers.
+    /// Asks until the answer consists of `count` numbers.
     Expected<std::vector<double>> numbers(const std::string& question, std::size_t count);
 
 private:

@@ -1,4 +1,4 @@
-// The same ways to a robot as a run's.
+// Reaches a robot in the same ways as a run.
 #include "bindings/cli/guided/setup.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ Makers makers(const Hardware& hardware) {
     return all;
 }
 
-// Which of these a person means: the only one, or the one that they want. An option `--KIND` says which one is wanted.
+// The only one of these names, or the wanted one. In the error, `--KIND` is the option to choose one.
 Expected<std::string> the_one(const std::vector<std::string_view>& names, const std::string& wanted,
                               std::string_view kind, const std::string& file) {
     for (const std::string_view name : names) {

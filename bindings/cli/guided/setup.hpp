@@ -1,4 +1,4 @@
-// From a file, or a model's name, to a robot that a sub-command drives, or a camera that it looks through.
+// Prepares a robot that a sub-command drives, or a camera, from a system file or a model's name.
 #pragma once
 
 #include <csignal>
@@ -11,24 +11,23 @@
 
 namespace nezumi::cli {
 
-/// Which robot or camera, and how it is reached.
+/// Which robot or camera, and how to reach it.
 struct GuidedSetup {
     std::string file;        ///< a system file
     std::string name;        ///< its name there; "": the only one
-    bool simulated = false;  ///< as fast as can be: a robot in the system's arena, a camera over a chessboard
-    Hardware hardware;       ///< of a real one; `robots` does not count
+    bool simulated = false;  ///< as fast as possible: a robot in the system's arena, a camera over a chessboard
+    Hardware hardware;       ///< for a real one; `robots` is not used
 };
 
-/// The robot of a system file, as its calibration says where it has one. What it logs goes to standard error.
+/// The robot of a system file, with its calibration if there is one. Its log goes to standard error.
 Expected<std::unique_ptr<hw::GuidedRobot>> guided_by_file(const GuidedSetup& setup,
                                                           const volatile std::sig_atomic_t& end);
 
-/// The camera of a system file, alone. Errors are those of the file, of the camera's parameters, or say which cameras
-/// there are.
+/// The camera of a system file, alone. Errors are those of the file or of the camera's parameters, or list the cameras.
 Expected<std::unique_ptr<hw::GuidedCamera>> guided_camera(const GuidedSetup& setup,
                                                           const volatile std::sig_atomic_t& end);
 
-/// The real robot of an installed model; it drives without the sensors that it needs otherwise.
+/// The real robot of an installed model; it drives without sensors that are otherwise required.
 Expected<std::unique_ptr<hw::GuidedRobot>> guided_by_model(const std::string& model, const Hardware& hardware,
                                                            const volatile std::sig_atomic_t& end);
 

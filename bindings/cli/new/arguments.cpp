@@ -1,4 +1,4 @@
-// Each word is read by its first characters, and written as Lua would.
+// Each value is classified by its first characters, and written in Lua's form.
 #include "bindings/cli/new/arguments.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ namespace {
 bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 bool is_word(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-// An underscore before each word that begins with a capital: "EV3Follower" is ev3_follower.
+// Inserts an underscore before each capital word: "EV3Follower" becomes ev3_follower.
 std::string to_snake(std::string_view name) {
     std::string snake;
     for (std::size_t i = 0; i < name.size(); ++i) {
@@ -44,7 +44,7 @@ bool is_number(std::string_view text) {
     return problem == std::errc() && end == text.data() + text.size() && std::isfinite(value);
 }
 
-// A whole text that is one string of Lua.
+// True if the whole text is one Lua string.
 bool is_string(std::string_view text) {
     if (!text.starts_with('"') && !text.starts_with('\'')) return false;
     const Token token = Lexer(text).next();
@@ -119,10 +119,10 @@ Expected<void> take_new_name(std::string_view option, const std::string& name, s
 
 namespace {
 
-// What may follow a default, in the order in which it is written.
+// The options that may follow a default, in the order of writing.
 constexpr std::string_view parameter_options[] = {"min", "max", "step", "choices", "widget", "unit", "doc"};
 
-// "min" where ",min=" begins at `comma`, whatever the word is; "" where no word and = follow.
+// Returns "min" if ",min=" begins at `comma`, for any word; "" if no word and = follow.
 std::string_view option_after(std::string_view text, std::size_t comma) {
     std::size_t begin = comma + 1;
     while (begin < text.size() && text[begin] == ' ') ++begin;
@@ -169,7 +169,7 @@ Expected<NewParameter> read_new_parameter(const std::string& given) {
                 next = word;
                 break;
             }
-            // In a default it may be a text of its own; a slip is told.
+            // In a default it may be part of a text; a misspelling is reported.
             if (const std::string near = did_you_mean(word, known); !near.empty())
                 return wrong(fmt::format("there is no '{}'{}", word, near));
         }

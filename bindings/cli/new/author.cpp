@@ -1,4 +1,4 @@
-// Where `nezumi new` puts them.
+// Uses the same places as `nezumi new`.
 #include "bindings/cli/new/author.hpp"
 
 #include <system_error>
@@ -8,13 +8,14 @@
 
 namespace nezumi::cli {
 
-Expected<std::vector<std::string>> write_new_behavior(const std::filesystem::path& root, const BehaviorWish& wish) {
-    const auto texts = write_behavior({.name = wish.name,
-                                       .inputs = wish.inputs,
-                                       .outputs = wish.outputs,
-                                       .parameters = wish.parameters,
-                                       .callbacks = wish.callbacks,
-                                       .doc = wish.doc});
+Expected<std::vector<std::string>> write_new_behavior(const std::filesystem::path& root,
+                                                      const BehaviorRequest& request) {
+    const auto texts = write_behavior({.name = request.name,
+                                       .inputs = request.inputs,
+                                       .outputs = request.outputs,
+                                       .parameters = request.parameters,
+                                       .callbacks = request.callbacks,
+                                       .doc = request.doc});
     if (!texts) return Unexpected(texts.error());
     std::error_code none;
     const bool has_scenarios = std::filesystem::is_directory(root / "tests/scenarios", none);

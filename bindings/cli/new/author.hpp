@@ -11,7 +11,8 @@
 namespace nezumi::cli {
 
 /// Writes the behaviour's file and a scenario for it below `root`, as `nezumi new behavior` does. Returns their names.
-/// Nothing is ever overwritten.
-Expected<std::vector<std::string>> write_new_behavior(const std::filesystem::path& root, const BehaviorWish& wish);
+/// Never overwrites a file.
+Expected<std::vector<std::string>> write_new_behavior(const std::filesystem::path& root,
+                                                      const BehaviorRequest& request);
 
 }  // namespace nezumi::cli

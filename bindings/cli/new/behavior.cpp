@@ -1,4 +1,4 @@
-// Fills the template of a behaviour, and loads the result before anyone else does.
+// Fills the template of a behaviour, and checks that the result loads.
 #include "bindings/cli/new/behavior.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ struct NewPort {
     std::string doc;
 };
 
-// Words of the file that a local variable must not hide.
+// Names used in the file that a local variable must not hide.
 bool is_taken_word(const std::string& name) {
     const auto has = [&](const auto& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
     return is_keyword(name) || has(script_globals()) || has(sandbox_names());
@@ -60,7 +60,7 @@ Expected<std::vector<NewPort>> read_ports(std::string_view option, const std::ve
     return ports;
 }
 
-// A value of the type as Lua writes it: what a new behaviour writes, and what its scenario sends it.
+// A value of the type in Lua's form, used by a new behaviour and by its scenario.
 std::string sample(const Type& type) {
     if (type.kind == Type::Kind::sequence) {
         const std::string element = type.element->is_floating() ? "0.0" : sample(*type.element);
@@ -72,10 +72,10 @@ std::string sample(const Type& type) {
     std::string text;
     for (const Type::Field& field : type.fields)
         text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", field.name, sample(*field.type));
-    return text.size() > 80 ? "{}" : "{ " + text + " }";  // what is left out is zero
+    return text.size() > 80 ? "{}" : "{ " + text + " }";  // omitted fields are zero
 }
 
-// `world.ports["in"]` where `world.in` is no Lua.
+// `world.ports["in"]` if `world.in` is not valid Lua.
 std::string member(const std::string& name) {
     return is_keyword(name) ? fmt::format(".ports[\"{}\"]", name) : "." + name;
 }
@@ -100,7 +100,7 @@ Expected<std::vector<std::string>> read_callbacks(const std::vector<std::string>
     return callbacks;
 }
 
-// When it is called, for its empty body.
+// A comment for its empty body: when it is called.
 std::string_view occasion_of(std::string_view callback) {
     constexpr std::pair<Hook, std::string_view> occasions[] = {
         {Hook::on_activated, "Before its first execution."},
@@ -129,7 +129,7 @@ std::string execution_text(const std::vector<NewPort>& inputs, const std::vector
     return text + "end\n";
 }
 
-// In the order in which they are called.
+// In the order of calling.
 std::string callbacks_text(const std::vector<NewPort>& inputs, const std::vector<NewPort>& outputs,
                            const std::vector<std::string>& wanted) {
     std::string text;
@@ -167,7 +167,7 @@ std::string behavior_text(const std::string& name, const std::string& doc, const
 
 std::string behavior_scenario_text(const std::string& name, const std::vector<NewPort>& inputs,
                                    const std::vector<NewPort>& outputs) {
-    // The words of the console can't be a component's name, nor may its variable hide one of the scenario's.
+    // A component must not have the name of a console command, nor hide a variable of the scenario.
     const std::string component = is_taken_name(name) ? name + "_1" : name;
     const bool hides = is_taken_word(name) || name == "s" || name == "scenario" || name == "range";
     const std::string variable = hides ? "it" : component;
@@ -211,7 +211,7 @@ Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted) {
     if (!callbacks) return Unexpected(callbacks.error());
     BehaviorTexts texts{*name, behavior_text(*name, wanted.doc, *inputs, *outputs, parameters, *callbacks),
                         behavior_scenario_text(*name, *inputs, *outputs)};
-    // What remains to be refused are words that mean something else; the script's own loading knows them.
+    // The remaining errors are words with another meaning; the script's own check finds them.
     const auto errors = check_behavior({*name + ".lua", *name + ".lua", texts.behavior}, {.component = *name});
     if (!errors.empty()) return failure(errors.front().message);
     return texts;

@@ -9,14 +9,14 @@
 
 namespace nezumi::cli {
 
-/// What the command line says of it.
+/// The arguments of the command line.
 struct NewBehavior {
-    std::string name;                      ///< as it was given: line_follower or LineFollower
+    std::string name;                      ///< as given: line_follower or LineFollower
     std::vector<std::string> inputs;       ///< "name:Type" or "name:Type:doc"
     std::vector<std::string> outputs;      ///< the same
     std::vector<std::string> parameters;   ///< as `read_new_parameter` reads them
-    std::vector<std::string> callbacks{};  ///< beside on_execute: "on_activated", ...
-    std::string doc{};                     ///< what it does, a sentence; "": a place for one
+    std::vector<std::string> callbacks{};  ///< besides on_execute: "on_activated", ...
+    std::string doc{};                     ///< a sentence: what it does; "": a placeholder
 };
 
 struct BehaviorTexts {
@@ -25,7 +25,7 @@ struct BehaviorTexts {
     std::string scenario;
 };
 
-/// The texts, which load as they are; or what is wrong with the command line, with the nearest name.
+/// Returns the texts, which can be loaded. An error is about the command line, with the most similar name.
 Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted);
 
 }  // namespace nezumi::cli

@@ -1,4 +1,4 @@
-// Looks first, then writes, and takes back what it wrote when something fails.
+// Checks first, then writes, and removes its files again after an error.
 #include "bindings/cli/new/files.hpp"
 
 #include <cerrno>
@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Creates the folder and those above it that are missing, and notes them.
+// Creates the folder and its missing parents, and records them.
 std::error_code make_folders(const fs::path& folder, std::vector<fs::path>& made) {
     std::error_code problem;
     if (folder.empty() || fs::is_directory(folder, problem)) return {};
@@ -20,7 +20,7 @@ std::error_code make_folders(const fs::path& folder, std::vector<fs::path>& made
     return problem;
 }
 
-// "wx": fails when somebody else wrote the file since we looked.
+// "wx": fails if another program has made the file since the check.
 bool write(const NewFile& file) {
     std::FILE* out = std::fopen(file.path.c_str(), "wxb");
     if (out == nullptr) return false;
@@ -39,7 +39,7 @@ Expected<void> write_new_files(const std::vector<NewFile>& files) {
                            {file.path.string()});
         }
     }
-    std::vector<fs::path> made;  // in the order of making
+    std::vector<fs::path> made;  // in order of creation
     const auto take_back = [&] {
         std::error_code none;
         for (auto path = made.rbegin(); path != made.rend(); ++path) fs::remove(*path, none);

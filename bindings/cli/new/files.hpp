@@ -1,4 +1,4 @@
-// Writes files that are not there yet: all of them or none.
+// Writes new files: all of them or none.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,7 @@ struct NewFile {
     std::string text;
 };
 
-/// Writes the files and the folders they need. Nothing is ever overwritten: when one of them is there already or can't
-/// be written, none is left behind.
+/// Writes the files and their folders. Never overwrites a file: if one exists or can't be written, none is made.
 Expected<void> write_new_files(const std::vector<NewFile>& files);
 
 }  // namespace nezumi::cli

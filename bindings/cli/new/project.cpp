@@ -1,4 +1,4 @@
-// The templates of a project. What an editor gets is made from the bindings' own descriptions.
+// The templates of a project. Files for editors are made from the bindings' own descriptions.
 #include "bindings/cli/new/project.hpp"
 
 #include <fmt/format.h>
@@ -95,7 +95,7 @@ constexpr std::string_view tasks = R"json({
 }
 )json";
 
-// For the language server: our words, our callbacks, and no library that the sandbox has not.
+// For the language server: our words and callbacks, without libraries missing in the sandbox.
 std::string luarc() {
     std::string callbacks;
     for (const std::string_view name : hook_names())

@@ -1,4 +1,4 @@
-// A new project as files: a first behaviour with its system and scenario, and what an editor needs.
+// A new project as files: a first behaviour with its system and scenario, and files for editors.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace nezumi::cli {
 
-/// The files of a project called `name`, with paths from its folder.
+/// The files of a project with this name; paths are relative to its folder.
 std::vector<NewFile> project_files(const std::string& name);
 
 }  // namespace nezumi::cli

@@ -1,4 +1,4 @@
-// Texts as a person would write them, columns aligned.
+// Texts as a person would write them, with aligned columns.
 #include "bindings/cli/new/system.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ Expected<std::vector<Pair>> read_pairs(std::string_view option, const std::vecto
     return pairs;
 }
 
-// Where robots stand at the start: side by side.
+// Robots start side by side at this distance.
 constexpr double apart = 0.4;  // [m]
 
 }  // namespace

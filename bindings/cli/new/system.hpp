@@ -9,7 +9,7 @@
 
 namespace nezumi::cli {
 
-/// What the command line says of a system.
+/// The arguments for a system.
 struct NewSystem {
     std::string name;                      ///< of its file
     std::vector<std::string> robots;       ///< "NAME=MODEL"; none: a mouse
@@ -17,13 +17,13 @@ struct NewSystem {
     std::vector<std::string> connections;  ///< "name.port=name.port"
 };
 
-/// A system file; an error is about the form of a word alone: what the words name is for whoever loads it.
+/// Returns a system file. An error is only about the form of a name; whether it exists is checked on loading.
 Expected<std::string> system_text(const NewSystem& wanted);
 
-/// A robot file: a small one with two wheels, three distance sensors and a touch sensor, to be changed.
+/// Returns a robot file as a template: two wheels, three distance sensors and a touch sensor.
 std::string robot_text(const std::string& name);
 
-/// A scenario for a system, which is loaded by `path`: that its behaviours stay well and its robots touch nothing.
+/// Returns a scenario for a system, loaded by `path`: its behaviours have no errors and its robots touch nothing.
 std::string system_scenario_text(const std::string& name, const std::string& path, const SystemSpec& system);
 
 }  // namespace nezumi::cli

@@ -1,4 +1,4 @@
-// Whoever started the run is a client as those who attach, in a thread of its own: reading a terminal delays no tick.
+// The prompt of the run is a client like attached ones, on its own thread, so reading a terminal delays no tick.
 #include "bindings/cli/run/console.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@
 namespace nezumi::cli {
 namespace {
 
-// How often the state is told, for the terminal's title.
+// The interval of status messages, for the terminal's title.
 constexpr std::chrono::seconds status_period{1};
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The consoles of `nezumi run`: the prompt on its own terminal, commands from a file, and those who attach.
+// The consoles of `nezumi run`: the prompt on its own terminal, commands from a file, and attached ones.
 #pragma once
 
 #include <atomic>
@@ -13,46 +13,46 @@
 
 namespace nezumi::cli {
 
-/// Whether a person sits at a terminal that the prompt may have: standard input and output, in the foreground.
+/// True if standard input and output are a terminal and the program is in the foreground.
 bool has_terminal();
 
 class RunConsole final : public Attendant {
 public:
-    /// The loop must outlive it. `name` is what it is called by those who attach.
+    /// The loop must outlive it. `name` is the name for attaching.
     RunConsole(RunLoop& loop, const std::string& name);
     ~RunConsole() override;
     RunConsole(const RunConsole&) = delete;
     RunConsole& operator=(const RunConsole&) = delete;
 
-    /// Lets others attach.
+    /// Allows others to attach.
     Expected<void> listen() { return server_->listen(name_); }
-    /// Opens the prompt, which begins with `news`, a line or none. The run ends when it is left.
+    /// Opens the prompt with a first line `news`, or none. The run ends when the user leaves it.
     Expected<void> open_prompt(const std::string& news);
-    /// Takes commands from standard input: time stands still but for what they say. The run ends after the last.
+    /// Reads commands from standard input: time advances only by commands. The run ends after the last one.
     Expected<void> open_batch();
-    /// Says goodbye to everybody, and waits until the terminal is as it was before.
+    /// Ends all clients, and waits until the terminal is restored.
     void close();
 
-    /// What is said in the log, or otherwise, to those who want to know. Returns whether that is whoever started the
-    /// run: then it need not be said elsewhere.
+    /// Passes a log line to all clients that want it. Returns true if the run's own client shows it, so that it need
+    /// not be shown elsewhere.
     bool log(const LogLine& line);
     bool say(const std::string& text);
     /// No command has failed.
     bool all_well() const { return all_well_; }
-    /// The line of --batch that was cut off, or never run, when the run ended; 0: none. After `close`.
+    /// The line of --batch that was interrupted, or never run, at the end of the run; 0: none. Valid after `close`.
     int unfinished_line() const { return unfinished_; }
-    /// A command of --batch is at work.
+    /// A command of --batch is running.
     bool batch_works() const { return server_ && server_->batch_works(); }
-    /// Standard output or error take less than --batch says.
+    /// Standard output or error is slower than --batch.
     bool is_behind() const { return server_ && server_->is_behind(); }
 
     ConsoleServer& server() { return *server_; }
-    /// Is given the state in one line, about once a second.
+    /// Sets the function that gets the state as one line, about once per second.
     void show_status_by(std::function<void(const std::string&, bool running)> show) { show_ = std::move(show); }
 
     bool serve(Pacer::Clock::time_point until) override;
     void add_files(std::vector<int>& files) const override { files.push_back(server_->file()); }
-    /// After every tick.
+    /// Called after every tick.
     void after_tick() { server_->after_tick(); }
 
 private:
@@ -62,8 +62,8 @@ private:
     RunLoop& loop_;
     std::string name_;
     std::unique_ptr<ConsoleServer> server_;
-    std::thread client_;              // of whoever started the run
-    std::atomic<bool> left_ = false;  // it
+    std::thread client_;              // of the run's own client
+    std::atomic<bool> left_ = false;  // by that client
     std::atomic<bool> all_well_ = true;
     std::atomic<int> unfinished_ = 0;
     std::function<void(const std::string&, bool)> show_;

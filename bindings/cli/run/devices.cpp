@@ -1,4 +1,4 @@
-// What the log's time means is decided where the ticks begin and end.
+// The start and end of ticks set the time scale of the log.
 #include "bindings/cli/run/devices.hpp"
 
 #include <fmt/format.h>

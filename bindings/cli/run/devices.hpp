@@ -1,4 +1,4 @@
-// `nezumi run --hw`: its devices are the machine's, with a log if wanted, or those of a log.
+// The devices of `nezumi run --hw`: the machine's, optionally with a log, or a replayed log.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@ class RunDevices {
 public:
     using Say = std::function<void(const std::string& line)>;
 
-    /// Begins the log, or reads the one that is played. An error names the file.
+    /// Starts the log, or reads the one to replay. An error names the file.
     static Expected<RunDevices> open(const Hardware& hardware);
     ~RunDevices() { close({}); }
     RunDevices(RunDevices&&) = default;
@@ -25,16 +25,16 @@ public:
 
     const hw::DeviceRoots& roots() const { return roots_; }
 
-    /// The ticks begin. `say` tells what a person should know, also later; the loop ends where a log that is played
-    /// does. Both must outlive this.
+    /// The ticks start. `say` gets messages for people, also later. The loop ends at the end of a replayed log. Both
+    /// must outlive this object.
     void follow(RunLoop& loop, Say say);
-    /// The run is over, the robots are to be stopped.
+    /// The run is over; the robots will be stopped.
     void end();
-    /// The robots stand: tells what came of it. Whether what was played did as the log says; true without one.
+    /// The robots stand: reports the result of a replay. Returns true if it agreed with the log, or without a replay.
     bool finish();
-    /// The log is complete: after all that drove the robots. Tells what kept it from that.
+    /// Completes the log, after all drivers have ended. Reports a failure.
     void close(const Say& say);
-    /// What of the log is not written yet is not: `close` returns soon. From any thread.
+    /// Drops what is not written yet, so that `close` returns soon. Any thread may call it.
     void give_up();
 
 private:

@@ -1,4 +1,4 @@
-// From simulated robots to real ones, before the system is built.
+// Replaces simulated robots by real ones before the system is built.
 #include "bindings/cli/run/hardware.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace {
 
 using Drivers = decltype(Makers::components);
 
-// What `--hw` may make real: robots, and components that there is a driver for.
+// What `--hw` can make real: robots, and components with a driver.
 bool may_be_real(const Entry& entry, const Drivers& drivers) {
     const auto* component = std::get_if<ComponentEntry>(&entry);
     return std::holds_alternative<RobotEntry>(entry) || (component != nullptr && drivers.contains(component->type));
@@ -41,7 +41,7 @@ bool is_among(const std::string& name, const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Whether the file lets it be real; an error where it was asked for by its name.
+// True if the file allows it to be real; an error if it was requested by name but is not allowed.
 template <class AnEntry>
 Expected<bool> is_free(std::string_view kind, const AnEntry& entry, const std::vector<std::string>& names) {
     const bool is_named = is_among(entry.name, names);
@@ -53,10 +53,10 @@ Expected<bool> is_free(std::string_view kind, const AnEntry& entry, const std::v
                    entry.place);
 }
 
-// Whether it became a real one.
+// Returns true if the robot became real.
 Expected<bool> choose(RobotEntry& robot, const SystemSpec& spec, const std::vector<std::string>& names) {
     auto free = is_free("robot", robot, names);
-    if (free && !*free && robot.backend != simulated) robot.backend.clear();  // it names a driver, and is not asked for
+    if (free && !*free && robot.backend != simulated) robot.backend.clear();  // its driver was not requested
     if (!free || !*free || !robot.backend.empty()) return free;
     const auto model = spec.models.find(robot.described_by());
     robot.backend = model == spec.models.end() ? "" : model->second.hardware.driver;
@@ -67,7 +67,7 @@ Expected<bool> choose(RobotEntry& robot, const SystemSpec& spec, const std::vect
                    robot.place);
 }
 
-// What a robot carries is as real as the robot.
+// A component on a robot is real if the robot is.
 bool is_on_simulated(const ComponentEntry& component, const SystemSpec& spec) {
     return std::any_of(spec.entries.begin(), spec.entries.end(), [&](const Entry& entry) {
         const auto* robot = std::get_if<RobotEntry>(&entry);
@@ -80,7 +80,7 @@ Expected<bool> choose(ComponentEntry& component, const SystemSpec& spec, const s
                       const Drivers& drivers) {
     const auto type = drivers.find(component.type);
     if (type == drivers.end() || is_on_simulated(component, spec)) return false;
-    // With its robot it is meant as well.
+    // It is requested together with its robot.
     auto free = is_free("component", component, is_among(component.on, names) ? std::vector<std::string>{} : names);
     if (free && *free && component.backend.empty()) component.backend = type->second.begin()->first;
     return free;
@@ -92,7 +92,7 @@ Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& 
                               const decltype(Makers::components)& drivers) {
     if (auto ok = check_names(spec, names, drivers); !ok) return ok;
     bool any = false;
-    // Robots first, wherever the file has them: what they carry goes with them.
+    // Robots first, independent of the order in the file, because their components follow them.
     for (Entry& entry : spec.entries) {
         auto* robot = std::get_if<RobotEntry>(&entry);
         if (robot == nullptr) continue;

@@ -1,4 +1,4 @@
-// `nezumi run --hw`: which robots and devices of a system are the real ones.
+// `nezumi run --hw`: chooses the real robots and devices of a system.
 #pragma once
 
 #include <optional>
@@ -12,33 +12,32 @@
 
 namespace nezumi::cli {
 
-/// The slowest tick [Hz] that drives a real robot: its guard counts on the next one.
+/// The slowest tick rate [Hz] for a real robot: its guard needs regular ticks.
 inline constexpr double slowest_hardware_rate = 10;
 
 struct Hardware {
-    std::vector<std::string> robots;  ///< and devices that are real; empty: all that the file does not keep simulated
+    std::vector<std::string> robots;  ///< real robots and devices; empty: all that the file allows
     std::string dev_root = "/dev";
     std::string sys_root = "/sys";
     bool twins = false;      ///< each real robot has its twin
-    std::string device_log;  ///< is written; "": none
-    std::string played_log;  ///< stands for the robots; "": none
+    std::string device_log;  ///< to be written; "": none
+    std::string played_log;  ///< replaces the robots; "": none
 };
 
-/// Gives the real robots of a system the drivers that their models name, and its real devices the usual one of their
-/// type: those of these names, or all. What a robot carries is as real as the robot. An error, at the line that is
-/// wrong, when there is no such name, when a model has no driver, when nothing is left that is real, or when the tick
-/// is too slow.
+/// Gives the real robots of a system the drivers of their models, and its real devices the default driver of their
+/// type: those with these names, or all. Components on a robot are real if the robot is. Fails, with the line, for an
+/// unknown name, a model without driver, if nothing is real, or if the tick is too slow.
 Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& names,
                               const decltype(Makers::components)& drivers);
 
-/// The number of the computer that a robot has, as its firmware tells it: "" when it does not.
+/// The serial number of the robot's computer, from its firmware; "" if unknown.
 std::string serial_number(const std::string& sys_root);
 
-/// Gives the real robots of a system their own descriptions, where they have been calibrated. An error when a file of a
-/// calibration can't be read, or is another robot's.
+/// Gives the real robots of a system their calibrated descriptions. Fails if a calibration file can't be read or
+/// belongs to another robot.
 Expected<void> use_calibrations(SystemSpec& spec, const LiveOptions& live, const std::optional<std::string>& serial);
 
-/// Has systems made with real robots, at real time, that are reached by `roots`.
+/// Sets up real robots, reached by `roots`, and real time.
 void use_hardware(LiveOptions& live, const Hardware& hardware, const hw::DeviceRoots& roots);
 
 }  // namespace nezumi::cli

@@ -1,4 +1,4 @@
-// The journal that a run writes, or the one that it performs again; or neither.
+// The journal that a run writes or replays, or neither.
 #pragma once
 
 #include <memory>
@@ -15,24 +15,25 @@ namespace nezumi::cli {
 
 class RunJournal final : public Attendant {
 public:
-    /// Loads the system from its file, or from the journal that is replayed; it is not active yet.
+    /// Loads the system from its file, or from the replayed journal. It is not active yet.
     Expected<std::unique_ptr<RunningSystem>> load(const RunOptions& options, LiveOptions live);
-    /// What the run should say before it begins.
+    /// Messages to show before the run starts.
     const std::vector<std::string>& notes() const { return notes_; }
-    /// Follows the loop, which must outlive this.
+    /// Follows the loop, which must outlive this object.
     void follow(RunLoop& loop);
 
-    /// The loop has ended, and the robots are about to brake: no act counts from now on.
+    /// The loop has ended and the robots will brake: later acts are not recorded.
     void stop();
-    /// Whether results are those of the last tick, and not of when the robots stand: as it is here, or as it was there.
+    /// True if results are those of the last tick, not of the time when the robots stand: in this run, or in the
+    /// replayed one.
     bool is_of_given_length(bool here) const;
-    /// What kept the run from going on: the journal can't be written, or tells of another run.
+    /// The error that ended the run: the journal can't be written, or differs from the run.
     const std::optional<Error>& error() const { return error_; }
-    /// The last line; of a replay the last comparison.
+    /// Writes the last line, or makes the last comparison of a replay.
     Expected<void> finish(bool of_given_length, std::uint64_t hash);
-    /// The same for a run that ended by an error.
+    /// The same for a run that ended with an error.
     void give_up(const std::string& why);
-    /// `Journal::is_behind`, and its `give_up`.
+    /// See `Journal::is_behind` and its `give_up`.
     bool is_behind() const { return journal_ && journal_->is_behind(); }
     void give_up_file() {
         if (journal_) journal_->give_up();

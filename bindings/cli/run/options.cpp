@@ -108,7 +108,8 @@ Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
 
 std::vector<Option> run_options(RunWords& words) {
     return {
-        {"FILE", &words.file, "the system file, or its name: corridor is behaviors/systems/corridor.lua"},
+        {"[FILE]", &words.file,
+         "the system file, or its name: corridor is behaviors/systems/corridor.lua; --replay needs none"},
         {"--hw", &words.hw,
          "drive the real robots; --hw=NAME,...: only these, the others stay simulated, and neither kind sees the "
          "other"},
@@ -132,12 +133,16 @@ std::vector<Option> run_options(RunWords& words) {
         {"--realtime", &words.real_time,
          "ask the kernel for ticks in time beside other programs: SCHED_FIFO and locked memory"},
         {"--duration", &words.duration, "end at this simulated time [s] (default: at Ctrl-C)", "S"},
-        {"--seed", &words.seed, "decides all that is random; wins over the file's seed(n)", "N"},
-        {"--set", &words.set, "a parameter's value over the file's, also after a restart; as often as you like",
+        {"--seed", &words.seed, "decides all that is random; wins over the file's seed(n) (default 124)", "N"},
+        {"--set", &words.set,
+         "a parameter's value over the file's, also after a restart, as often as you like: mouse.speed=0.3, "
+         "\"wander_*.speed=0.3\"; n=10 is of the file's argument(\"n\", 5)",
          "NAME.PARAMETER=VALUE"},
         {"--params", &words.params,
          "take the parameters of this file, which the console's save has written; by path or name", "FILE.lua"},
         {"--threads", &words.threads, "that run behaviours (default 1); the result is the same", "N"},
+        {"--keep-going", &words.keep_going,
+         "leave out a behaviour that can't be loaded, with its connections, and run the others"},
         {"--trace-hash", &words.trace_hash, "print a hash over all that ports published: equal runs, equal hashes"},
         {"--picture",
          &words.picture,
@@ -153,8 +158,9 @@ std::vector<Option> run_options(RunWords& words) {
          FileUse::result},
         {"--ports", &words.ports,
          "with --record: only these, in this order: ports, truth, config, state, or parts of them, as in "
-         "mouse.truth.pose (default: all out-ports)",
+         "mouse.truth.pose; * and ? stand for any signs, as in \"wander_*.out\" (default: all out-ports)",
          "NAME.WHAT,..."},
+        {"--every", &words.every, "with --record: only one tick of N (default 1)", "N"},
         {"--journal",
          &words.journal,
          "write every act on the running system, with its tick",
@@ -190,8 +196,10 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
     RunOptions options{.file = words.file,
                        .headless = words.headless || words.batch || !words.replay.empty(),
                        .batch = words.batch,
+                       .keep_going = words.keep_going,
                        .trace_hash = words.trace_hash,
                        .real_time = words.real_time};
+    if (words.file.empty() && words.replay.empty()) return failure("FILE is missing; see nezumi run --help");
     if (words.speed == "max" || (words.speed.empty() && (words.batch || !words.replay.empty()))) {
         options.speed = as_fast_as_possible;
     } else if (!words.speed.empty()) {
@@ -225,9 +233,20 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
     if (!words.picture.empty() && !is_picture_name(words.picture))
         return wrong("--picture", "a file name that ends in .png or .svg", words.picture);
     options.picture = words.picture;
+    if (words.record.ends_with(".gz"))
+        return wrong("--record", "a file of plain CSV, to be compressed by gzip when the run is over", words.record);
     options.record = words.record;
+    if (!words.every.empty()) {
+        if (words.record.empty()) return failure("--every is of what --record writes: give --record FILE.csv as well");
+        const auto every = number<std::int64_t>(words.every);
+        if (!every || *every < 1 || *every > 1'000'000)
+            return wrong("--every", "a whole number from 1 to 1000000", words.every);
+        options.every = *every;
+    }
     options.sounds = words.sounds;
     options.journal = words.journal;
+    if (words.keep_going && !words.journal.empty())
+        return failure("--keep-going: a journal is of a system that loads whole: leave out --journal");
     options.replay = words.replay;
     options.values = {.file = words.params, .set = words.set};
     for (const auto& [option, given] : {std::pair{"--batch", words.batch},

@@ -20,12 +20,14 @@ struct RunWords {
     std::string speed, duration, seed, threads, picture, record, ports, sounds, journal, replay;
     std::string dev_root, sys_root, device_log, played_log;
     std::string params;
+    std::string every;
     std::string port, listen;
     std::vector<std::string> set;
     FlagText hw;
     bool headless = false;
     bool batch = false;
     bool trace_hash = false;
+    bool keep_going = false;
     bool real_time = false;
     bool twin = false;
     bool no_web = false;
@@ -49,12 +51,14 @@ struct RunOptions {
     double speed = 1;    ///< a factor of real time; `as_fast_as_possible` for "max"
     double duration = std::numeric_limits<double>::infinity();  ///< [s] of simulated time
     std::optional<std::uint64_t> seed;
+    bool keep_going = false;  ///< a behaviour that can't be made is left out
     int threads = 1;
     bool trace_hash = false;
     bool real_time = false;            ///< ask the kernel for ticks in time; `speed` is a number then
     std::string picture;               ///< "" for none; ends in .png or .svg
     std::string record;                ///< "" for none
     std::vector<std::string> ports;    ///< "name.port"; empty: every out-port
+    std::int64_t every = 1;            ///< one tick of so many is recorded
     std::string journal;               ///< "" for none
     std::string replay;                ///< "" for none; then headless
     std::string sounds;                ///< folder for what robots say; "" for none

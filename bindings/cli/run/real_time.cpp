@@ -1,4 +1,4 @@
-// SCHED_FIFO for one thread, and memory that is locked as it comes.
+// SCHED_FIFO for one thread, and locked memory.
 #include "bindings/cli/run/real_time.hpp"
 
 #include <fmt/format.h>
@@ -30,11 +30,11 @@ bool may_lock_everything() {
 }
 
 int lock_memory() {
-    // Under a limit that is reached later, memory could not be had any more.
+    // With a limit, memory could not be allocated later.
     rlimit limit{};
     const bool limited = getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY;
     if (limited && !may_lock_everything()) return EPERM;
-    // What there is comes into memory now; what comes later as it is touched: a thread's stack is 8 MB.
+    // Present memory is locked now, later memory when it is first used: a thread's stack is 8 MB.
     if (mlockall(MCL_CURRENT) != 0 || mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0) return errno;
     return 0;
 }

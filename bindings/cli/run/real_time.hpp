@@ -1,4 +1,4 @@
-// `--realtime`: what a run that follows the clock asks of the kernel, so that other programs don't make its ticks late.
+// `--realtime`: kernel settings for a run with a clock, so that other programs don't delay its ticks.
 #pragma once
 
 #include <functional>
@@ -6,18 +6,19 @@
 
 namespace nezumi::cli {
 
-/// What is asked of the kernel: each returns 0, or an errno. Tests answer in its place.
+/// The requests to the kernel; each returns 0 or an errno. Tests replace them.
 struct Kernel {
-    std::function<int(int priority)> schedule;  ///< the calling thread before all ordinary ones; 0: as an ordinary one
-    std::function<int()> lock_memory;           ///< of the whole program, now and from now on
+    std::function<int(int priority)>
+        schedule;                      ///< the calling thread gets priority over all ordinary ones; 0: an ordinary one
+    std::function<int()> lock_memory;  ///< of the whole program, present and future
 };
 Kernel the_kernel();
 
-/// The thread that makes it runs before all ordinary ones while this lives, and memory stays where it is. Threads and
-/// processes that this thread starts are ordinary ones, as are all that there were before.
+/// During its lifetime the thread that made it has priority over ordinary ones, and memory is locked. Threads and
+/// processes started by this thread are ordinary, as are all earlier ones.
 class RealTime {
 public:
-    /// Below the kernel's own threads for interrupts, which have 50 where it has such.
+    /// Below the kernel's interrupt threads, which have 50 if they exist.
     static constexpr int priority = 40;
 
     explicit RealTime(Kernel kernel = the_kernel());
@@ -25,7 +26,7 @@ public:
     RealTime(const RealTime&) = delete;
     RealTime& operator=(const RealTime&) = delete;
 
-    /// One line: what it has got, and what to do about what it has not.
+    /// One line: what was granted, and what to do about the rest.
     const std::string& told() const { return told_; }
 
 private:

@@ -3,7 +3,9 @@
 #include "bindings/cli/run/recorder.hpp"
 
 #include <fmt/format.h>
+#include <fnmatch.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <fstream>
@@ -27,10 +29,16 @@ constexpr std::chrono::milliseconds longest_end{200};
 }  // namespace
 
 Expected<Recorder> Recorder::open(const std::string& file, Trace& trace, const System& system,
-                                  const std::vector<std::string>& names) {
+                                  const std::vector<std::string>& names, std::int64_t every) {
     Recorder recorder(trace);
+    recorder.every_ = every;
     if (names.empty()) recorder.follow_ports(system);
     for (const std::string& name : names) {
+        if (name.find_first_of("*?") != name.npos) {
+            if (!recorder.follow_fitting(system, name))
+                return failure(fmt::format("--ports: nothing is called '{}'", shown(name)));
+            continue;
+        }
         const auto channel = trace.follow(name);
         if (!channel) return failure("--ports: " + channel.error().message);
         recorder.table_.follow(**channel);
@@ -41,6 +49,51 @@ Expected<Recorder> Recorder::open(const std::string& file, Trace& trace, const S
     recorder.file_ = std::move(*opened);
     recorder.writer_ = std::make_unique<FileWriter>(recorder.file_.descriptor());
     return recorder;
+}
+
+// All that is called so: of each component, its out-ports, or what else it has by this name.
+bool Recorder::follow_fitting(const System& system, const std::string& pattern) {
+    const std::size_t dot = std::min(pattern.find('.'), pattern.size());
+    const std::string name = pattern.substr(0, dot), what = pattern.substr(std::min(dot + 1, pattern.size()));
+    const bool is_name = what.find_first_of("*?") == what.npos;
+    const auto fits = [](const std::string& its, const std::string& given) {
+        return fnmatch(given.c_str(), its.c_str(), FNM_NOESCAPE) == 0;
+    };
+    bool found = false;
+    const auto follow = [&](const std::string& path) {
+        const auto channel = trace_->follow(path);
+        if (channel) table_.follow(**channel);
+        found = found || channel.has_value();
+    };
+    for (const auto& component : system.components()) {
+        if (!fits(component->name(), name)) continue;
+        if (is_name && !what.empty()) follow(component->name() + "." + what);
+        for (const auto& port : component->out_ports()) {
+            if (!is_name && fits(port->name(), what)) follow(component->name() + "." + port->name());
+        }
+    }
+    return found;
+}
+
+// Where a ranger sits and what it can measure is in a row only when it has changed.
+void Recorder::empty_what_stays(std::vector<std::string>& cells) {
+    const std::vector<std::string>& names = table_.names();
+    for (std::size_t id = kept_.size(); id < names.size(); ++id) {
+        const std::string& name = names[id];
+        // "mouse.scan.config.maxRange", and not a parameter as "mouse.config.range".
+        const auto port = name.find('.', name.find('.') + 1);
+        const bool seldom_changes =
+            port != name.npos && (name.compare(port, 10, ".geometry.") == 0 || name.compare(port, 8, ".config.") == 0);
+        kept_.push_back(seldom_changes ? std::optional(std::string()) : std::nullopt);
+    }
+    for (std::size_t id = 0; id < cells.size(); ++id) {
+        if (!kept_[id]) continue;
+        if (*kept_[id] == cells[id]) {
+            cells[id].clear();
+        } else {
+            kept_[id] = cells[id];
+        }
+    }
 }
 
 // Those that were there before go on in their columns.
@@ -70,11 +123,17 @@ void Recorder::add_rows(const System& system) {
     if (sealed_ || error_) return;
     if (followed_layout_ && *followed_layout_ != system.layout()) follow_ports(system);
     const std::string time = fmt::format("{}", system.last_tick().seconds);
-    table_.read([&](const std::vector<std::string>& cells) {
+    const auto add = [&](std::vector<std::string> cells) {
         if (layouts_.empty() || table_.width() > width_) begin_layout();
+        empty_what_stays(cells);
         buffer_ += TraceTable::row(time, layouts_.back().ids, cells) + "\n";
         ++rows_;
-    });
+    };
+    if (every_ == 1) {
+        table_.read(add);
+    } else if (system.last_tick().tick % every_ == 0) {
+        table_.read_latest(add);
+    }
     if (buffer_.size() >= flush_at || Clock::now() - flushed_ > longest_unwritten) flush();
 }
 

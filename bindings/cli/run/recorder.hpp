@@ -25,10 +25,11 @@ namespace nezumi::cli {
 class Recorder {
 public:
     /// Opens the file for these channels of the system ("mouse.ir_sensor_out", "mouse.truth", "controller.config"), or
-    /// for every out-port when there are none, also of components that come while it runs. An error names what is not
-    /// there, or says why the file can't be written; then the file is as it was. The trace must outlive the recorder.
+    /// for every out-port when there are none, also of components that come while it runs. A name may have * and ? in
+    /// it, which stand for any signs but dots. One tick of `every` is recorded. An error names what is not there, or
+    /// says why the file can't be written; then the file is as it was. The trace must outlive the recorder.
     static Expected<Recorder> open(const std::string& file, Trace& trace, const System& system,
-                                   const std::vector<std::string>& names);
+                                   const std::vector<std::string>& names, std::int64_t every = 1);
     Recorder(Recorder&&) noexcept = default;
     Recorder& operator=(Recorder&&) = delete;
     ~Recorder() = default;
@@ -64,6 +65,8 @@ private:
 
     explicit Recorder(Trace& trace) : trace_(&trace), table_({}) {}
     void follow_ports(const System& system);
+    bool follow_fitting(const System& system, const std::string& pattern);
+    void empty_what_stays(std::vector<std::string>& cells);
     void begin_layout();
     void flush();
     void fail(const std::string& why);
@@ -81,6 +84,9 @@ private:
     TraceTable table_;
     std::vector<Layout> layouts_;  // the last one is today's
     std::size_t width_ = 0;        // of the table in the last one
+    std::int64_t every_ = 1;
+    // By id, of columns that seldom change, what they had when it was written last.
+    std::vector<std::optional<std::string>> kept_;
     bool sealed_ = false;
     std::uint64_t rows_ = 0;
     std::string buffer_;

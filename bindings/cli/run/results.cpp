@@ -17,7 +17,7 @@ Expected<void> RunResults::open(const RunOptions& options, RunningSystem& live) 
         if (auto ok = check_can_write(picture_file_); !ok) return ok;
     }
     if (options.record.empty()) return {};
-    auto recorder = Recorder::open(options.record, live.trace(), live.system(), options.ports);
+    auto recorder = Recorder::open(options.record, live.trace(), live.system(), options.ports, options.every);
     if (!recorder) return Unexpected(recorder.error());
     recorder_.emplace(std::move(*recorder));
     return {};

@@ -1,4 +1,4 @@
-// What a run leaves when it ends: its recording, its picture, its trace hash.
+// The results of a run: its recording, its picture, its trace hash.
 #pragma once
 
 #include <cstdint>
@@ -15,30 +15,29 @@ namespace nezumi::cli {
 
 class RunResults {
 public:
-    /// Opens the files of `options` for a system that has been loaded, which must outlive all but `give_up` and
-    /// `end_at_once`. The error says which can't be written.
+    /// Opens the files of `options` for a loaded system, which must outlive all calls except `give_up` and
+    /// `end_at_once`. An error says which file can't be written.
     Expected<void> open(const RunOptions& options, RunningSystem& live);
-    /// Follows the loop, which ends when the recording can't be written any more.
+    /// Follows the loop and ends it when the recording can't be written.
     void follow(RunLoop& loop);
-    /// They are those of now. `title` is the picture's.
+    /// Takes the present results. `title` is that of the picture.
     void take(const std::string& title);
     std::uint64_t hash() const { return hash_; }
-    /// Writes what was taken. The error says why not.
+    /// Writes the results. An error gives the reason.
     Expected<void> write();
-    /// The run is none, for this reason in one line: no file is left that could be taken for its result. Returns what
-    /// is to be said of that; "" for nothing.
+    /// The run is not valid, for this reason: removes files that look like results. Returns a message about it, or "".
     std::string discard(const std::string& why);
 
-    /// The recording takes less than comes.
+    /// The recording is slower than the run.
     bool is_behind() const { return recorder_ && recorder_->is_behind(); }
 
-    // From any thread:
+    // Any thread may call:
 
-    /// What is not written yet is not: `write` returns soon, with an error.
+    /// Drops what is not written yet, so that `write` returns soon, with an error.
     void give_up() {
         if (recorder_) recorder_->give_up();
     }
-    /// The recording is completed as it is, wherever the run is.
+    /// Completes the recording with the present data.
     void end_at_once() {
         if (recorder_) recorder_->end_here("the run was ended at once");
     }

@@ -1,4 +1,4 @@
-// RTCs act through the live system's one door.
+// Acts of RTCs are performed like all others.
 #include "bindings/cli/run/rtm.hpp"
 
 #include <sys/eventfd.h>
@@ -32,7 +32,7 @@ Expected<std::unique_ptr<RunRtm>> RunRtm::open(RunLoop& loop, std::function<void
                                   .wake =
                                       [rings] {
                                           const std::uint64_t one = 1;
-                                          // Full, it is readable as well.
+                                          // If the counter is full, the file is readable too.
                                           if (write(rings, &one, sizeof one) < 0) return;
                                       }});
     if (!server) return Unexpected(server.error());
@@ -42,23 +42,23 @@ Expected<std::unique_ptr<RunRtm>> RunRtm::open(RunLoop& loop, std::function<void
     return rtm;
 }
 
-std::future<Expected<std::string>> RunRtm::ask(const PeerWish& wish) {
+std::future<Expected<std::string>> RunRtm::ask(const PeerRequest& request) {
     using What = openrtm::RtcRequest::What;
     const auto to_be_done = [&]() -> std::optional<What> {
-        switch (wish.what) {
-            case PeerWish::What::look: break;
-            case PeerWish::What::activate: return What::activate;
-            case PeerWish::What::deactivate: return What::deactivate;
-            case PeerWish::What::reset: return What::reset;
-            case PeerWish::What::use: return What::use;
-            case PeerWish::What::configure: return What::set;
+        switch (request.what) {
+            case PeerRequest::What::look: break;
+            case PeerRequest::What::activate: return What::activate;
+            case PeerRequest::What::deactivate: return What::deactivate;
+            case PeerRequest::What::reset: return What::reset;
+            case PeerRequest::What::use: return What::use;
+            case PeerRequest::What::configure: return What::set;
         }
         return std::nullopt;
     };
-    openrtm::PeerQuestion question{.name = wish.name};
+    openrtm::PeerQuestion question{.name = request.name};
     if (const auto what = to_be_done()) {
-        question.request = openrtm::RtcRequest{.what = *what, .set = wish.set};
-        for (const auto& [name, value] : wish.values)
+        question.request = openrtm::RtcRequest{.what = *what, .set = request.set};
+        for (const auto& [name, value] : request.values)
             question.request->values.emplace_back(name, openrtm::to_rtc_text(value));
     }
     return server_->ask(std::move(question));

@@ -1,4 +1,4 @@
-// The RTCs of `nezumi run`: what a system's file exports to OpenRTM's components.
+// The RTCs of `nezumi run`: exports a system's components to OpenRTM.
 #pragma once
 
 #include <functional>
@@ -16,11 +16,11 @@ namespace nezumi::cli {
 
 class RunRtm final : public Attendant {
 public:
-    /// Begins to export. The loop must outlive it; `log` takes what is to be said. The error says why it can't.
+    /// Starts the export. The loop must outlive it. `log` gets messages. An error gives the reason.
     static Expected<std::unique_ptr<RunRtm>> open(RunLoop& loop, std::function<void(const LogLine&)> log);
 
-    /// Asks RTCs of other programs what a console wants to know, or to have done.
-    std::future<Expected<std::string>> ask(const PeerWish& wish);
+    /// Passes a console's question or request to RTCs of other programs.
+    std::future<Expected<std::string>> ask(const PeerRequest& request);
 
     bool serve(Pacer::Clock::time_point until) override;
     void add_files(std::vector<int>& files) const override { files.push_back(bell_.get()); }
@@ -28,11 +28,11 @@ public:
 private:
     explicit RunRtm(Descriptor bell) : bell_(std::move(bell)) {}
 
-    Descriptor bell_;  // an eventfd: readable when an RTC wants something
+    Descriptor bell_;  // an eventfd: readable when an RTC has a request
     std::unique_ptr<openrtm::RtmServer> server_;
 };
 
-/// What a console is told where there is no `RunRtm`.
+/// The answer to a console without a `RunRtm`.
 std::future<Expected<std::string>> refused_peers();
 
 }  // namespace nezumi::cli

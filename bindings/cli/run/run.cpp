@@ -124,11 +124,13 @@ private:
                                        {"--picture", !options_.picture.empty()}});
             !ok)
             return Unexpected(ok.error());
-        if (auto whole = push::finish_interrupted_push(options_.file); !whole) return Unexpected(whole.error());
         // A replay reads no other file, and knows its system by name.
-        auto file = find_system_file(options_.file);
-        if (!file && options_.replay.empty()) return Unexpected(file.error());
-        if (file) options_.file = file->string();
+        if (options_.replay.empty() || !options_.file.empty()) {
+            if (auto whole = push::finish_interrupted_push(options_.file); !whole) return Unexpected(whole.error());
+            auto file = find_system_file(options_.file);
+            if (!file && options_.replay.empty()) return Unexpected(file.error());
+            if (file) options_.file = file->string();
+        }
         if (!options_.values.file.empty()) {
             auto values = find_system_file(options_.values.file);
             if (!values) return Unexpected(values.error());
@@ -142,6 +144,7 @@ private:
         auto live = journal_.load(options_, live_options());
         if (!live) return Unexpected(explain_system_error(live.error()));
         live_ = std::move(*live);
+        if (options_.file.empty()) options_.file = live_->spec().file;
         signals_.emplace();
         live_->trace().remember_ports();
         if (auto open = results_.open(options_, *live_); !open) return Unexpected(open.error());
@@ -164,6 +167,7 @@ private:
         if (auto open = open_rtm(); !open) return Unexpected(open.error());
         if (auto open = options_.replay.empty() ? open_console() : Expected<void>(); !open)
             return Unexpected(open.error());
+        tell_undriven();
         results_.follow(loop);
         if (devices_) devices_->follow(loop, [this](const std::string& line) { say(line); });
         if (options_.real_time) {
@@ -206,10 +210,11 @@ private:
     LiveOptions live_options() {
         LiveOptions live = simulated_systems();
         if (!options_.sounds.empty()) keep_sounds(live, options_.sounds);
-        live.build = {.seed = options_.seed.value_or(0),
+        live.build = {.seed = options_.seed.value_or(usual_seed),
                       .seed_wins = options_.seed.has_value(),
                       .threads = options_.threads,
                       .out_of_time_is_fatal = options_.headless,
+                      .keep_going = options_.keep_going,
                       .log = [this](const LogLine& line) {
                           problems_.take(line);
                           if (web_) web_->log(line);
@@ -225,6 +230,20 @@ private:
         return live;
     }
 
+    // A robot that stands for want of a line in the file.
+    void tell_undriven() {
+        if (options_.batch) return;
+        for (const Robot* robot : live_->system().robots()) {
+            if (robot->is_twin()) continue;
+            for (const auto& port : robot->in_ports()) {
+                if (port->type() == type_index<Velocity2D>() && !port->connected())
+                    screen_.say(
+                        fmt::format("robot '{0}': nothing is connected to its {1}: connect(\"...\", \"{0}.{1}\")",
+                                    robot->name(), port->name()));
+            }
+        }
+    }
+
     std::string name_of_system() const { return std::filesystem::path(options_.file).stem().string(); }
 
     void say(const std::string& line) {
@@ -236,11 +255,11 @@ private:
         console_.emplace(*loop_, name_of_system());
         loop_->add(*console_);
         console_->server().ask_peers_by(
-            [this](const PeerWish& wish) { return rtm_ ? rtm_->ask(wish) : refused_peers(); });
+            [this](const PeerRequest& request) { return rtm_ ? rtm_->ask(request) : refused_peers(); });
         loop_->after_tick([this] { console_->after_tick(); });
         if (options_.batch) loop_->end_waits_while([this] { return console_->batch_works(); });
         // A run that nobody can attach to is better than none.
-        if (auto ok = console_->listen(); !ok) screen_.say("nobody can attach: " + ok.error().message);
+        if (auto ok = console_->listen(); !ok) screen_.say("no console can attach: " + ok.error().message);
         if (options_.batch) return console_->open_batch();
         const std::string page = open_web();
         if (prompt_) return console_->open_prompt(page);

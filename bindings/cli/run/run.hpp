@@ -5,7 +5,7 @@
 
 namespace nezumi::cli {
 
-/// Runs it until its end or Ctrl-C. Returns the exit status; what kept it from running has been told on standard error.
+/// Runs it until its end or Ctrl-C. Returns the exit status; errors have been written to standard error.
 int run_system(RunOptions options);
 
 }  // namespace nezumi::cli

@@ -1,4 +1,4 @@
-// The status line is taken away before log lines are written and comes back after them, all in one write.
+// The status line is removed before log lines are written and drawn again after them, in one write.
 #include "bindings/cli/run/screen.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 namespace nezumi::cli {
 namespace {
 
-// Takes a line away that was so many columns wide: a terminal that has become narrower has made it several.
+// Removes a line with `columns` columns: a terminal that has become narrower has wrapped it.
 std::string take_away(int columns) {
     const int more_lines = columns > 0 ? (columns - 1) / Screen::width() : 0;
     return more_lines > 0 ? fmt::format("\r\x1b[{}A\x1b[J", more_lines) : "\r\x1b[J";
@@ -52,7 +52,7 @@ int Screen::width() {
 void Screen::log(const LogLine& line) {
     const std::string who = line.component.empty() ? "" : line.component + ": ";
     const std::string_view colour = live_ ? colour_of_level(line.level) : "";
-    // A script's text is no way to reach the terminal itself.
+    // A script's text must not contain control sequences.
     put(fmt::format("{}[{:9.3f}] {:5} {}{}{}\n", colour, line.seconds, to_text(line.level), who,
                     visible_message(line.text), colour.empty() ? "" : "\x1b[0m"));
 }
@@ -102,7 +102,7 @@ void Screen::write_all() {
             text += fmt::format("({} more lines were left out: they came faster than they are taken here)\n", lost);
         if (!ends) text += status_;
         lock.unlock();
-        nezumi::write_all(STDERR_FILENO, text);  // where that fails, there is nowhere to tell it
+        nezumi::write_all(STDERR_FILENO, text);  // an error here can't be reported
         lock.lock();
         waiting_bytes_ -= bytes;
         written_.notify_all();

@@ -1,4 +1,4 @@
-// What a run says on standard error: log lines, and on a terminal a status line below them, which no line tears.
+// The output of a run on standard error: log lines, and on a terminal a status line below them.
 #pragma once
 
 #include <atomic>
@@ -14,30 +14,30 @@
 
 namespace nezumi::cli {
 
-/// A thread of its own writes, so that whatever standard error is (a terminal that was stopped by Ctrl-S, a pipe that
-/// is not read, a slow disk) delays no tick.
+/// Writes on its own thread, so a slow standard error (a terminal stopped by Ctrl-S, a pipe that is not read, a slow
+/// disk) delays no tick.
 class Screen {
 public:
     /// `live`: standard error is a terminal with a status line.
     explicit Screen(bool live);
-    /// Waits until all is written, and takes the status line away.
+    /// Waits until everything is written, and removes the status line.
     ~Screen();
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
 
-    // None of these waits. Lines beyond `most_waiting` are left out and counted, which is said in their place.
+    // These functions never wait. Above `most_waiting`, lines are dropped; their number is written instead.
 
     void log(const LogLine& line);
     /// One line of our own.
     void say(const std::string& text);
-    /// Lines as they are, such as a drawing for a terminal.
+    /// Lines without changes, such as a drawing for a terminal.
     void show(std::string_view lines) { put(lines); }
-    /// The status line from now on, so many columns wide: at most `width()` - 1.
+    /// Sets the status line, with its width in columns: at most `width()` - 1.
     void show_status(std::string line, int columns);
 
-    /// Waits until all that has been said is written, but no longer than this.
+    /// Waits until everything is written, but at most `patience`.
     void flush(std::chrono::milliseconds patience);
-    /// Standard error takes less than is said: a run that follows no clock should wait.
+    /// Standard error is too slow: a run without a clock should wait.
     bool is_behind() const { return waiting_bytes_ > most_waiting / 4; }
     bool is_live() const { return live_; }
     /// Columns of the terminal.
@@ -50,11 +50,11 @@ private:
     void write_all();
 
     const bool live_;
-    Mutex mutex_;  // of all below
+    Mutex mutex_;  // for all members below
     std::condition_variable news_;
     std::condition_variable written_;
     std::string waiting_;
-    std::atomic<std::size_t> waiting_bytes_ = 0;  // with those that are being written
+    std::atomic<std::size_t> waiting_bytes_ = 0;  // including those being written
     std::size_t lost_ = 0;                        // lines
     std::string status_;
     int status_columns_ = 0;

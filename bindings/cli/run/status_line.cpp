@@ -1,4 +1,4 @@
-// Built from pieces with a colour each, so that it is cut by what is seen.
+// Built from parts with one colour each, so that it is shortened by its visible length.
 #include "bindings/cli/run/status_line.hpp"
 
 #include <fmt/format.h>
@@ -13,8 +13,8 @@ namespace nezumi::cli {
 namespace {
 
 constexpr std::chrono::milliseconds period{100};
-constexpr std::size_t most_samples = 11;  // a second
-constexpr std::size_t most_names = 6;     // more components than that are counted rather than named
+constexpr std::size_t most_samples = 11;  // per second
+constexpr std::size_t most_names = 6;     // with more components, they are counted instead of named
 
 struct Piece {
     std::string text;

@@ -1,4 +1,5 @@
-// The line below the log on a terminal: simulated time, speed, lateness, states of components, ten times a second.
+// The line below the log on a terminal, updated ten times per second: simulated time, speed, lateness, states of
+// components.
 #pragma once
 
 #include <deque>
@@ -17,7 +18,7 @@ public:
     bool serve(Pacer::Clock::time_point until) override;
 
 private:
-    // A look at both clocks.
+    // The time of both clocks.
     struct Sample {
         Pacer::Clock::time_point wall;
         double simulated;  // [s]

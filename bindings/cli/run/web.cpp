@@ -1,4 +1,4 @@
-// Where the page's files are, and which port is free.
+// Finds the page's files and a free port.
 #include "bindings/cli/run/web.hpp"
 
 #include <fcntl.h>
@@ -20,7 +20,7 @@
 namespace nezumi::cli {
 namespace {
 
-// So many ports are tried, from the one that is wanted on.
+// Number of ports to try, from the wanted one.
 constexpr int most_ports = 20;
 
 bool is_set(const char* name) {
@@ -28,13 +28,13 @@ bool is_set(const char* name) {
     return value != nullptr && *value != '\0';
 }
 
-// Asks the desktop, if there is one, and waits for nothing.
+// Asks the desktop, if there is one, without waiting.
 void show_in_browser(const std::filesystem::path& file) {
     if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) return;
     const pid_t child = fork();
     if (child < 0) return;
     if (child == 0) {
-        // The grandchild is nobody's to wait for.
+        // No process has to wait for the grandchild.
         if (setsid() < 0 || fork() != 0) _exit(0);
         const int nothing = ::open("/dev/null", O_RDWR);
         for (const int file_of_ours : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing, file_of_ours);
@@ -78,7 +78,7 @@ Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& consol
     auto server = web::WebServer::open(loop.live(), loop, console.server(), options);
     if (!server) return Unexpected(server.error());
     std::unique_ptr<RunWeb> run(new RunWeb(loop, console, std::move(*server), std::move(fingerprint)));
-    // Without it the page is as good, and other pages do not tell of it.
+    // Without it the page works, but other pages do not list it.
     auto entry = web::PageEntry::open({.name = loop.live().file().stem().string(),
                                        .process = getpid(),
                                        .url = run->server_->url(),

@@ -16,17 +16,17 @@ namespace nezumi::cli {
 
 class RunWeb final : public Attendant {
 public:
-    /// Begins to serve. Loop and console must outlive it. The error says why it can't.
+    /// Starts to serve. Loop and console must outlive it. An error gives the reason.
     static Expected<std::unique_ptr<RunWeb>> open(RunLoop& loop, RunConsole& console, const Web& web);
     ~RunWeb() override;
     RunWeb(const RunWeb&) = delete;
     RunWeb& operator=(const RunWeb&) = delete;
 
-    /// Where it is, with the token that lets somebody act.
+    /// The page's address, with the token for full access.
     std::string url() const { return server_->url(); }
-    /// That for people, and where other computers are let in the fingerprint of the certificate.
+    /// The address for people, and if other computers have access, the certificate's fingerprint.
     std::string where() const;
-    /// The address for a phone's camera, lines for a terminal; "" where only this computer is let in.
+    /// The address as a QR code for a terminal; "" if only this computer has access.
     std::string picture() const;
     void log(const LogLine& line) { server_->log(line); }
     void say(const std::string& text) { server_->say(text); }

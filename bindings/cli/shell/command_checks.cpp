@@ -1,4 +1,4 @@
-// A value that was forgotten, or a name that was taken twice, costs a line and no file.
+// Detects forgotten values and repeated names before anything is written.
 #include "bindings/cli/shell/command_checks.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ const Option* find_option(const SubCommand& command, const std::string& word) {
     return nullptr;
 }
 
-// "--trace-hash", known or not; a comment of Lua, as in --eval '-- none', is no option.
+// True for "--trace-hash", known or not; a Lua comment, as in --eval '-- none', is not an option.
 bool is_option(const SubCommand& command, const std::string& word) {
     const bool is_long = word.size() > 2 && word.starts_with("--") &&
                          std::isalpha(static_cast<unsigned char>(word[2])) &&
@@ -35,7 +35,7 @@ std::string file_of(const Option& option) {
     return text != nullptr ? **text : "";
 }
 
-// A name without links, also of what is not there yet.
+// A path without links, also if the file does not exist yet.
 std::filesystem::path place_of(const std::string& file) {
     std::error_code problem;
     auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(file, problem), problem);

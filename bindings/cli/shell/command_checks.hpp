@@ -1,4 +1,4 @@
-// What is wrong with a command line's words and files, before anything runs; the same for all commands.
+// Checks a command line's words and files before a command runs; the same for all commands.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace nezumi::cli {
 
-/// Says which option of `words`, those behind the command's name, has another option where its value should be; "" when
-/// none has. "--record=--odd" is a value.
+/// Returns which option of `words`, the words after the command's name, is followed by another option instead of its
+/// value; "" if none. "--record=--odd" is a value.
 std::string missing_value(const SubCommand& command, const std::vector<std::string>& words);
 
-/// Says which option names a result's file that would be written over a script, or over what another option writes or
-/// reads; "" when none does. For options that have their values.
+/// Returns which option's output file would overwrite a script, or a file of another option; "" if none. For options
+/// with values.
 std::string lost_file(const SubCommand& command);
 
 }  // namespace nezumi::cli

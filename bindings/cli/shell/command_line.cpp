@@ -1,5 +1,5 @@
-// The only file that knows CLI11, which takes long to compile. Its own texts name its types and counts; ours name what
-// was typed.
+// The only file that includes CLI11, which takes long to compile. CLI11's messages show its types and counts; ours show
+// what was typed.
 #include "bindings/cli/shell/command_line.hpp"
 
 #include <CLI/CLI.hpp>
@@ -27,14 +27,14 @@ CLI::Option* add_option(CLI::App& app, const std::string& name, Value* value, co
     } else {
         CLI::Option* const option = app.add_option(name, *value, help);
         if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
-            // Of `--in a --in b`, each takes one: what follows belongs to others.
+            // In `--in a --in b` each option takes one value; further words belong to other options.
             if (option->nonpositional()) option->allow_extra_args(false);
         }
         return option;
     }
 }
 
-// "=8765": how --help shows a default, which CLI11's versions do in several ways.
+// "=8765": the default in --help; CLI11's versions differ in its form.
 template <class Value>
 std::string default_text(const Value* value) {
     if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
@@ -77,7 +77,7 @@ const SubCommand* find_command(const SubCommand& command, std::string_view word)
     return nullptr;
 }
 
-// What could have been meant where one of the commands below `command` has to be named. `path` is "" for the program.
+// The error for a missing or unknown command below `command`, with suggestions. `path` is "" for the program.
 std::string no_command(const SubCommand& command, const std::string& path, const std::string* word) {
     std::vector<std::string_view> names;
     for (const SubCommand& below : command.commands) names.push_back(below.name);
@@ -111,7 +111,7 @@ std::string about_extras(const CLI::App& command, const std::vector<std::string>
     return fmt::format("there is no option '{}'{}", shown(word), did_you_mean(word, {names.begin(), names.end()}));
 }
 
-// What the parser did not like, in one sentence.
+// The parser's error in one sentence.
 std::string usage_error(const CLI::App& app, const CLI::App& command, const CLI::ParseError& error) {
     const std::string_view text = error.what();
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
@@ -120,7 +120,7 @@ std::string usage_error(const CLI::App& app, const CLI::App& command, const CLI:
         return fmt::format("{}: {}", text.substr(0, text.find(": ")),
                            text.find("At Most 1") != text.npos ? "is given more than once" : "a value is missing");
     } else if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && text.ends_with(" is required")) {
-        // A slip in an option's name comes first: it may be what took the place.
+        // A misspelt option is reported first, because it may have been taken for another argument.
         const auto extras = app.remaining(true);
         if (std::any_of(extras.begin(), extras.end(), [](const auto& word) { return word.starts_with('-'); }))
             return about_extras(command, extras);
@@ -146,7 +146,7 @@ bool takes_value(const Option& option) {
 }
 
 int run_command_line(const SubCommand& program, const std::vector<std::string>& words) {
-    // The commands are looked up here: CLI11 would call one that it does not know an unexpected argument.
+    // Commands are searched here: CLI11 would call an unknown one an unexpected argument.
     const SubCommand* command = &program;
     std::string path;
     std::size_t depth = 0;

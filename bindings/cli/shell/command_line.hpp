@@ -1,5 +1,5 @@
-// The command line as data: commands, their options, what each is for. Parsing and --help come from it, and whatever
-// else wants to know what can be typed.
+// The command line as data: commands, options and their descriptions. Parsing, --help, completion and the manual are
+// derived from it.
 #pragma once
 
 #include <cstdint>
@@ -13,53 +13,53 @@
 
 namespace nezumi::cli {
 
-/// A flag that may say more: "--hw" gives "true", "--hw=mouse" gives "mouse"; "" when it is not given.
+/// A flag with an optional value: "--hw" gives "true", "--hw=mouse" gives "mouse"; "" if it is not given.
 struct FlagText {
     std::string text;
 };
 
-/// Where an option's value goes: given or not, a text, a text that may be empty, one text each time it is given, a
-/// number, a number or none, a flag that may say more. What is there before is the default.
+/// The target of an option's value: given or not, a text, a text that may be empty, one text for each time it is given,
+/// a number, an optional number, a flag with an optional value. The value before parsing is the default.
 using OptionValue = std::variant<bool*, std::string*, std::optional<std::string>*, std::vector<std::string>*,
                                  std::uint64_t*, std::optional<std::uint64_t>*, double*, FlagText*>;
 
-/// What a command does with the file that an option names.
+/// What a command does with the file of an option.
 enum class FileUse : unsigned char {
-    none,    ///< the option names no file, or the command looks after it itself
-    result,  ///< written: never a script, nor what another option writes or reads
+    none,    ///< the option names no file, or the command checks it itself
+    result,  ///< written: must not be a script, nor a file of another option
     source,  ///< read
 };
 
 struct Option {
-    /// "--seed" or "-o,--output"; without dashes it is known by its place: "FILE", or "[FILE]" when it may be left out.
+    /// "--seed" or "-o,--output"; a positional argument has no dashes: "FILE", or "[FILE]" if it is optional.
     std::string name;
     OptionValue value;
     std::string help;
-    std::string form = {};         ///< how a value is written: "N|max"
-    OptionCheck check = {};        ///< of a text as it was typed; that none is empty is checked anyway
-    FileUse file = FileUse::none;  ///< what is done with the file that it names
+    std::string form = {};         ///< the form of a value: "N|max"
+    OptionCheck check = {};        ///< of the typed text; an empty text is refused in any case
+    FileUse file = FileUse::none;  ///< what is done with its file
 };
 
-/// By which names an option is known: "-o" and "--output"; "FILE" where it is known by its place.
+/// The names of an option: "-o" and "--output"; "FILE" for a positional argument.
 std::vector<std::string> names_of(const Option& option);
-/// Whether it is known by its place.
+/// True for a positional argument.
 bool is_positional(const Option& option);
-/// Whether a value follows it.
+/// True if a value follows it.
 bool takes_value(const Option& option);
 
 struct SubCommand {
     std::string name;
     std::string help;
     std::vector<Option> options = {};
-    std::function<int()> run = {};          ///< gives the exit status; none: one of `commands` has to be named
-    std::string footer = {};                ///< below the options of its --help
+    std::function<int()> run = {};          ///< returns the exit status; if none, one of `commands` must be given
+    std::string footer = {};                ///< below the options in --help
     std::string alias = {};                 ///< another name
-    std::vector<SubCommand> commands = {};  ///< below this one
-    std::string version = {};               ///< what --version says; "" for no such option
+    std::vector<SubCommand> commands = {};  ///< sub-commands
+    std::string version = {};               ///< the output of --version; "" for no such option
 };
 
-/// Parses the words that follow the program's name, fills in the options of the command that they name, and runs it.
-/// A slip is one plain line on standard error with the nearest name. Returns the exit status.
+/// Parses the words after the program's name, sets the options of the command, and runs it. An error is one line on
+/// standard error with the most similar name. Returns the exit status.
 int run_command_line(const SubCommand& program, const std::vector<std::string>& words);
 
 }  // namespace nezumi::cli

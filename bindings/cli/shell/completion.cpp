@@ -1,5 +1,5 @@
-// All three scripts do the same: they walk from command to command to the one that the line is at, by its "place"
-// ("nezumi new behavior"), and offer what can stand there.
+// All three scripts work alike: they go from command to sub-command along the line to its "place" ("nezumi new
+// behavior"), and offer what is possible there.
 #include "bindings/cli/shell/completion.hpp"
 
 #include <fmt/format.h>
@@ -11,13 +11,13 @@
 namespace nezumi::cli {
 namespace {
 
-// A command, and the words that lead to it.
+// A command and the words that lead to it.
 struct At {
     std::string place;
     const SubCommand* command;
 };
 
-// The program and all below it, the outer before the inner.
+// The program and all its commands, outer ones first.
 std::vector<At> all_places(const SubCommand& command, const std::string& above = "") {
     const std::string place = above.empty() ? command.name : above + " " + command.name;
     std::vector<At> all{{place, &command}};
@@ -27,7 +27,7 @@ std::vector<At> all_places(const SubCommand& command, const std::string& above =
     return all;
 }
 
-// Each step from a place by a word to the next place; an alias leads where the name does.
+// Each step from a place by a word to the next place; an alias has the same target as the name.
 struct Step {
     std::string from_and_word;
     std::string to;
@@ -53,7 +53,7 @@ std::vector<Option> options_at(const SubCommand& command) {
     return options;
 }
 
-// Each of these characters with a backslash before it.
+// Puts a backslash before each of these characters.
 std::string escaped(std::string_view text, std::string_view special) {
     std::string out;
     for (const char c : text) {
@@ -63,14 +63,14 @@ std::string escaped(std::string_view text, std::string_view special) {
     return out;
 }
 
-// Within single quotes, as bash and zsh read them.
+// In single quotes for bash and zsh.
 std::string shell_quoted(std::string_view text) {
     std::string out = "'";
     for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return out + "'";
 }
 
-// fish knows the backslash within single quotes.
+// In fish the backslash has a meaning within single quotes.
 std::string fish_quoted(std::string_view text) { return "'" + escaped(text, "\\'") + "'"; }
 
 std::string bash_script(const SubCommand& program) {
@@ -135,7 +135,7 @@ std::string zsh_action(const ValueWords& value) {
     return value.words.empty() ? " " : fmt::format("({})", fmt::join(value.words, " "));
 }
 
-// "*--in[an in-port]:name\:Type: ": what _arguments reads.
+// "*--in[an in-port]:name\:Type: ": the format of _arguments.
 std::vector<std::string> zsh_arguments(const Option& option) {
     const auto label = [](std::string_view text) { return escaped(text, "\\:"); };
     const ValueWords value = value_words(option);
@@ -268,7 +268,7 @@ ValueWords value_words(const Option& option) {
         if (form.starts_with(file)) value.files = true;
     }
     if (value.files) return value;
-    // Of "N|max", what is written as it stands.
+    // The literal words of "N|max".
     while (!form.empty()) {
         const std::string word = form.substr(0, form.find('|'));
         form.erase(0, word.size() + 1);
@@ -277,7 +277,7 @@ ValueWords value_words(const Option& option) {
         });
         if (is_word) value.words.push_back(word);
     }
-    if (value.words.size() == 1 && option.form == value.words.front()) value.words.clear();  // "name": any of them
+    if (value.words.size() == 1 && option.form == value.words.front()) value.words.clear();  // "name": any text
     return value;
 }
 

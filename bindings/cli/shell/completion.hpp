@@ -1,4 +1,4 @@
-// Scripts that let shells complete `nezumi`'s command line, written from its description.
+// Scripts for completion in shells, derived from the description of the command line.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace nezumi::cli {
 
-/// What can stand where an option's value does, as far as its description says it.
+/// The possible values of an option, as far as its description shows them.
 struct ValueWords {
     bool files = false;                ///< names of files or folders
     std::vector<std::string> words{};  ///< these words
 };
 ValueWords value_words(const Option& option);
 
-/// The shells that there are scripts for: "bash", "zsh", "fish".
+/// The supported shells: "bash", "zsh", "fish".
 const std::vector<std::string_view>& completed_shells();
 
-/// The script for one of them: commands, options, words that values can have, files elsewhere.
+/// The script for a shell: completes commands, options and known values, otherwise files.
 std::string completion_script(const SubCommand& program, std::string_view shell);
 
 }  // namespace nezumi::cli

@@ -1,4 +1,4 @@
-// Writes man(7)'s macros: .TH, .SH, .TP and their like.
+// Writes the macros of man(7): .TH, .SH, .TP and others.
 #include "bindings/cli/shell/manual.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view status_begins = "Exit status: ";
 
-// A text as it is to be read, whatever roff would make of its characters.
+// Escapes characters with a meaning in roff.
 std::string plain(std::string_view text) {
     std::string out;
     bool line_begins = true;
@@ -52,7 +52,7 @@ std::string heading(const Option& option) {
     return text;
 }
 
-// What is there before, where --help shows it as well.
+// The default, if --help shows it too.
 std::string default_of(const Option& option) {
     return std::visit(
         [](const auto* value) -> std::string {
@@ -89,7 +89,7 @@ std::string list_of(const std::vector<Option>& options) {
     return text;
 }
 
-// A command's footer, without what it says of the exit status.
+// A command's footer, without its part about exit statuses.
 std::string remarks(const SubCommand& command) {
     const std::string text = command.footer.substr(0, command.footer.find(status_begins));
     return text.empty() ? "" : ".PP\n" + plain(text) + (text.ends_with('\n') ? "" : "\n");
@@ -102,7 +102,7 @@ std::string status_of(const SubCommand& command) {
 }
 
 std::string begin(const std::string& name, const std::string& version, const std::string& help) {
-    // "nezumi runs ..." stands behind "nezumi -".
+    // "nezumi runs ..." follows "nezumi -".
     std::string what = help.starts_with(name + " ") ? help.substr(name.size() + 1) : help;
     if (what.size() > 1 && std::islower(static_cast<unsigned char>(what[1])) != 0)
         what[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(what[0])));

@@ -1,4 +1,4 @@
-// The manual pages, written from the description of the command line that --help comes from.
+// The manual pages, derived from the description of the command line, like --help.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct ManualPage {
     std::string text;  ///< for man(7)
 };
 
-/// One of the program and one of each of its commands; what is below a command has a section there.
+/// One page for the program and one for each command; sub-commands are sections.
 std::vector<ManualPage> manual_pages(const SubCommand& program);
 
 }  // namespace nezumi::cli

@@ -1,4 +1,4 @@
-// The parser's own checks name its types.
+// Own checks, because the parser's messages name its types.
 #include "bindings/cli/shell/option_checks.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What options' values are checked for while the command line is parsed.
+// Checks of options' values during parsing.
 #pragma once
 
 #include <cstdint>
@@ -7,16 +7,16 @@
 
 namespace nezumi::cli {
 
-/// Says what is wrong with a value in words that follow the option's name; "" when nothing is.
+/// Returns the error in words that follow the option's name, or "".
 using OptionCheck = std::function<std::string(const std::string&)>;
 
-/// A whole number of this range; `most_text` is how the greatest is written.
+/// An integer within this range; `most_text` is the text of the largest value.
 OptionCheck whole_number(std::uint64_t least, std::uint64_t most, const std::string& most_text);
 
-/// A number of this range.
+/// A number within this range.
 OptionCheck number_from(double least, double most);
 
-/// Not empty: an empty value is a slip, as with a variable of a shell that is not set.
+/// Not empty: an empty value is usually a mistake, such as a shell variable that is not set.
 std::string not_empty(const std::string& text);
 
 }  // namespace nezumi::cli

@@ -1,4 +1,4 @@
-// Two whole numbers with a sign between them.
+// Parses two integers with a separator.
 #include "bindings/cli/test/parts.hpp"
 
 #include <fmt/format.h>

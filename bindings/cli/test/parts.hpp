@@ -1,4 +1,4 @@
-// What `nezumi test` is told in two numbers, as parts and seeds, and options that don't go together.
+// Parses options of `nezumi test` with two numbers, such as shards and seeds, and checks combinations of options.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,16 @@
 
 namespace nezumi::cli {
 
-/// Of "2/5"; the whole where it is empty.
+/// Parses "2/5"; empty means the whole.
 Expected<Shard> read_shard(const std::string& text);
 
-/// Of "1..250"; nothing where it is empty.
+/// Parses "1..250"; nothing if empty.
 Expected<std::optional<SeedRange>> read_seeds(const std::string& text);
 
-/// Options that were given, or not.
+/// Options, and whether each was given.
 using GivenOptions = std::vector<std::pair<std::string_view, bool>>;
 
-/// An error that begins with `why` and names the first of these that was given.
+/// Fails if one of these was given; the error begins with `why` and names the first one.
 Expected<void> refuse_given(const GivenOptions& options, std::string_view why);
 
 }  // namespace nezumi::cli

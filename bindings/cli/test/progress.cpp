@@ -1,4 +1,4 @@
-// What is left is reckoned from what the runs that are over took.
+// Estimates the rest from the duration of finished runs.
 #include "bindings/cli/test/progress.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// How far a session of many runs has come and how long the rest will take, on standard error.
+// The progress of a session with many runs, and its remaining time, on standard error.
 #pragma once
 
 #include <chrono>
@@ -9,18 +9,17 @@
 
 namespace nezumi::cli {
 
-/// Says nothing in the first seconds: a short session needs none of it.
+/// Writes nothing in the first seconds, because a short session does not need it.
 class SweepProgress {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// `live`: for a terminal, one line that is drawn again and again; otherwise a line each minute. The session
-    /// begins.
+    /// `live`: for a terminal, one line that is redrawn; otherwise one line per minute. Starts the clock.
     SweepProgress(std::function<void(std::string_view)> write, bool live, Clock::time_point now = Clock::now());
 
-    /// So many of the runs that this session makes are over.
+    /// Sets how many of this session's runs have finished.
     void update(std::size_t done, std::size_t all, Clock::time_point now = Clock::now());
-    /// Takes the line away: before other text, and at the end.
+    /// Removes the line: before other output, and at the end.
     void clear();
 
 private:

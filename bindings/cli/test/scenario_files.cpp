@@ -1,4 +1,4 @@
-// Records every world from its first tick on, and draws it when the run is over.
+// Records every world from its first tick on, and draws it after the run.
 #include "bindings/cli/test/scenario_files.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ public:
         worlds_.push_back({"trace" + number + ".csv", "picture" + number + ".png", live});
     }
 
-    // The trace begins with the first tick: until then words add to the world.
+    // The trace starts with the first tick: before, words may still add components.
     void after_tick(std::size_t world) override {
         World& kept = worlds_[world];
         const System& system = kept.live.system();
@@ -53,7 +53,7 @@ public:
         if (problem_) kept.problems.push_back(*problem_);
         for (World& world : worlds_) {
             if (world.recorder) take(world.trace, world.recorder->finish());
-            // Without simulated robots there is nothing to be seen.
+            // Without simulated robots there is nothing to draw.
             const System& system = world.live.system();
             if (!world.begun || system.world() == nullptr || system.robots().empty()) continue;
             take(world.picture, draw::draw_picture(draw::look_at(world.live, world.trajectories, title),

@@ -1,4 +1,4 @@
-// What a failing scenario leaves in its folder: the trace of every world, and a picture of each.
+// The files of a failed scenario: the trace of each world, and a picture of it.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace nezumi::cli {
 
-/// Keeps `trace.csv` and `picture.png` in the folder, which must be there; of further worlds `trace_2.csv` and so on.
+/// Writes `trace.csv` and `picture.png` to the folder, which must exist; for further worlds `trace_2.csv` and so on.
 std::unique_ptr<RunFiles> scenario_files(const std::filesystem::path& folder);
 
 }  // namespace nezumi::cli

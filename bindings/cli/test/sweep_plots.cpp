@@ -1,4 +1,4 @@
-// Numbers are put together where there are many, other values stand side by side.
+// Groups numbers if there are many; other values are shown side by side.
 #include "bindings/cli/test/sweep_plots.hpp"
 
 #include <fmt/format.h>
@@ -18,8 +18,8 @@ namespace {
 
 using draw::SweepPlot;
 
-constexpr std::size_t most_groups = 20;  // more values than these are put together
-constexpr std::size_t ranges = 10;       // in so many ranges
+constexpr std::size_t most_groups = 20;  // with more values, they are grouped
+constexpr std::size_t ranges = 10;       // number of groups
 
 // One run's value of the parameter and of the measure.
 struct Sample {
@@ -43,7 +43,7 @@ void sort_groups(SweepPlot& plot) {
     }
 }
 
-// A group for each value; for each of `ranges` equal ranges where there are too many.
+// One group per value, or `ranges` equal groups if there are too many values.
 void group_numbers(SweepPlot& plot) {
     std::map<double, std::vector<double>> by_value;
     for (const SweepPlot::Point& point : plot.points) by_value[point.at].push_back(point.value);
@@ -65,7 +65,7 @@ void group_numbers(SweepPlot& plot) {
     sort_groups(plot);
 }
 
-// Side by side, in the order in which they come first.
+// Side by side, in the order of first occurrence.
 void group_texts(SweepPlot& plot, const std::vector<Sample>& samples) {
     for (const Sample& sample : samples) {
         const auto same = [&](const SweepPlot::Group& group) { return group.label == sample.text; };
@@ -91,7 +91,7 @@ void group(SweepPlot& plot, const std::vector<Sample>& samples) {
 }  // namespace
 
 std::vector<SweepPlot> sweep_plots(const std::vector<MeasuredRun>& runs) {
-    // By scenario, measure, unit and parameter, in the order in which they come first.
+    // By scenario, measure, unit and parameter, in the order of first occurrence.
     using Key = std::tuple<std::string, std::string, std::string, std::string>;
     std::vector<Key> keys;
     std::map<Key, std::vector<Sample>> samples;

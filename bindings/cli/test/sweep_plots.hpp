@@ -1,4 +1,4 @@
-// From the runs of a session to the plots of what they measured over what was swept.
+// Makes plots of measures over the swept parameters from a session's runs.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace nezumi::cli {
 
-/// One for each scenario, measure and parameter that has more than one value, of the runs that count.
+/// One plot for each scenario, measure and parameter with more than one value, from valid runs.
 std::vector<draw::SweepPlot> sweep_plots(const std::vector<MeasuredRun>& runs);
 
 }  // namespace nezumi::cli

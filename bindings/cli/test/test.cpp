@@ -34,8 +34,6 @@
 namespace nezumi::cli {
 namespace {
 
-constexpr std::uint64_t usual_seed = 124;
-
 // Sockets by robot, of "mouse=a.socket,ev3=b.socket".
 Expected<std::map<std::string, std::string>> read_rig(const std::string& words) {
     std::map<std::string, std::string> sockets;
@@ -158,6 +156,20 @@ Expected<SessionEnd> run_plan(const TestOptions& command, const TestPlan& plan, 
     return run_tests(plan, options, reporter);
 }
 
+// Works in the project's folder from now on. What is written for whoever asked stays where they are.
+Expected<void> enter_project(TestOptions& command) {
+    namespace fs = std::filesystem;
+    std::error_code problem;
+    if (!fs::is_directory(fs::path(command.project) / "behaviors", problem))
+        return failure("--project: expected a project, a folder that has behaviors/", {command.project});
+    for (std::string* file : {&command.junit, &command.measures, &command.plots}) {
+        if (!file->empty()) *file = fs::absolute(*file).string();
+    }
+    fs::current_path(command.project, problem);
+    if (problem) return failure(fmt::format("--project: {}", problem.message()), {command.project});
+    return {};
+}
+
 // Tells what the session came to, and writes what was asked for.
 int finish(const TestOptions& command, const SessionEnd& end) {
     if (!command.junit.empty()) {
@@ -181,11 +193,14 @@ int finish(const TestOptions& command, const SessionEnd& end) {
 
 }  // namespace
 
-int test(const TestOptions& command) {
+int test(TestOptions command) {
     if (auto ok = check_options(command); !ok) return refuse(ok.error());
     std::error_code gone;
     static_cast<void>(std::filesystem::current_path(gone));
     if (gone) return refuse("test: the folder that this is run in has been deleted: change to one that is there");
+    if (!command.project.empty()) {
+        if (auto ok = enter_project(command); !ok) return refuse(ok.error());
+    }
     if (auto ok = need_simulation({{"test without --hw", !command.hw && !command.list && !command.merge},
                                    {"--plots", !command.plots.empty()}});
         !ok)
@@ -202,6 +217,7 @@ int test(const TestOptions& command) {
     options.systems = simulated_systems;
     options.files = scenario_files;
     if (auto ready = choose_robots(command, options); !ready) return refuse(ready.error());
+    if (!command.project.empty()) options.words += " --project " + shell_text(command.project);
     if (!command.paired.empty()) options.words += " --paired " + shell_text(command.paired);
     const auto seeds = read_seeds(command.seeds);
     if (!seeds) return refuse(seeds.error());

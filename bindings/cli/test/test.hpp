@@ -11,6 +11,7 @@ namespace nezumi::cli {
 /// As the command line has them.
 struct TestOptions {
     std::vector<std::string> paths;
+    std::string project;  ///< the folder of the project to be tested; "": that of the working directory
     std::string filter;
     bool list = false;
     std::optional<std::uint64_t> seed, repeat, jobs;
@@ -30,6 +31,6 @@ struct TestOptions {
 };
 
 /// Runs scenarios, each in a process of its own, or tells what was kept of them. Returns the exit status.
-int test(const TestOptions& command);
+int test(TestOptions command);
 
 }  // namespace nezumi::cli

@@ -1,4 +1,4 @@
-// Units are SI at both ends; axes are those of ROS (REP 103): x ahead, y left, z up.
+// Units are SI on both sides; axes are those of ROS (REP 103): x forward, y left, z up.
 #include "bindings/dds/ros/convert.hpp"
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace nezumi::ros {
 namespace {
@@ -17,12 +18,25 @@ Quaternion about_z(double heading) { return {0, 0, std::sin(heading / 2), std::c
 
 double heading_of(const Quaternion& q) { return to_orientation(q).y; }
 
-// How a picture's pixels are called here and in ROS (sensor_msgs/image_encodings.hpp).
+// How a picture's pixels are called here and in ROS (sensor_msgs/image_encodings.hpp), the first name of each being the
+// one that is sent. OpenCV counts colours from blue.
 struct Encoding {
     std::string_view ours, theirs;
     std::uint16_t bits;
 };
-constexpr std::array<Encoding, 2> encodings{{{"rgb8", "rgb8", 24}, {"gray8", "mono8", 8}}};
+constexpr std::array<Encoding, 13> encodings{{{"rgb8", "rgb8", 24},
+                                              {"bgr8", "bgr8", 24},
+                                              {"gray8", "mono8", 8},
+                                              {"rgba8", "rgba8", 32},
+                                              {"bgra8", "bgra8", 32},
+                                              {"mono16", "mono16", 16},
+                                              {"yuv422_yuy2", "yuv422_yuy2", 16},
+                                              {"yuv422", "yuv422", 16},
+                                              {"bgr8", "8UC3", 24},
+                                              {"gray8", "8UC1", 8},
+                                              {"bgra8", "8UC4", 32},
+                                              {"yuv422_yuy2", "yuyv", 16},
+                                              {"yuv422", "uyvy", 16}}};
 // Compressed ones: our formats are theirs.
 constexpr std::array<std::string_view, 2> compressed{"jpeg", "png"};
 
@@ -30,8 +44,13 @@ std::uint32_t whole(std::size_t value) {
     return static_cast<std::uint32_t>(std::min<std::size_t>(value, std::numeric_limits<std::uint32_t>::max()));
 }
 
-// A distance as ROS has it: infinite where there is nothing (REP 117), which our ports do not carry.
-double finite_range(double range, double most) { return std::isfinite(range) ? range : range > 0 ? most : 0; }
+// A distance as ROS has it (REP 117): infinite where nothing is within reach, of which a ranger of ours says its
+// largest, and negatively so where something is nearer than it measures.
+float to_range(double range, const RangerConfig& config) {
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    if (config.maxRange > 0 && range >= config.maxRange) return infinite;
+    return range < config.minRange ? -infinite : static_cast<float>(range);
+}
 
 }  // namespace
 
@@ -104,11 +123,12 @@ void to_ros(const RangeData& from, Range& to) {
     to.field_of_view = static_cast<float>(from.config.angularRes);
     to.min_range = static_cast<float>(from.config.minRange);
     to.max_range = static_cast<float>(from.config.maxRange);
-    to.range = from.ranges.empty() ? 0 : static_cast<float>(from.ranges.front());
+    to.range =
+        from.ranges.empty() ? std::numeric_limits<float>::quiet_NaN() : to_range(from.ranges.front(), from.config);
 }
 Expected<void> from_ros(const Range& from, RangeData& to) {
     to = {};
-    to.ranges = {finite_range(from.range, from.max_range)};
+    to.ranges = {from.range};
     to.config.angularRes = from.field_of_view;
     to.config.minRange = from.min_range;
     to.config.maxRange = from.max_range;
@@ -123,11 +143,12 @@ void to_ros(const RangeData& from, LaserScan& to) {
     to.scan_time = config.frequency > 0 ? static_cast<float>(1 / config.frequency) : 0;
     to.range_min = static_cast<float>(config.minRange);
     to.range_max = static_cast<float>(config.maxRange);
-    to.ranges.assign(from.ranges.begin(), from.ranges.end());
+    to.ranges.clear();
+    for (const double range : from.ranges) to.ranges.push_back(to_range(range, config));
 }
 Expected<void> from_ros(const LaserScan& from, RangeData& to) {
     to = {};
-    for (const float range : from.ranges) to.ranges.push_back(finite_range(range, from.range_max));
+    to.ranges.assign(from.ranges.begin(), from.ranges.end());
     to.config = {.minAngle = from.angle_min,
                  .maxAngle = from.angle_max,
                  .angularRes = from.angle_increment,
@@ -152,7 +173,10 @@ Expected<void> from_ros(const Image& from, CameraImage& to) {
     const auto found = std::find_if(encodings.begin(), encodings.end(),
                                     [&](const Encoding& each) { return each.theirs == from.encoding; });
     if (found == encodings.end())
-        return failure(fmt::format("a picture of encoding '{}': expected rgb8 or mono8", shown(from.encoding)));
+        return failure(
+            fmt::format("a picture of encoding '{}': expected rgb8, bgr8, rgba8, bgra8, mono8, mono16, yuv422_yuy2 or "
+                        "yuv422",
+                        shown(from.encoding)));
     constexpr std::uint32_t most = std::numeric_limits<std::uint16_t>::max();
     const std::size_t row = std::size_t{from.width} * found->bits / 8;
     if (from.width > most || from.height > most || from.step < row ||
@@ -169,6 +193,9 @@ Expected<void> from_ros(const Image& from, CameraImage& to) {
         const auto begin = from.data.begin() + static_cast<std::ptrdiff_t>(y * from.step);
         to.pixels.insert(to.pixels.end(), begin, begin + static_cast<std::ptrdiff_t>(row));
     }
+    if (to.format == "mono16" && from.is_bigendian != 0) {
+        for (std::size_t i = 0; i + 1 < to.pixels.size(); i += 2) std::swap(to.pixels[i], to.pixels[i + 1]);
+    }
     return {};
 }
 
@@ -177,7 +204,7 @@ void to_ros(const CameraImage& from, CompressedImage& to) {
     to.data = from.pixels;
 }
 Expected<void> from_ros(const CompressedImage& from, CameraImage& to) {
-    // "jpeg", or as image_transport says it: "rgb8; jpeg compressed bgr8"
+    // "jpeg", or the form of image_transport: "rgb8; jpeg compressed bgr8"
     for (const std::string_view format : compressed) {
         if (from.format.find(format) == std::string::npos) continue;
         to = {.format = std::string(format), .pixels = from.data};
@@ -191,17 +218,23 @@ void to_ros(const CameraIntrinsics& from, CameraInfo& to) {
     to.width = from.width;
     to.distortion_model = "plumb_bob";
     to.d = {from.k1, from.k2, from.p1, from.p2, from.k3};
+    if (from.k4 != 0 || from.k5 != 0 || from.k6 != 0) {
+        to.distortion_model = "rational_polynomial";
+        to.d.insert(to.d.end(), {from.k4, from.k5, from.k6});
+    }
     to.k = {from.fx, 0, from.cx, 0, from.fy, from.cy, 0, 0, 1};
     to.r = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     to.p = {from.fx, 0, from.cx, 0, 0, from.fy, from.cy, 0, 0, 0, 1, 0};
 }
 Expected<void> from_ros(const CameraInfo& from, CameraIntrinsics& to) {
     constexpr std::uint32_t most = std::numeric_limits<std::uint16_t>::max();
-    if (from.distortion_model != "plumb_bob" && !from.d.empty())
-        return failure(fmt::format("a lens of model '{}': expected plumb_bob", shown(from.distortion_model)));
+    const bool is_rational = from.distortion_model == "rational_polynomial";
+    if (from.distortion_model != "plumb_bob" && !is_rational && !from.d.empty())
+        return failure(fmt::format("the distortion model '{}': expected plumb_bob or rational_polynomial",
+                                   shown(from.distortion_model)));
     if (from.width > most || from.height > most)
         return failure(fmt::format("a camera of {} x {} pixels", from.width, from.height));
-    const auto d = [&](std::size_t i) { return i < from.d.size() ? from.d[i] : 0; };
+    const auto d = [&](std::size_t i) { return i < from.d.size() && (i < 5 || is_rational) ? from.d[i] : 0; };
     to = {.width = static_cast<std::uint16_t>(from.width),
           .height = static_cast<std::uint16_t>(from.height),
           .fx = from.k[0],
@@ -212,7 +245,10 @@ Expected<void> from_ros(const CameraInfo& from, CameraIntrinsics& to) {
           .k2 = d(1),
           .p1 = d(2),
           .p2 = d(3),
-          .k3 = d(4)};
+          .k3 = d(4),
+          .k4 = d(5),
+          .k5 = d(6),
+          .k6 = d(7)};
     return {};
 }
 

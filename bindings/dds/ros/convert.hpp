@@ -1,4 +1,4 @@
-// From payloads of ports to messages of ROS 2 and back. Stamps and frames are filled in by who sends.
+// Converts payloads of ports to messages of ROS 2 and back. The sender fills in stamps and frames.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@ namespace nezumi::ros {
 /// Whole nanoseconds; times before 0 become 0.
 Time to_time(double seconds);
 double to_seconds(const Time& time);
-/// About the z, y and x axes, in this order.
+/// Rotations about the z, y and x axes, in this order.
 Quaternion to_quaternion(const Orientation3D& orientation);
 Orientation3D to_orientation(const Quaternion& rotation);
 
-// `to_ros` makes the second of the first; `from_ros` the other way, or says what can't be had.
+// `to_ros` converts the first to the second; `from_ros` the other way, or returns an error.
 void to_ros(const Velocity2D& from, Twist& to);
 void to_ros(const Velocity2D& from, TwistStamped& to);
 void to_ros(const Pose2D& from, Odometry& to);
@@ -45,7 +45,7 @@ Expected<void> from_ros(const CameraInfo& from, CameraIntrinsics& to);
 Expected<void> from_ros(const Joy& from, std::vector<float>& to);
 Expected<void> from_ros(const Joy& from, std::vector<bool>& to);
 
-/// A plain value: `data` and nothing else.
+/// A message with only the field `data`.
 template <class T, class Message>
 requires std::is_same_v<T, decltype(Message::data)>
 void to_ros(const T& from, Message& to) { to.data = from; }

@@ -1,10 +1,12 @@
-// A line for each pair of types; the conversions are in convert.hpp.
+// One line per pair of types; the conversions are in convert.hpp.
 #include "bindings/dds/ros/mapping.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,15 +31,36 @@ void set_stamp(Message& message, double stamp, const std::string& frame) {
     }
 }
 
+// The velocity of something of which poses are known.
+class Motion {
+public:
+    /// From the pose before to this one, in its own frame; 0 at first.
+    Velocity2D to(const Pose2D& pose, double tm) {
+        const Pose2D from = std::exchange(pose_, pose);
+        const double period = tm - std::exchange(tm_, tm).value_or(tm);
+        if (!(period > 0)) return {};
+        const double turn = std::remainder(pose.heading - from.heading, 2 * std::numbers::pi);
+        const double dx = pose.position.x - from.position.x, dy = pose.position.y - from.position.y;
+        const double c = std::cos(from.heading + turn / 2), s = std::sin(from.heading + turn / 2);
+        return {.vx = (c * dx + s * dy) / period, .vy = (c * dy - s * dx) / period, .va = turn / period};
+    }
+
+private:
+    Pose2D pose_;
+    std::optional<double> tm_;  // [s]
+};
+
 template <class T, class Message>
 class Sender final : public Publication {
 public:
     Sender(InPort<T>& port, std::unique_ptr<dds::Writer> writer, std::string frame)
         : port_(port), writer_(std::move(writer)), frame_(std::move(frame)) {}
 
-    void send(double offset) override {
+    void send(double offset, const Velocity2D* measured) override {
         while (port_.is_new()) {
             const nezumi::Message<T>& taken = port_.take();
+            if constexpr (std::is_same_v<Message, Odometry>)
+                to_ros(measured != nullptr ? *measured : motion_.to(taken.data, taken.tm), message_.twist.twist);
             send(taken.data, taken.tm + offset);
         }
     }
@@ -59,6 +82,7 @@ private:
     InPort<T>& port_;
     std::unique_ptr<dds::Writer> writer_;
     std::string frame_;
+    Motion motion_;
     Message message_;
     Octets bytes_;
     bool moves_ = false;
@@ -89,12 +113,12 @@ private:
         if (!is_finite(payload_)) return failure("a number is not finite");
         if constexpr (std::is_same_v<T, Velocity2D> && requires { message_.header; }) {
             const double stamp = to_seconds(message_.header.stamp);
-            if (stamp > 0 && age_.of(stamp, clock) > silence) return {};  // of a link that was broken
+            if (stamp > 0 && age_.of(stamp, clock) > silence) return {};  // from an interrupted connection
         }
         give(payload_);
         return {};
     }
-    // As Humble has it.
+    // The format of Humble.
     Expected<void> read_without_variance(const Octets& bytes) {
         message_.variance = 0;
         return read_cdr(bytes, on_the_wire, message_.header, message_.radiation_type, message_.field_of_view,
@@ -155,7 +179,7 @@ constexpr std::array all{
     pair<std::vector<bool>, Joy>("", false),
 };
 
-// [messages] that wait: as ROS's default profile, and as its profile for sensor data.
+// [messages] Queue lengths of ROS's default profile and of its profile for sensor data.
 constexpr int usual_depth = 10, sensor_depth = 5;
 
 }  // namespace
@@ -176,8 +200,8 @@ Expected<const Mapping*> find_mapping(std::size_t port_type, std::string_view ty
 }
 
 dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes) {
-    // A reader of best effort is given what any writer sends; a reliable one only what a reliable writer does. A
-    // velocity is of use only as the newest.
+    // A best-effort reader receives from any writer, a reliable one only from a reliable writer. Of velocities only the
+    // newest is useful.
     const bool velocity = mapping.port_type == type_index<Velocity2D>();
     return {.name = fmt::format("rt{}", name),
             .type = dds_type_name(mapping.type),

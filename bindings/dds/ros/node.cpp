@@ -1,4 +1,4 @@
-// Ports are called as their topics are: "/scan/front" is scan_front.
+// A port is named after its topic: "/scan/front" is scan_front.
 #include "bindings/dds/ros/node.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace nezumi::dds {
 namespace {
 
-// Messages that wait in a tick for being sent.
+// Messages that may wait for sending within a tick.
 constexpr std::size_t most_waiting = 32;
 
 std::string port_name(std::string_view topic) {
@@ -66,7 +66,7 @@ Expected<void> RosNode::make_port(System& system, const RosTopic& topic, bool pu
     const auto mapping = ros::find_mapping(type, topic.type, !publishes);
     if (!mapping) return refuse(mapping.error().message);
     const std::string name = port_name(topic.topic);
-    if (find_port(name) != nullptr) return refuse(fmt::format("the topic {} is there already", topic.topic));
+    if (find_port(name) != nullptr) return refuse(fmt::format("the topic {} exists already", topic.topic));
     const std::string doc = fmt::format("{}, {}", topic.topic, (*mapping)->type);
     if (publishes) {
         const bool newest = type == type_index<Velocity2D>() || type == type_index<CameraImage>();
@@ -109,7 +109,7 @@ void RosNode::open() {
                                .user_data = fmt::format("typehash={};", ros::type_hash(type_of<ros::Clock>()))});
 }
 
-// Stamps in a simulation are its own time, which /clock tells; else the time of day.
+// A simulation uses its own time for stamps, which /clock publishes; otherwise it is the time of day.
 double RosNode::offset(const Time& now) const {
     return system_.settings().real_time ? settings_.wall_clock() - now.seconds : 0;
 }
@@ -122,8 +122,8 @@ void RosNode::before_tick(const MessageDoor& deliver) {
         open();
         received_at_ = clock;
     }
-    // While no tick came velocities grew old, and nothing in them tells: the next ones count. A simulation that is slow
-    // takes them all the same.
+    // Without ticks velocities become old unnoticed, so after a gap only newer ones count. A slow simulation takes them
+    // all the same.
     const bool waited = std::exchange(turns_, 0) > 1 || system_.settings().real_time;
     const bool stood = clock - std::exchange(received_at_, clock) > silence + 2 / system_.settings().rate && waited;
     for (Taken& taken : subscriptions_) {
@@ -134,7 +134,7 @@ void RosNode::before_tick(const MessageDoor& deliver) {
         });
         if (problem.empty() || problem == taken.told) continue;
         taken.told = problem;
-        log(LogLevel::warn, fmt::format("a message is not taken: {}", problem));
+        log(LogLevel::warn, fmt::format("a message was rejected: {}", problem));
     }
 }
 
@@ -147,9 +147,19 @@ void RosNode::actuate(const Time& now) {
         if (system_.is_stopped() && commands_robots(given)) {
             given.publication->send_zero(stamp());
         } else {
-            given.publication->send(offset(now));
+            given.publication->send(offset(now), measured_by(given));
         }
     }
+}
+
+const Velocity2D* RosNode::measured_by(const Given& given) const {
+    if (given.port->type() != type_index<Pose2D>()) return nullptr;
+    for (const OutPortBase* source : given.port->sources()) {
+        for (const Robot* robot : system_.robots()) {
+            if (robot->find_port(source->name()) == source) return &robot->measured();
+        }
+    }
+    return nullptr;
 }
 
 bool RosNode::commands_robots(const Given& given) const {
@@ -160,7 +170,7 @@ bool RosNode::commands_robots(const Given& given) const {
            });
 }
 
-// A robot of ROS may go on for ever with the last velocity that it got.
+// A ROS robot may continue forever with the last velocity that it got.
 void RosNode::between_ticks() {
     ++turns_;
     const double clock = settings_.clock();

@@ -1,4 +1,4 @@
-// The node that a system is among those of ROS 2: a component with a port for each topic.
+// The system as a node of ROS 2: a component with a port for each topic.
 #pragma once
 
 #include <functional>
@@ -15,26 +15,26 @@
 
 namespace nezumi::dds {
 
-/// What a node is beside its topics.
+/// The settings of a node besides its topics.
 struct RosNodeSettings {
-    std::function<double()> clock = monotonic_seconds;  ///< [s], never backwards
-    std::function<double()> wall_clock;                 ///< [s] since 1970: what ROS calls now, where robots are real
+    std::function<double()> clock = monotonic_seconds;  ///< [s], monotonic
+    std::function<double()> wall_clock;                 ///< [s] since 1970: the time of ROS if robots are real
 };
 
 class RosNode final : public Device {
 public:
-    /// Adds the node "ros/NAME" to a system that has all its other components, with what its topics say, and connects
-    /// it. The error has the place of the topic. Nothing is on the network before the first tick.
+    /// Adds the node "ros/NAME" with its topics to a complete system, and connects it. An error has the place of the
+    /// topic. Nothing is sent before the first tick.
     static Expected<RosNode*> add(System& system, const RosSpec& spec, DdsTransport& transport,
                                   RosNodeSettings settings);
 
-    /// As of `Network`: between two ticks, again and again only while time stands.
+    /// See `Network`: between two ticks; repeated only while time stands.
     void between_ticks();
-    /// Once before each tick: has what came since the last one written, as acts of ROS; nothing while this is not
-    /// ACTIVE.
+    /// Called once before each tick: writes the messages received since the last tick, as acts of ROS. Does nothing
+    /// while it is not ACTIVE.
     void before_tick(const MessageDoor& deliver);
 
-    /// What comes is there before the tick.
+    /// Received messages are written before the tick.
     void sense(const Time& /*now*/) override {}
     void actuate(const Time& now) override;
 
@@ -53,6 +53,7 @@ private:
     void open();
     struct Given;
     bool commands_robots(const Given& given) const;
+    const Velocity2D* measured_by(const Given& given) const;
     double offset(const Time& now) const;
     double stamp() const;
     void send_clock(const Time& now);
@@ -62,7 +63,7 @@ private:
     RosNodeSettings settings_;
     std::vector<Line> lines_;
     bool opened_ = false;
-    int turns_ = 0;           // between this tick and the last one
+    int turns_ = 0;           // calls since the last tick
     double received_at_ = 0;  // [s] by the clock
     struct Given {
         const InPortBase* port;
@@ -73,7 +74,7 @@ private:
     struct Taken {
         const Port* port;
         std::unique_ptr<ros::Subscription> subscription;
-        std::string told{};  // what was wrong: once
+        std::string told{};  // the error reported last
     };
     std::vector<Taken> subscriptions_;
     std::unique_ptr<Writer> clock_;

@@ -1,4 +1,4 @@
-// JSON exactly as rosidl writes it before it takes SHA-256: ", " and ": ", types by name, no default values.
+// The JSON must be exactly what rosidl writes for SHA-256: ", " and ": ", types by name, no default values.
 #include "bindings/dds/ros/type_hash.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace {
 // The descriptions of types as JSON, by name.
 using Descriptions = std::map<std::string_view, std::string>;
 
-// `type_id` of type_description_interfaces/msg/FieldType; an array's is 48 more, an unbounded sequence's 144.
+// `type_id` of type_description_interfaces/msg/FieldType; plus 48 for an array, plus 144 for an unbounded sequence.
 int field_type(const Type& type) {
     switch (type.kind) {
         case Type::Kind::structure: return 1;
@@ -38,7 +38,7 @@ int field_type(const Type& type) {
     }
 }
 
-// A type and all that it is made of.
+// Describes a type and all types that it contains.
 void describe_type(const Type& type, Descriptions& all) {
     if (all.contains(type.name)) return;
     std::string fields;

@@ -53,10 +53,10 @@ MarkerSpec read_marker(Fields& fields) {
 }
 
 // The rows of a drawing, which is good unless the check of `fields` says otherwise.
-std::vector<std::string> read_rows(Fields& fields, const FileValue& value) {
+std::vector<std::string> read_rows(Fields& fields, const Value& value) {
     std::vector<std::string> rows;
     const FieldPath path = fields.path_of("rows");
-    if (value.table() == nullptr || !value.table()->fields.empty()) {
+    if (value.get_if<FileTable>() == nullptr || !value.get_if<FileTable>()->fields.empty()) {
         fields.check().wrong(path, fmt::format("expected a list of texts, got {}", kind_of(value)));
         return rows;
     }
@@ -65,8 +65,8 @@ std::vector<std::string> read_rows(Fields& fields, const FileValue& value) {
         if (number > 0) place.push_back(fmt::format("[{}]", number));
         return place;
     };
-    for (const FileValue& element : value.table()->elements) {
-        const std::string* row = element.text();
+    for (const Value& element : value.get_if<FileTable>()->elements) {
+        const std::string* row = element.get_if<std::string>();
         if (row == nullptr)
             fields.check().wrong(in_row(rows.size() + 1), fmt::format("expected a text, got {}", kind_of(element)));
         rows.push_back(row != nullptr ? *row : "");
@@ -80,7 +80,7 @@ std::vector<std::string> read_rows(Fields& fields, const FileValue& value) {
 std::vector<BoxSpec> read_maze(Fields& fields, const Place& place) {
     MazeSpec maze;
     read_record(fields, maze);
-    const FileValue* rows = fields.field("rows");
+    const Value* rows = fields.field("rows");
     if (rows == nullptr && !fields.has("generate")) {
         fields.require("rows", "a drawing, or generate = { columns =, rows =, seed = }");
     } else if (rows != nullptr && fields.has("generate")) {
@@ -95,39 +95,29 @@ std::vector<BoxSpec> read_maze(Fields& fields, const Place& place) {
 }
 
 // A place as `{ x, y }`; nothing when it is something else.
-std::optional<Point2D> point_of(const FileValue& value) {
-    const FileTable* table = value.table();
+std::optional<Point2D> point_of(const Value& value) {
+    const FileTable* table = value.get_if<FileTable>();
     if (table == nullptr || table->elements.size() != 2 || !table->fields.empty()) return std::nullopt;
-    double numbers[2] = {0, 0};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const FileValue& element = table->elements[i];
-        if (const auto* whole = std::get_if<std::int64_t>(&element.data)) {
-            numbers[i] = static_cast<double>(*whole);
-        } else if (const auto* real = std::get_if<double>(&element.data)) {
-            numbers[i] = *real;
-        } else {
-            return std::nullopt;
-        }
-        if (!(std::abs(numbers[i]) <= Rule{}.most)) return std::nullopt;
-    }
-    return Point2D{numbers[0], numbers[1]};
+    const auto x = number_of(table->elements[0]), y = number_of(table->elements[1]);
+    if (!x || !y || !(std::abs(*x) <= Rule{}.most) || !(std::abs(*y) <= Rule{}.most)) return std::nullopt;
+    return Point2D{*x, *y};
 }
 
 LineSpec read_line(Fields& fields) {
     LineSpec line;
     read_record(fields, line);
-    const FileValue* points = fields.field("points");
+    const Value* points = fields.field("points");
     const FieldPath path = fields.path_of("points");
     if (points == nullptr) {
         fields.require("points", "{ { x, y }, ... } in m");
         return line;
     }
-    const FileTable* table = points->table();
+    const FileTable* table = points->get_if<FileTable>();
     if (table == nullptr || !table->fields.empty()) {
         fields.check().wrong(path, fmt::format("expected a list of {{ x, y }}, got {}", kind_of(*points)));
         return line;
     }
-    for (const FileValue& element : table->elements) {
+    for (const Value& element : table->elements) {
         const auto point = point_of(element);
         FieldPath place = path;
         place.push_back(fmt::format("[{}]", line.points.size() + 1));
@@ -152,7 +142,7 @@ std::string hint_for_arena(std::string_view name) {
 
 }  // namespace
 
-Expected<FileThing> SystemWords::thing(const WordCall& call, const FileValue& value) {
+Expected<FileThing> SystemWords::thing(const WordCall& call, const Value& value) {
     if (call.word == "csv" || call.word == "map") {
         auto boxes = call.word == "csv" ? read_map(call, value) : read_ros_map(call, value);
         if (!boxes) return Unexpected(boxes.error());
@@ -194,20 +184,22 @@ Expected<FileThing> SystemWords::thing(const WordCall& call, const FileValue& va
     }
     fields.done();
     if (auto ok = check.result(); !ok) return Unexpected(ok.error());
+    if (call.word == "box") note_degrees(check, call, "box", "yaw", std::get<std::vector<BoxSpec>>(made).front().yaw);
+    if (call.word == "marker") note_degrees(check, call, "marker", "facing", std::get<MarkerSpec>(made).facing);
     things_.push_back({call, std::move(made)});
     return FileThing{things_.size() - 1};
 }
 
-Expected<void> SystemWords::place_things(const WordCall& call, const std::vector<FileValue>& elements) {
+Expected<void> SystemWords::place_things(const WordCall& call, const std::vector<Value>& elements) {
     std::size_t number = 0;
-    for (const FileValue& element : elements) {
+    for (const Value& element : elements) {
         ++number;
         // A list of things is as good as the things.
-        if (const FileTable* table = element.table(); table != nullptr && table->fields.empty()) {
+        if (const FileTable* table = element.get_if<FileTable>(); table != nullptr && table->fields.empty()) {
             if (auto ok = place_things(call, table->elements); !ok) return ok;
             continue;
         }
-        const auto* handle = std::get_if<FileThing>(&element.data);
+        const auto* handle = element.get_if<FileThing>();
         if (handle == nullptr || handle->index >= things_.size()) {
             return failure(
                 fmt::format(
@@ -248,14 +240,14 @@ Expected<void> SystemWords::place_things(const WordCall& call, const std::vector
     return {};
 }
 
-Expected<void> SystemWords::arena(const WordCall& call, const FileValue& value) {
+Expected<void> SystemWords::arena(const WordCall& call, const Value& value) {
     FieldCheck check("arena", call.word, call.place, call.source);
     check.set_given({"", &value});
     Fields fields(check, value);
     ArenaSpec given;
     read_record(fields, given);
     const bool has_size = fields.has("size"), has_border = fields.has("border");
-    const std::vector<FileValue>& elements = fields.elements();
+    const std::vector<Value>& elements = fields.elements();
     fields.done(hint_for_arena);
     if (has_size && size_place_)
         check.wrong(fields.path_of("size"),

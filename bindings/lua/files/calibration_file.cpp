@@ -12,6 +12,7 @@
 #include "bindings/lua/files/robot_fields.hpp"
 #include "bindings/lua/files/write_record.hpp"
 #include "bindings/lua/values/bridge.hpp"
+#include "engine/base/lua_text.hpp"
 #include "engine/world/camera_source.hpp"
 
 namespace nezumi {
@@ -22,11 +23,11 @@ namespace fs = std::filesystem;
 void read_sensors(Fields sensors, Calibration& out) {
     for (const FileField& each : sensors.all()) {
         Fields sensor = sensors.inner(each.name);
-        const FileValue* table = sensor.field("table");
-        if (table == nullptr || table->table() == nullptr) {
+        const Value* table = sensor.field("table");
+        if (table == nullptr || table->get_if<FileTable>() == nullptr) {
             sensor.check().missing(sensor.path_of("table"), "{ { distance, value }, ... }");
         } else {
-            out.ranges.push_back({each.name, read_points(sensor, *table->table())});
+            out.ranges.push_back({each.name, read_points(sensor, *table->get_if<FileTable>())});
         }
         sensor.done();
     }
@@ -44,7 +45,8 @@ void read_cameras(Fields cameras, Calibration& out) {
                 if (camera.whole(field.name, pixels, least_picture, largest_picture))
                     value = static_cast<std::uint16_t>(pixels);
             } else {
-                camera.require(field.name, "a number");
+                // Those of a rational model need not be there.
+                if (field.name < "k4" || field.name > "k6") camera.require(field.name, "a number");
                 camera.number(field.name, value, {.range = is_focal ? NumberRange::positive : NumberRange::any});
             }
         });
@@ -77,9 +79,9 @@ private:
         read_record(fields, out);
         if (fields.has("odometry")) {
             Fields odometry = fields.inner("odometry");
-            for_each_setting<WheelCalibration>([&](const auto& field) {
+            for (const Type::Field& field : record_of<WheelCalibration>().fields) {
                 if (!odometry.has(field.name)) check.missing(odometry.path_of(field.name), "a positive number in m");
-            });
+            }
         }
         if (fields.has("sensors")) read_sensors(fields.inner("sensors"), out);
         if (fields.has("cameras")) read_cameras(fields.inner("cameras"), out);
@@ -102,7 +104,7 @@ Expected<void> use_cameras(SystemSpec& spec, const RobotEntry& robot, const Cali
         const CameraIntrinsics& intrinsics = found->second;
         const auto pixels = [&](const char* name, std::int64_t otherwise) {
             const auto given = camera->config.find(name);
-            const auto* number = given == camera->config.end() ? nullptr : std::get_if<std::int64_t>(&given->second);
+            const auto* number = given == camera->config.end() ? nullptr : given->second.get_if<std::int64_t>();
             return number == nullptr ? otherwise : *number;
         };
         const std::int64_t width = pixels("width", CameraSettings{}.width);
@@ -155,6 +157,7 @@ std::string write_calibration(const Calibration& calibration) {
     for (const auto& [camera, intrinsics] : calibration.cameras) {
         text += fmt::format("    {} = {{", lua_key(camera));
         for_each_field(intrinsics, [&](const auto& field, const auto& value) {
+            if (value == 0 && field.name >= "k4" && field.name <= "k6") return;
             const bool is_whole = std::is_integral_v<std::remove_cvref_t<decltype(value)>>;
             text += fmt::format(" {} = {},", field.name, is_whole ? fmt::to_string(value) : lua_number(value));
         });

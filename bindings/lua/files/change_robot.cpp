@@ -14,14 +14,14 @@
 
 namespace nezumi {
 
-Expected<FileValue> changes_with(const RobotEntry& robot, const FileValue& changes, const Project& project) {
+Expected<Value> changes_with(const RobotEntry& robot, const Value& changes, const Project& project) {
     if (robot.changes.empty()) return changes;
     const auto before = read_changes(robot.changes, robot.place.file, project);
     if (!before) return Unexpected(before.error());
     return combine_changes(*before, changes);
 }
 
-Expected<void> change_robot(SystemSpec& spec, const std::string& robot, const FileValue& changes, FieldCheck& check,
+Expected<void> change_robot(SystemSpec& spec, const std::string& robot, const Value& changes, FieldCheck& check,
                             const Project& project) {
     RobotEntry* entry = nullptr;
     std::vector<std::string_view> names;
@@ -33,7 +33,7 @@ Expected<void> change_robot(SystemSpec& spec, const std::string& robot, const Fi
     }
     if (entry == nullptr)
         return failure(fmt::format("there is no robot '{}'{}", shown(robot), did_you_mean(robot, names)));
-    if (const FileTable* table = changes.table(); table != nullptr && table->find("base") != nullptr)
+    if (const FileTable* table = changes.get_if<FileTable>(); table != nullptr && table->find("base") != nullptr)
         check.unknown({"base"}, ": it is for robot files");
     const auto path = project.find(FileKind::model, entry->model, entry->place.file);
     if (!path) return Unexpected(path.error());

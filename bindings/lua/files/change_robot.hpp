@@ -11,11 +11,11 @@
 namespace nezumi {
 
 /// What the system says of this robot, with these fields of a robot file over it.
-Expected<FileValue> changes_with(const RobotEntry& robot, const FileValue& changes, const Project& project);
+Expected<Value> changes_with(const RobotEntry& robot, const Value& changes, const Project& project);
 
 /// Puts these fields of a robot file over what the system says of the robot of this name; a calibration it has is used
 /// again. What is wrong with them is said to `check`. An error when there is no such robot, which names the nearest.
-Expected<void> change_robot(SystemSpec& spec, const std::string& robot, const FileValue& changes, FieldCheck& check,
+Expected<void> change_robot(SystemSpec& spec, const std::string& robot, const Value& changes, FieldCheck& check,
                             const Project& project);
 
 }  // namespace nezumi

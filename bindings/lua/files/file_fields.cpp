@@ -15,14 +15,10 @@ const FileTable& empty_table() {
 }
 
 // Why the value is no number of this field, or "".
-std::string read_number(const FileValue& value, const Rule& rule, std::string_view unit, double& out) {
-    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
-        out = static_cast<double>(*whole);
-    } else if (const auto* number = std::get_if<double>(&value.data)) {
-        out = *number;
-    } else {
-        return fmt::format("expected {}, got {}", words_for(rule.range), kind_of(value));
-    }
+std::string read_number(const Value& value, const Rule& rule, std::string_view unit, double& out) {
+    const auto number = number_of(value);
+    if (!number) return fmt::format("expected {}, got {}", words_for(rule.range), kind_of(value));
+    out = *number;
     return check_number(out, rule, unit);
 }
 
@@ -62,11 +58,11 @@ Expected<void> FieldCheck::result() const {
     return Unexpected(error_);
 }
 
-Fields::Fields(FieldCheck& check, const FileValue& value, FieldPath path)
-    : check_(check), table_(value.table()), path_(std::move(path)) {
+Fields::Fields(FieldCheck& check, const Value& value, FieldPath path)
+    : check_(check), table_(value.get_if<FileTable>()), path_(std::move(path)) {
     if (table_ != nullptr) return;
     table_ = &empty_table();
-    if (value.is_nil()) return;
+    if (value.is_nothing()) return;
     const std::string text = fmt::format("{}expected a table, got {}",
                                          path_.empty() && check_.noun() == "option" ? "options " : "", kind_of(value));
     path_.empty() ? check_.wrong_at(path_, text) : check_.wrong(path_, text);
@@ -78,15 +74,15 @@ FieldPath Fields::path_of(std::string_view name) const {
     return path;
 }
 
-const FileValue* Fields::field(std::string_view name) {
+const Value* Fields::field(std::string_view name) {
     if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) asked_.emplace_back(name);
     return table_->find(name);
 }
 
 bool Fields::boolean(std::string_view name, bool& out) {
-    const FileValue* value = field(name);
+    const Value* value = field(name);
     if (value == nullptr) return false;
-    if (const bool* truth = std::get_if<bool>(&value->data)) {
+    if (const bool* truth = value->get_if<bool>()) {
         out = *truth;
         return true;
     }
@@ -95,7 +91,7 @@ bool Fields::boolean(std::string_view name, bool& out) {
 }
 
 bool Fields::number(std::string_view name, double& out, const Rule& rule, std::string_view unit) {
-    const FileValue* value = field(name);
+    const Value* value = field(name);
     if (value == nullptr) return false;
     double number = 0;
     const std::string problem = read_number(*value, rule, unit, number);
@@ -108,10 +104,10 @@ bool Fields::number(std::string_view name, double& out, const Rule& rule, std::s
 }
 
 bool Fields::whole(std::string_view name, std::int64_t& out, std::int64_t min, std::int64_t max) {
-    const FileValue* value = field(name);
+    const Value* value = field(name);
     if (value == nullptr) return false;
-    const auto* whole = std::get_if<std::int64_t>(&value->data);
-    const auto* number = std::get_if<double>(&value->data);
+    const auto* whole = value->get_if<std::int64_t>();
+    const auto* number = value->get_if<double>();
     std::string got = kind_of(*value);
     if (whole != nullptr && *whole >= min && *whole <= max) {
         out = *whole;
@@ -129,9 +125,9 @@ bool Fields::whole(std::string_view name, std::int64_t& out, std::int64_t min, s
 }
 
 bool Fields::text(std::string_view name, std::string& out) {
-    const FileValue* value = field(name);
+    const Value* value = field(name);
     if (value == nullptr) return false;
-    if (const std::string* text = value->text()) {
+    if (const std::string* text = value->get_if<std::string>()) {
         out = *text;
         return true;
     }
@@ -142,9 +138,9 @@ bool Fields::text(std::string_view name, std::string& out) {
 bool Fields::coordinates(std::string_view name, std::vector<double>& out, std::size_t least, std::size_t most,
                          NumberRange range) {
     constexpr std::string_view axes[] = {"x", "y", "z"};
-    const FileValue* value = field(name);
+    const Value* value = field(name);
     if (value == nullptr) return false;
-    const FileTable* table = value->table();
+    const FileTable* table = value->get_if<FileTable>();
     const std::string_view shape = most == 2 ? "{ x, y }" : "{ x, y, z }";
     if (table == nullptr) {
         check_.wrong(path_of(name), fmt::format("expected {}, got {}", shape, kind_of(*value)));
@@ -155,9 +151,7 @@ bool Fields::coordinates(std::string_view name, std::vector<double>& out, std::s
     path.emplace_back();
     std::size_t found = 0;
     for (std::size_t i = 0; i < most; ++i) {
-        const FileValue* axis = by_name                      ? table->find(axes[i])
-                                : i < table->elements.size() ? &table->elements[i]
-                                                             : nullptr;
+        const Value* axis = by_name ? table->find(axes[i]) : i < table->elements.size() ? &table->elements[i] : nullptr;
         if (axis == nullptr) break;
         path.back() = by_name ? std::string(axes[i]) : fmt::format("[{}]", i + 1);
         double number = 0;
@@ -198,9 +192,9 @@ bool Fields::point(std::string_view name, Point3D& out, NumberRange range, bool 
 }
 
 bool Fields::choice(std::string_view name, std::size_t& out, std::span<const std::string_view> choices) {
-    const FileValue* value = field(name);
+    const Value* value = field(name);
     if (value == nullptr) return false;
-    const std::string* text = value->text();
+    const std::string* text = value->get_if<std::string>();
     const std::string got = text != nullptr ? "'" + *text + "'" : kind_of(*value);
     const auto found = text != nullptr ? std::find(choices.begin(), choices.end(), *text) : choices.end();
     if (found == choices.end()) {
@@ -213,16 +207,17 @@ bool Fields::choice(std::string_view name, std::size_t& out, std::span<const std
 }
 
 bool Fields::names(std::string_view name, std::vector<std::string>& out) {
-    const FileValue* value = field(name);
+    const Value* value = field(name);
     if (value == nullptr) return false;
     std::vector<std::string> names;
-    const FileTable* table = value->table();
-    if (const std::string* text = value->text()) names.push_back(*text);
+    const FileTable* table = value->get_if<FileTable>();
+    if (const std::string* text = value->get_if<std::string>()) names.push_back(*text);
     for (std::size_t i = 0; table != nullptr && table->fields.empty() && i < table->elements.size(); ++i) {
-        const std::string* text = table->elements[i].text();
+        const std::string* text = table->elements[i].get_if<std::string>();
         if (text != nullptr) names.push_back(*text);
     }
-    if (names.empty() || (table != nullptr && names.size() != table->elements.size())) {
+    const bool is_list = table != nullptr && table->fields.empty() && names.size() == table->elements.size();
+    if (!value->is<std::string>() && !is_list) {
         check_.wrong(path_of(name), fmt::format("expected a name or a list of names, got {}",
                                                 table == nullptr ? kind_of(*value) : "another table"));
         return false;
@@ -263,12 +258,12 @@ void Fields::check_lengths(std::string_view name, const Rule& rule, std::string_
 }
 
 Fields Fields::inner(std::string_view name) {
-    static const FileValue nothing;
-    const FileValue* value = field(name);
+    static const Value nothing;
+    const Value* value = field(name);
     return Fields(check_, value != nullptr ? *value : nothing, path_of(name));
 }
 
-const std::vector<FileValue>& Fields::elements() {
+const std::vector<Value>& Fields::elements() {
     elements_asked_ = true;
     return table_->elements;
 }

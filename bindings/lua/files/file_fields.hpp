@@ -71,10 +71,10 @@ private:
 class Fields {
 public:
     /// `value` nil: an empty table.
-    Fields(FieldCheck& check, const FileValue& value, FieldPath path = {});
+    Fields(FieldCheck& check, const Value& value, FieldPath path = {});
 
     /// nullptr when there is none.
-    const FileValue* field(std::string_view name);
+    const Value* field(std::string_view name);
     bool has(std::string_view name) { return field(name) != nullptr; }
     /// Whether there is one, without asking for it: it may still be unknown.
     bool gives(std::string_view name) const { return table_->find(name) != nullptr; }
@@ -101,7 +101,7 @@ public:
     /// Every field, by its name in ascending order, when the names are the person's own.
     const std::vector<FileField>& all() const { return table_->fields; }
     /// The elements 1..n, which are then no longer unknown.
-    const std::vector<FileValue>& elements();
+    const std::vector<Value>& elements();
 
     /// An error when there is no such field. `expected` says what belongs there.
     void require(std::string_view name, std::string_view expected);

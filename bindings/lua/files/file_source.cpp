@@ -15,34 +15,28 @@ namespace {
 using Kind = SyntaxNode::Kind;
 
 // What a literal says; nothing when that is not plain.
-std::optional<FileValue> value_of(const Token& token) {
-    if (token.is("nil")) return FileValue{};
-    if (token.is("true") || token.is("false")) return FileValue{token.is("true")};
+std::optional<Value> value_of(const Token& token) {
+    if (token.is("nil")) return Value{};
+    if (token.is("true") || token.is("false")) return Value{token.is("true")};
     if (token.kind == Token::Kind::string) {
         if (token.text.front() == '[' || token.text.find('\\') != std::string_view::npos) return std::nullopt;
-        return FileValue{std::string(token.inside())};
+        return Value{std::string(token.inside())};
     }
     double number = 0;
     const char* const end = token.text.data() + token.text.size();
     const auto read = std::from_chars(token.text.data(), end, number);
     if (token.kind != Token::Kind::number || read.ec != std::errc() || read.ptr != end) return std::nullopt;
-    return FileValue{number};
-}
-
-std::optional<double> number_of(const FileValue& value) {
-    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*whole);
-    if (const auto* number = std::get_if<double>(&value.data)) return *number;
-    return std::nullopt;
+    return Value{number};
 }
 
 // The same of an expression: a literal, or a number with a minus.
-std::optional<FileValue> value_of(const SyntaxNode& expression) {
+std::optional<Value> value_of(const SyntaxNode& expression) {
     if (expression.is(Kind::literal)) return value_of(*expression.first);
     if (!expression.is(Kind::unary) || !expression.word->is("-") || !expression.child->is(Kind::literal))
         return std::nullopt;
     const auto value = value_of(*expression.child->first);
     const auto number = value ? number_of(*value) : std::nullopt;
-    return number ? std::optional(FileValue{-*number}) : std::nullopt;
+    return number ? std::optional(Value{-*number}) : std::nullopt;
 }
 
 // The tables that an expression may give: itself, or operands of it.
@@ -61,12 +55,13 @@ std::vector<const SyntaxNode*> tables_of(const SyntaxNode& expression) {
 }
 
 // Whether a literal gives this value; null: no value.
-bool gives(const FileValue& literal, const FileValue* value) {
-    if (value == nullptr || literal.is_nil()) return value == nullptr && literal.is_nil();
+bool gives(const Value& literal, const Value* value) {
+    if (value == nullptr || literal.is_nothing()) return value == nullptr && literal.is_nothing();
     if (const auto number = number_of(literal)) return number_of(*value) == number;
-    if (const auto* text = literal.text()) return value->text() != nullptr && *value->text() == *text;
-    const auto* truth = std::get_if<bool>(&value->data);
-    return truth != nullptr && *truth == std::get<bool>(literal.data);
+    if (const auto* text = literal.get_if<std::string>())
+        return value->get_if<std::string>() != nullptr && *value->get_if<std::string>() == *text;
+    const auto* truth = value->get_if<bool>();
+    return truth != nullptr && *truth == literal.get<bool>();
 }
 
 }  // namespace
@@ -76,9 +71,9 @@ struct FileSource::Node {
     int line = 0;
     int column = 0;
     std::vector<std::unique_ptr<Node>> children;
-    std::optional<FileValue> literal;  // of a field that is one; of a call the name before its table
-    bool is_table = false;             // of a field: it is a table, as calls are, and nothing else
-    bool has_more = false;             // of a table: not all of its keys can be read off the text
+    std::optional<Value> literal;  // of a field that is one; of a call the name before its table
+    bool is_table = false;         // of a field: it is a table, as calls are, and nothing else
+    bool has_more = false;         // of a table: not all of its keys can be read off the text
 
     const Node* child(std::string_view name) const {
         const auto found =
@@ -96,16 +91,16 @@ struct FileSource::Node {
 
     // Whether a call of this text may have been given this.
     bool may_be(const GivenTable& given) const {
-        if (literal && !given.name.empty() && *literal->text() != given.name) return false;
+        if (literal && !given.name.empty() && *literal->get_if<std::string>() != given.name) return false;
         return given.table == nullptr || may_give(given.table);
     }
 
 private:
     // Whether the text of a field may give this value: its literals do, and it has all that a table has. Null: none.
-    bool may_give(const FileValue* value) const {
+    bool may_give(const Value* value) const {
         if (literal && !is_table) return gives(*literal, value);
         if (!is_table) return true;
-        const FileTable* table = value != nullptr ? value->table() : nullptr;
+        const FileTable* table = value != nullptr ? value->get_if<FileTable>() : nullptr;
         if (table == nullptr) return false;
         std::size_t elements = 0;
         bool may_go_on = false;

@@ -12,7 +12,7 @@
 
 namespace nezumi {
 
-struct FileValue;
+class Value;
 
 /// A field within nested tables: "pose", "x"; elements are "[1]", "[2]".
 using FieldPath = std::vector<std::string>;
@@ -23,7 +23,7 @@ std::string to_text(const FieldPath& path);
 /// What a call was given: the name before its table, "" when it takes none or nobody knows, and the table, or null.
 struct GivenTable {
     std::string name{};
-    const FileValue* table = nullptr;
+    const Value* table = nullptr;
 };
 
 class FileSource {

@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
-#include "bindings/lua/files/lua_value_text.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
+#include "bindings/lua/values/codec.hpp"
+#include "engine/base/lua_text.hpp"
+#include "engine/values/value_text.hpp"
 
 namespace nezumi {
 namespace {
@@ -22,25 +23,22 @@ class ValueReader {
 public:
     explicit ValueReader(lua_State* lua) : lua_(lua) {}
 
-    Expected<FileValue> read(int index, int depth) {
+    Expected<Value> read(int index, int depth) {
         if (depth > deepest) return failure("tables are nested too deeply, or a table is within itself");
         if (++parts_ > most_parts) return failure(fmt::format("has more than {} parts", most_parts));
         if (lua_checkstack(lua_, 4) == 0) return failure("tables are nested too deeply");
         switch (lua_type(lua_, index)) {
             case LUA_TNONE:
-            case LUA_TNIL: return FileValue{};
-            case LUA_TBOOLEAN: return FileValue{lua_toboolean(lua_, index) != 0};
-            case LUA_TNUMBER:
-                if (lua_isinteger(lua_, index) != 0) return FileValue{std::int64_t{lua_tointeger(lua_, index)}};
-                return FileValue{double{lua_tonumber(lua_, index)}};
-            case LUA_TSTRING: return FileValue{text_at(index)};
+            case LUA_TNIL: return Value{};
             case LUA_TTABLE: return read_table(index, depth);
             case LUA_TLIGHTUSERDATA: {
                 const auto number = reinterpret_cast<std::uintptr_t>(lua_touserdata(lua_, index));
-                return FileValue{FileThing{static_cast<std::size_t>(number) - 1}};
+                return Value{FileThing{static_cast<std::size_t>(number) - 1}};
             }
-            case LUA_TFUNCTION: return FileValue{FileFunction{}};
-            default: return FileValue{FileOther{lua_typename(lua_, lua_type(lua_, index))}};
+            case LUA_TFUNCTION: return Value{FileFunction{}};
+            default:
+                if (Value single = read_single(lua_, index); !single.is_nothing()) return single;
+                return Value{FileOther{lua_typename(lua_, lua_type(lua_, index))}};
         }
     }
 
@@ -63,7 +61,7 @@ private:
         }
     }
 
-    Expected<FileValue> read_table(int index, int depth) {
+    Expected<Value> read_table(int index, int depth) {
         index = lua_absindex(lua_, index);
         if (push_behind_lock(lua_, index)) {
             auto behind = read_table(-1, depth);
@@ -100,7 +98,7 @@ private:
         }
         std::stable_sort(table.fields.begin(), table.fields.end(),
                          [](const auto& a, const auto& b) { return a.name < b.name; });
-        return FileValue{std::move(table)};
+        return Value{std::move(table)};
     }
 
     lua_State* lua_;
@@ -111,29 +109,23 @@ private:
 template <class T>
 std::optional<std::vector<T>> all_as(const FileTable& table) {
     std::vector<T> values;
-    for (const FileValue& element : table.elements) {
-        const T* value = std::get_if<T>(&element.data);
+    for (const Value& element : table.elements) {
+        const T* value = element.get_if<T>();
         if (value == nullptr) return std::nullopt;
         values.push_back(*value);
     }
     return values;
 }
 
-std::optional<double> to_number(const FileValue& value) {
-    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*whole);
-    if (const auto* number = std::get_if<double>(&value.data)) return *number;
-    return std::nullopt;
-}
-
-Expected<ParameterValue> to_array(const FileTable& table) {
+Expected<Value> to_array(const FileTable& table) {
     if (!table.fields.empty())
         return failure(fmt::format("expected an array, got a table with a field '{}'", table.fields.front().name));
     if (auto values = all_as<std::int64_t>(table)) return std::move(*values);
     if (auto values = all_as<bool>(table)) return std::move(*values);
     if (auto values = all_as<std::string>(table)) return std::move(*values);
     std::vector<double> numbers;
-    for (const FileValue& element : table.elements) {
-        const auto number = to_number(element);
+    for (const Value& element : table.elements) {
+        const auto number = number_of(element);
         if (!number) return failure("expected an array of numbers, of truth values or of texts");
         if (!std::isfinite(*number)) return failure(fmt::format("expected finite numbers, got {}", *number));
         numbers.push_back(*number);
@@ -143,53 +135,48 @@ Expected<ParameterValue> to_array(const FileTable& table) {
 
 }  // namespace
 
-const FileValue* FileTable::find(std::string_view name) const {
+const Value* FileTable::find(std::string_view name) const {
     const auto found =
         std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == name; });
     return found == fields.end() ? nullptr : &found->value;
 }
 
-Expected<FileValue> read_file_value(lua_State* lua, int index) { return ValueReader(lua).read(index, 0); }
+Expected<Value> read_file_value(lua_State* lua, int index) { return ValueReader(lua).read(index, 0); }
 
 void push_file_thing(lua_State* lua, FileThing thing) {
     lua_pushlightuserdata(lua, reinterpret_cast<void*>(static_cast<std::uintptr_t>(thing.index + 1)));
 }
 
-std::string kind_of(const FileValue& value) {
-    constexpr std::string_view kinds[] = {
-        "nil", "boolean", "number", "number", "string", "table", "thing of the arena", "function"};
-    if (const auto* other = std::get_if<FileOther>(&value.data)) return other->kind;
-    return std::string(kinds[value.data.index()]);
+std::string kind_of(const Value& value) {
+    if (const auto* other = value.get_if<FileOther>()) return other->kind;
+    if (value.is<FileTable>()) return "table";
+    if (value.is<FileThing>()) return "thing of the arena";
+    if (value.is<FileFunction>()) return "function";
+    if (value.is_nothing()) return "nil";
+    return value.is<std::string>() ? "string" : value.is<bool>() ? "boolean" : "number";
 }
 
-std::string to_lua(const FileValue& value) {
-    return std::visit(
-        [](const auto& v) -> std::string {
-            using T = std::decay_t<decltype(v)>;
-            if constexpr (std::is_same_v<T, FileTable>) {
-                std::string text;
-                for (const FileValue& element : v.elements) text += (text.empty() ? "{ " : ", ") + to_lua(element);
-                for (const FileField& field : v.fields)
-                    text += (text.empty() ? "{ " : ", ") + lua_key(field.name) + " = " + to_lua(field.value);
-                return text.empty() ? "{}" : text + " }";
-            } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
-                return lua_text(v);
-            } else {
-                return "nil";
-            }
-        },
-        value.data);
+std::string to_lua(const Value& value) {
+    const auto* table = value.get_if<FileTable>();
+    if (table == nullptr) return value.type().is_single() ? lua_text(value) : "nil";
+    std::string text;
+    for (const Value& element : table->elements) text += (text.empty() ? "{ " : ", ") + to_lua(element);
+    for (const FileField& field : table->fields)
+        text += (text.empty() ? "{ " : ", ") + lua_key(field.name) + " = " + to_lua(field.value);
+    return text.empty() ? "{}" : text + " }";
 }
 
-Expected<ParameterValue> to_parameter(const FileValue& value) {
-    if (const auto* truth = std::get_if<bool>(&value.data)) return *truth;
-    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return *whole;
-    if (const auto* text = value.text()) return *text;
-    if (const auto* table = value.table()) return to_array(*table);
-    if (const auto* number = std::get_if<double>(&value.data)) {
-        if (std::isfinite(*number)) return *number;
+std::optional<double> number_of(const Value& value) {
+    if (const auto* whole = value.get_if<std::int64_t>()) return static_cast<double>(*whole);
+    if (const auto* number = value.get_if<double>()) return *number;
+    return std::nullopt;
+}
+
+Expected<Value> to_parameter(const Value& value) {
+    if (const auto* table = value.get_if<FileTable>()) return to_array(*table);
+    if (const auto* number = value.get_if<double>(); number != nullptr && !std::isfinite(*number))
         return failure(fmt::format("expected a finite number, got {}", *number));
-    }
+    if (value.type().is_single() && !value.is_nothing()) return value;
     return failure(fmt::format("expected a number, a truth value, a text or an array of them, got {}", kind_of(value)));
 }
 

@@ -16,14 +16,15 @@ namespace {
 constexpr std::pair<std::string_view, std::string_view> alternatives[] = {
     {"table", "response"}, {"size", "radius"}, {"size", "height"}, {"from", "to"}};
 
-bool is_false(const FileValue& value) {
-    const bool* truth = std::get_if<bool>(&value.data);
+bool is_false(const Value& value) {
+    const bool* truth = value.get_if<bool>();
     return truth != nullptr && !*truth;
 }
 
 bool is_place(const FileTable& table) {
     return !table.fields.empty() && std::all_of(table.fields.begin(), table.fields.end(), [](const FileField& field) {
-        return (field.name == "x" || field.name == "y" || field.name == "z") && field.value.table() == nullptr;
+        return (field.name == "x" || field.name == "y" || field.name == "z") &&
+               field.value.get_if<FileTable>() == nullptr;
     });
 }
 
@@ -32,9 +33,11 @@ bool is_group(const FileTable* table) { return table != nullptr && table->elemen
 // A sensor of another kind has other fields.
 bool changes_kind(const FileTable& base, const FileTable& changes) {
     for (const std::string_view name : {"kind", "shape"}) {
-        const FileValue *before = base.find(name), *after = changes.find(name);
-        if (before == nullptr || after == nullptr || before->text() == nullptr || after->text() == nullptr) continue;
-        if (*before->text() != *after->text()) return true;
+        const Value *before = base.find(name), *after = changes.find(name);
+        if (before == nullptr || after == nullptr || before->get_if<std::string>() == nullptr ||
+            after->get_if<std::string>() == nullptr)
+            continue;
+        if (*before->get_if<std::string>() != *after->get_if<std::string>()) return true;
     }
     return false;
 }
@@ -44,8 +47,9 @@ bool is_table_of_names(const FieldPath& path) {
 }
 
 // Whether a sensor, actuator or port could be a new one: those say what they are.
-bool is_whole(std::string_view group, const FileValue& value) {
-    return value.table() == nullptr || value.table()->find(group == "ports" ? "type" : "kind") != nullptr;
+bool is_whole(std::string_view group, const Value& value) {
+    return value.get_if<FileTable>() == nullptr ||
+           value.get_if<FileTable>()->find(group == "ports" ? "type" : "kind") != nullptr;
 }
 
 void erase(FileTable& table, std::string_view name) {
@@ -59,18 +63,18 @@ std::string nearest(std::string_view name, const FileTable& table) {
 }
 
 // `check` null: of two changes, where `false` stays for what they will be put over.
-FileValue merge(FieldCheck* check, const FileValue& base, const FileValue& changes, const FieldPath& path) {
-    const FileTable *from = base.table(), *over = changes.table();
+Value merge(FieldCheck* check, const Value& base, const Value& changes, const FieldPath& path) {
+    const FileTable *from = base.get_if<FileTable>(), *over = changes.get_if<FileTable>();
     if (!is_group(from) || !is_group(over) || changes_kind(*from, *over)) return changes;
     FileTable merged = *from;
     const auto is_given = [&](std::string_view name) {
-        const FileValue* given = over->find(name);
+        const Value* given = over->find(name);
         return given != nullptr && !is_false(*given);
     };
     for (const FileField& change : over->fields) {
         FieldPath inner = path;
         inner.push_back(change.name);
-        const FileValue* before = from->find(change.name);
+        const Value* before = from->find(change.name);
         if (check != nullptr && is_false(change.value) && before == nullptr && is_table_of_names(path))
             check->wrong(inner, fmt::format("takes away what is not there{}", nearest(change.name, *from)));
         if (check != nullptr && before == nullptr && is_table_of_names(path) && !is_whole(path[0], change.value)) {
@@ -85,7 +89,7 @@ FileValue merge(FieldCheck* check, const FileValue& base, const FileValue& chang
         }
         erase(merged, change.name);
         if (check != nullptr && is_false(change.value) && before != nullptr) continue;
-        FileValue value = before != nullptr ? merge(check, *before, change.value, inner) : change.value;
+        Value value = before != nullptr ? merge(check, *before, change.value, inner) : change.value;
         const auto place = std::find_if(merged.fields.begin(), merged.fields.end(),
                                         [&](const FileField& field) { return field.name > change.name; });
         merged.fields.insert(place, {change.name, std::move(value)});
@@ -95,10 +99,10 @@ FileValue merge(FieldCheck* check, const FileValue& base, const FileValue& chang
 
 }  // namespace
 
-FileValue merge_values(FieldCheck& check, const FileValue& base, const FileValue& changes, const FieldPath& path) {
+Value merge_values(FieldCheck& check, const Value& base, const Value& changes, const FieldPath& path) {
     return merge(&check, base, changes, path);
 }
 
-FileValue combine_changes(const FileValue& first, const FileValue& second) { return merge(nullptr, first, second, {}); }
+Value combine_changes(const Value& first, const Value& second) { return merge(nullptr, first, second, {}); }
 
 }  // namespace nezumi

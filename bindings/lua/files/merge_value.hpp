@@ -9,9 +9,9 @@ namespace nezumi {
 /// The table of a robot file with these changes. Tables with names merge; lists, places and things that change their
 /// kind are replaced whole; `false` takes a field away. A sensor, actuator or port that `false` would take away and
 /// that is not there is an error, which names the nearest. `path` is where the changes stand.
-FileValue merge_values(FieldCheck& check, const FileValue& base, const FileValue& changes, const FieldPath& path = {});
+Value merge_values(FieldCheck& check, const Value& base, const Value& changes, const FieldPath& path = {});
 
 /// Two changes, one after the other, as one: what the second takes away it still takes away.
-FileValue combine_changes(const FileValue& first, const FileValue& second);
+Value combine_changes(const Value& first, const Value& second);
 
 }  // namespace nezumi

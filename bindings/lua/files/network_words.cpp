@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -49,13 +51,13 @@ void check_peers(FieldCheck& check, const std::vector<std::string>& peers) {
 }
 
 // Reads one entry of `publish` or `subscribe`: a text, or a table that says more. `name` is what it stands for.
-void read_topic(FieldCheck& check, const FileValue& value, const FieldPath& path, const std::string& name,
-                bool publishes, std::vector<RosTopic>& out) {
+void read_topic(FieldCheck& check, const Value& value, const FieldPath& path, const std::string& name, bool publishes,
+                std::vector<RosTopic>& out) {
     RosTopic topic;
     topic.place = check.place_of(path);
-    if (const std::string* text = value.text()) {
+    if (const std::string* text = value.get_if<std::string>()) {
         (publishes ? topic.topic : topic.port) = *text;
-    } else if (value.table() != nullptr) {
+    } else if (value.get_if<FileTable>() != nullptr) {
         Fields fields(check, value, path);
         read_record(fields, topic);
         const std::string_view key = publishes ? "port" : "topic";
@@ -77,17 +79,32 @@ void read_topics(Fields& fields, std::string_view name, std::vector<RosTopic>& o
     const bool publishes = name == "publish";
     Fields table = fields.inner(name);
     for (const FileField& each : table.all()) {
-        const FileValue& value = *table.field(each.name);
+        const Value& value = *table.field(each.name);
         const FieldPath path = table.path_of(each.name);
-        const FileTable* list = value.table();
+        const FileTable* list = value.get_if<FileTable>();
         if (!publishes || list == nullptr || list->elements.empty() || !list->fields.empty()) {
             read_topic(fields.check(), value, path, each.name, publishes, out);
             continue;
         }
-        for (const FileValue& element : list->elements)
+        for (const Value& element : list->elements)
             read_topic(fields.check(), element, path, each.name, publishes, out);
     }
     table.done();
+}
+
+// As other nodes of ROS find their domain where nobody says it.
+void use_environment(FieldCheck& check, std::int64_t& domain) {
+    const char* said = std::getenv("ROS_DOMAIN_ID");
+    if (said == nullptr || *said == '\0') return;
+    const std::string_view text = said;
+    std::int64_t number = -1;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (problem == std::errc() && end == text.data() + text.size() && number >= 0 && number <= detail::last_domain) {
+        domain = number;
+    } else {
+        check.wrong_at({}, fmt::format("the environment's ROS_DOMAIN_ID: expected 0 to {}, got '{}'",
+                                       detail::last_domain, shown(text)));
+    }
 }
 
 Expected<void> said_once(const WordCall& call, const Place* before) {
@@ -97,7 +114,7 @@ Expected<void> said_once(const WordCall& call, const Place* before) {
 
 }  // namespace
 
-Expected<void> SystemWords::network(const WordCall& call, const FileValue& value) {
+Expected<void> SystemWords::network(const WordCall& call, const Value& value) {
     FieldCheck check("network", call.word, call.place, call.source);
     check.set_given({"", &value});
     Fields fields(check, value);
@@ -129,13 +146,14 @@ Expected<void> SystemWords::network(const WordCall& call, const FileValue& value
     return {};
 }
 
-Expected<void> SystemWords::ros(const WordCall& call, const FileValue& value) {
+Expected<void> SystemWords::ros(const WordCall& call, const Value& value) {
     FieldCheck check("ros", call.word, call.place, call.source);
     check.set_given({"", &value});
     Fields fields(check, value);
     RosSpec given;
     given.place = call.place;
     read_record(fields, given);
+    if (!fields.has("domain")) use_environment(check, given.domain);
     read_topics(fields, "publish", given.publish);
     read_topics(fields, "subscribe", given.subscribe);
     fields.done();

@@ -52,14 +52,15 @@ BodySpec read_body(Fields body) {
     const Rule positive{.range = NumberRange::positive, .least = least_robot_length};
     if (is_cylinder && (body.gives("radius") || body.gives("height"))) {
         double radius = 0, height = 0;
-        detail::read_setting(body, "radius", "m", positive, radius);
-        detail::read_setting(body, "height", "m", positive, height);
+        body.number("radius", radius, positive, "m");
+        body.number("height", height, positive, "m");
         body.require("radius", "metres");
         body.require("height", "metres");
         spec.size = {2 * radius, 2 * radius, height};
     } else {
         body.require("size", "{ length, width, height } in m");
-        detail::read_setting(body, "size", "m", positive, spec.size);
+        if (body.point("size", spec.size, positive.range))
+            body.check_lengths("size", positive, "m", {{spec.size.x, spec.size.y, spec.size.z}});
     }
     if (is_cylinder && spec.size.x != spec.size.y)
         body.check().wrong(body.path_of("size"), "expected { diameter, diameter, height } of a cylinder");
@@ -75,7 +76,9 @@ DriveSpec read_drive(Fields drive) {
     DriveSpec spec;
     spec.skid = 0;
     // What the hardware's limits leave out are the simulation's.
-    detail::read_setting(drive, "limits", "", {}, spec.limits);
+    Fields limits = drive.inner("limits");
+    read_record(limits, spec.limits, {.is_whole = false});
+    limits.done();
     spec.hardware_limits = spec.limits;
     read_record(drive, spec);
     drive.done();
@@ -105,6 +108,9 @@ PortSpec read_port(const std::string& name, Fields& port) {
                         name));
     }
     read_record(port, spec, {.kind = spec.is_input ? Describe<PortSpec>::in_only : Describe<PortSpec>::out_only});
+    if (port.check().ok() && spec.items.empty())
+        port.check().wrong(port.path_of(spec.is_input ? "to" : "from"),
+                           "expected a name or a list of names, got another table");
     return spec;
 }
 
@@ -194,7 +200,7 @@ Point3D on_body(const BodySpec& body, const Point3D& at) {
     return {body.at.x + at.x, body.at.y + at.y, body.at.z + at.z};
 }
 
-RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const RobotFileHelp& help) {
+RobotSpec read_robot_fields(FieldCheck& check, const Value& value, const RobotFileHelp& help) {
     RobotSpec spec;
     Fields fields(check, value);
     read_record(fields, spec);

@@ -28,7 +28,7 @@ inline constexpr std::size_t response_samples = 1024;
 /// Reads the table given to `robot_model`. What is wrong is said to `check`; then the result is of no use. Without a
 /// body the robot is a box about as large as its track; of target velocity, odometry and measured velocity the robot
 /// has the Raspberry Pi Mouse's ports, unless the file gives it others for them.
-RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const RobotFileHelp& help);
+RobotSpec read_robot_fields(FieldCheck& check, const Value& value, const RobotFileHelp& help);
 
 /// One sensor of this name. Its place is given from the centre of `body`.
 SensorSpec read_sensor_fields(const std::string& name, Fields& sensor, const BodySpec& body, const RobotFileHelp& help);

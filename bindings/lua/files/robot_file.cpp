@@ -24,19 +24,19 @@ const char model_mark = 0;
 // Key of the registry's place for the table that it was given.
 const char fields_key = 0;
 
-const FileValue* value_at(const FileValue& value, const FieldPath& path) {
-    const FileValue* found = &value;
+const Value* value_at(const Value& value, const FieldPath& path) {
+    const Value* found = &value;
     for (const std::string& part : path) {
-        const FileTable* table = found->table();
+        const FileTable* table = found->get_if<FileTable>();
         found = table != nullptr ? table->find(part) : nullptr;
         if (found == nullptr) return nullptr;
     }
     return found;
 }
 
-bool is_function_at(const FileValue& value, const FieldPath& path) {
-    const FileValue* found = value_at(value, path);
-    return found != nullptr && std::holds_alternative<FileFunction>(found->data);
+bool is_function_at(const Value& value, const FieldPath& path) {
+    const Value* found = value_at(value, path);
+    return found != nullptr && found->is<FileFunction>();
 }
 
 }  // namespace
@@ -76,8 +76,8 @@ public:
         return files;
     }
 
-    RobotSpec changed(FieldCheck& check, const FileValue& changes, const std::string& named_in) {
-        const FileValue whole = merge_values(check, whole_, changes);
+    RobotSpec changed(FieldCheck& check, const Value& changes, const std::string& named_in) {
+        const Value whole = merge_values(check, whole_, changes);
         const auto table = [&](const FieldPath& path, const std::string& name) {
             return value_at(changes, path) != nullptr ? read_points_in(name, named_in) : read_table(path, name);
         };
@@ -116,7 +116,7 @@ private:
             return refuse(fmt::format("expected one table, got {} arguments", count));
         auto value = read_file_value(lua, 1);
         if (!value) return refuse(value.error().message);
-        if (value->is_nil()) return refuse("expected a table, got nil");
+        if (value->is_nothing()) return refuse("expected a table, got nil");
         own_ = std::move(*value);
         FieldCheck check("robot_model", "robot_model", place, file_->source(place.file));
         if (auto built = build_on_base(check, place); !built) return Unexpected(file_->fail(built.error()));
@@ -230,7 +230,7 @@ private:
     std::string shown_;
     std::unique_ptr<DataFile> file_;
     std::unique_ptr<Layer> base_;
-    FileValue own_, whole_;  // what the file gives, and that over what its base gives
+    Value own_, whole_;  // what the file gives, and that over what its base gives
     std::optional<RobotSpec> spec_;
     std::vector<std::string> tables_;  // files that were read beside the robot file
 };
@@ -241,7 +241,7 @@ RobotFile::~RobotFile() = default;
 const RobotSpec& RobotFile::spec() const { return layer_->spec(); }
 std::vector<std::string> RobotFile::files() const { return layer_->files(); }
 
-RobotSpec RobotFile::changed(FieldCheck& check, const FileValue& changes, const std::string& named_in) {
+RobotSpec RobotFile::changed(FieldCheck& check, const Value& changes, const std::string& named_in) {
     return layer_->changed(check, changes, named_in);
 }
 
@@ -297,7 +297,7 @@ Expected<RobotSpec> read_changed_robot(const fs::path& model, const std::string&
     return spec;
 }
 
-Expected<FileValue> read_changes(const std::string& changes, const std::string& shown, const Project& project) {
+Expected<Value> read_changes(const std::string& changes, const std::string& shown, const Project& project) {
     auto table = DataFile::create(project, {});
     if (!table) return Unexpected(table.error());
     if (auto ran = (*table)->run("return " + changes, shown, {}); !ran) return Unexpected(ran.error());

@@ -29,7 +29,7 @@ public:
     std::vector<std::string> files() const;
     /// This robot with other values of some fields of the file, as `merge_values` puts them over its own. What is wrong
     /// is said to `check`; then the result is of no use. Tables are looked up beside `named_in`.
-    RobotSpec changed(FieldCheck& check, const FileValue& changes, const std::string& named_in);
+    RobotSpec changed(FieldCheck& check, const Value& changes, const std::string& named_in);
 
 private:
     class Layer;
@@ -57,7 +57,7 @@ Expected<RobotSpec> read_changed_robot(const std::filesystem::path& model, const
                                        const Project& project, std::vector<std::string>* files = nullptr);
 
 /// Such changes as data. `shown` is named in errors.
-Expected<FileValue> read_changes(const std::string& changes, const std::string& shown, const Project& project);
+Expected<Value> read_changes(const std::string& changes, const std::string& shown, const Project& project);
 
 /// All that is wrong with a robot file; empty when it can be read. For editors: every unknown global is one error, of
 /// anything else the first. `drivers`: those of real robots that there are; empty: nobody knows.

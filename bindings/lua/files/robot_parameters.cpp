@@ -11,7 +11,7 @@
 namespace nezumi {
 namespace {
 
-FileValue table_with(std::string name, FileValue value) {
+Value table_with(std::string name, Value value) {
     FileTable table;
     table.fields.push_back({std::move(name), std::move(value)});
     return {std::move(table)};
@@ -31,8 +31,7 @@ const RobotSpec& description_of(const SystemSpec& spec, const RobotEntry& robot)
 
 }  // namespace
 
-Expected<FileValue> field_of_parameter(const RobotSpec& robot, const std::string& parameter,
-                                       const ParameterValue& value) {
+Expected<Value> field_of_parameter(const RobotSpec& robot, const std::string& parameter, const Value& value) {
     Parameters parameters;
     std::string carrier;
     for (const ActuatorSpec& actuator : robot.actuators) {
@@ -43,12 +42,12 @@ Expected<FileValue> field_of_parameter(const RobotSpec& robot, const std::string
     }
     if (parameters.all().empty()) return failure("this robot has no parameters");
     if (auto ok = parameters.set(parameter, value); !ok) return Unexpected(ok.error());
-    const FileValue speed{std::get<double>(parameters.find(parameter)->value)};
+    const Value speed{parameters.find(parameter)->value.get<double>()};
     return table_with("actuators", table_with(carrier, table_with("speed", speed)));
 }
 
 Expected<void> set_robot_parameter(SystemSpec& spec, const std::string& robot, const std::string& parameter,
-                                   const ParameterValue& value, const Place& place, const Project& project) {
+                                   const Value& value, const Place& place, const Project& project) {
     const RobotEntry* entry = find_robot(spec, robot);
     if (entry == nullptr) return failure(fmt::format("there is no robot '{}'", robot), place);
     const auto field = field_of_parameter(description_of(spec, *entry), parameter, value);

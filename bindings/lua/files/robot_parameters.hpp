@@ -11,12 +11,11 @@ namespace nezumi {
 
 /// The field of a robot file that a parameter begins with, at this value: `{ actuators = { NAME = { speed = VALUE } }
 /// }`. The error names the nearest parameter, or the bound that the value breaks.
-Expected<FileValue> field_of_parameter(const RobotSpec& robot, const std::string& parameter,
-                                       const ParameterValue& value);
+Expected<Value> field_of_parameter(const RobotSpec& robot, const std::string& parameter, const Value& value);
 
 /// Lets the robot of this name begin with this value. An error has the place `place`.
 Expected<void> set_robot_parameter(SystemSpec& spec, const std::string& robot, const std::string& parameter,
-                                   const ParameterValue& value, const Place& place, const Project& project);
+                                   const Value& value, const Place& place, const Project& project);
 
 /// Lets it begin with the values that `from`, a robot of `saved`, begins with.
 Expected<void> take_robot_parameters(SystemSpec& spec, const std::string& robot, const SystemSpec& saved,

@@ -20,16 +20,16 @@ void read_table(Fields& sensor, SensorSpec& spec, bool range_given, double nothi
                 const RobotFileHelp& help) {
     FieldCheck& check = sensor.check();
     const FieldPath path = sensor.path_of("table");
-    const FileValue& value = *sensor.field("table");
+    const Value& value = *sensor.field("table");
     std::vector<ResponseTable::Point> points;
-    if (const std::string* file = value.text()) {
+    if (const std::string* file = value.get_if<std::string>()) {
         auto read = help.read_table(path, *file);
         if (!read) {
             const Error& error = read.error();
             return error.place.file.empty() ? check.explain(path, error.message) : check.wrong(error);
         }
         points = std::move(*read);
-    } else if (const FileTable* table = value.table()) {
+    } else if (const FileTable* table = value.get_if<FileTable>()) {
         points = read_points(sensor, *table);
     } else {
         return check.wrong(
@@ -58,8 +58,8 @@ void read_response(Fields& sensor, SensorSpec& spec, bool nothing_given, double 
                    const RobotFileHelp& help) {
     FieldCheck& check = sensor.check();
     const FieldPath path = sensor.path_of("response");
-    const FileValue& value = *sensor.field("response");
-    if (!std::holds_alternative<FileFunction>(value.data)) {
+    const Value& value = *sensor.field("response");
+    if (!value.is<FileFunction>()) {
         return check.wrong(path, fmt::format("expected a function of the distance, got {}", kind_of(value)));
     }
     std::vector<double> distances;
@@ -150,25 +150,16 @@ void read_range_sensor(Fields& sensor, SensorSpec& spec, const RobotFileHelp& he
 
 std::vector<ResponseTable::Point> read_points(Fields& sensor, const FileTable& table) {
     std::vector<ResponseTable::Point> points;
-    for (const FileValue& element : table.elements) {
-        double pair[2] = {0, 0};
-        const FileTable* point = element.table();
-        bool fits = point != nullptr && point->elements.size() == 2;
-        for (std::size_t i = 0; fits && i < 2; ++i) {
-            const FileValue& number = point->elements[i];
-            if (const auto* whole = std::get_if<std::int64_t>(&number.data)) {
-                pair[i] = static_cast<double>(*whole);
-            } else if (const auto* real = std::get_if<double>(&number.data)) {
-                pair[i] = *real;
-            } else {
-                fits = false;
-            }
-        }
-        if (!fits) {
+    for (const Value& element : table.elements) {
+        const FileTable* point = element.get_if<FileTable>();
+        const bool is_pair = point != nullptr && point->elements.size() == 2;
+        const auto distance = is_pair ? number_of(point->elements[0]) : std::nullopt;
+        const auto value = is_pair ? number_of(point->elements[1]) : std::nullopt;
+        if (!distance || !value) {
             sensor.check().wrong(sensor.path_of("table"), "expected a file's name or points { distance, value }");
             return {};
         }
-        points.push_back({pair[0], pair[1]});
+        points.push_back({*distance, *value});
     }
     return points;
 }

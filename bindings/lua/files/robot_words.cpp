@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "bindings/lua/files/read_record.hpp"
@@ -12,13 +13,12 @@ namespace nezumi {
 namespace {
 
 // The fields of a robot file among those of a robot of a system, which are then known.
-FileValue take_changes(Fields& fields) {
+Value take_changes(Fields& fields) {
     FileTable changes;
-    for_each_setting<RobotSpec>([&](const auto& field) {
-        if (field.name == "base") return;
-        if (const FileValue* value = fields.field(field.name))
-            changes.fields.push_back({std::string(field.name), *value});
-    });
+    for (const Type::Field& field : record_of<RobotSpec>().fields) {
+        const Value* value = field.name != "base" ? fields.field(field.name) : nullptr;
+        if (value != nullptr) changes.fields.push_back({field.name, *value});
+    }
     std::sort(changes.fields.begin(), changes.fields.end(),
               [](const FileField& a, const FileField& b) { return a.name < b.name; });
     if (changes.fields.empty()) return {};
@@ -33,7 +33,7 @@ std::string hint_for_robot(std::string_view name) {
 
 }  // namespace
 
-Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::string& name, const FileValue& value) {
+Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::string& name, const Value& value) {
     FieldCheck check(fmt::format("robot '{}'", name), call.word, call.place, call.source);
     check.set_given({name, &value});
     Fields fields(check, value);
@@ -41,11 +41,11 @@ Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::st
     entry.name = name;
     entry.place = call.place;
     read_record(fields, entry);
-    const FileValue changes = take_changes(fields);
+    const Value changes = take_changes(fields);
     fields.done(hint_for_robot);
     if (check.ok()) {
         auto loaded = load_model(call, entry.model);
-        if (loaded && !changes.is_nil()) loaded = describe_changed(check, call, entry, changes);
+        if (loaded && !changes.is_nothing()) loaded = describe_changed(check, call, entry, changes);
         if (!loaded) {
             Error error = loaded.error();
             if (error.place.file.empty())
@@ -54,7 +54,28 @@ Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::st
         }
     }
     if (auto ok = check.result(); !ok) return Unexpected(ok.error());
+    note_degrees(check, call, fmt::format("robot '{}'", name), "pose.heading", entry.pose.heading);
     return entry;
+}
+
+// Turned further than five times, and by a round number: somebody thinks of degrees.
+void SystemWords::note_degrees(const FieldCheck& check, const WordCall& call, std::string_view what,
+                               std::string_view field, double radians) {
+    const double size = std::abs(radians);
+    if (size < 30 || size > 360 || std::fmod(size, 15) != 0) return;
+    FieldPath path;
+    for (std::string_view rest = field; !rest.empty();) {
+        const std::size_t dot = std::min(rest.find('.'), rest.size());
+        path.emplace_back(rest.substr(0, dot));
+        rest.remove_prefix(std::min(dot + 1, rest.size()));
+    }
+    Place place = check.place_of(path);
+    if (place.file.empty()) place = call.place;
+    notes_.push_back(
+        describe(Error{fmt::format("{}: field '{}' is {:g} rad, more than a turn: were degrees meant? Write "
+                                   "math.rad({:g})",
+                                   what, field, radians, radians),
+                       std::move(place)}));
 }
 
 Expected<void> SystemWords::load_model(const WordCall& call, const std::string& model) {
@@ -87,7 +108,7 @@ Expected<RobotFile*> SystemWords::robot_file(const WordCall& call, const std::st
 
 // A description of its own, which robots that differ in the same way share.
 Expected<void> SystemWords::describe_changed(FieldCheck& check, const WordCall& call, RobotEntry& entry,
-                                             const FileValue& changes) {
+                                             const Value& changes) {
     const auto file = robot_file(call, entry.model);
     if (!file) return Unexpected(file.error());
     RobotSpec robot = (*file)->changed(check, changes, call.place.file);

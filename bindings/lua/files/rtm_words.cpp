@@ -7,6 +7,7 @@
 #include "bindings/lua/files/system_words.hpp"
 #include "engine/system/rtm_wiring.hpp"
 #include "engine/system/system_fields.hpp"
+#include "engine/values/value_text.hpp"
 
 namespace nezumi {
 namespace {
@@ -15,9 +16,9 @@ namespace {
 std::string component_of(const std::string& path) { return path.substr(0, path.find('.')); }
 
 // What is wrong with a port's other name; "" for nothing.
-std::string problem_of(const RtmSpec& rtm, const std::string& path, const ParameterValue& name) {
-    const auto* text = std::get_if<std::string>(&name);
-    if (text == nullptr) return fmt::format("expected a port's name there, got {}", to_text(name));
+std::string problem_of(const RtmSpec& rtm, const std::string& path, const Value& name) {
+    const auto* text = name.get_if<std::string>();
+    if (text == nullptr) return fmt::format("expected a port's name there, got {}", lua_text(name));
     if (!rtm_path("rtm:x." + *text) || text->find('.') != std::string::npos || text->find('/') != std::string::npos)
         return fmt::format("'{}' is no name of a port", shown(*text));
     const std::string component = component_of(path);
@@ -29,7 +30,7 @@ std::string problem_of(const RtmSpec& rtm, const std::string& path, const Parame
 
 }  // namespace
 
-Expected<void> SystemWords::rtm(const WordCall& call, const FileValue& value) {
+Expected<void> SystemWords::rtm(const WordCall& call, const Value& value) {
     FieldCheck check("rtm", call.word, call.place, call.source);
     check.set_given({"", &value});
     Fields fields(check, value);

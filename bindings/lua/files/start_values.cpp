@@ -2,6 +2,7 @@
 #include "bindings/lua/files/start_values.hpp"
 
 #include <fmt/format.h>
+#include <fnmatch.h>
 
 #include <algorithm>
 #include <charconv>
@@ -29,21 +30,12 @@ std::optional<T> number(std::string_view word) {
 }
 
 // What Lua makes of a text in quotes or of a table.
-Expected<ParameterValue> read_lua(const std::string& text, const Project& project, const std::string& shown) {
+Expected<Value> read_lua(const std::string& text, const Project& project, const std::string& shown) {
     auto file = DataFile::create(project, {});
     if (!file) return Unexpected(file.error());
     if (auto ran = (*file)->run("return " + text, shown, {}); !ran) return failure(ran.error().message);
     const auto value = read_file_value((*file)->lua(), -1);
-    return value ? to_parameter(*value) : Expected<ParameterValue>(Unexpected(value.error()));
-}
-
-// 30, 0.3, true, "text", { 1, 2 } as in Lua; any other word is a text.
-Expected<ParameterValue> read_value(const std::string& text, const Project& project, const std::string& shown) {
-    if (text == "true" || text == "false") return text == "true";
-    if (const auto whole = number<std::int64_t>(text)) return *whole;
-    if (const auto real = number<double>(text); real && std::isfinite(*real)) return *real;
-    if (text.starts_with('{') || text.starts_with('"') || text.starts_with('\'')) return read_lua(text, project, shown);
-    return text;
+    return value ? to_parameter(*value) : Expected<Value>(Unexpected(value.error()));
 }
 
 Entry* find_entry(SystemSpec& spec, std::string_view name) {
@@ -66,6 +58,28 @@ std::string nearest_entry(const SystemSpec& spec, std::string_view name) {
     return fmt::format(" (those with parameters are {}{})", fmt::join(names, ", "), all ? "" : ", ...");
 }
 
+Expected<void> set_parameter(SystemSpec& spec, Entry& entry, const std::string& parameter, const Value& value,
+                             const Place& place, const Project& project) {
+    return std::visit(
+        [&](auto& each) -> Expected<void> {
+            using Kind = std::decay_t<decltype(each)>;
+            if constexpr (std::is_same_v<Kind, RobotEntry>) {
+                return set_robot_parameter(spec, each.name, parameter, value, place, project);
+            } else {
+                each.places["config." + parameter] = place;
+                if constexpr (std::is_same_v<Kind, BehaviorEntry>) {
+                    // The set in use counts over `config`.
+                    const auto used = each.sets.find(each.set);
+                    if (used != each.sets.end() && used->second.contains(parameter)) used->second[parameter] = value;
+                }
+                each.config[parameter] = value;
+                return {};
+            }
+        },
+        entry);
+}
+
+// `name` may have * and ? in it: then it is all that are called so.
 Expected<void> set_one(const std::string& text, SystemSpec& spec, const Project& project) {
     const std::string option = "--set " + shown(text);
     const Place place{.file = option};
@@ -76,28 +90,16 @@ Expected<void> set_one(const std::string& text, SystemSpec& spec, const Project&
         return failure("expected COMPONENT.PARAMETER=VALUE as in controller.speed_x=0.3", place);
     const std::string name = text.substr(0, dot);
     const std::string parameter = text.substr(dot + 1, equals - dot - 1);
-    Entry* const entry = find_entry(spec, name);
-    if (entry == nullptr)
-        return failure(fmt::format("{} has no component '{}'{}", spec.file, name, nearest_entry(spec, name)), place);
-    auto value = read_value(text.substr(equals + 1), project, option);
+    auto value = read_option_value(text.substr(equals + 1), project, option);
     if (!value) return failure(value.error().message, place);
-    return std::visit(
-        [&](auto& each) -> Expected<void> {
-            using Kind = std::decay_t<decltype(each)>;
-            if constexpr (std::is_same_v<Kind, RobotEntry>) {
-                return set_robot_parameter(spec, name, parameter, *value, place, project);
-            } else {
-                each.places["config." + parameter] = place;
-                if constexpr (std::is_same_v<Kind, BehaviorEntry>) {
-                    // The set in use counts over `config`.
-                    const auto used = each.sets.find(each.set);
-                    if (used != each.sets.end() && used->second.contains(parameter)) used->second[parameter] = *value;
-                }
-                each.config[parameter] = std::move(*value);
-                return {};
-            }
-        },
-        *entry);
+    bool found = false;
+    for (Entry& entry : spec.entries) {
+        if (fnmatch(name.c_str(), name_of(entry).c_str(), FNM_NOESCAPE) != 0) continue;
+        found = true;
+        if (auto ok = set_parameter(spec, entry, parameter, *value, place, project); !ok) return ok;
+    }
+    if (found) return {};
+    return failure(fmt::format("{} has no component '{}'{}", spec.file, name, nearest_entry(spec, name)), place);
 }
 
 template <class AnEntry>
@@ -142,11 +144,26 @@ Expected<void> take_file(const std::string& file, SystemSpec& spec, const Projec
 
 }  // namespace
 
+Expected<Value> read_option_value(const std::string& text, const Project& project, const std::string& shown) {
+    if (text == "true" || text == "false") return text == "true";
+    if (const auto whole = number<std::int64_t>(text)) return *whole;
+    if (const auto real = number<double>(text); real && std::isfinite(*real)) return *real;
+    if (text.starts_with('{') || text.starts_with('"') || text.starts_with('\'')) return read_lua(text, project, shown);
+    return text;
+}
+
+bool sets_argument(std::string_view text) {
+    const auto equals = text.find('=');
+    return equals != std::string_view::npos && equals > 0 && equals + 1 < text.size() &&
+           text.substr(0, equals).find('.') == std::string_view::npos;
+}
+
 Expected<void> apply(const StartValues& values, SystemSpec& spec, const Project& project) {
     if (!values.file.empty()) {
         if (auto ok = take_file(values.file, spec, project); !ok) return ok;
     }
     for (const std::string& text : values.set) {
+        if (sets_argument(text)) continue;  // the file has had it
         if (auto ok = set_one(text, spec, project); !ok) return ok;
     }
     return {};

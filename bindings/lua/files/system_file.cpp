@@ -20,6 +20,7 @@ Expected<SystemSpec> read(std::string_view text, const std::string& shown, const
     SystemWords words(project);
     words.spec().file = shown;
     words.note_file(shown);
+    words.give_arguments(options.set);
     WordHost host;
     host.words = &words;
     host.source = [&](const std::string& name) { return (*file)->source(name); };
@@ -35,6 +36,7 @@ Expected<SystemSpec> read(std::string_view text, const std::string& shown, const
         return failure("the file says nothing: expected robot, behavior, arena, connect ...", {shown});
     }
     if (auto ok = words.finish(options.is_part); !ok) return failure(one_line(ok.error().message), ok.error().place);
+    if (auto ok = words.check_arguments(); !ok && !options.is_part) return Unexpected(ok.error());
     for (const std::string& module : (*file)->files()) words.note_file(module);
     if (auto used = use_asked_calibrations(words.spec(), project); !used) return Unexpected(used.error());
     for (const std::string& note : words.notes()) {

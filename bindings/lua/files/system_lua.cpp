@@ -9,6 +9,7 @@
 
 #include "bindings/lua/files/data_file.hpp"
 #include "bindings/lua/values/bridge.hpp"
+#include "bindings/lua/values/codec.hpp"
 
 namespace nezumi {
 namespace {
@@ -23,7 +24,7 @@ struct Begun {
 
 /// What a word gives back to Lua: nothing, a thing of the arena, an entry, or one that waits for its table.
 struct SystemWord::Result {
-    std::variant<std::monostate, FileThing, Entered, Begun> made;
+    std::variant<std::monostate, FileThing, Entered, Begun, Value> made;
 };
 
 namespace {
@@ -36,17 +37,17 @@ Expected<Result> nothing(Expected<void> done) {
 }
 
 // A copy of an argument.
-Expected<FileValue> value_of(const Arguments& arguments, int position) {
-    if (!arguments.has(position)) return FileValue{};
+Expected<Value> value_of(const Arguments& arguments, int position) {
+    if (!arguments.has(position)) return Value{};
     return read_file_value(arguments.lua, arguments.index(position));
 }
 
 // An end of a connection: a text, or a port itself.
-Expected<FileValue> end_of(const WordHost& host, const Arguments& arguments, int position) {
+Expected<Value> end_of(const WordHost& host, const Arguments& arguments, int position) {
     if (host.port_path && arguments.has(position)) {
         auto path = host.port_path(arguments.lua, arguments.index(position));
         if (!path) return Unexpected(path.error());
-        if (*path) return FileValue{std::move(**path)};
+        if (*path) return Value{std::move(**path)};
     }
     return value_of(arguments, position);
 }
@@ -72,9 +73,9 @@ Expected<Result> wire(WordHost& host, const WordCall& call, const Arguments& arg
 }
 
 // The one argument of all other words.
-Expected<FileValue> only_argument(const WordCall& call, const Arguments& arguments) {
+Expected<Value> only_argument(const WordCall& call, const Arguments& arguments) {
     auto value = value_of(arguments, 1);
-    if (value && value->is_nil()) return failure(fmt::format("{}: expected an argument, got none", call.word));
+    if (value && value->is_nothing()) return failure(fmt::format("{}: expected an argument, got none", call.word));
     return value;
 }
 
@@ -84,7 +85,17 @@ Expected<Result> thing(WordHost& host, const WordCall& call, const Arguments& ar
     return host.words->thing(call, *value).map([](const FileThing& made) { return Result{made}; });
 }
 
-template <Expected<void> (SystemWords::*setting)(const WordCall&, const FileValue&)>
+Expected<Result> argument(WordHost& host, const WordCall& call, const Arguments& arguments) {
+    const auto name = value_of(arguments, 1), otherwise = value_of(arguments, 2), options = value_of(arguments, 3);
+    for (const auto* value : {&name, &otherwise, &options}) {
+        if (!*value) return Unexpected(value->error());
+    }
+    auto made = host.words->argument(call, *name, *otherwise, *options);
+    if (!made) return Unexpected(made.error());
+    return Result{std::move(*made)};
+}
+
+template <Expected<void> (SystemWords::*setting)(const WordCall&, const Value&)>
 Expected<Result> set(WordHost& host, const WordCall& call, const Arguments& arguments) {
     const auto value = only_argument(call, arguments);
     if (!value) return Unexpected(value.error());
@@ -152,6 +163,13 @@ std::span<const SystemWord> system_words() {
     static constexpr std::string_view table = " { ... }", named = " \"NAME\" { ... }", of_file = " \"FILE\"";
     static constexpr SystemWord words[] = {
         {"arena", Form::plain, 1, table, set<&Words::arena>},
+        {"argument",
+         Form::plain,
+         3,
+         "(name, default, { min =, max =, doc = })",
+         argument,
+         {"A value that `--set name=value` gives in the place of the default.",
+          {{"name", "string"}, {"default", "any"}, {"options", "table?"}}}},
         {"behavior", Form::entry, 2, named, entry},
         {"box", Form::thing, 1, table, thing},
         {"component", Form::entry, 2, named, entry},
@@ -220,6 +238,10 @@ int call_system_word(lua_State* lua) {
     bridge(lua, [&] { return run_word(lua, host, word, method).map([&](const Result& made) { result = made; }); });
     if (const auto* thing = std::get_if<FileThing>(&result.made)) {
         push_file_thing(lua, *thing);
+        return 1;
+    }
+    if (const auto* value = std::get_if<Value>(&result.made)) {
+        push_payload(lua, *value);
         return 1;
     }
     if (std::holds_alternative<Entered>(result.made)) return push_entry(lua, host);

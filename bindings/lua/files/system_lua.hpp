@@ -47,7 +47,7 @@ struct SystemWord {
             std::string_view name, type;
         };
         std::string_view doc{};
-        Parameter parameters[2] = {};  ///< an empty name: no more
+        Parameter parameters[3] = {};  ///< an empty name: no more
     };
 
     const char* name;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bindings/lua/files/write_record.hpp"
+#include "engine/base/lua_text.hpp"
 #include "engine/system/system_fields.hpp"
 
 namespace nezumi {
@@ -33,7 +34,7 @@ std::string table_of(const RobotEntry& entry) {
 
 std::string thing(const LineSpec& line) {
     std::string points;
-    for (const Point2D& point : line.points) points += (points.empty() ? "{ " : ", ") + lua_text(point);
+    for (const Point2D& point : line.points) points += (points.empty() ? "{ " : ", ") + setting_text(point);
     const std::string own = write_record(line);
     return fmt::format("line {{ points = {} }}{}", points, own == "{}" ? " }" : ", " + own.substr(2));
 }

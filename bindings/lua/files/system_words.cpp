@@ -93,7 +93,7 @@ Expected<void> SystemWords::check_name(const WordCall& call, const std::string& 
     return {};
 }
 
-Expected<void> SystemWords::entry(const WordCall& call, const std::string& name, const FileValue& fields) {
+Expected<void> SystemWords::entry(const WordCall& call, const std::string& name, const Value& fields) {
     if (auto ok = check_name(call, name); !ok) return ok;
     const auto add = [&](auto read) -> Expected<void> {
         if (!read) return Unexpected(read.error());
@@ -106,8 +106,8 @@ Expected<void> SystemWords::entry(const WordCall& call, const std::string& name,
     return add(read_component(call, name, fields));
 }
 
-Expected<std::size_t> SystemWords::begin_entry(const WordCall& call, const FileValue& name) {
-    const std::string* text = name.text();
+Expected<std::size_t> SystemWords::begin_entry(const WordCall& call, const Value& name) {
+    const std::string* text = name.get_if<std::string>();
     if (text == nullptr) {
         return failure(fmt::format("{0}: expected a name, got {1}: write {0} \"NAME\" {{ ... }}", call.word,
                                    nezumi::kind_of(name)),
@@ -118,7 +118,7 @@ Expected<std::size_t> SystemWords::begin_entry(const WordCall& call, const FileV
     return begun_.size() - 1;
 }
 
-Expected<void> SystemWords::complete_entry(std::size_t begun, const FileValue& fields) {
+Expected<void> SystemWords::complete_entry(std::size_t begun, const Value& fields) {
     if (begun >= begun_.size()) return failure("the name before this table was of a world that was loaded since");
     begun_[begun].complete = true;
     const Begun call = begun_[begun];
@@ -138,8 +138,7 @@ Expected<SystemWords::FoundFile> SystemWords::find_file(const WordCall& call, Fi
     return found_.emplace(key, FoundFile{*path, project_.shown(*path)}).first->second;
 }
 
-Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const std::string& name,
-                                                   const FileValue& value) {
+Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const std::string& name, const Value& value) {
     FieldCheck check(fmt::format("behavior '{}'", name), call.word, call.place, call.source);
     check.set_given({name, &value});
     Fields fields(check, value);
@@ -171,7 +170,7 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
 }
 
 Expected<ComponentEntry> SystemWords::read_component(const WordCall& call, const std::string& name,
-                                                     const FileValue& value) {
+                                                     const Value& value) {
     FieldCheck check(fmt::format("component '{}'", name), call.word, call.place, call.source);
     check.set_given({name, &value});
     Fields fields(check, value);
@@ -179,19 +178,26 @@ Expected<ComponentEntry> SystemWords::read_component(const WordCall& call, const
     entry.name = name;
     entry.place = call.place;
     read_record(fields, entry);
+    const Value* calibration = fields.field("calibration");
     fields.done();
     if (auto ok = check.result(); !ok) return Unexpected(ok.error());
     if (fields.has("rate")) rate_places_[name] = check.place_of({"rate"});
     note_places(entry.places, check, {"config"}, entry.config);
+    if (calibration != nullptr) {
+        if (auto used = use_ros_calibration(call, check, *calibration, entry); !used) return Unexpected(used.error());
+    }
+    note_degrees(check, call, fmt::format("component '{}'", name), "yaw", entry.yaw);
     return entry;
 }
 
-Expected<void> SystemWords::connect(const WordCall& call, const FileValue& from, const FileValue& to) {
+Expected<void> SystemWords::connect(const WordCall& call, const Value& from, const Value& to) {
     ConnectionSpec connection;
     connection.place = call.place;
-    const auto is_rtm = [](const FileValue& end) { return end.text() != nullptr && is_rtm_path(*end.text()); };
+    const auto is_rtm = [](const Value& end) {
+        return end.get_if<std::string>() != nullptr && is_rtm_path(*end.get_if<std::string>());
+    };
     for (auto [value, out] : {std::pair{&from, &connection.from}, std::pair{&to, &connection.to}}) {
-        const std::string* path = value->text();
+        const std::string* path = value->get_if<std::string>();
         if (is_rtm(*value)) {
             if (auto ok = rtm_path(*path); !ok) return failure("connect: " + ok.error().message, call.place);
         } else if (path == nullptr || !is_port_path(*path)) {
@@ -215,9 +221,9 @@ Expected<void> SystemWords::connect(const WordCall& call, const FileValue& from,
     return {};
 }
 
-Expected<void> SystemWords::seed(const WordCall& call, const FileValue& value) {
-    const auto* whole = std::get_if<std::int64_t>(&value.data);
-    const auto* number = std::get_if<double>(&value.data);
+Expected<void> SystemWords::seed(const WordCall& call, const Value& value) {
+    const auto* whole = value.get_if<std::int64_t>();
+    const auto* number = value.get_if<double>();
     const bool is_whole = number != nullptr && *number >= 0 && *number < 0x1p63 && *number == std::floor(*number);
     if (!is_whole && (whole == nullptr || *whole < 0)) {
         const std::string got = whole != nullptr    ? fmt::format("{}", *whole)
@@ -232,14 +238,11 @@ Expected<void> SystemWords::seed(const WordCall& call, const FileValue& value) {
     return {};
 }
 
-Expected<void> SystemWords::rate(const WordCall& call, const FileValue& hertz) {
-    double value = 0;
-    if (const auto* whole = std::get_if<std::int64_t>(&hertz.data)) value = static_cast<double>(*whole);
-    if (const auto* number = std::get_if<double>(&hertz.data)) value = *number;
-    if (!std::isfinite(value) || value <= 0) {
-        const bool is_number = hertz.data.index() == 2 || hertz.data.index() == 3;
+Expected<void> SystemWords::rate(const WordCall& call, const Value& hertz) {
+    const auto value = number_of(hertz);
+    if (!value || !std::isfinite(*value) || *value <= 0) {
         return failure(fmt::format("rate: expected a positive number of ticks a second, got {}",
-                                   is_number ? text_of(value) : nezumi::kind_of(hertz)),
+                                   value ? text_of(*value) : nezumi::kind_of(hertz)),
                        call.place);
     }
     if (!spec_.rate_place.file.empty()) {
@@ -247,11 +250,11 @@ Expected<void> SystemWords::rate(const WordCall& call, const FileValue& hertz) {
                        call.place);
     }
     spec_.rate_place = call.place;
-    spec_.rate = value;
+    spec_.rate = *value;
     return {};
 }
 
-Expected<void> SystemWords::physics(const WordCall& call, const FileValue& value) {
+Expected<void> SystemWords::physics(const WordCall& call, const Value& value) {
     FieldCheck check("physics", call.word, call.place, call.source);
     check.set_given({"", &value});
     Fields fields(check, value);

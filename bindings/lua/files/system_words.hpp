@@ -39,26 +39,33 @@ public:
     explicit SystemWords(const Project& project, SystemSpec start = {});
 
     /// `robot`, `behavior` and `component`.
-    Expected<void> entry(const WordCall& call, const std::string& name, const FileValue& fields);
+    Expected<void> entry(const WordCall& call, const std::string& name, const Value& fields);
     /// A name that was given without its table yet: `robot "mouse"` before `{ ... }`. `finish` refuses what stays so.
-    Expected<std::size_t> begin_entry(const WordCall& call, const FileValue& name);
-    Expected<void> complete_entry(std::size_t begun, const FileValue& fields);
+    Expected<std::size_t> begin_entry(const WordCall& call, const Value& name);
+    Expected<void> complete_entry(std::size_t begun, const Value& fields);
     /// "robot 'mouse'", for messages.
     std::string begun_title(std::size_t begun) const;
 
-    Expected<void> connect(const WordCall& call, const FileValue& from, const FileValue& to);
+    Expected<void> connect(const WordCall& call, const Value& from, const Value& to);
 
     /// `box`, `wall`, `cylinder`, `marker`, `maze`, `floor`, `line`, `csv` and `map` make a thing; `arena` puts it in
     /// its place.
-    Expected<FileThing> thing(const WordCall& call, const FileValue& fields);
-    Expected<void> arena(const WordCall& call, const FileValue& fields);
+    Expected<FileThing> thing(const WordCall& call, const Value& fields);
+    Expected<void> arena(const WordCall& call, const Value& fields);
 
-    Expected<void> seed(const WordCall& call, const FileValue& value);
-    Expected<void> rate(const WordCall& call, const FileValue& hertz);
-    Expected<void> physics(const WordCall& call, const FileValue& fields);
-    Expected<void> network(const WordCall& call, const FileValue& fields);
-    Expected<void> ros(const WordCall& call, const FileValue& fields);
-    Expected<void> rtm(const WordCall& call, const FileValue& fields);
+    Expected<void> seed(const WordCall& call, const Value& value);
+    Expected<void> rate(const WordCall& call, const Value& hertz);
+    Expected<void> physics(const WordCall& call, const Value& fields);
+    Expected<void> network(const WordCall& call, const Value& fields);
+    Expected<void> ros(const WordCall& call, const Value& fields);
+    Expected<void> rtm(const WordCall& call, const Value& fields);
+
+    /// What `--set` says of arguments of the file: "n=10".
+    void give_arguments(const std::vector<std::string>& set);
+    /// The value of an argument: what was given, or `otherwise`.
+    Expected<Value> argument(const WordCall& call, const Value& name, const Value& otherwise, const Value& options);
+    /// An error when an argument was given that the file has not asked for.
+    Expected<void> check_arguments() const;
 
     /// Checks what depends on the whole, which a part does not know. May be called again after more words.
     Expected<void> finish(bool is_part = false) const;
@@ -85,12 +92,11 @@ private:
     };
 
     Expected<void> check_name(const WordCall& call, const std::string& name) const;
-    Expected<RobotEntry> read_robot(const WordCall& call, const std::string& name, const FileValue& fields);
-    Expected<BehaviorEntry> read_behavior(const WordCall& call, const std::string& name, const FileValue& fields);
-    Expected<ComponentEntry> read_component(const WordCall& call, const std::string& name, const FileValue& fields);
+    Expected<RobotEntry> read_robot(const WordCall& call, const std::string& name, const Value& fields);
+    Expected<BehaviorEntry> read_behavior(const WordCall& call, const std::string& name, const Value& fields);
+    Expected<ComponentEntry> read_component(const WordCall& call, const std::string& name, const Value& fields);
     Expected<void> load_model(const WordCall& call, const std::string& model);
-    Expected<void> describe_changed(FieldCheck& check, const WordCall& call, RobotEntry& entry,
-                                    const FileValue& changes);
+    Expected<void> describe_changed(FieldCheck& check, const WordCall& call, RobotEntry& entry, const Value& changes);
     Expected<RobotFile*> robot_file(const WordCall& call, const std::string& model);
     // Where a script or a model is, and how messages call it: looked up once for all entries that name it alike.
     struct FoundFile {
@@ -103,19 +109,29 @@ private:
         std::filesystem::path path;
         std::string shown, text;
     };
-    Expected<ReadFile> read_file(const WordCall& call, const FileValue& name);
+    Expected<ReadFile> read_file(const WordCall& call, const Value& name);
     Expected<ReadFile> read_file(const WordCall& call, const std::string& name, const std::filesystem::path& named_in);
-    Expected<std::vector<BoxSpec>> read_ros_map(const WordCall& call, const FileValue& name);
-    Expected<std::vector<BoxSpec>> read_map(const WordCall& call, const FileValue& name);
-    Expected<void> place_things(const WordCall& call, const std::vector<FileValue>& elements);
+    Expected<std::vector<BoxSpec>> read_ros_map(const WordCall& call, const Value& name);
+    Expected<std::vector<BoxSpec>> read_map(const WordCall& call, const Value& name);
+    Expected<void> place_things(const WordCall& call, const std::vector<Value>& elements);
+    Expected<void> use_ros_calibration(const WordCall& call, const FieldCheck& check, const Value& name,
+                                       ComponentEntry& entry);
+    void note_degrees(const FieldCheck& check, const WordCall& call, std::string_view what, std::string_view field,
+                      double radians);
     Expected<void> check_rates() const;
     Expected<void> check_lines() const;
     Expected<void> check_mazes() const;
     Expected<void> check_network() const;
     Expected<void> check_rtm() const;
 
+    struct Argument {
+        std::string option;  // "--set n=10"
+        std::string text;
+    };
     const Project& project_;
     SystemSpec spec_;
+    std::map<std::string, Argument, std::less<>> given_;  // by name
+    std::vector<std::string> asked_;                      // names of arguments
     std::vector<Thing> things_;
     std::vector<Begun> begun_;
     std::vector<std::string> notes_;

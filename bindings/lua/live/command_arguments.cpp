@@ -8,6 +8,7 @@
 
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/values/plain_data.hpp"
+#include "engine/values/walk.hpp"
 
 namespace nezumi {
 namespace {
@@ -20,18 +21,8 @@ constexpr std::size_t most_text_given = 1 << 20;  // bytes
 
 Expected<void> check_size(const PlainData& data, std::string_view command) {
     std::size_t count = data.values.size();
-    std::size_t text = 0;
-    const auto add = [&](const PlainData::Value& value) {
-        if (const auto* string = std::get_if<std::string>(&value)) text += string->size();
-    };
-    for (const PlainData::Value& value : data.values) add(value);
-    for (const PlainData::Table& table : data.tables) {
-        count += table.size();
-        for (const auto& [key, value] : table) {
-            add(key);
-            add(value);
-        }
-    }
+    for (const PlainData::Table& table : data.tables) count += table.size();
+    const std::size_t text = text_bytes(data);
     if (count > most_given)
         return failure(fmt::format("command '{}' was given {} values: at most {}, so that no tick is late", command,
                                    count, most_given));

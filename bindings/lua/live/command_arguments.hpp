@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "engine/base/error.hpp"
-#include "engine/components/plain_data.hpp"
+#include "engine/values/plain_data.hpp"
 
 namespace nezumi {
 

@@ -15,7 +15,7 @@
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "engine/base/error.hpp"
-#include "engine/ports/usage.hpp"
+#include "engine/ports/setting.hpp"
 #include "engine/system/act_fields.hpp"
 #include "engine/tree/member.hpp"
 

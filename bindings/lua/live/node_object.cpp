@@ -71,7 +71,7 @@ int node_newindex(lua_State* L) {
     return answer_beside(L, objects, [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
         const bool is_config = ref.kind == ObjectKind::config, has_name = lua_type(L, 2) == LUA_TSTRING;
-        auto value = is_config ? read_parameter(L, 3) : ParameterValue{};
+        auto value = is_config ? read_parameter(L, 3) : Value{};
         return ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
             const auto node = node_of(ref);
             if (!node) return Unexpected(node.error());

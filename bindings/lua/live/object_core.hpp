@@ -60,8 +60,9 @@ struct MethodName {
     std::string name;
 };
 
-/// All that a member of an object can be.
-using Answer = std::variant<std::monostate, Value, PlainData, PlainSnapshot, ObjectName, MethodName>;
+/// All that a member of an object can be: a value (plain data: each of its values), a part of a table, or what has
+/// members itself.
+using Answer = std::variant<Value, PlainSnapshot, ObjectName, MethodName>;
 
 /// Whose the tables of an answer are: the caller's, or a copy that can't be written.
 enum class Tables : bool { own, locked };

@@ -158,17 +158,17 @@ int push_answer(lua_State* L, Objects& objects, Tables tables) {
             return 1;
         }
 
-        int operator()(std::monostate) const { return 0; }
         int operator()(const Value& value) const {
+            if (value.is_nothing()) return 0;
+            if (const auto* data = value.get_if<PlainData>()) {
+                luaL_checkstack(lua, static_cast<int>(data->values.size()) + 10, nullptr);
+                push_plain(lua, *data);
+                return static_cast<int>(data->values.size());
+            }
             push_payload(lua, value);
             return one(is_flat(value.type()) ? Within::nothing : Within::tree);
         }
         int operator()(const PlainSnapshot& snapshot) const { return push_plain(lua, snapshot), one(Within::anything); }
-        int operator()(const PlainData& data) const {
-            luaL_checkstack(lua, static_cast<int>(data.values.size()) + 10, nullptr);
-            push_plain(lua, data);
-            return static_cast<int>(data.values.size());
-        }
         int operator()(const ObjectName& name) const {
             push_object(lua, objects, name.kind, *name.live, name.component, name.port);
             return 1;

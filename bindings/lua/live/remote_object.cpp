@@ -11,8 +11,10 @@
 #include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/ordered.hpp"
+#include "bindings/lua/values/codec.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/tree/member.hpp"
+#include "engine/values/value_text.hpp"
 
 namespace nezumi {
 namespace {
@@ -55,59 +57,43 @@ Expected<PlainData> ask(const Objects& objects, const ObjectRef& ref, What what,
     return std::move(*got);
 }
 
-// What stands at a key of a table; nullptr for none.
-const PlainData::Value* find(const PlainData& data, std::size_t table, std::string_view key) {
-    if (table >= data.tables.size()) return nullptr;
-    for (const auto& [each, value] : data.tables[table]) {
-        const auto* text = std::get_if<std::string>(&each);
-        if (text != nullptr && *text == key) return &value;
-    }
-    return nullptr;
+// The entries of a table of a look, which came from elsewhere: none where it is not there.
+const PlainData::Table& entries_of(const PlainData& look, const TableRef& table) {
+    static const PlainData::Table none;
+    return table.index < look.tables.size() ? look.tables[table.index] : none;
 }
 
-// One value of a snapshot, whose tables go with it.
-Answer answer_of_value(PlainData snapshot, const PlainData::Value& value) {
-    snapshot.values = {value};
-    const std::size_t whole = snapshot.tables.size();
-    return Answer{PlainSnapshot{std::move(snapshot), whole}};
+// What a look says of this; nullptr for nothing.
+const Value* find(const PlainData& look, std::string_view key) { return find_entry(entries_of(look, {}), key); }
+
+// The table of parameters in a look.
+TableRef config_of(const PlainData& look) {
+    const Value* value = find(look, "config");
+    const auto* ref = value != nullptr ? value->get_if<TableRef>() : nullptr;
+    return ref != nullptr ? *ref : TableRef{look.tables.size()};
 }
 
-// The table of parameters in a snapshot.
-std::size_t config_of(const PlainData& data) {
-    const auto* value = find(data, 0, "config");
-    const auto* ref = value != nullptr ? std::get_if<PlainData::TableRef>(value) : nullptr;
-    return ref != nullptr ? ref->index : data.tables.size();
+// One value of a look, whose tables go with it.
+Answer answer_of_value(PlainData look, Value value) {
+    look.values = {std::move(value)};
+    const std::size_t whole = look.tables.size();
+    return Answer{PlainSnapshot{std::move(look), whole}};
 }
 
-Names keys_of(const PlainData& data, std::size_t table) {
+Names keys_of(const PlainData::Table& table) {
     Names names;
-    if (table >= data.tables.size()) return names;
-    for (const auto& [key, value] : data.tables[table]) {
-        if (const auto* text = std::get_if<std::string>(&key)) names.push_back(*text);
+    for (const auto& [key, value] : table) {
+        if (const auto* text = key.get_if<std::string>()) names.push_back(*text);
     }
     return names;
 }
 
-std::string text_of(const PlainData& data, const PlainData::Value& value) {
-    if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
-    if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
-    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.6g}", *number);
-    if (const auto* text = std::get_if<std::string>(&value)) return fmt::format("\"{}\"", shown(*text));
-    const auto* table = std::get_if<PlainData::TableRef>(&value);
-    if (table == nullptr || table->index >= data.tables.size()) return "nil";
-    Names elements;
-    for (const auto& [key, element] : data.tables[table->index]) {
-        const bool is_table = std::holds_alternative<PlainData::TableRef>(element);
-        elements.push_back(is_table ? "..." : text_of(data, element));
-    }
-    return elements.empty() ? "{}" : fmt::format("{{ {} }}", fmt::join(elements, ", "));
-}
-
-std::string config_text(const PlainData& data) {
+std::string config_text(const PlainData& look) {
     Names lines;
-    const std::size_t config = config_of(data);
-    for (const std::string& name : keys_of(data, config))
-        lines.push_back(fmt::format("{} = {}", name, text_of(data, *find(data, config, name))));
+    for (const auto& [key, value] : entries_of(look, config_of(look))) {
+        if (const auto* name = key.get_if<std::string>())
+            lines.push_back(fmt::format("{} = {}", shown(*name), visible(short_text(value))));
+    }
     return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
@@ -184,10 +170,8 @@ int remote_index(lua_State* L) {
         if (known) return std::move(*known);
         auto snapshot = ask(objects, ref, What::look);
         if (!snapshot) return Unexpected(snapshot.error());
-        const PlainData::Value* value = find(*snapshot, 0, name);
-        if (value == nullptr) return Answer{};
-        const PlainData::Value found = *value;
-        return answer_of_value(std::move(*snapshot), found);
+        const Value* value = find(*snapshot, name);
+        return value != nullptr ? answer_of_value(*snapshot, *value) : Answer{};
     });
 }
 
@@ -211,12 +195,12 @@ int remote_tostring(lua_State* L) {
         const auto snapshot = ask(objects, ref, What::look);
         if (!snapshot) return Answer{fmt::format("{}: {}", ref.component(), snapshot.error().message)};
         const auto text = [&](std::string_view key) {
-            const auto* value = find(*snapshot, 0, key);
-            const auto* is = value != nullptr ? std::get_if<std::string>(value) : nullptr;
+            const Value* value = find(*snapshot, key);
+            const auto* is = value != nullptr ? value->get_if<std::string>() : nullptr;
             return is != nullptr ? visible(*is) : "?";
         };
         std::string all = fmt::format("{}  {}, {}", ref.component(), text("type"), text("status"));
-        if (find(*snapshot, 0, "error") != nullptr) all += "\nerror: " + text("error");
+        if (find(*snapshot, "error") != nullptr) all += "\nerror: " + text("error");
         auto listed = ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
             for (const OfferedPort& port : ports_of(ref.live()->system(), ref.component()))
                 all += fmt::format("\n  {:<3} {}  {}", port.direction == Direction::in ? "in" : "out", port.name,
@@ -239,15 +223,14 @@ int remote_config_index(lua_State* L) {
         if (lua_type(L, 2) != LUA_TSTRING) return failure("config: what is in it has a name");
         auto snapshot = ask(objects, ref, What::look);
         if (!snapshot) return Unexpected(snapshot.error());
-        const std::size_t config = config_of(*snapshot);
-        const PlainData::Value* value = find(*snapshot, config, text_at(L, 2));
+        const PlainData::Table& config = entries_of(*snapshot, config_of(*snapshot));
+        const Value* value = find_entry(config, text_at(L, 2));
         if (value == nullptr) {
-            const Names known = keys_of(*snapshot, config);
+            const Names known = keys_of(config);
             return failure(fmt::format("{}: unknown parameter '{}'{}", ref.component(), shown(text_at(L, 2)),
                                        did_you_mean(text_at(L, 2), {known.begin(), known.end()})));
         }
-        const PlainData::Value found = *value;
-        return answer_of_value(std::move(*snapshot), found);
+        return answer_of_value(*snapshot, *value);
     });
 }
 
@@ -257,13 +240,9 @@ int remote_config_newindex(lua_State* L) {
         const ObjectRef& ref = *to_object(L, 1);
         if (lua_type(L, 2) != LUA_TSTRING) return failure("config: what is in it has a name");
         const std::string name(text_at(L, 2));
-        std::vector<Dropped> dropped;
-        constexpr Budget copy_budget{1.0};
-        auto value = take_plain(L, 1, copy_budget, {name}, dropped);
-        if (!value) return Unexpected(value.error());
-        if (!dropped.empty())
-            return failure(fmt::format("parameter '{}': {} is {}", shown(name), dropped[0].path, dropped[0].what));
-        const auto done = ask(objects, ref, What::set, name, std::move(*value));
+        auto value = read_parameter(L, 3);
+        if (!value) return failure(fmt::format("parameter '{}': {}", shown(name), value.error().message));
+        const auto done = ask(objects, ref, What::set, name, PlainData{.values = {std::move(*value)}, .tables = {}});
         return done ? Expected<Answer>(Answer{}) : Unexpected(done.error());
     });
 }
@@ -275,8 +254,8 @@ int remote_config_pairs(lua_State* L) {
     look_beside(L, objects, [&]() -> Expected<Answer> {
         auto snapshot = ask(objects, *to_object(L, 1), What::look);
         if (!snapshot) return Unexpected(snapshot.error());
-        const std::size_t config = config_of(*snapshot);
-        return answer_of_value(std::move(*snapshot), PlainData::TableRef{config});
+        const TableRef config = config_of(*snapshot);
+        return answer_of_value(std::move(*snapshot), config);
     });
     lua_pushcfunction(L, ordered_pairs);
     lua_pushvalue(L, 3);

@@ -12,7 +12,7 @@
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
-#include "engine/ports/usage.hpp"
+#include "engine/ports/setting.hpp"
 
 namespace nezumi {
 namespace {

@@ -98,12 +98,37 @@ void find_caller(lua_State* lua, const CallRecord::ScriptPlace& error, CallRecor
     }
 }
 
+// The function that was called from outside, if the outermost one that is on the stack was called in its place.
+void find_tail_caller(lua_State* lua, CallRecord& call) {
+    call.tail_caller.line = 0;
+    lua_Debug activation;
+    CallRecord::ScriptPlace found;
+    int level = last_level(lua);
+    bool is_found = false;
+    for (; level >= 0 && lua_getstack(lua, level, &activation) != 0; --level) {
+        is_found = is_lua(lua, activation, found);
+        if (is_found) break;
+    }
+    if (!is_found || lua_getinfo(lua, "t", &activation) == 0 || activation.istailcall == 0) return;
+    // `call_first` has kept it.
+    if (lua_getstack(lua, level + 1, &activation) == 0 || lua_checkstack(lua, 2) == 0) return;
+    if (lua_getlocal(lua, &activation, 1) == nullptr) return;
+    if (lua_type(lua, -1) != LUA_TFUNCTION || lua_iscfunction(lua, -1) != 0) return lua_pop(lua, 1);
+    if (lua_getinfo(lua, ">S", &activation) == 0) return;
+    activation.currentline = activation.linedefined;
+    if (activation.linedefined <= 0) return;
+    call.tail_caller.set(activation);
+    call.tail_caller_end = activation.lastlinedefined;
+}
+
 // What is known of an error on top of the stack of `lua`, a coroutine that has failed, whose stack is as it was then.
 void note_error(lua_State* lua, CallRecord& call) {
     lua_Debug activation;
     call.is_deep_recursion = lua_getstack(lua, deep_recursion, &activation) != 0;
     find_error_place(lua, call);
     find_caller(lua, call.error_place, call.error_caller);
+    call.tail_caller.line = 0;
+    if (call.error_caller.line == 0) find_tail_caller(lua, call);
 }
 
 std::string shown_number(double number) {
@@ -123,7 +148,13 @@ std::string describe_value(lua_State* lua, std::size_t prefix) {
         case LUA_TNUMBER: {
             std::size_t length = 0;
             const char* text = lua_tolstring(lua, -1, &length);
-            if (prefix <= length) text += prefix, length -= prefix;
+            if (prefix <= length) {
+                // What is raised again and again has its place as often, once for each.
+                const std::string_view place(text, prefix);
+                do {
+                    text += prefix, length -= prefix;
+                } while (prefix > 0 && std::string_view(text, length).starts_with(place));
+            }
             if (length <= longest_message) return {text, length};
             return fmt::format("{}...", std::string_view(text, longest_message));
         }
@@ -182,8 +213,10 @@ int convert_error(lua_State* from, lua_State* thread, int status, CallRecord& ca
 // Calls its first argument with the others. What C calls can't yield, so that a script's pcall is left when it has
 // failed, as it is outside of coroutines, and does not wait on the stack for what it called.
 int call_first(lua_State* lua) {
-    lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
-    return lua_gettop(lua);
+    lua_pushvalue(lua, 1);
+    lua_insert(lua, 1);  // stays, for errors that ask who called
+    lua_call(lua, lua_gettop(lua) - 2, LUA_MULTRET);
+    return lua_gettop(lua) - 1;
 }
 
 // What went wrong in `thread`, which is empty again then; or it was stopped, and nothing may run in it any more.
@@ -208,6 +241,12 @@ CallError take_error(lua_State* from, lua_State* thread, int status, bool is_mem
                  false};
         if (call.error_caller.line != 0 && lua_type(thread, -1) == LUA_TSTRING)
             error.message += fmt::format(" (called from {}:{})", call.error_caller.file, call.error_caller.line);
+        if (call.tail_caller.line != 0 && lua_type(thread, -1) == LUA_TSTRING &&
+            std::strcmp(call.tail_caller.file, call.error_place.file) != 0) {
+            const auto lines = state.tail_calls(call.tail_caller.file, call.tail_caller.line, call.tail_caller_end);
+            if (!lines.empty())
+                error.message += fmt::format(" (called from {}:{})", call.tail_caller.file, fmt::join(lines, " or "));
+        }
         error.message += state.hint(error);
     }
     if (call.seen != 0) error.used_seconds = static_cast<double>(thread_time() - call.seen) * 1e-9;

@@ -102,6 +102,11 @@ int next_element(lua_State* lua) {
 
 int ipairs(lua_State* lua) {
     luaL_checkany(lua, 1);
+    if (lua_type(lua, 1) != LUA_TTABLE) {
+        const bool has_elements = lua_type(lua, 1) > LUA_TNIL && luaL_getmetafield(lua, 1, "__index") != LUA_TNIL;
+        if (!has_elements) luaL_checktype(lua, 1, LUA_TTABLE);
+        lua_settop(lua, 1);
+    }
     lua_pushcfunction(lua, has_hidden_metatable(lua, 1) ? next_element<lua_rawgeti> : next_element<lua_geti>);
     lua_pushvalue(lua, 1);
     lua_pushinteger(lua, 0);

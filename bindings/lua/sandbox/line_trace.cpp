@@ -16,6 +16,8 @@ namespace nezumi {
 namespace {
 
 constexpr int most_elements = 6;
+// Whoever asks how their behaviour came to something has not written these: they are stepped over.
+constexpr std::string_view installed_modules = "behaviors/lib/nezumi/";
 
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a hook finds its thread's trace by it
 constinit thread_local LineTrace* current_trace = nullptr;
@@ -170,18 +172,42 @@ void LineTrace::note(lua_State* lua, lua_Debug* event) {
     if (*event->what != 'C' && depth <= deepest) {
         const void* const function = lua_topointer(lua, -1);
         end_line(lua, event, depth, function);
-        if (event->event == LUA_HOOKLINE) {
+        const bool is_installed = std::string_view(event->source).find(installed_modules) != std::string_view::npos;
+        if (event->event == LUA_HOOKLINE && !is_installed) {
             if (seen_.lines.size() < most_lines) {
                 const char* const file = *event->source == '@' ? event->source + 1 : event->short_src;
                 frames_.push_back({lua, depth, function, seen_.lines.size()});
                 seen_.lines.push_back(
                     {.file = file, .line = event->currentline, .depth = depth, .values = values_in_sight(lua, event)});
+                fold_loop();
             } else {
                 seen_.is_cut = true;
             }
         }
     }
     lua_pop(lua, 1);  // the function
+}
+
+// When the last lines are the fourth turn of a loop in a row, the third one goes.
+void LineTrace::fold_loop() {
+    std::vector<TracedLines::Line>& lines = seen_.lines;
+    const auto is_same = [&](std::size_t a, std::size_t b) {
+        return lines[a].line == lines[b].line && lines[a].depth == lines[b].depth && lines[a].file == lines[b].file;
+    };
+    for (std::size_t turn = 1; turn <= longest_turn && 4 * turn <= lines.size(); ++turn) {
+        const std::size_t last = lines.size() - turn, before = last - turn;
+        bool repeats = true;
+        for (std::size_t i = before - 2 * turn; i < last && repeats; ++i) repeats = is_same(i, i + turn);
+        const auto is_running = [&](const Frame& frame) { return frame.line >= before && frame.line < last; };
+        if (!repeats || std::any_of(frames_.begin(), frames_.end(), is_running)) continue;
+        lines[last].turns_left_out += 1 + lines[before].turns_left_out;
+        const auto at = [&](std::size_t index) { return lines.begin() + static_cast<std::ptrdiff_t>(index); };
+        lines.erase(at(before), at(last));
+        for (Frame& frame : frames_) {
+            if (frame.line >= last) frame.line -= turn;
+        }
+        return;
+    }
 }
 
 // Variables of the file that the function on top of the stack uses, its own, and fields of the tables.

@@ -20,6 +20,8 @@ public:
     static constexpr int deepest = 30;
     static constexpr std::size_t most_values = 48, longest_value = 60;
     static constexpr int most_fields = 12;
+    /// Of a loop's turns of at most so many lines the first two and the last are kept.
+    static constexpr std::size_t longest_turn = 40;
 
     using Value = TracedLines::Value;
 
@@ -55,6 +57,7 @@ private:
     void note(lua_State* lua, lua_Debug* event);
     std::vector<Value> values_in_sight(lua_State* lua, lua_Debug* event) const;
     void end_line(lua_State* lua, lua_Debug* event, int depth, const void* function);
+    void fold_loop();
 
     LineTrace* outer_;
     std::vector<Table> tables_;

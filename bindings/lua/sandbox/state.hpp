@@ -59,6 +59,13 @@ public:
     /// Adds a hint to the text of an error that leaves a call, such as what a nil upvalue means after a reload. Gets
     /// the error as it is told; what it returns is appended. Empty: no hints. Must not throw.
     void set_hint(std::function<std::string(const Error&)> hint) { hint_ = std::move(hint); }
+    /// Tells the lines of tail calls in the function of a file that goes from line `first` to `last`: in an error such
+    /// a call has left no trace. Empty: they are not known. Must not throw.
+    using TailCalls = std::function<std::vector<int>(std::string_view file, int first, int last)>;
+    void set_tail_calls(TailCalls tail_calls) { tail_calls_ = std::move(tail_calls); }
+    std::vector<int> tail_calls(std::string_view file, int first, int last) const {
+        return tail_calls_ ? tail_calls_(file, first, last) : std::vector<int>();
+    }
     std::string hint(const Error& error) const { return hint_ ? hint_(error) : std::string(); }
 
     /// An empty coroutine for a call made from `lua`, with room for so many values; null for want of memory. When the
@@ -112,6 +119,7 @@ private:
     std::uint64_t random_seed_ = 0;
     std::function<void(std::string_view)> print_;
     std::function<std::string(const Error&)> hint_;
+    TailCalls tail_calls_;
 };
 
 /// Closes what a coroutine has open, as lua_resetthread. Lua counts calls from `from` on, where it can.

@@ -64,6 +64,8 @@ public:
     ScriptPlace expiry_place;        ///< where the script was when it was stopped
     ScriptPlace error_place;         ///< where an error was raised
     ScriptPlace error_caller;        ///< the behaviour's line that called the module in which that was, if one did
+    ScriptPlace tail_caller;         ///< the function that was called, where its tail call has taken its place
+    int tail_caller_end = 0;         ///< its last line
     std::size_t error_prefix = 0;    ///< bytes of the message that say that place
     bool is_deep_recursion = false;  ///< it was raised within a deep recursion
     bool closes = false;             ///< a coroutine was closed that is gone when an error of that is handled

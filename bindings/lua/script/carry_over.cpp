@@ -1,5 +1,6 @@
 // Values by name, and lines for the log.
 #include "bindings/lua/script/carry_over.hpp"
+#include "engine/values/value_text.hpp"
 
 #include <fmt/format.h>
 
@@ -32,10 +33,10 @@ void describe_lost(const Parameters& running, const Parameters& before, const Pa
             const auto& its = *running.find(old.spec.name);
             if (its.set)
                 warnings.push_back(
-                    fmt::format("parameter '{}' went, and its value {} with it", old.spec.name, to_text(its.value)));
+                    fmt::format("parameter '{}' went, and its value {} with it", old.spec.name, lua_text(its.value)));
         } else if (old.set && !now->set) {
             warnings.push_back(fmt::format("parameter '{}': its value {} no longer fits, it is the default {} now",
-                                           old.spec.name, to_text(old.value), to_text(now->value)));
+                                           old.spec.name, lua_text(old.value), lua_text(now->value)));
         }
     }
 }
@@ -51,7 +52,7 @@ std::string kept_text(const Parameters& before, const Parameters& after, const P
         const bool by_hand = given == configured.end() || check_value(now.spec, given->second) != now.value;
         if ((!by_hand && old->spec.initial == now.spec.initial) || ++count > shown) continue;
         text += fmt::format("{}{} = {} (its default is {})", text.empty() ? "" : ", ", now.spec.name,
-                            to_text(now.value), to_text(now.spec.initial));
+                            lua_text(now.value), lua_text(now.spec.initial));
     }
     if (count > shown) text += fmt::format(" and {} more", count - shown);
     return text;

@@ -36,21 +36,6 @@ Expected<void> check_flat(lua_State* L, int index) {
     return {};
 }
 
-std::size_t text_size(const PlainData& data) {
-    std::size_t size = 0;
-    const auto add = [&](const PlainData::Value& value) {
-        if (const auto* text = std::get_if<std::string>(&value)) size += text->size();
-    };
-    for (const PlainData::Value& value : data.values) add(value);
-    for (const PlainData::Table& table : data.tables) {
-        for (const auto& [key, value] : table) {
-            add(key);
-            add(value);
-        }
-    }
-    return size;
-}
-
 // A copy of the value at index 2, which is the topmost.
 Expected<PlainData> read_probe(lua_State* L, Budget budget) {
     const int type = lua_type(L, 2);
@@ -64,7 +49,7 @@ Expected<PlainData> read_probe(lua_State* L, Budget budget) {
     std::vector<Dropped> dropped;
     auto value = take_plain(L, 1, budget, {"value"}, dropped);
     if (!value) return value;
-    if (text_size(*value) > Probes::most_text)
+    if (text_bytes(*value) > Probes::most_text)
         return failure(fmt::format("its texts have at most {} bytes", Probes::most_text));
     return value;
 }

@@ -10,6 +10,7 @@
 #include "bindings/lua/script/script_globals.hpp"
 #include "bindings/lua/script/script_ports.hpp"
 #include "bindings/lua/syntax/first_comment.hpp"
+#include "bindings/lua/syntax/tail_calls.hpp"
 #include "bindings/lua/values/set_plain.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/system/system_spec.hpp"
@@ -35,6 +36,8 @@ Expected<std::unique_ptr<Script>> Script::load(const SourceText& source, ScriptC
     if (!lua) return Unexpected(lua.error());
     script->lua_ = std::move(*lua);
     script->lua_->set_hint([self](const Error& error) { return self->hint(error); });
+    script->lua_->set_tail_calls(
+        [self](std::string_view file, int first, int last) { return tail_calls_of(self->text_of(file), first, last); });
     script->inheritance_ = inheritance;
     auto ok = script->run_top_level(source);
     script->inheritance_ = {};
@@ -297,7 +300,9 @@ std::invoke_result_t<Body, lua_State*> Script::with_state(Body&& body) {
 }
 
 Expected<PlainData> Script::take_state(std::vector<Dropped>& dropped) {
-    return with_state([&](lua_State* L) { return take_plain(L, 1, context_.budget, {"state"}, dropped); });
+    // Copied between two ticks, which a larger state would make late by more than a moment.
+    constexpr PlainLimit most{.values = 250'000, .text = std::size_t{16} << 20U};
+    return with_state([&](lua_State* L) { return take_plain(L, 1, context_.budget, {"state"}, dropped, most); });
 }
 
 Expected<PlainSnapshot> Script::state_snapshot(const PlainLimit& limit, std::vector<Dropped>* dropped) {
@@ -330,6 +335,9 @@ std::string Script::hint(const Error& error) const {
         missing_.place.file == error.place.file) {
         return fmt::format(": element {} of {} of {}", missing_.index, missing_.count, port_title(*missing_.port));
     }
+    if (error.message.starts_with("attempt to add a 'string' with") ||
+        (error.message.starts_with("attempt to perform arithmetic on a string value") && says("constant")))
+        return ": .. joins texts in Lua";
     // Locals are new after a reload, and on_activated, which may have set them, does not run again.
     if (was_activated_ || context_.version == 1 || !says("nil value (upvalue '")) return "";
     return "; a reload makes the file's locals new and does not run on_activated again: set it at the top of the file "

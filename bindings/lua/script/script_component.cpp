@@ -124,7 +124,11 @@ Expected<ScriptComponent::Version> ScriptComponent::prepare(const Loading& loadi
     Version next;
     std::vector<Dropped> dropped;
     auto state = script_->take_state(dropped);
-    if (!state) return failure("state can't be taken over: " + state.error().message, state.error().place);
+    if (!state)
+        return failure(fmt::format("state can't be taken over, and the old version runs on: {}. Keep less in state, or "
+                                   "restart() the system",
+                                   state.error().message),
+                       state.error().place);
     describe_dropped(dropped, next.warnings);
 
     ScriptContext context = loading.context;

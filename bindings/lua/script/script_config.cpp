@@ -16,7 +16,7 @@ constexpr char config_values_key = 0;  // its address is a key of the registry
 
 // A value as `config` shows it, on top of the stack: arrays are locked.
 void push_config_value(lua_State* L, const Parameters::Parameter& parameter) {
-    push_parameter(L, parameter.value);
+    push_payload(L, parameter.value);
     if (lua_type(L, -1) != LUA_TTABLE) return;
     lua_pushfstring(L, "config.%s", parameter.spec.name.c_str());
     lua_insert(L, -2);

@@ -100,10 +100,10 @@ int global_output(lua_State* L) { return global_port(L, Direction::out); }
 // param(name, default, { min, max, step, widget, unit, doc, choices, min_size, max_size })
 
 void read_choices(Fields& options, ParameterSpec& spec) {
-    const FileValue* value = options.field("choices");
+    const Value* value = options.field("choices");
     if (value == nullptr) return;
     const auto refuse = [&](const std::string& why) { options.check().wrong({"choices"}, why); };
-    const FileTable* table = value->table();
+    const FileTable* table = value->get_if<FileTable>();
     if (table == nullptr || !table->fields.empty())
         return refuse(fmt::format("expected an array, got {}", table == nullptr ? kind_of(*value) : "another table"));
     if (table->elements.empty()) return refuse("is empty: nothing could be chosen");
@@ -116,15 +116,14 @@ void read_choices(Fields& options, ParameterSpec& spec) {
 
 // An option that makes no sense for the default's type is no unknown one.
 void check_kinds(Fields& options, const ParameterSpec& spec, unsigned kind) {
-    for_each_setting<ParameterSpec>([&](const auto& field) {
-        const unsigned of = field.rule.of;
-        if (of == 0 || (of & kind) != 0 || !options.gives(field.name)) return;
+    for (const Type::Field& field : record_of<ParameterSpec>().fields) {
+        const unsigned of = field.rule->of;
+        if (of == 0 || (of & kind) != 0 || !options.gives(field.name)) continue;
         options.field(field.name);
-        options.check().wrong(
-            {std::string(field.name)},
-            fmt::format("is for {}, and the parameter is of type {}",
-                        of == Describe<ParameterSpec>::arrays ? "arrays" : "numbers", type_text(spec.initial)));
-    });
+        options.check().wrong({field.name}, fmt::format("is for {}, and the parameter is of type {}",
+                                                        of == Describe<ParameterSpec>::arrays ? "arrays" : "numbers",
+                                                        type_text(spec.initial)));
+    }
 }
 
 Expected<void> declare_parameter(lua_State* L, Script& script) {
@@ -140,8 +139,8 @@ Expected<void> declare_parameter(lua_State* L, Script& script) {
     auto initial = read_parameter(L, 2);
     if (!initial) return refuse({"its default " + initial.error().message});
     spec.initial = std::move(*initial);
-    const bool is_array = spec.initial.index() >= 4;
-    const bool is_number = spec.initial.index() % 4 == 1 || spec.initial.index() % 4 == 2;
+    const bool is_array = spec.initial.type().kind == Type::Kind::sequence;
+    const bool is_number = spec.initial.type().single().is_number();
     const unsigned kind = is_number ? (is_array ? 2U : 1U) : (is_array ? 4U : 8U);
     const auto by_hand = [&](Fields& options) {
         check_kinds(options, spec, kind);

@@ -121,8 +121,9 @@ int port_write(lua_State* L) {
     if (fits && slot.script->may_write(bytes)) return 0;
     port.discard_after(before);
     if (fits) {
-        keep_error(L, fmt::format("{} ({}): more than {} MB were written in one execution", title(slot),
-                                  message_type_names[slot.declaration->type], Script::most_written_bytes >> 20));
+        keep_error(
+            L, fmt::format("{} ({}): is there an endless loop? It has written more than {} MB in one execution",
+                           title(slot), message_type_names[slot.declaration->type], Script::most_written_bytes >> 20));
     } else {
         explain_write<T>(L, slot);
     }

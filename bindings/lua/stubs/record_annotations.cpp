@@ -64,6 +64,7 @@ std::string plain_word(const SystemWord& word, bool methods) {
         arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ", each.name);
     }
     if (word.form == Form::thing) text += "---@return Thing\n";
+    if (word.name == std::string_view("argument")) text += "---@return any\n";
     return text + fmt::format("function {}{}({}) end\n\n", methods ? "s:" : "", word.name, arguments);
 }
 
@@ -138,7 +139,8 @@ std::string system_word_annotations(bool methods) {
     }
     for (const SystemWord& word : system_words()) {
         if (word.help.doc.empty()) continue;
-        if (methods && word.name == std::string_view("seed")) continue;  // a run's is that of nezumi test
+        // A run's seed is that of nezumi test, its values are the sweep's.
+        if (methods && (word.name == std::string_view("seed") || word.name == std::string_view("argument"))) continue;
         text += plain_word(word, methods);
     }
     return text;

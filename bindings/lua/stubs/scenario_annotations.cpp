@@ -89,6 +89,12 @@ function s:check(value, message) end
 ---@param message? string
 function s:near(actual, expected, tolerance, message) end
 
+---Compares deeply; a failure shows both values.
+---@param actual any
+---@param expected any
+---@param message? string
+function s:equal(actual, expected, message) end
+
 ---From here on this component may go to ERROR; else that fails the scenario.
 ---@param component Component|string
 function s:allow_error(component) end

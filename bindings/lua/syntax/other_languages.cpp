@@ -21,10 +21,18 @@ constexpr Foreign signs[] = {
 
 // The word before the mistake, in other languages.
 constexpr Foreign words[] = {
-    {"elif", "it is `elseif` in Lua"},   {"elsif", "it is `elseif` in Lua"}, {"def", "it is `function` in Lua"},
-    {"func", "it is `function` in Lua"}, {"fn", "it is `function` in Lua"},  {"var", "it is `local` in Lua"},
-    {"let", "it is `local` in Lua"},     {"const", "it is `local` in Lua"},
+    {"elif", "it is `elseif` in Lua"},
+    {"elsif", "it is `elseif` in Lua"},
+    {"def", "it is `function` in Lua"},
+    {"func", "it is `function` in Lua"},
+    {"fn", "it is `function` in Lua"},
+    {"var", "it is `local` in Lua"},
+    {"let", "it is `local` in Lua"},
+    {"const", "it is `local` in Lua"},
+    {"continue", "Lua has no continue: `goto continue` goes to ::continue:: at the loop's end"},
 };
+
+constexpr std::string_view no_braces = "a block is `then ... end` or `do ... end` in Lua";
 
 bool touch(const Token& a, const Token& b) { return a.text.data() + a.text.size() == b.text.data(); }
 
@@ -60,8 +68,11 @@ std::string_view other_language_hint(const SyntaxTree& tree) {
     if (wrong->is("!")) return "it is `not` in Lua";
     if (wrong->is("//")) return "a comment begins with -- in Lua";
     if (wrong->is("=") && is_condition_before(tree, wrong)) return "== compares in Lua, and = assigns";
-    if (before != nullptr && before->kind == Token::Kind::name && wrong->kind == Token::Kind::name)
-        return hint_of(words, before->text);
+    if (before != nullptr && before->kind == Token::Kind::name) {
+        if (const std::string_view hint = hint_of(words, before->text); !hint.empty()) return hint;
+    }
+    if (wrong->is("{") || wrong->is(":") || (before != nullptr && before->is("{") && wrong->is("}"))) return no_braces;
+    if (wrong->is("[")) return "a list is { 1, 2 } in Lua";
     return "";
 }
 

@@ -57,22 +57,6 @@ std::string list_of(const std::vector<std::string_view>& names) {
     return fmt::format(" (its fields are {})", fmt::join(names, ", "));
 }
 
-// Which alternative of ParameterValue a single Lua value is.
-std::optional<ParameterValue> read_single(lua_State* L, int index) {
-    switch (lua_type(L, index)) {
-        case LUA_TBOOLEAN: return lua_toboolean(L, index) != 0;
-        case LUA_TNUMBER:
-            if (lua_isinteger(L, index)) return static_cast<std::int64_t>(lua_tointeger(L, index));
-            return static_cast<double>(lua_tonumber(L, index));
-        case LUA_TSTRING: {
-            std::size_t size = 0;
-            const char* text = lua_tolstring(L, index, &size);
-            return std::string(text, size);
-        }
-        default: return std::nullopt;
-    }
-}
-
 template <class T>
 std::vector<T> elements(lua_State* L, int index, std::ptrdiff_t size) {
     std::vector<T> all;
@@ -82,18 +66,18 @@ std::vector<T> elements(lua_State* L, int index, std::ptrdiff_t size) {
         if constexpr (std::is_same_v<T, double>) {
             all.push_back(lua_tonumber(L, -1));
         } else {
-            all.push_back(std::get<T>(*read_single(L, lua_gettop(L))));
+            all.push_back(read_single(L, -1).get<T>());
         }
         lua_pop(L, 1);
     }
     return all;
 }
 
-Expected<ParameterValue> read_array(lua_State* L, int index) {
+Expected<Value> read_array(lua_State* L, int index) {
     Mismatch why;
     const std::ptrdiff_t size = read_array_size(L, index, &why);
     if (size < 0) return failure(describe(why));
-    if (size == 0) return ParameterValue(std::vector<double>());  // fits an array of anything
+    if (size == 0) return std::vector<double>();  // fits an array of anything
     // The first element says what the others must be; integers and numbers mix to numbers.
     int first = LUA_TNIL;
     bool all_whole = true;
@@ -112,10 +96,10 @@ Expected<ParameterValue> read_array(lua_State* L, int index) {
                                        lua_typename(L, type)));
         }
     }
-    if (first == LUA_TBOOLEAN) return ParameterValue(elements<bool>(L, index, size));
-    if (first == LUA_TSTRING) return ParameterValue(elements<std::string>(L, index, size));
-    if (all_whole) return ParameterValue(elements<std::int64_t>(L, index, size));
-    return ParameterValue(elements<double>(L, index, size));
+    if (first == LUA_TBOOLEAN) return elements<bool>(L, index, size);
+    if (first == LUA_TSTRING) return elements<std::string>(L, index, size);
+    if (all_whole) return elements<std::int64_t>(L, index, size);
+    return elements<double>(L, index, size);
 }
 
 }  // namespace
@@ -130,7 +114,7 @@ std::string describe(const Mismatch& why) {
 }
 
 void push_payload(lua_State* L, const ValueView& value) {
-    luaL_checkstack(L, stack_needed, "a message");
+    luaL_checkstack(L, stack_needed, "a value");
     detail::push_any(L, value);
 }
 
@@ -142,16 +126,26 @@ Expected<Value> read_payload(lua_State* L, int index, std::size_t type) {
     return value;
 }
 
-void push_parameter(lua_State* L, const ParameterValue& value) {
-    luaL_checkstack(L, stack_needed, "a parameter");
-    std::visit([L](const auto& v) { push_value(L, v); }, value);
+Value read_single(lua_State* L, int index) {
+    switch (lua_type(L, index)) {
+        case LUA_TBOOLEAN: return lua_toboolean(L, index) != 0;
+        case LUA_TNUMBER:
+            if (lua_isinteger(L, index)) return static_cast<std::int64_t>(lua_tointeger(L, index));
+            return static_cast<double>(lua_tonumber(L, index));
+        case LUA_TSTRING: {
+            std::size_t size = 0;
+            const char* text = lua_tolstring(L, index, &size);
+            return std::string(text, size);
+        }
+        default: return {};
+    }
 }
 
-Expected<ParameterValue> read_parameter(lua_State* L, int index) {
+Expected<Value> read_parameter(lua_State* L, int index) {
     if (lua_checkstack(L, stack_needed) == 0) return failure("not enough memory");
     index = lua_absindex(L, index);
     if (lua_type(L, index) == LUA_TTABLE) return read_array(L, UnlockedTable(L, index).index());
-    if (auto single = read_single(L, index)) return std::move(*single);
+    if (Value single = read_single(L, index); !single.is_nothing()) return single;
     return failure(
         fmt::format("expected a boolean, a number, a string or an array of them, got {}", luaL_typename(L, index)));
 }
@@ -227,7 +221,7 @@ bool read_any_fields(lua_State* L, int index, const ValuePlace& out, Mismatch* w
     for (const Type::Field& field : out.type->fields) {
         names.push_back(field.name);
         if (!push_raw_field(L, table.index(), field.name)) continue;
-        const bool fits = read_any(L, lua_gettop(L), out.field(field), why);
+        const bool fits = read_any(L, lua_gettop(L), out.field(field), why, field.numbers);
         lua_pop(L, 1);
         if (fits) continue;
         prepend(why, field.name);
@@ -236,7 +230,7 @@ bool read_any_fields(lua_State* L, int index, const ValuePlace& out, Mismatch* w
     return check_names(L, table.index(), names, why);
 }
 
-bool read_any_elements(lua_State* L, int index, const ValuePlace& out, Mismatch* why) {
+bool read_any_elements(lua_State* L, int index, const ValuePlace& out, Mismatch* why, Numbers numbers) {
     if (lua_type(L, index) != LUA_TTABLE) return refuse_type(L, index, "an array", why);
     const UnlockedTable table(L, index);
     const std::ptrdiff_t size = read_array_size(L, table.index(), why);
@@ -247,7 +241,7 @@ bool read_any_elements(lua_State* L, int index, const ValuePlace& out, Mismatch*
     bool fits = true;
     for_each_element(out, [&](const ValuePlace& element) {
         lua_rawgeti(L, table.index(), ++at);
-        fits = read_any(L, lua_gettop(L), element, why);
+        fits = read_any(L, lua_gettop(L), element, why, numbers);
         lua_pop(L, 1);
         return fits;
     });
@@ -283,10 +277,10 @@ bool read_integer(lua_State* L, int index, std::int64_t min, std::int64_t max, s
     return why != nullptr && refuse(why, fmt::format("expected an integer from {} to {}, got {}", min, max, found));
 }
 
-bool read_number(lua_State* L, int index, double max, double& out, Mismatch* why) {
+bool read_number(lua_State* L, int index, double max, double& out, Mismatch* why, Numbers numbers) {
     if (lua_type(L, index) != LUA_TNUMBER) return refuse_type(L, index, "a number", why);
     out = lua_tonumber(L, index);
-    if (std::fabs(out) <= max) return true;
+    if (std::fabs(out) <= max || (numbers == Numbers::any && !std::isfinite(out))) return true;
     if (why == nullptr) return false;
     if (!std::isfinite(out)) return refuse(why, "expected a finite number, got " + number_text(out));
     return refuse(why, fmt::format("expected a number from {0} to {1}, got {2}", number_text(-max), number_text(max),
@@ -311,6 +305,7 @@ void push_any(lua_State* L, const ValueView& value) {
                 lua_rawset(L, -3);
             }
             return;
+        case Type::Kind::array:
         case Type::Kind::sequence: {
             lua_createtable(L, static_cast<int>(value.count()), 0);
             lua_Integer index = 0;
@@ -323,14 +318,17 @@ void push_any(lua_State* L, const ValueView& value) {
         }
         case Type::Kind::text: return push_value(L, value.as<std::string>());
         case Type::Kind::octets: return push_value(L, value.as<Octets>());
+        case Type::Kind::any: return push_any(L, value.as<Value>());
+        case Type::Kind::nothing:
+        case Type::Kind::other: return lua_pushnil(L);
         default: return visit_number(value, [L](const auto& number) { push_value(L, number); });
     }
 }
 
-bool read_any(lua_State* L, int index, const ValuePlace& out, Mismatch* why) {
+bool read_any(lua_State* L, int index, const ValuePlace& out, Mismatch* why, Numbers numbers) {
     switch (out.type->kind) {
         case Type::Kind::structure: return read_any_fields(L, index, out, why);
-        case Type::Kind::sequence: return read_any_elements(L, index, out, why);
+        case Type::Kind::sequence: return read_any_elements(L, index, out, why, numbers);
         case Type::Kind::boolean: return read_boolean(L, index, out.as<bool>(), why);
         case Type::Kind::text:
         case Type::Kind::octets: {
@@ -348,7 +346,7 @@ bool read_any(lua_State* L, int index, const ValuePlace& out, Mismatch* why) {
                 using Wide = std::conditional_t<std::is_floating_point_v<T>, double, std::int64_t>;
                 Wide wide = 0;
                 if constexpr (std::is_floating_point_v<T>) {
-                    if (!read_number(L, index, std::numeric_limits<T>::max(), wide, why)) return false;
+                    if (!read_number(L, index, std::numeric_limits<T>::max(), wide, why, numbers)) return false;
                 } else {
                     const auto [min, max] = out.type->integer_range();
                     if (!read_integer(L, index, min, max, wide, why)) return false;

@@ -34,16 +34,16 @@ struct Mismatch {
 /// 'vx'?)".
 std::string describe(const Mismatch& why);
 
-/// A fresh value of the script's own on top of the stack.
+/// A fresh value of the script's own on top of the stack: a message, a parameter; arrays as plain tables.
 void push_payload(lua_State* L, const ValueView& value);
 /// The value at `index` as a payload of the message type at this index of `message_types`, or why it is none (the text
 /// of `describe(Mismatch)`).
 Expected<Value> read_payload(lua_State* L, int index, std::size_t type);
 
-/// A fresh value of the script's own on top of the stack; arrays as plain tables.
-void push_parameter(lua_State* L, const ParameterValue& value);
+/// The truth value, number or text at `index`; nothing where there is none of these.
+Value read_single(lua_State* L, int index);
 /// The value at `index` as a parameter's value, or why it can be none.
-Expected<ParameterValue> read_parameter(lua_State* L, int index);
+Expected<Value> read_parameter(lua_State* L, int index);
 
 /// The number of elements of the table at `index` when its keys are 1..n and nothing else, otherwise -1 and why.
 std::ptrdiff_t read_array_size(lua_State* L, int index, Mismatch* why);
@@ -72,12 +72,12 @@ namespace detail {
 // Every one of these says into `why` (unless it is null) what was wrong and returns false.
 bool read_boolean(lua_State* L, int index, bool& out, Mismatch* why);
 bool read_integer(lua_State* L, int index, std::int64_t min, std::int64_t max, std::int64_t& out, Mismatch* why);
-bool read_number(lua_State* L, int index, double max, double& out, Mismatch* why);
+bool read_number(lua_State* L, int index, double max, double& out, Mismatch* why, Numbers numbers = Numbers::finite);
 bool read_text(lua_State* L, int index, std::string_view& out, Mismatch* why);
 // `push_value` and `read_value` by a type's table. Fields are read in the order of the description, so that what is
 // wrong does not depend on the order of a table's keys. What is left out stays as it is in `out`.
 void push_any(lua_State* L, const ValueView& value);
-bool read_any(lua_State* L, int index, const ValuePlace& out, Mismatch* why);
+bool read_any(lua_State* L, int index, const ValuePlace& out, Mismatch* why, Numbers numbers = Numbers::finite);
 // Pushes the value of a raw field found without making a string; returns whether there is one, else pushes nothing.
 bool push_raw_field(lua_State* L, int index, std::string_view name);
 // The string at the top of the stack minus one (a key during lua_next).
@@ -114,7 +114,7 @@ void push_value(lua_State* L, const T& value) {
 
 /// Reads the value at `index` (absolute) into `out`. Returns false when it does not fit; then `out` is of no use.
 template <class T>
-bool read_value(lua_State* L, int index, T& out);
+bool read_value(lua_State* L, int index, T& out, Numbers numbers = Numbers::finite);
 
 namespace detail {
 
@@ -127,7 +127,7 @@ bool read_fields(lua_State* L, int index, T& out) {
         if (lua_type(L, -2) == LUA_TSTRING) {
             const std::string_view key = key_text(L);
             for_each_field(out, [&](const auto& field, auto& member) {
-                if (!fits && field.name == key) fits = read_value(L, lua_gettop(L), member);
+                if (!fits && field.name == key) fits = read_value(L, lua_gettop(L), member, numbers_of(field));
             });
         }
         if (!fits) {
@@ -140,21 +140,21 @@ bool read_fields(lua_State* L, int index, T& out) {
 }
 
 template <class T>
-bool read_sequence(lua_State* L, int index, T& out) {
+bool read_sequence(lua_State* L, int index, T& out, Numbers numbers) {
     out.clear();
     // Elements come in order from a table's array part. Anything else takes the slower way.
     lua_pushnil(L);
     while (lua_next(L, index) != 0) {
         typename T::value_type element{};
         const bool in_order = lua_isinteger(L, -2) && lua_tointeger(L, -2) == static_cast<lua_Integer>(out.size() + 1);
-        if (!in_order || !read_value(L, lua_gettop(L), element)) {
+        if (!in_order || !read_value(L, lua_gettop(L), element, numbers)) {
             lua_pop(L, 2);
             const std::ptrdiff_t size = read_array_size(L, index, nullptr);
             out.clear();
             for (std::ptrdiff_t i = 1; i <= size; ++i) {
                 lua_rawgeti(L, index, i);
                 typename T::value_type each{};
-                const bool fits = read_value(L, lua_gettop(L), each);
+                const bool fits = read_value(L, lua_gettop(L), each, numbers);
                 lua_pop(L, 1);
                 if (!fits) return false;
                 out.push_back(std::move(each));
@@ -170,14 +170,14 @@ bool read_sequence(lua_State* L, int index, T& out) {
 }  // namespace detail
 
 template <class T>
-bool read_value(lua_State* L, int index, T& out) {
+bool read_value(lua_State* L, int index, T& out, Numbers numbers) {
     if constexpr (Described<T>) {
         if (lua_type(L, index) != LUA_TTABLE) return false;
         out = T{};
         return detail::read_fields(L, UnlockedTable(L, index).index(), out);
     } else if constexpr (Sequence<T>) {
         if (lua_type(L, index) != LUA_TTABLE) return false;
-        return detail::read_sequence(L, UnlockedTable(L, index).index(), out);
+        return detail::read_sequence(L, UnlockedTable(L, index).index(), out, numbers);
     } else if constexpr (std::is_same_v<T, bool>) {
         return detail::read_boolean(L, index, out, nullptr);
     } else if constexpr (std::is_integral_v<T>) {
@@ -189,7 +189,7 @@ bool read_value(lua_State* L, int index, T& out) {
     } else if constexpr (std::is_floating_point_v<T>) {
         double number = 0;
         constexpr auto max = static_cast<double>(std::numeric_limits<T>::max());
-        if (!detail::read_number(L, index, max, number, nullptr)) return false;
+        if (!detail::read_number(L, index, max, number, nullptr, numbers)) return false;
         out = static_cast<T>(number);
         return true;
     } else {

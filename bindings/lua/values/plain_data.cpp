@@ -9,38 +9,37 @@
 
 #include "bindings/lua/sandbox/hidden_metatable.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
-#include "bindings/lua/values/plain_scalar.hpp"
+#include "bindings/lua/values/codec.hpp"
 #include "engine/base/names.hpp"
 #include "engine/system/system_spec.hpp"
+#include "engine/values/value_text.hpp"
 
 namespace nezumi {
 namespace {
 
 // Numbers in ascending order, then strings, then false, then true: the order in which scripts see them.
-bool key_before(const PlainData::Value& a, const PlainData::Value& b) {
-    const auto group = [](const PlainData::Value& v) {
-        if (std::holds_alternative<std::string>(v)) return 1;
-        return std::holds_alternative<bool>(v) ? 2 : 0;
-    };
+bool key_before(const Value& a, const Value& b) {
+    const auto group = [](const Value& v) { return v.is<std::string>() ? 1 : v.is<bool>() ? 2 : 0; };
     if (group(a) != group(b)) return group(a) < group(b);
-    if (group(a) == 1) return std::get<std::string>(a) < std::get<std::string>(b);
-    if (group(a) == 2) return !std::get<bool>(a) && std::get<bool>(b);
-    const auto* whole_a = std::get_if<std::int64_t>(&a);
-    const auto* whole_b = std::get_if<std::int64_t>(&b);
-    if (whole_a != nullptr && whole_b != nullptr) return *whole_a < *whole_b;
-    const auto number = [](const PlainData::Value& v) {
-        return std::holds_alternative<double>(v) ? std::get<double>(v) : static_cast<double>(std::get<std::int64_t>(v));
+    if (group(a) == 1) return a.get<std::string>() < b.get<std::string>();
+    if (group(a) == 2) return !a.get<bool>() && b.get<bool>();
+    if (a.is<std::int64_t>() && b.is<std::int64_t>()) return a.get<std::int64_t>() < b.get<std::int64_t>();
+    const auto number = [](const Value& v) {
+        return v.is<double>() ? v.get<double>() : static_cast<double>(v.get<std::int64_t>());
     };
     return number(a) < number(b);
 }
 
-std::string key_text(const PlainData::Value& key) {
-    if (const auto* text = std::get_if<std::string>(&key)) {
-        return is_identifier(*text) ? "." + *text : fmt::format("[\"{}\"]", *text);
-    }
-    if (const auto* whole = std::get_if<std::int64_t>(&key)) return fmt::format("[{}]", *whole);
-    if (const auto* number = std::get_if<double>(&key)) return fmt::format("[{}]", *number);
-    return std::get<bool>(key) ? "[true]" : "[false]";
+// "[7]", "[2.5]", "[true]".
+std::string bracketed(const Value& key) {
+    if (const auto* number = key.get_if<double>()) return fmt::format("[{}]", *number);
+    return "[" + lua_text(key) + "]";
+}
+
+std::string key_text(const Value& key) {
+    const auto* text = key.get_if<std::string>();
+    if (text == nullptr) return bracketed(key);
+    return is_identifier(*text) ? "." + *text : fmt::format("[\"{}\"]", *text);
 }
 
 std::string type_name(lua_State* L, int index) {
@@ -59,7 +58,7 @@ std::string type_name(lua_State* L, int index) {
 // square of a list's length.
 struct Origin {
     std::size_t table = no_table;
-    PlainData::Value key;
+    Value key;
     std::size_t value = 0;
 
     static constexpr std::size_t no_table = static_cast<std::size_t>(-1);
@@ -72,7 +71,7 @@ struct Taker {
     PlainData data;
     std::vector<Origin> origins;                           // of data.tables
     std::unordered_map<const void*, std::size_t> indices;  // of data.tables
-    std::vector<PlainData::Value> keys;                    // of the table at hand
+    std::vector<Value> keys;                               // of the table at hand
     Origin origin;                                         // of the value at hand
 
     bool takes_objects = true;  // that stand for plain data
@@ -97,8 +96,8 @@ struct Taker {
     }
 
     // The value on top of the stack, which is popped. An object of ours may have plain data to be taken in its place.
-    PlainData::Value take(lua_State* L) {
-        PlainData::Value value;
+    Value take(lua_State* L) {
+        Value value;
         if (takes_objects && lua_type(L, -1) == LUA_TUSERDATA && luaL_callmeta(L, -1, "__plain") != 0)
             lua_remove(L, -2);
         switch (lua_type(L, -1)) {
@@ -111,38 +110,26 @@ struct Taker {
         return value;
     }
 
-    bool scalar(lua_State* L, int index, PlainData::Value& out) {
-        switch (lua_type(L, index)) {
-            case LUA_TBOOLEAN: out = lua_toboolean(L, index) != 0; return true;
-            case LUA_TNUMBER:
-                if (lua_isinteger(L, index) != 0) {
-                    out = static_cast<std::int64_t>(lua_tointeger(L, index));
-                } else {
-                    out = static_cast<double>(lua_tonumber(L, index));
-                }
-                return true;
-            case LUA_TSTRING: {
-                std::size_t size = 0;
-                const char* text = lua_tolstring(L, index, &size);
-                too_much = too_much || size > left.text;
-                if (too_much) return true;
-                left.text -= size;
-                out = std::string(text, size);
-                return true;
-            }
-            default: return false;
+    bool scalar(lua_State* L, int index, Value& out) {
+        if (lua_type(L, index) == LUA_TSTRING) {
+            const std::size_t size = lua_rawlen(L, index);
+            too_much = too_much || size > left.text;
+            if (too_much) return true;
+            left.text -= size;
         }
+        out = read_single(L, index);
+        return !out.is_nothing();
     }
 
     // A reference to the table on top of the stack, which is remembered as work when it is new.
-    PlainData::Value take_table(lua_State* L) {
+    Value take_table(lua_State* L) {
         const auto [known, is_new] = indices.try_emplace(lua_topointer(L, -1), data.tables.size());
-        if (!is_new) return PlainData::TableRef{known->second};
+        if (!is_new) return TableRef{known->second};
         data.tables.emplace_back();
         origins.push_back(origin);
         lua_pushvalue(L, -1);
         lua_rawseti(L, work_list, static_cast<lua_Integer>(data.tables.size()));
-        return PlainData::TableRef{data.tables.size() - 1};
+        return TableRef{data.tables.size() - 1};
     }
 
     void take_fields(lua_State* L, std::size_t index) {
@@ -162,7 +149,7 @@ struct Taker {
             lua_pop(L, 1);
             too_much = too_much || keys.size() >= left.values;
             if (too_much) break;
-            PlainData::Value key;
+            Value key;
             if (scalar(L, -1, key)) {
                 keys.push_back(std::move(key));
             } else {
@@ -173,14 +160,13 @@ struct Taker {
             dropped.push_back({path_of(origins[index]), "a table with a key that is a table, a function or an object"});
         left.values -= keys.size();
         std::sort(keys.begin(), keys.end(), key_before);
-        for (PlainData::Value& key : keys) {
+        for (Value& key : keys) {
             if (too_much) break;
-            push_scalar(L, key);
+            detail::push_any(L, key);
             lua_rawget(L, table);
             origin = {.table = index, .key = key};
-            PlainData::Value value = take(L);
-            if (!std::holds_alternative<std::monostate>(value))
-                data.tables[index].emplace_back(std::move(key), std::move(value));
+            Value value = take(L);
+            if (!value.is_nothing()) data.tables[index].push_back({std::move(key), std::move(value)});
         }
         lua_settop(L, table - 1);
     }
@@ -245,11 +231,11 @@ void push_left_out(lua_State* L) {
 
 void push(lua_State* L, const PlainData& data, std::size_t whole) {
     luaL_checkstack(L, static_cast<int>(data.values.size()) + 8, nullptr);
-    const auto push_value = [&](const PlainData::Value& value, int tables) {
-        if (const auto* ref = std::get_if<PlainData::TableRef>(&value)) {
+    const auto push_value = [&](const Value& value, int tables) {
+        if (const auto* ref = value.get_if<TableRef>()) {
             lua_rawgeti(L, tables, static_cast<lua_Integer>(ref->index + 1));
         } else {
-            push_scalar(L, value);
+            detail::push_any(L, value);
         }
     };
     lua_createtable(L, static_cast<int>(data.tables.size()), 0);
@@ -271,16 +257,25 @@ void push(lua_State* L, const PlainData& data, std::size_t whole) {
         }
         lua_pop(L, 1);
     }
-    for (const PlainData::Value& value : data.values) push_value(value, tables);
+    for (const Value& value : data.values) push_value(value, tables);
     lua_remove(L, tables);
 }
 
 }  // namespace
 
 Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std::vector<std::string>& names,
-                               std::vector<Dropped>& dropped) {
-    Taker taker{.names = names, .dropped = dropped, .data = {}, .origins = {}, .indices = {}, .keys = {}, .origin = {}};
+                               std::vector<Dropped>& dropped, const PlainLimit& limit) {
+    Taker taker{.names = names,
+                .dropped = dropped,
+                .data = {},
+                .origins = {},
+                .indices = {},
+                .keys = {},
+                .origin = {},
+                .left = limit};
     if (auto ok = run(taker, L, count, budget); !ok) return Unexpected(ok.error());
+    if (taker.too_much)
+        return failure(fmt::format("it holds more than {} values, or {} MB of text", limit.values, limit.text >> 20U));
     return std::move(taker.data);
 }
 
@@ -307,31 +302,21 @@ void visit_plain(const PlainData& data, const LeafVisitor& visit) {
     constexpr int deepest = 16;
     int entries_left = 5000;
     const auto visit_table = [&](const auto& self, std::size_t table, const LeafPath& path, int depth) -> void {
-        for (const auto& [key, value] : data.tables[table]) {
+        for (const PlainData::Entry& entry : data.tables[table]) {
             if (--entries_left < 0) return;
-            std::string name;
-            const auto* index = std::get_if<std::int64_t>(&key);
-            if (const auto* text = std::get_if<std::string>(&key)) {
-                name = *text;
-            } else if (const auto* truth = std::get_if<bool>(&key)) {
-                name = *truth ? "[true]" : "[false]";
-            } else {
-                name = index != nullptr ? fmt::format("[{}]", *index) : fmt::format("[{}]", std::get<double>(key));
-            }
+            const Value &key = entry[0], &value = entry[1];
+            const auto* text = key.get_if<std::string>();
+            const std::string name = text != nullptr ? *text : bracketed(key);
             const LeafPath at = path.field(name);
-            if (const auto* within = std::get_if<PlainData::TableRef>(&value)) {
+            if (const auto* within = value.get_if<TableRef>()) {
                 if (depth < deepest) self(self, within->index, at, depth + 1);
             } else {
-                std::visit(
-                    [&]<class T>(const T& single) {
-                        if constexpr (Tabled<T>) visit(at, single);
-                    },
-                    value);
+                visit_leaves(value, visit, at);
             }
         }
     };
     if (data.values.empty()) return;
-    if (const auto* first = std::get_if<PlainData::TableRef>(&data.values.front()))
+    if (const auto* first = data.values.front().get_if<TableRef>())
         visit_table(visit_table, first->index, LeafPath{}, 1);
 }
 

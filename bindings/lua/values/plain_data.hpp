@@ -1,15 +1,18 @@
 // Plain data on its way between Lua states.
 #pragma once
 
+#include <limits>
 #include <lua.hpp>
 #include <string>
 #include <vector>
 
 #include "bindings/lua/sandbox/call.hpp"
-#include "engine/components/plain_data.hpp"
 #include "engine/ports/payload.hpp"
+#include "engine/values/plain_data.hpp"
 
 namespace nezumi {
+
+inline constexpr PlainLimit no_limit{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
 
 /// What could not be taken along: "state.a.b" and "a function".
 struct Dropped {
@@ -22,9 +25,9 @@ struct Dropped {
 /// Takes copies of the topmost `count` values of the stack, which stay. `names` says what each is called in `dropped`,
 /// which collects in a fixed order what is no plain data: functions, userdata, coroutines, keys that are tables,
 /// metatables (whose table is taken without it). A matrix is taken as the table of its rows. The depth of tables does
-/// not matter. An error only when memory or the budget runs out.
+/// not matter. An error only when memory or the budget runs out, or when there is more than the limit allows.
 Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std::vector<std::string>& names,
-                               std::vector<Dropped>& dropped);
+                               std::vector<Dropped>& dropped, const PlainLimit& limit = no_limit);
 
 /// The same as `take_plain` for the topmost value, which stays. `dropped` may be null; where it is given, a matrix is
 /// no plain data either: what is taken is to be put in the place of what was there.

@@ -1,10 +1,8 @@
 // Table by table in the order in which they were taken: each one is known before what it holds is.
 #include "bindings/lua/values/set_plain.hpp"
 
-#include <variant>
-
 #include "bindings/lua/sandbox/locked_table.hpp"
-#include "bindings/lua/values/plain_scalar.hpp"
+#include "bindings/lua/values/codec.hpp"
 
 namespace nezumi {
 namespace {
@@ -65,26 +63,25 @@ void push_table(lua_State* L, int before, const Places& places) {
     lua_rawset(L, places.used);
 }
 
-void set_field(lua_State* L, int table, int before, const PlainData::Value& key, const PlainData::Value& value,
-               const Places& places) {
-    push_scalar(L, key);
+void set_field(lua_State* L, int table, int before, const Value& key, const Value& value, const Places& places) {
+    detail::push_any(L, key);
     lua_rawget(L, table);
     const bool is_other = !lua_isnil(L, -1);  // what is no plain data
     lua_pop(L, 1);
     if (is_other) return;
-    if (const auto* ref = std::get_if<PlainData::TableRef>(&value)) {
+    if (const auto* ref = value.get_if<TableRef>()) {
         const auto place = static_cast<lua_Integer>(ref->index + 1);
         if (lua_rawgeti(L, places.tables, place) == LUA_TNIL) {
             lua_pop(L, 1);
-            push_scalar(L, key);
+            detail::push_any(L, key);
             push_table(L, before, places);
             lua_pushvalue(L, -1);
             lua_rawseti(L, places.tables, place);
         }
     } else {
-        push_scalar(L, value);
+        detail::push_any(L, value);
     }
-    push_scalar(L, key);
+    detail::push_any(L, key);
     lua_insert(L, -2);
     lua_rawset(L, table);
 }
@@ -92,7 +89,7 @@ void set_field(lua_State* L, int table, int before, const PlainData::Value& key,
 }  // namespace
 
 void set_plain(lua_State* L, const PlainData& data) {
-    const auto* first = data.values.empty() ? nullptr : std::get_if<PlainData::TableRef>(&data.values.front());
+    const auto* first = data.values.empty() ? nullptr : data.values.front().get_if<TableRef>();
     if (first == nullptr) return;
     luaL_checkstack(L, 12, nullptr);
     const int root = lua_gettop(L);

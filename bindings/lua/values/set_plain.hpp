@@ -3,7 +3,7 @@
 
 #include <lua.hpp>
 
-#include "engine/components/plain_data.hpp"
+#include "engine/values/plain_data.hpp"
 
 namespace nezumi {
 

@@ -1,4 +1,4 @@
-// Many RTCs are asked at once, so that those which do not answer cost one second and not each its own.
+// Asks many RTCs in parallel, so that several silent ones cost one second in all.
 #include "bindings/openrtm/orb/asker.hpp"
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 namespace nezumi::openrtm {
 namespace {
 
-// RTCs that are asked at once; and how long any is begun to be asked.
+// RTCs asked in parallel, and the time during which further ones are started.
 constexpr std::size_t most_at_once = 16;
 constexpr std::chrono::seconds patience{3};
-// Questions that wait.
+// Waiting questions.
 constexpr std::size_t most_questions = 16;
 
-// "ConsoleOut0" of "pc.host_cxt/ConsoleOut0".
+// Returns "ConsoleOut0" of "pc.host_cxt/ConsoleOut0".
 std::string last_of(const std::string& name) { return name.substr(name.rfind('/') + 1); }
 
 }  // namespace
@@ -46,7 +46,7 @@ std::future<Expected<std::string>> Asker::ask(PeerQuestion question, TellPeers* 
         if (asked_.size() < most_questions) {
             asked_.push_back(std::move(asked));
         } else {
-            asked.promise.set_value(failure("too many questions wait already"));
+            asked.promise.set_value(failure("too many questions are already waiting"));
         }
     }
     changed_.notify_all();
@@ -88,7 +88,7 @@ PeerAnswer Asker::answer(const PeerQuestion& question) {
         } catch (const CORBA::TIMEOUT&) {
             return {.problem = "'" + question.name + "' does not answer"};
         } catch (const CORBA::Exception&) {
-            return {.problem = "'" + question.name + "' is not there: what the name service has is stale"};
+            return {.problem = "'" + question.name + "' is not there: its entry in the name service is stale"};
         }
     } catch (const CORBA::Exception&) {
         return {.problem = "no name service answers at " + names_.address() + ": start one, as omniNames"};
@@ -112,7 +112,7 @@ PeerAnswer Asker::look_at_all() {
     try {
         for (std::size_t i = 1; i < std::min(all.size(), most_at_once); ++i) helpers.push_back(start_thread(look));
     } catch (const std::system_error&) {
-        // The system gives no further thread: those that there are, look.
+        // No further thread can be made: the existing ones do the work.
     }
     look();
     for (std::thread& helper : helpers) helper.join();

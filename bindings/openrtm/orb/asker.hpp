@@ -1,4 +1,4 @@
-// The thread in which people's questions about RTCs are asked: nobody else waits for who does not answer.
+// The thread that asks RTCs questions of people: no other thread waits for a silent RTC.
 #pragma once
 
 #include <atomic>
@@ -17,7 +17,7 @@ namespace nezumi::openrtm {
 class Asker {
 public:
     Asker(CORBA::ORB_ptr orb, const std::string& nameserver);
-    /// Answers what waits: that the run ends.
+    /// Answers waiting questions: the run ends.
     ~Asker();
     Asker(const Asker&) = delete;
     Asker& operator=(const Asker&) = delete;
@@ -35,9 +35,9 @@ private:
     PeerAnswer answer(const PeerQuestion& question);
     PeerAnswer look_at_all();
 
-    NameService names_;  // of the thread alone
+    NameService names_;  // used only by the thread
     std::atomic<bool> ends_ = false;
-    Mutex mutex_;  // of the next two
+    Mutex mutex_;  // for the next two
     std::condition_variable changed_;
     std::deque<Asked> asked_;
     std::thread thread_;

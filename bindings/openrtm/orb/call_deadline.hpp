@@ -1,4 +1,4 @@
-// A time by which all calls of a thread are over, however many peers hang.
+// A deadline for all CORBA calls of a thread together.
 #pragma once
 
 #include <omniORB4/CORBA.h>
@@ -8,7 +8,7 @@
 
 namespace nezumi::openrtm {
 
-/// While it lives, calls of this thread that have not been answered by then fail as if the peer hung.
+/// During its lifetime, calls of this thread that are not answered by then fail as if the peer hung.
 class CallDeadline {
 public:
     explicit CallDeadline(std::chrono::milliseconds from_now) {
@@ -22,7 +22,7 @@ public:
     CallDeadline& operator=(const CallDeadline&) = delete;
 
 private:
-    omni_thread::ensure_self self_;  // first: only threads that omniORB knows have one
+    omni_thread::ensure_self self_;  // first: only threads known to omniORB have one
 };
 
 }  // namespace nezumi::openrtm

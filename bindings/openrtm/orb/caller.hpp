@@ -1,4 +1,4 @@
-// The part of a connector that calls its peer, in a thread of its own: a peer that hangs costs nobody else anything.
+// The part of a connector that calls its peer on its own thread: a peer that hangs delays no other thread.
 #pragma once
 
 #include <atomic>
@@ -12,7 +12,7 @@
 
 namespace nezumi::openrtm {
 
-/// As many messages wait for a peer as in a buffer of OpenRTM-aist.
+/// Queue length as in OpenRTM-aist's buffer.
 inline constexpr std::size_t most_waiting = 8;
 
 /// Calls a peer until it is gone.
@@ -30,7 +30,7 @@ protected:
         queue_.end();
         if (thread_.joinable()) thread_.join();
     }
-    // Returns what the peer says. Whoever does not answer in time may do so the next time.
+    // Returns the peer's answer. After a timeout the peer may be called again.
     template <class Call>
     OpenRTM::PortStatus ask(const Call& call) {
         try {
@@ -50,7 +50,7 @@ private:
     std::thread thread_;
 };
 
-/// Asks nothing of the peer: a port that hangs would be heard of only then.
+/// Does not call the peer, so a port that hangs is noticed only at the first message.
 template <class Interface>
 typename Interface::_ptr_type peer_of(CORBA::ORB_ptr orb, const std::string& reference) {
     try {

@@ -1,4 +1,4 @@
-// Values are read from the latest snapshot of the component, and set by requests that are checked as any other act.
+// Reads values from the component's latest snapshot; sets them by requests, which are checked like any other act.
 #include "bindings/openrtm/orb/configuration_object.hpp"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ const Texts* find(const RtcSnapshot& snapshot, std::string_view id) {
 
 }  // namespace
 
-// Says to who asks what is wrong with the question; whether it was done is the answer.
+// Throws CORBA's exception for an invalid request. Returns whether it was executed.
 bool ConfigurationObject::perform(RtcRequest request) {
     request.component = component_;
     switch (site_.perform(request)) {

@@ -1,7 +1,6 @@
-// omniORB has neither a limit of its connections nor a hook when one is accepted. Its sockets are found by their port;
-// what the kernel knows of each tells whether it was ever used: whether the ORB has answered anything. A descriptor may
-// be closed and another's at any time: a socket is ended through a descriptor of the gate's own, once that is known to
-// be the same socket.
+// omniORB has no limit for its connections and no hook for accepting one. Its sockets are found by their port. The
+// kernel's data of each one show whether the ORB has ever answered. A descriptor may be closed and reused at any time,
+// so a socket is shut down through a descriptor of our own, after a check that it is the same socket.
 #include "bindings/openrtm/orb/connection_gate.hpp"
 
 #include <arpa/inet.h>
@@ -29,9 +28,9 @@
 namespace nezumi::openrtm {
 namespace {
 
-// Connections that wait for the ORB to accept them: these come on top of all limits.
+// Connections waiting for accept: they come on top of all limits.
 constexpr int longest_queue = 32;
-// The least time between two looks, and the most while a connection is unused.
+// The shortest time between two checks, and the longest while a connection is unused.
 constexpr std::chrono::milliseconds shortest_pause{1}, longest_pause{200};
 
 struct End {
@@ -39,7 +38,7 @@ struct End {
     std::uint16_t port = 0;
 };
 
-// An end of a TCP socket; nothing for any other file.
+// Returns an end of a TCP socket; nothing for any other file.
 template <class Name>
 std::optional<End> end_of(int file, const Name& name) {
     sockaddr_storage storage{};
@@ -77,7 +76,7 @@ std::optional<std::uint64_t> number_of(int file) {
     return status.st_ino;
 }
 
-// Every descriptor of the process.
+// Calls `visit` for every descriptor of the process.
 template <class Visit>
 void for_each_file(DIR* files, const Visit& visit) {
     rewinddir(files);
@@ -120,15 +119,15 @@ void ConnectionGate::run() {
         const int events = poll(polled.data(), polled.size(), waits ? static_cast<int>(longest_pause.count()) : -1);
         if (events > 0 && polled[0].revents != 0) return;
         waits = look();
-        std::this_thread::sleep_for(shortest_pause);  // the ORB accepts meanwhile
+        std::this_thread::sleep_for(shortest_pause);  // gives the ORB time to accept
     }
 }
 
-// Returns whether there is something to wait for without another connection.
+// Returns true if the thread may wait without a new connection.
 bool ConnectionGate::look() {
     std::size_t all = 0;
     std::vector<Connection> open = connections(all);
-    // Those to go first stand first.
+    // The first ones to close come first.
     std::sort(open.begin(), open.end(), [](const Connection& a, const Connection& b) {
         return std::pair(a.was_used, b.unused) < std::pair(b.was_used, a.unused);
     });
@@ -149,7 +148,7 @@ bool ConnectionGate::look() {
     return unused > 0 || !accepts_;
 }
 
-// The ORB's that are not at their end; `all` counts these as well.
+// The ORB's connections that are not closed by the peer; `all` counts those too.
 std::vector<ConnectionGate::Connection> ConnectionGate::connections(std::size_t& all) {
     std::vector<Connection> open;
     for_each_file(files_.get(), [&](int file) {
@@ -162,7 +161,7 @@ std::vector<ConnectionGate::Connection> ConnectionGate::connections(std::size_t&
         if (option_of(file, SO_ACCEPTCONN) != 0) return;
         ++all;
         if (!peer || !number || getsockopt(file, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) return;
-        constexpr std::uint8_t established = 1;  // TCP_ESTABLISHED, of a header that goes with no other
+        constexpr std::uint8_t established = 1;  // TCP_ESTABLISHED; its header conflicts with others
         if (info.tcpi_state != established) return;
         open.push_back({file, *number, peer->address, std::chrono::milliseconds(info.tcpi_last_data_recv),
                         info.tcpi_data_segs_out > 0});
@@ -176,7 +175,7 @@ void ConnectionGate::end(const Connection& connection) {
     dup3(bell_, spare_, O_CLOEXEC);
 }
 
-// A filter of the kernel, which needs no privilege, drops what would open another connection.
+// A kernel filter, which needs no privilege, drops packets that would open another connection.
 void ConnectionGate::accept_others(bool accepts) {
     if (accepts == accepts_) return;
     std::array<sock_filter, 1> nothing{{{BPF_RET | BPF_K, 0, 0, 0}}};

@@ -1,4 +1,4 @@
-// One connection of a data port: how its messages go, in a thread of its own where it calls the peer.
+// One connection of a data port; it has its own thread if it calls the peer.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +12,27 @@
 
 namespace nezumi::openrtm {
 
-/// What is told of the in-port's side in a connection's properties, and what of the out-port's.
+/// Properties of a connection: the reference of the in-port's side, and of the out-port's side.
 inline constexpr const char* in_port_reference = "dataport.corba_cdr.inport_ior";
 inline constexpr const char* out_port_reference = "dataport.corba_cdr.outport_ior";
 
 class Connector {
 public:
     virtual ~Connector() = default;
-    /// A message of the out-port, in the order of the terms.
+    /// Takes a message of the out-port, in the byte order of the terms.
     virtual void publish(std::span<const std::uint8_t> /*bytes*/) {}
-    /// The connection is about to end: what is published from now on is dropped, and a robot that may move is sent
-    /// zero. Waits for nobody.
+    /// The connection will end: later messages are dropped, and zero is sent to a robot that may be moving. Does not
+    /// wait.
     virtual void stop() {}
-    /// The peer has what `stop` left for it, and had the time to act on it.
+    /// True if the peer has received the last message of `stop` and had time to use it.
     virtual bool is_settled() { return true; }
-    /// The peer is gone: nothing comes or goes any more.
+    /// True if the peer is gone and no more data are exchanged.
     virtual bool is_lost() const { return false; }
-    /// The reference for the peer, where it is the one that calls; "" else.
+    /// The reference that the peer calls; "" if we call the peer.
     virtual std::string reference() const { return ""; }
 };
 
-/// Where an in-port's messages go, and under which name they come.
+/// The target of an in-port's messages, and their sender's name.
 struct RtcInlet {
     RtcSite& site;
     std::string path{};
@@ -40,7 +40,7 @@ struct RtcInlet {
     bool of_velocities = false;
 };
 
-/// Where an out-port's messages go.
+/// The target of an out-port's messages.
 struct RtcOutlet {
     RTC::PortService_var peer{};  ///< the port at the other end
     bool of_velocities = false;
@@ -49,7 +49,7 @@ struct RtcOutlet {
 /// The peer calls us.
 std::unique_ptr<Connector> make_push_inlet(CORBA::ORB_ptr orb, const RtcInlet& inlet, const Terms& terms);
 std::unique_ptr<Connector> make_pull_outlet(CORBA::ORB_ptr orb, const RtcOutlet& outlet);
-/// We call the peer. nullptr when the reference is none.
+/// We call the peer. Returns nullptr if the reference is invalid.
 std::unique_ptr<Connector> make_pull_inlet(CORBA::ORB_ptr orb, const std::string& reference, const RtcInlet& inlet,
                                            const Terms& terms);
 std::unique_ptr<Connector> make_push_outlet(CORBA::ORB_ptr orb, const std::string& reference, const RtcOutlet& outlet,

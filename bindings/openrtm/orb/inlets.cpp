@@ -1,5 +1,5 @@
-// What comes to an in-port. A value that is read again is no message: an RTC that has stopped executing gives its last
-// one for ever, as its buffer does when it is empty (`readback`), and as its publisher does by the clock (`periodic`).
+// Receives messages for an in-port. A value that is read again is not a message: an RTC that has stopped executing
+// repeats its last one forever, from its empty buffer (`readback`) or from its periodic publisher (`periodic`).
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -13,21 +13,21 @@
 namespace nezumi::openrtm {
 namespace {
 
-// Between two rounds in which a peer is asked for messages.
+// Between two fetches from a peer.
 constexpr std::chrono::milliseconds fetch_period{10};
 
-// Tells a message from the one before it, which is read again: stamp and content are the same.
+// Recognises a repeated message: stamp and content equal those of the one before.
 class Repeats {
 public:
     explicit Repeats(const RtcInlet& inlet) : inlet_(inlet) {}
 
-    /// Whether this is the message before once more.
+    /// True if the message equals the one before.
     bool is_repeat(const Bytes& message) {
         const bool is_one = message == last_;
         if (!is_one) last_ = message;
         return is_one;
     }
-    /// What is dropped may have been meant: without a stamp nothing tells.
+    /// A dropped message may have been new: without a stamp that is unknown.
     void dropped(const Bytes& message) {
         if (told_ || !inlet_.of_velocities || is_stamped(message) || !is_motion(message)) return;
         told_ = true;
@@ -62,7 +62,7 @@ public:
         }
         return OpenRTM::UNKNOWN_ERROR;
     }
-    /// Waits for a message that is being taken: none comes after this.
+    /// Waits for a message that is being taken; none comes afterwards.
     void close() {
         const std::lock_guard lock(mutex_);
         closed_ = true;
@@ -77,8 +77,8 @@ private:
 
     const RtcInlet inlet_;
     const std::endian order_;
-    const bool may_repeat_;  // its publisher sends by the clock
-    Mutex mutex_;            // of what follows, and held while a message is taken; never while a peer is called
+    const bool may_repeat_;  // its publisher is periodic
+    Mutex mutex_;            // for the members below; held while a message is taken, never while a peer is called
     Repeats repeats_{inlet_};
     bool closed_ = false;
 };
@@ -122,7 +122,7 @@ private:
         std::vector<Bytes> round;
         const bool tells_empty = fetch(round);
         for (const Bytes& message : round) {
-            // A peer that says when it has nothing gives each message once.
+            // A peer that reports an empty buffer gives each message once.
             if (repeats_.is_repeat(message) && !tells_empty) {
                 repeats_.dropped(message);
                 continue;
@@ -130,8 +130,8 @@ private:
             static_cast<void>(inlet_.site.put(inlet_.path, inlet_.from, message, order_));
         }
     }
-    // One more than wait at a peer: one that is never empty reads its last message again. Returns whether it said that
-    // it is empty.
+    // Fetches up to one more than a peer's buffer: a peer that never reports an empty buffer repeats its last message.
+    // Returns true if it reported empty.
     bool fetch(std::vector<Bytes>& round) {
         while (round.size() <= most_waiting) {
             OpenRTM::CdrData_var data;

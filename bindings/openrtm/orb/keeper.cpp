@@ -1,4 +1,4 @@
-// A round takes what the system wants, sees that it is known, and sees who has gone; it never holds a lock meanwhile.
+// A round takes the requested state, registers names, and checks peers; it holds no lock while it calls a peer.
 #include "bindings/openrtm/orb/keeper.hpp"
 
 #include <algorithm>
@@ -13,18 +13,18 @@
 namespace nezumi::openrtm {
 namespace {
 
-// Between two rounds; and so many of them until names and peers are looked after again.
+// Time between two rounds, and rounds between checks of names and peers.
 constexpr std::chrono::milliseconds pause{200};
 constexpr int rounds_of_peers = 5;
 constexpr int rounds_of_links = 2;
-// An RTC that ends takes its connections with it: so long after it has ended one it is asked whether it lives.
+// An RTC that ends also ends its connections, so we ask after this time whether it is alive.
 constexpr std::chrono::seconds last_words{3};
-// All calls that end what is exported, with the run.
+// Limit for all calls that withdraw the exports when the run ends.
 constexpr std::chrono::milliseconds longest_end{1500};
-// Instances of one name on a computer.
+// Instances with one name on a computer.
 constexpr int most_instances = 100;
 
-// What the connection is called in `told_`.
+// The key of the connection in `told_`.
 std::string about(const RtcLink& link) { return link.path + " rtm:" + link.component + "." + link.port; }
 
 }  // namespace
@@ -37,7 +37,7 @@ Keeper::~Keeper() {
     {
         const std::lock_guard lock(mutex_);
         ends_ = true;
-        for (const Rtc& rtc : rtcs_) rtc->stop();  // at once: the thread may wait for a peer
+        for (const Rtc& rtc : rtcs_) rtc->stop();  // at once, because the thread may wait for a peer
     }
     changed_.notify_all();
     thread_.join();
@@ -54,7 +54,7 @@ void Keeper::show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links) 
     changed_.notify_all();
 }
 
-// With the lock held, or by the thread alone that changes the list.
+// Call with the lock held, or from the only thread that changes the list.
 PortObject* Keeper::find_port(std::string_view path) {
     for (const Rtc& rtc : rtcs_) {
         if (PortObject* port = rtc->find_port(path)) return port;
@@ -85,7 +85,7 @@ bool Keeper::is_ending() {
 
 void Keeper::run() {
     for (;;) {
-        Wanted wanted;
+        Exports wanted;
         bool is_new = false;
         {
             Lock lock(mutex_);
@@ -113,7 +113,7 @@ void Keeper::note_made() {
     made_ = std::move(made);
 }
 
-void Keeper::take_wanted(const Wanted& wanted) {
+void Keeper::take_wanted(const Exports& wanted) {
     take_links(wanted.links);
     std::vector<Rtc> gone;
     std::vector<RtcProfile> fresh;
@@ -144,7 +144,7 @@ void Keeper::take_wanted(const Wanted& wanted) {
     }
 }
 
-// Those that stay are left alone, those that go are disconnected.
+// Keeps unchanged connections and disconnects removed ones.
 void Keeper::take_links(const std::vector<RtcLink>& wanted) {
     std::vector<Link> links;
     for (const RtcLink& each : wanted) {
@@ -163,7 +163,7 @@ void Keeper::take_links(const std::vector<RtcLink>& wanted) {
     links_ = std::move(links);
 }
 
-// Robots hear together that they are to stop.
+// Tells all robots to stop before it waits for any.
 void Keeper::withdraw(const std::vector<Rtc>& gone) {
     for (const Rtc& rtc : gone) rtc->stop();
     const auto deadline = Clock::now() + PortObject::longest_settling;
@@ -171,14 +171,14 @@ void Keeper::withdraw(const std::vector<Rtc>& gone) {
         try {
             names_.unbind(rtc->instance() + ".rtc", rtc->reference());
         } catch (const CORBA::Exception&) {
-            // The name service is away: whoever looks there next finds a stale entry, as after any crash.
+            // The name service is away: it keeps a stale entry, as after a crash.
             told_.clear();
         }
         rtc->withdraw(deadline);
     }
 }
 
-// The first instance that nobody who lives has on this computer.
+// The first instance name not used by a living RTC on this computer.
 std::string Keeper::free_instance(const std::string& component) {
     try {
         for (int i = 0; i < most_instances; ++i) {
@@ -186,7 +186,7 @@ std::string Keeper::free_instance(const std::string& component) {
             if (names_.bound(instance + ".rtc", CORBA::Object::_nil()) != NameService::Bound::other) return instance;
         }
     } catch (const CORBA::Exception&) {
-        // It is asked again when it is registered.
+        // It is checked again at registration.
         return component + "0";
     }
     return component + "0";
@@ -200,7 +200,7 @@ void Keeper::register_all() {
             const auto bound = names_.bound(name, rtc->reference());
             if (bound == NameService::Bound::ours) continue;
             if (bound == NameService::Bound::other) {
-                tell_once(name, true, "rtm: " + name + " is another program's now: ours is not to be found");
+                tell_once(name, true, "rtm: " + name + " now belongs to another program: our RTC can't be found");
                 continue;
             }
             names_.rebind(name, rtc->reference());
@@ -210,7 +210,7 @@ void Keeper::register_all() {
     } catch (const CORBA::Exception&) {
         tell_once(about, true,
                   "rtm: no name service answers at " + names_.address() +
-                      ": start one, as omniNames; nobody finds us "
+                      ": start one, as omniNames; our RTCs can't be found "
                       "until then");
     }
 }
@@ -223,7 +223,7 @@ void Keeper::look_after_connections() {
             if (rounds_ % rounds_of_peers == 0) {
                 for (std::string& id : port->ask_peers(goes_on)) lost.push_back(std::move(id));
             }
-            // Nobody has ended these.
+            // These were not ended by anyone else.
             for (Link& link : links_) {
                 if (std::find(lost.begin(), lost.end(), link.id) != lost.end()) link = {link.wanted};
             }
@@ -231,8 +231,8 @@ void Keeper::look_after_connections() {
     }
 }
 
-// A connection whose RTC has gone is made again when that is back. One that an RTC has ended that lives on was taken
-// away, by a tool or by itself.
+// A connection is made again after its RTC was away. A connection that was ended by a living RTC was removed on
+// purpose, by a tool or by itself.
 bool Keeper::is_to_be_made(Link& link, PortObject& port) {
     if (CORBA::is_nil(link.theirs)) return !link.is_ended;
     if (std::string id = port.connection_with(link.theirs); !id.empty()) {
@@ -244,7 +244,7 @@ bool Keeper::is_to_be_made(Link& link, PortObject& port) {
     if (Clock::now() - *link.ended_at < last_words) return false;
     const Life life = life_of(link.theirs);
     if (life == Life::lives) {
-        told_.erase(about(link.wanted));  // made again, it is told again
+        told_.erase(about(link.wanted));  // a later loss is reported again
         home_.site.ended(link.wanted);
     }
     if (life != Life::silent) link = {.wanted = link.wanted, .is_ended = life == Life::lives};
@@ -267,7 +267,7 @@ void Keeper::make_links() {
     }
 }
 
-// What holds on is said once.
+// Reports a lasting condition once.
 void Keeper::tell_once(const std::string& about, bool is_problem, const std::string& text) {
     std::string& last = told_[about];
     if (last == text) return;

@@ -1,4 +1,4 @@
-// The thread that keeps RTCs in the name service, and their connections alive.
+// The thread that registers RTCs in the name service and keeps their connections alive.
 #pragma once
 
 #include <chrono>
@@ -20,12 +20,12 @@ namespace nezumi::openrtm {
 class Keeper {
 public:
     Keeper(const Home& home, const OrbOptions& options);
-    /// Takes all RTCs out of the name service, and disconnects them.
+    /// Removes all RTCs from the name service and disconnects them.
     ~Keeper();
     Keeper(const Keeper&) = delete;
     Keeper& operator=(const Keeper&) = delete;
 
-    // From the thread that ticks: none of it waits for a peer.
+    // For the ticking thread: does not wait for a peer.
     void show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links);
     WantedOrders wanted(std::string_view path);
     bool is_made(const RtcLink& link);
@@ -34,22 +34,22 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     using Rtc = PortableServer::Servant_var<RtcObject>;
-    struct Wanted {
+    struct Exports {
         std::vector<RtcProfile> profiles{};
         std::vector<RtcLink> links{};
     };
 
     struct Link {
         RtcLink wanted{};
-        RTC::PortService_var theirs{};                ///< the other port, when it has been made
-        std::string id{};                             ///< of the connection that there was last
-        std::optional<Clock::time_point> ended_at{};  ///< when somebody was seen to have ended that
-        bool is_ended = false;                        ///< and meant it
+        RTC::PortService_var theirs{};                ///< the other port, after the connection was made
+        std::string id{};                             ///< of the last connection
+        std::optional<Clock::time_point> ended_at{};  ///< when its end by another side was noticed
+        bool is_ended = false;                        ///< it was ended on purpose
     };
 
     bool is_ending();
     void run();
-    void take_wanted(const Wanted& wanted);
+    void take_wanted(const Exports& wanted);
     void take_links(const std::vector<RtcLink>& wanted);
     void withdraw(const std::vector<Rtc>& gone);
     std::string free_instance(const std::string& component);
@@ -63,15 +63,15 @@ private:
 
     const Home home_;
     NameService names_;
-    std::vector<Link> links_;                  // of the thread alone, as the next two
-    std::map<std::string, std::string> told_;  // what was said last, by what it was about
+    std::vector<Link> links_;                  // used only by the thread, as the next two
+    std::map<std::string, std::string> told_;  // the last messages, by subject
     int rounds_ = 0;
 
-    Mutex mutex_;  // of all below; never held while a peer is called
+    Mutex mutex_;  // for all members below; never held while a peer is called
     std::condition_variable changed_;
     std::vector<Rtc> rtcs_;
     std::vector<RtcLink> made_;
-    Wanted wanted_;
+    Exports wanted_;
     bool is_new_ = false;
     bool ends_ = false;
     std::thread thread_;

@@ -1,4 +1,4 @@
-// Whether an object of another program is there.
+// Tests whether an object of another program is alive.
 #pragma once
 
 #include <omniORB4/CORBA.h>
@@ -7,7 +7,7 @@ namespace nezumi::openrtm {
 
 enum class Life {
     lives,
-    silent,  ///< it did not answer in time: it may hang
+    silent,  ///< no answer in time: it may hang
     gone,
 };
 

@@ -1,4 +1,4 @@
-// A port is found by the name of its RTC, and must fit.
+// Finds a port by the name of its RTC and checks that it fits.
 #include "bindings/openrtm/orb/linker.hpp"
 
 #include "bindings/openrtm/orb/properties.hpp"
@@ -6,7 +6,7 @@
 namespace nezumi::openrtm {
 namespace {
 
-// Ports of one RTC are called "ConsoleOut0.out".
+// Ports of an RTC are named "ConsoleOut0.out".
 bool is_called(std::string_view name, std::string_view port) {
     return name == port ||
            (name.size() > port.size() && name.ends_with(port) && name[name.size() - port.size() - 1] == '.');
@@ -21,10 +21,10 @@ std::string_view reason_for(RTC::ReturnCode_t code) {
         case RTC::PRECONDITION_NOT_MET: return "it says that they are connected already (PRECONDITION_NOT_MET)";
         case RTC::RTC_ERROR: break;
     }
-    return "it refuses it (RTC_ERROR)";
+    return "it refuses the connection (RTC_ERROR)";
 }
 
-// Why a port of this profile can't be the other end of ours; "" when it can.
+// Returns why a port with this profile can't be connected to ours, or "".
 std::string misfit(const PortObject& ours, const RTC::PortProfile& theirs) {
     const bool is_in = text_of(theirs.properties, "port.port_type") == "DataInPort";
     const std::string type = data_type_of(theirs);
@@ -76,7 +76,7 @@ std::string link(NameService& names, PortObject& ours, const RtcLink& wanted, RT
     } catch (const CORBA::TIMEOUT&) {
         return "the RTC does not answer";
     } catch (const CORBA::Exception&) {
-        return "what the name service has is stale: the RTC is not there";
+        return "its entry in the name service is stale: the RTC is not there";
     }
     return "the RTC has no port '" + wanted.port + "'";
 }

@@ -1,4 +1,4 @@
-// The connections that the system's file wants: made when the other RTC is there, and made again.
+// Makes the connections requested by the system's file, when the other RTC is there.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace nezumi::openrtm {
 
-/// Makes a connection between a port of ours and one of another program's RTC. Returns "" when there is one now, else
-/// why not. May wait for the peer for some seconds. `theirs` is the other port then.
+/// Connects a port of ours with one of another program's RTC. Returns "" if they are connected now, otherwise the
+/// reason. May wait for the peer for some seconds. `theirs` gets the other port.
 std::string link(NameService& names, PortObject& ours, const RtcLink& wanted, RTC::PortService_var& theirs);
 
 }  // namespace nezumi::openrtm

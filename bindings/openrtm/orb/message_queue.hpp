@@ -1,4 +1,4 @@
-// Messages that wait for a peer: bounded, the oldest goes first when there are too many.
+// The queue of messages for a peer: limited; the oldest is dropped first.
 #pragma once
 
 #include <chrono>
@@ -16,8 +16,8 @@ namespace nezumi::openrtm {
 
 using Clock = std::chrono::steady_clock;
 
-/// Of velocities the latest alone waits, and the last one is zero: a robot that was sent another one is sent zero after
-/// `velocity_silence` without a message, and when the connection is about to end.
+/// Of velocities only the latest waits. A robot that was sent a velocity gets zero after `velocity_silence` without a
+/// message, and before the connection ends.
 class MessageQueue {
 public:
     MessageQueue(std::size_t capacity, bool of_velocities)
@@ -31,17 +31,17 @@ public:
         }
         changed_.notify_one();
     }
-    /// A message that the peer did not take waits again, unless a newer one waits.
+    /// A message that the peer did not accept waits again, unless a newer one waits.
     void put_back(Bytes message) {
         const std::lock_guard lock(mutex_);
         if (messages_.empty()) messages_.push_back(std::move(message));
     }
-    /// The oldest one. Returns whether there was one.
+    /// Takes the oldest one. Returns false if there is none.
     bool take(Bytes& message) {
         const std::lock_guard lock(mutex_);
         return take_with_lock(message);
     }
-    /// Waits for one. Returns false when none will come any more.
+    /// Waits for one. Returns false if no more will come.
     bool wait(Bytes& message) {
         Lock lock(mutex_);
         for (;;) {
@@ -55,18 +55,18 @@ public:
             }
         }
     }
-    /// Waits for the time, or for `stop`. Returns false when the queue has ended.
+    /// Waits for the time or for `stop`. Returns false if the queue has ended.
     bool wait_until(Clock::time_point time) {
         Lock lock(mutex_);
         changed_.wait_until(lock, time, [this] { return ended_ || stopped_; });
         return !ended_;
     }
-    /// Waits for the time, or for `end`.
+    /// Waits for the time or for `end`.
     void rest_until(Clock::time_point time) {
         Lock lock(mutex_);
         changed_.wait_until(lock, time, [this] { return ended_; });
     }
-    /// What is put from now on is dropped; a robot that may move is sent zero.
+    /// Later messages are dropped; zero is sent to a robot that may be moving.
     void stop() {
         {
             const std::lock_guard lock(mutex_);
@@ -75,12 +75,12 @@ public:
         }
         changed_.notify_all();
     }
-    /// Nothing more is to be sent, now or later.
+    /// Nothing more will be sent.
     bool is_done() {
         const std::lock_guard lock(mutex_);
         return stopped_ && messages_.empty();
     }
-    /// Nobody waits any more.
+    /// Ends all waiting.
     void end() {
         {
             const std::lock_guard lock(mutex_);
@@ -109,12 +109,12 @@ private:
 
     const std::size_t capacity_;
     const bool of_velocities_;
-    Mutex mutex_;  // of all below
+    Mutex mutex_;  // for all members below
     std::condition_variable changed_;
     std::deque<Bytes> messages_;
-    Bytes last_;                  // of velocities: the message that was put last
+    Bytes last_;                  // for velocities: the last message
     bool moves_ = false;          // it is not zero
-    Clock::time_point put_at_{};  // when it was put
+    Clock::time_point put_at_{};  // time of the last message
     bool stopped_ = false;
     bool ended_ = false;
 };

@@ -1,4 +1,4 @@
-// omniORB: begins with what its options say, and ends with all that is under way.
+// omniORB: starts with its options, and waits for running calls at the end.
 #include <omniORB4/CORBA.h>
 #include <omniORB4/internal/objectAdapter.h>
 
@@ -18,7 +18,7 @@
 namespace nezumi::openrtm {
 namespace {
 
-// Of TCP, at which the ORB listens: "giop:tcp:127.0.0.1:41235".
+// The TCP port that the ORB listens on: "giop:tcp:127.0.0.1:41235".
 std::uint16_t own_port() {
     const auto& endpoints = omni::omniObjAdapter::listMyEndpoints();
     std::uint16_t port = 0;
@@ -36,10 +36,10 @@ public:
           keeper_(std::make_unique<Keeper>(Home{orb_.in(), site}, options)),
           gate_(own_port()) {}
     ~OmniOrb() override {
-        keeper_.reset();  // first: robots are told to stop
+        keeper_.reset();  // first: tells robots to stop
         asker_.reset();
         try {
-            orb_->destroy();  // waits for calls that are under way: none lasts longer than a second
+            orb_->destroy();  // waits for running calls, each at most a second
         } catch (const CORBA::Exception&) {
             return;
         }
@@ -67,9 +67,9 @@ private:
 };
 
 CORBA::ORB_ptr begin(const OrbOptions& options) {
-    // Of each side: a call, and the connection before it [ms]; the longest message [bytes]; threads that serve peers.
+    // Limits per side: a call, and the connection before it [ms]; the longest message [bytes]; threads for peers.
     const std::string end_point = "giop:tcp:" + options.interface + ":";
-    const char* settings[][2] = {{"traceLevel", "0"},  // what went wrong is told as any other error
+    const char* settings[][2] = {{"traceLevel", "0"},  // errors are reported by nezumi
                                  {"clientCallTimeOutPeriod", "1000"},
                                  {"clientConnectTimeOutPeriod", "1000"},
                                  {"giopMaxMsgSize", "16777216"},
@@ -77,7 +77,7 @@ CORBA::ORB_ptr begin(const OrbOptions& options) {
                                  {"threadPerConnectionUpperLimit", "32"},
                                  {"endPoint", end_point.c_str()},
                                  {nullptr, nullptr}};
-    // No file of this computer's may add an end point that others reach.
+    // A configuration file of this computer must not add an end point that others can reach.
     std::string program = "nezumi";
     std::string option = "-ORBconfigFile";
     std::string no_file = "/dev/null";
@@ -101,11 +101,11 @@ extern "C" __attribute__((visibility("default"))) nezumi::openrtm::Orb* nezumi_o
         const CORBA::ORB_var orb = nezumi::openrtm::begin(options);
         return std::make_unique<nezumi::openrtm::OmniOrb>(orb.in(), site, options).release();
     } catch (const CORBA::INITIALIZE&) {
-        problem = "nothing can listen at " + options.interface + ": is that an address of this computer?";
+        problem = "can't listen at " + options.interface + ": is that an address of this computer?";
     } catch (const CORBA::Exception& error) {
-        problem = "CORBA can't begin at " + options.interface + ": " + error._name();
+        problem = "CORBA can't start at " + options.interface + ": " + error._name();
     } catch (const std::exception& error) {
-        problem = std::string("CORBA can't begin: ") + error.what();
+        problem = std::string("CORBA can't start: ") + error.what();
     }
     return nullptr;
 }

@@ -1,4 +1,4 @@
-// Names are contexts and, at last, an object of the kind "rtc".
+// Names are contexts and, at the end, an object of the kind "rtc".
 #include "bindings/openrtm/orb/name_service.hpp"
 
 #include <unistd.h>
@@ -14,9 +14,9 @@ namespace {
 
 constexpr const char* kind_of_hosts = "host_cxt";
 constexpr const char* kind_of_rtcs = "rtc";
-// Contexts of computers that are looked through.
+// Largest number of computers' contexts that are searched.
 constexpr CORBA::ULong most_contexts = 256;
-// Names that are listed, and contexts in contexts that are looked into.
+// Largest numbers of listed names, and of nested contexts that are searched.
 constexpr CORBA::ULong most_listed = 1000;
 constexpr int deepest = 4;
 
@@ -25,7 +25,7 @@ std::string host_name() {
     return gethostname(name.data(), name.size() - 1) == 0 && name[0] != '\0' ? name.data() : "localhost";
 }
 
-// "pc.host_cxt": what is behind the last dot is the kind. What has none, and is the last, is an RTC.
+// "pc.host_cxt": the part after the last dot is the kind. The last component without a kind is an RTC.
 void append(CosNaming::Name& name, std::string_view part, bool is_last) {
     const std::size_t dot = part.rfind('.');
     const bool has_kind = dot != std::string_view::npos && dot > 0;
@@ -93,7 +93,7 @@ NameService::Bound NameService::bound(const std::string& name, CORBA::Object_ptr
     try {
         return object->_non_existent() ? Bound::stale : Bound::other;
     } catch (const CORBA::Exception&) {
-        return Bound::stale;  // nobody is there, or somebody who does not answer
+        return Bound::stale;  // not there or not answering
     }
 }
 
@@ -105,7 +105,7 @@ void NameService::rebind(const std::string& name, CORBA::Object_ptr object) {
     try {
         const CosNaming::NamingContext_var made = root()->bind_new_context(context);
     } catch (const CosNaming::NamingContext::AlreadyBound&) {
-        // As on every computer that has had an RTC.
+        // The same entry as on every computer that has had an RTC.
         root()->rebind(whole, object);
         return;
     }
@@ -174,7 +174,7 @@ void NameService::collect(CosNaming::NamingContext_ptr context, const std::strin
         const CosNaming::NameComponent& last = binding.binding_name[0];
         if (binding.binding_type != CosNaming::ncontext) {
             if (std::string_view(last.kind.in()) != kind_of_rtcs) continue;
-            // What is behind a dot would be taken for the kind.
+            // The part after a dot would be taken for the kind.
             const std::string id = last.id.in();
             const std::string name = path + (id.find('.') == std::string::npos ? id : text_of(last));
             const CORBA::Object_var object = resolve(context, binding.binding_name);
@@ -185,7 +185,7 @@ void NameService::collect(CosNaming::NamingContext_ptr context, const std::strin
                 const CosNaming::NamingContext_var inner = CosNaming::NamingContext::_unchecked_narrow(object);
                 if (!CORBA::is_nil(inner)) collect(inner, path + text_of(last) + "/", depth - 1, found);
             } catch (const CORBA::Exception&) {
-                continue;  // it is another name service's, which is away
+                continue;  // it belongs to another name service, which is away
             }
         }
     }

@@ -1,4 +1,4 @@
-// RTCs in a CORBA name service, as OpenRTM-aist has them: "pc.host_cxt/ConsoleOut0.rtc".
+// RTCs in a CORBA name service, in OpenRTM-aist's form: "pc.host_cxt/ConsoleOut0.rtc".
 #pragma once
 
 #include <omniORB4/CORBA.h>
@@ -15,30 +15,30 @@ namespace nezumi::openrtm {
 
 class NameService {
 public:
-    /// `address`: "HOST:PORT". Nothing is asked for yet.
+    /// `address`: "HOST:PORT". Makes no call yet.
     NameService(CORBA::ORB_ptr orb, std::string address);
 
     const std::string& address() const { return address_; }
     /// "pc.host_cxt": the context of this computer.
     const std::string& own_context() const { return own_context_; }
 
-    /// What is bound under a name in this computer's context.
+    /// What is bound to a name in this computer's context.
     enum class Bound { nothing, ours, other, stale };
-    // These may wait for a second or two, and throw CORBA's exceptions: nobody answers there.
+    // These may wait for a second or two, and throw CORBA's exceptions if there is no answer.
     Bound bound(const std::string& name, CORBA::Object_ptr ours);
-    /// Takes the name, whoever has it.
+    /// Binds the name, replacing another object.
     void rebind(const std::string& name, CORBA::Object_ptr object);
-    /// Gives the name up, if it is bound to this.
+    /// Unbinds the name if it is bound to this object.
     void unbind(const std::string& name, CORBA::Object_ptr object);
-    /// An RTC as it is bound, which may be stale.
+    /// A binding of an RTC, which may be stale.
     struct Named {
         std::string name{};  ///< "pc.host_cxt/ConsoleOut0"
         RTC::RTObject_var rtc{};
     };
-    /// The RTC of a name, with its contexts or without: "pc.host_cxt/ConsoleOut0", "ConsoleOut0". The error says that
-    /// there is none, or that it could be one of several.
+    /// Finds the RTC of a name, with or without its contexts: "pc.host_cxt/ConsoleOut0", "ConsoleOut0". Fails if there
+    /// is none or more than one.
     Expected<Named> find(const std::string& component);
-    /// All RTCs, in the order of the name service: a thousand at most.
+    /// All RTCs in the order of the name service, at most a thousand.
     std::vector<Named> all();
 
 private:

@@ -1,4 +1,5 @@
-// What goes from an out-port, and its end: a robot at the other end is told to stop, and given the time to hear it.
+// Sends an out-port's messages, and at the end tells a robot at the other end to stop and gives it time to receive
+// that.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -15,11 +16,11 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-// What an RTC was sent waits in a buffer of the connection, which goes with it: it reads that when it executes next,
-// and has begun to do so after two periods. So long where it does not say how often it executes [s], at least, at most.
+// Messages to an RTC wait in the connection's buffer, which is deleted with the connection. The RTC reads it at its
+// next execution, so it is read after two periods. The waiting time [s]: default, minimum, maximum.
 constexpr double periods_to_read = 2;
 constexpr Seconds usual_time_to_read{0.3}, least_time_to_read{0.05}, most_time_to_read{1};
-// Until a peer that had no room is told again to stop.
+// Before a peer with a full buffer is told again to stop.
 constexpr std::chrono::milliseconds retry_period{10};
 
 Clock::duration clock_time(Seconds seconds) { return std::chrono::duration_cast<Clock::duration>(seconds); }
@@ -52,7 +53,7 @@ private:
     MessageQueue queue_;
 };
 
-// An RTC that fetches acts on what it gets at once: it executes.
+// An RTC that fetches uses the message at once, because it executes.
 class PullOutlet final : public Connector {
 public:
     PullOutlet(CORBA::ORB_ptr orb, bool of_velocities)
@@ -109,7 +110,7 @@ private:
     }
     void send(const Bytes& message) {
         const auto size = static_cast<CORBA::ULong>(message.size());
-        // The stub reads what it is given.
+        // The stub only reads its argument.
         const OpenRTM::CdrData data(size, size, const_cast<std::uint8_t*>(message.data()), false);
         const OpenRTM::PortStatus status = ask([&] { return peer_->put(data); });
         taken_at_.reset();
@@ -123,9 +124,9 @@ private:
     const RtcOutlet outlet_;
     const Terms terms_;
     OpenRTM::InPortCdr_var peer_;
-    // Of the thread alone:
-    Clock::time_point next_ = Clock::now();      // when a message is sent by the clock
-    std::optional<Clock::time_point> taken_at_;  // when the peer took the last message
+    // Used only by the thread:
+    Clock::time_point next_ = Clock::now();      // time of the next periodic message
+    std::optional<Clock::time_point> taken_at_;  // when the peer accepted the last message
     std::atomic<bool> settled_ = false;
 };
 

@@ -15,7 +15,7 @@ Texts texts_of(const SDOPackage::NVList& list) {
     return texts;
 }
 
-// Nil where it has none.
+// Returns nil if it has none.
 RTC::ExecutionContext_ptr context_of(RTC::RTObject_ptr rtc) {
     RTC::ExecutionContextList_var contexts = rtc->get_owned_contexts();
     if (contexts->length() == 0) return RTC::ExecutionContext::_nil();
@@ -85,7 +85,7 @@ std::vector<std::string> names_of(const Pairs& pairs) {
     return names;
 }
 
-// What is changed in a set counts when that is chosen, or chosen again.
+// A changed value takes effect when the set is activated again.
 PeerAnswer configure(RTC::RTObject_ptr rtc, const RtcRequest& request) {
     PeerSnapshot snapshot;
     look_at_sets(snapshot, rtc);

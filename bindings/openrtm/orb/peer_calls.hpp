@@ -1,4 +1,4 @@
-// What is asked of other programs' RTCs, as tools of OpenRTM-aist ask.
+// Requests to other programs' RTCs, as OpenRTM-aist's tools make them.
 #pragma once
 
 #include "bindings/openrtm/orb.hpp"
@@ -6,13 +6,13 @@
 
 namespace nezumi::openrtm {
 
-/// How an RTC is, and with its configuration when `whole`. One that is gone, or silent, costs a second at most.
+/// The state of an RTC, with its configuration if `whole`. A missing or silent RTC costs at most a second.
 PeerSnapshot look_at(const NameService::Named& named, bool whole);
 
-/// Has an RTC do something, and looks at it then. May throw CORBA's exceptions: it is gone, or does not answer.
+/// Executes a request and then reads the RTC's state. Throws CORBA's exceptions if the RTC is gone or silent.
 PeerAnswer perform(const NameService::Named& named, const RtcRequest& request);
 
-/// How often [Hz] the RTC of a port executes; 0 where it does not say. May wait for it.
+/// The execution rate [Hz] of a port's RTC; 0 if it gives none. May wait for it.
 double execution_rate(RTC::PortService_ptr port);
 
 }  // namespace nezumi::openrtm

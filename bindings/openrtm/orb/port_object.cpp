@@ -1,5 +1,5 @@
-// Connecting goes round: each port tells the others what it offers, passes the connection on to the next one, and takes
-// up on the way back what the others have told.
+// Connecting is a chain: each port adds its properties, calls the next port, and on return uses the properties of the
+// others.
 #include "bindings/openrtm/orb/port_object.hpp"
 
 #include <sys/random.h>
@@ -41,7 +41,7 @@ SDOPackage::NVList properties_of(const RtcPort& port) {
     return list;
 }
 
-// Who connects chooses all of it, and it is kept.
+// The client chooses all of it, and it is stored.
 bool is_short(const RTC::ConnectorProfile& profile) {
     const auto fits = [](const char* text) { return std::string_view(text).size() <= PortObject::most_letters; };
     if (!fits(profile.name.in()) || !fits(profile.connector_id.in())) return false;
@@ -50,15 +50,15 @@ bool is_short(const RTC::ConnectorProfile& profile) {
     return bytes.bufSize() <= PortObject::most_bytes;
 }
 
-// A peer whose messages are fetched is to say when it has none, instead of giving the last one again. One that has made
-// its buffer before it is told can't; nor is it asked for more than who connects has said.
+// A peer whose messages are fetched should report an empty buffer instead of repeating the last message. This works
+// only if its buffer is made later; and a property set by the client is not changed.
 void ask_for_empty_answers(SDOPackage::NVList& properties) {
     constexpr const char* policy = "dataport.outport.buffer.read.empty_policy";
     const auto terms = terms_of(properties);
     if (terms && !terms->push && text_of(properties, policy).empty()) add_text(properties, policy, "do_nothing");
 }
 
-// What a call of a peer comes to; one that is not there, or hangs, is an error.
+// The result of a call to a peer; a missing or hanging peer is an error.
 template <class Call>
 RTC::ReturnCode_t ask(const Call& call) {
     try {
@@ -92,7 +92,7 @@ void PortObject::stop() {
     }
 }
 
-// What an RTC has not read when its connection ends it never reads, and drives on.
+// An RTC never reads what is left in the buffer when its connection ends, and would drive on.
 void PortObject::settle(const std::string& id, std::chrono::steady_clock::time_point deadline) {
     constexpr std::chrono::milliseconds pause{5};
     const auto is_settled = [&] {
@@ -248,7 +248,7 @@ RTC::ReturnCode_t PortObject::disconnect(const std::string& id, std::chrono::ste
         if (found == connections_.end()) return RTC::BAD_PARAMETER;
         ports = found->second.profile.ports;
     }
-    // Whoever is first passes it on; who is gone can't, and then each is told.
+    // The first port passes it on. If it is gone, each other port is called.
     RTC::ReturnCode_t told = RTC::RTC_ERROR;
     for (CORBA::ULong i = 0; i < ports.length() && told != RTC::RTC_OK; ++i) {
         if (CORBA::is_nil(ports[i])) continue;
@@ -266,7 +266,7 @@ RTC::ReturnCode_t PortObject::disconnect_all() {
     return all;
 }
 
-// Takes the connection's place, so that a second one between the same ports is refused while this one is being made.
+// Reserves the place, so that a second connection between the same ports is refused while this one is being made.
 RTC::ReturnCode_t PortObject::reserve(const RTC::ConnectorProfile& profile, const Terms& terms) {
     const std::lock_guard one_at_a_time(reserving_);
     bool is_of_this = false;
@@ -302,7 +302,7 @@ RtcOutlet PortObject::outlet_of(const RTC::ConnectorProfile& profile) const {
 
 RTC::ReturnCode_t PortObject::notify_connect(RTC::ConnectorProfile& connector) {
     if (connector.connector_id.in()[0] == '\0' || !is_short(connector)) return RTC::BAD_PARAMETER;
-    const std::string id = connector.connector_id.in();  // a peer that is told of it may answer with another
+    const std::string id = connector.connector_id.in();  // a peer may answer with another one
     const std::string type = text_of(connector.properties, "dataport.data_type");
     if (!type.empty() && type != port_.type && type != "IDL:RTC/" + port_.type + ":1.0") return RTC::BAD_PARAMETER;
     const auto terms = terms_of(connector.properties);
@@ -313,9 +313,9 @@ RTC::ReturnCode_t PortObject::notify_connect(RTC::ConnectorProfile& connector) {
     return made;
 }
 
-// From here on every error takes back what was done.
+// From here on, every error undoes the previous steps.
 RTC::ReturnCode_t PortObject::make(RTC::ConnectorProfile& profile, const Terms& terms) {
-    // Where the other side calls, it is told where.
+    // If the other side calls, it needs our reference.
     std::unique_ptr<Connector> connector;
     const bool is_called = port_.is_in == terms.push;
     if (is_called) {
@@ -334,7 +334,7 @@ RTC::ReturnCode_t PortObject::make(RTC::ConnectorProfile& profile, const Terms& 
     }
     const std::lock_guard lock(mutex_);
     const auto found = connections_.find(profile.connector_id.in());
-    if (found == connections_.end()) return RTC::RTC_ERROR;  // somebody took it away meanwhile
+    if (found == connections_.end()) return RTC::RTC_ERROR;  // it was removed meanwhile
     found->second.profile = profile;
     found->second.connector = std::move(connector);
     return RTC::RTC_OK;

@@ -1,4 +1,4 @@
-// A data port of an RTC: its profile, and its connections.
+// A data port of an RTC: its profile and its connections.
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,7 @@
 
 namespace nezumi::openrtm {
 
-/// Where ports and RTCs live.
+/// The environment of ports and RTCs.
 struct Home {
     CORBA::ORB_ptr orb;
     RtcSite& site;
@@ -27,33 +27,33 @@ class PortObject final : public POA_RTC::PortService {
 public:
     /// Connections at once.
     static constexpr std::size_t most_connections = 32;
-    /// Of a connection's name, and of its id.
+    /// Of a connection's name and id.
     static constexpr std::size_t most_letters = 256;
-    /// How long the end of a connection waits for a robot to hear that it is to stop.
+    /// The longest time that the end of a connection waits for a robot to receive its stop.
     static constexpr std::chrono::seconds longest_settling{1};
-    /// Of all that a connection is told with: its ports and properties, as CORBA sends them.
+    /// Of a connection's ports and properties in CORBA's encoding.
     static constexpr std::size_t most_bytes = std::size_t{64} << 10;
 
     PortObject(const Home& home, RtcPort port);
 
     const RtcPort& port() const { return port_; }
-    /// Begins, as a port of this RTC, which is called so. Nobody knows the port before.
+    /// Activates the port for this RTC, with its instance name. Before that it is unknown to others.
     RTC::PortService_ptr begin(RTC::RTObject_ptr owner, const std::string& instance);
-    /// Nobody reaches it any more. Its connections are ended first, which waits until `deadline` at most for robots to
-    /// hear that they are to stop.
+    /// Deactivates the port. Ends its connections first, and waits until `deadline` at most for robots to receive their
+    /// stop.
     void withdraw(std::chrono::steady_clock::time_point deadline);
-    /// Its connections are about to end: robots are told to stop.
+    /// Its connections will end: tells robots to stop.
     void stop();
 
-    // From the thread that ticks: waits for nobody.
+    // For the ticking thread: does not wait.
     WantedOrders wanted();
     void publish(std::span<const std::uint8_t> bytes, std::endian order);
 
-    // Each takes away the connections whose peer is gone, and returns their names.
+    // Each of these removes the connections whose peer is gone, and returns their names.
     std::vector<std::string> drop_lost();
-    /// Asks the ports at the other ends whether they are there, one after the other while `goes_on`.
+    /// Asks the ports at the other ends whether they are alive, one after the other while `goes_on`.
     std::vector<std::string> ask_peers(const std::function<bool()>& goes_on);
-    /// The name of the connection with another port; "" when there is none.
+    /// The name of the connection with another port; "" if there is none.
     std::string connection_with(RTC::PortService_ptr other);
 
     RTC::PortProfile* get_port_profile() override;
@@ -66,7 +66,7 @@ public:
     RTC::ReturnCode_t notify_disconnect(const char* id) override;
 
 private:
-    // A connection; being made as long as it has no connector.
+    // A connection; without a connector it is still being made.
     struct Connection {
         RTC::ConnectorProfile profile{};
         Terms terms{};
@@ -91,12 +91,12 @@ private:
     const Home home_;
     const RtcPort port_;
     SDOPackage::NVList properties_;
-    RTC::PortService_var self_;  // from here to the name as `begin` has set them
+    RTC::PortService_var self_;  // the members up to the name are set by `begin`
     RTC::RTObject_var owner_;
     std::string name_;
 
-    Mutex reserving_;  // held from the look for a connection until the new one has its place; ticks never wait for it
-    Mutex mutex_;      // of the connections; never held while a peer is called
+    Mutex reserving_;  // held from the search for a connection until the new one is stored; ticks never wait for it
+    Mutex mutex_;      // for the connections; never held while a peer is called
     Connections connections_;
 };
 

@@ -1,4 +1,4 @@
-// Texts are strings, or the wide ones that Java may send.
+// Texts are strings, or wide strings as from Java.
 #include "bindings/openrtm/orb/properties.hpp"
 
 namespace nezumi::openrtm {

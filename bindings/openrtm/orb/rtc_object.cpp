@@ -1,4 +1,4 @@
-// What an RTC tells of itself, and what its execution context does.
+// The description of an RTC, and the operations of its execution context.
 #include "bindings/openrtm/orb/rtc_object.hpp"
 
 #include <utility>
@@ -9,11 +9,11 @@
 namespace nezumi::openrtm {
 namespace {
 
-// Of a component that does not say.
+// The default.
 constexpr const char* vendor = "nezumi";
 constexpr const char* version = "1.0";
 constexpr const char* category = "nezumi";
-// The one execution context.
+// The only execution context.
 constexpr RTC::ExecutionContextHandle_t own_context = 0;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A component as an RTC: its profile, its one execution context, its ports.
+// A component as an RTC: its profile, its execution context and its ports.
 #pragma once
 
 #include <chrono>
@@ -12,7 +12,7 @@
 
 namespace nezumi::openrtm {
 
-/// What runs the component: the system's tick. It activates, deactivates and resets.
+/// The execution context: the system's tick. It activates, deactivates and resets.
 class ContextObject final : public POA_RTC::ExecutionContextService {
 public:
     ContextObject(RtcSite& site, const RtcProfile& profile)
@@ -47,17 +47,17 @@ class RtcObject final : public POA_OpenRTM::DataFlowComponent {
 public:
     RtcObject(const Home& home, RtcProfile profile, std::string instance);
 
-    /// Begins to be an RTC.
+    /// Activates the RTC.
     RTC::RTObject_ptr begin();
-    /// Its connections are about to end: robots are told to stop.
+    /// Its connections will end: tells robots to stop.
     void stop();
-    /// Disconnects its ports, as `PortObject::withdraw` does; nobody reaches it any more. May wait for peers.
+    /// Disconnects its ports as `PortObject::withdraw` does, and deactivates it. May wait for peers.
     void withdraw(std::chrono::steady_clock::time_point deadline);
 
     const RtcProfile& profile() const { return profile_; }
     const std::string& instance() const { return instance_; }
     RTC::RTObject_ptr reference() const { return self_.in(); }
-    /// nullptr when there is none of this path.
+    /// nullptr if there is no such path.
     PortObject* find_port(std::string_view path) const;
     const std::vector<PortableServer::Servant_var<PortObject>>& ports() const { return ports_; }
 
@@ -83,7 +83,7 @@ public:
     SDOPackage::NVList* get_status_list() override { return new SDOPackage::NVList; }
     CORBA::Any* get_status(const char* name) override;
 
-    // Who runs it is the system alone.
+    // Only the system runs it.
     RTC::ReturnCode_t initialize() override { return RTC::PRECONDITION_NOT_MET; }
     RTC::ReturnCode_t finalize() override { return RTC::PRECONDITION_NOT_MET; }
     RTC::ReturnCode_t exit() override { return RTC::UNSUPPORTED; }
@@ -111,7 +111,7 @@ private:
     std::vector<PortableServer::Servant_var<PortObject>> ports_;
     PortableServer::Servant_var<ContextObject> context_;
     PortableServer::Servant_var<ConfigurationObject> configuration_;
-    // As `begin` has set them:
+    // Set by `begin`:
     RTC::RTObject_var self_;
     RTC::ExecutionContextService_var context_reference_;
     SDOPackage::Configuration_var configuration_reference_;

@@ -1,4 +1,4 @@
-// Properties have the names that OpenRTM-aist gives them; what is left out has its defaults.
+// Properties have OpenRTM-aist's names and defaults.
 #include "bindings/openrtm/orb/terms.hpp"
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 namespace nezumi::openrtm {
 namespace {
 
-// At most so often [Hz] a peer is sent a message that is sent by the clock.
+// The largest rate [Hz] of a periodic connection.
 constexpr double most_rate = 1000;
 
-// Whether a list "little, big" has a word.
+// True if a list "little, big" contains a word.
 bool has(const std::string& list, std::string_view word) {
     for (std::size_t begin = 0; begin <= list.size();) {
         const std::size_t end = std::min(list.find(',', begin), list.size());
@@ -30,7 +30,7 @@ bool has(const std::string& list, std::string_view word) {
 }  // namespace
 
 std::optional<Terms> terms_of(const SDOPackage::NVList& properties) {
-    // In small letters: who writes "Push" means the same.
+    // In lower case: "Push" means the same.
     const auto said = [&](const char* name, const char* fallback) {
         std::string text = text_of(properties, name);
         std::transform(text.begin(), text.end(), text.begin(),
@@ -39,7 +39,7 @@ std::optional<Terms> terms_of(const SDOPackage::NVList& properties) {
     };
     Terms terms;
     if (!has(said("dataport.interface_type", "corba_cdr"), "corba_cdr")) return std::nullopt;
-    // Both are names of the same in OpenRTM-aist 2.
+    // OpenRTM-aist 2 has two names for it.
     const std::string serializer = said("dataport.marshaling_type", "cdr");
     if (!has(serializer, "cdr") && !has(serializer, "corba")) return std::nullopt;
     const std::string dataflow = said("dataport.dataflow_type", "push");
@@ -61,7 +61,7 @@ std::optional<Terms> terms_of(const SDOPackage::NVList& properties) {
     std::string policy = said("dataport.publisher.push_policy", "");
     if (policy.empty()) policy = said("dataport.push_policy", "");
     terms.keeps_all = policy == "all" || policy == "fifo";
-    // The first that is named counts, on both sides.
+    // The first one is used, on both sides.
     const std::string orders = said("dataport.serializer.cdr.endian", "little");
     const std::string first = orders.substr(0, orders.find(','));
     if (has(first, "big")) {

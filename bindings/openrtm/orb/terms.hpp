@@ -1,4 +1,4 @@
-// What the properties of a connection between data ports ask for.
+// The terms of a connection between data ports, from its properties.
 #pragma once
 
 #include <bit>
@@ -8,20 +8,20 @@
 
 namespace nezumi::openrtm {
 
-/// How messages of a connection go.
+/// How messages of a connection are sent.
 struct Terms {
-    /// When an out-port sends: each message at once, the latest as soon as the peer has taken the one before, or the
-    /// latest so often.
+    /// When an out-port sends: each message at once; the latest when the peer has taken the one before; or the latest
+    /// periodically.
     enum class Subscription { flush, newest, periodic };
 
-    bool push = true;  ///< else the in-port fetches
+    bool push = true;  ///< if false, the in-port fetches
     Subscription subscription = Subscription::flush;
-    bool keeps_all = false;  ///< messages that came between are sent as well
+    bool keeps_all = false;  ///< also sends the messages between two periods
     double rate = 0;         ///< [Hz] of `periodic`
     std::endian order = std::endian::little;
 };
 
-/// Nothing where they ask for what is not there: another interface or serializer than CORBA's CDR.
+/// Returns nothing if they ask for an unsupported interface or serializer; only CORBA's CDR is supported.
 std::optional<Terms> terms_of(const SDOPackage::NVList& properties);
 
 }  // namespace nezumi::openrtm

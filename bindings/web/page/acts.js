@@ -1,10 +1,10 @@
-// What a person does to the system: each an act of the engine, whose refusal is shown.
+// Actions of a person on the system: each is an act of the engine, and a refusal is shown.
 import { T } from "./texts.js";
 
-/// A parameter's value as an act writes it: an array is named by the kind of its elements.
+/// A parameter's value in the form of an act: an array is named by the kind of its elements.
 const as_parameter = (type, value) => (Array.isArray(value) ? { [type === "strings" ? "texts" : type]: value } : value);
 
-/// Micrometres and microradians are enough.
+/// A resolution of 1 um and 1 urad is enough.
 const round = (value) => Math.round(value * 1e6) / 1e6;
 
 export class Acts {
@@ -28,7 +28,7 @@ export class Acts {
   act = (name, fields = {}) => this.#ask({ do: "act", act: name, fields }, name);
   time = (what, value) => this.#ask({ do: "time", what, ...(value === undefined ? {} : { value }) }, what);
 
-  /// Waits for nothing, and is sent even where nobody knows yet what one may do.
+  /// Does not wait, and is sent even before the page knows its permissions.
   stop = () => this.#link.send({ do: "stop" }) || this.#notices.say(T.stop.not_sent, "error");
   rearm = () => this.#ask({ do: "rearm" }, T.stop.rearm);
 

@@ -1,14 +1,15 @@
-// The form that adds a behaviour to the running system: one that the project has, or a new one, whose file is written
-// as `nezumi new behavior` writes it. It speaks the console's words, so that the console shows what was done.
+// The form that adds a behaviour to the running system: an existing one of the project, or a new one, whose file is
+// written as by `nezumi new behavior`. It uses console commands, so that the console shows what was done.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
-/// A text as Lua reads it.
+/// A text as a Lua literal.
 export const lua_text = (text) =>
   `"${text.replace(/[\\"\x00-\x1f\x7f]/g, (each) => `\\${String(each.charCodeAt(0)).padStart(3, "0")}`)}"`;
 const lua_list = (texts) => `{ ${texts.map(lua_text).join(", ")} }`;
 
-/// The lines that make and add it. `wish`: { name, script, is_new, doc, inputs, outputs, params, callbacks } of texts.
+/// The console lines that make and add it. `wish`: { name, script, is_new, doc, inputs, outputs, params, callbacks } as
+/// texts.
 export function lines_of({ name, script, is_new, doc, inputs, outputs, params, callbacks }) {
   const add = `behavior ${lua_text(name)} { script = ${lua_text(is_new ? name : script)} }`;
   if (!is_new) return [add];
@@ -18,7 +19,7 @@ export function lines_of({ name, script, is_new, doc, inputs, outputs, params, c
   return [`new ${lua_text(name)} { ${fields.join(", ")} }`, add];
 }
 
-/// Rows that a person adds and takes away; `make_row` gives { node, text() }.
+/// Rows that a person adds and removes. `make_row` returns { node, text() }.
 function make_rows(label, make_row) {
   const rows = [];
   const box = el("div", { class: "rows" });
@@ -36,7 +37,7 @@ function make_rows(label, make_row) {
   return { node: el("fieldset", {}, el("legend", { text: label }), box, add), texts: () => rows.map((row) => row.text()).filter(Boolean) };
 }
 
-/// What a behaviour does beside its executions: a switch for each callback.
+/// A switch for each callback of a behaviour besides on_execute.
 function make_callbacks(names) {
   const chosen = names.filter((name) => name !== "on_execute").map((name) => ({ name, box: el("input", { type: "checkbox" }) }));
   return { node: el("fieldset", {}, el("legend", { text: T.add.callbacks }), el("div", { class: "row switches" },
@@ -52,7 +53,7 @@ export function make_add_form(parts) {
   const script = field(T.add.script, { title: T.add.script_hint });
   const doc = field(T.add.doc);
   const is_new = el("input", { type: "checkbox", checked: true });
-  // Those of the system's ports first: a new port is for one of them.
+  // Types of existing ports first: a new port will usually be connected to one of them.
   const types = () => {
     const all = Object.entries(model.hello.types).filter(([, fields]) => fields[0]?.name === "tm").map(([type]) => type).sort();
     return [...new Set([...model.all_ports().map(([, { type }]) => type).filter((type) => all.includes(type)).sort(), ...all])];
@@ -100,7 +101,7 @@ export function make_add_form(parts) {
   document.body.append(dialog);
   return { open: () => {
     wrong.textContent = "";
-    dialog.show();  // not modal: the emergency stop stays in reach
+    dialog.show();  // not modal: the emergency stop stays usable
     name.focus();
   } };
 }

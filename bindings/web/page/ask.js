@@ -1,8 +1,8 @@
-// Questions over the page: unlike the browser's own they leave the emergency stop in reach, and the world goes on.
+// Dialogs of the page. Unlike the browser's own, they do not block the emergency stop or the view of the world.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
-/// Resolves to true or false, or where a `value` is offered to a text, null for none. `yes` is what the button says.
+/// Resolves to true or false; if a `value` is given, to a text or null. `yes` is the label of the button.
 export function ask(question, yes, value) {
   return new Promise((resolve) => {
     const field = value === undefined ? null : el("input", { type: "text", value, "aria-label": question, autocomplete: "off" });

@@ -1,4 +1,4 @@
-// What cameras see: a picture for each, asked for only while it is shown.
+// Pictures of cameras, requested only while the view is shown.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 

@@ -1,8 +1,8 @@
-// Reads plain CDR (little endian, aligned from the start of the stream) by the descriptions of the types.
+// Reads plain CDR (little endian, aligned from the start of the stream), using the type descriptions.
 
 const utf8 = new TextDecoder();
 
-// size, alignment and the DataView's getter of what has a fixed size.
+// Size, alignment and DataView getter of types with a fixed size.
 const NUMBERS = {
   int8: [1, "getInt8"], uint8: [1, "getUint8"], octet: [1, "getUint8"],
   int16: [2, "getInt16"], uint16: [2, "getUint16"],
@@ -17,7 +17,7 @@ class Stream {
     this.at = 0;
   }
 
-  /// Where `size` bytes aligned to `alignment` begin; they count as read.
+  /// Returns the start of `size` bytes with this alignment, and moves behind them.
   take(size, alignment) {
     const begin = Math.ceil(this.at / alignment) * alignment;
     if (begin + size > this.bytes.length) throw new Error(`the message ends at byte ${this.bytes.length}`);
@@ -37,7 +37,7 @@ function read_text(stream) {
   return utf8.decode(stream.bytes.subarray(begin, begin + size - 1));
 }
 
-/// Readers for the types of `types`: { NAME: [{ name, type }, ...] }.
+/// Readers for `types`: { NAME: [{ name, type }, ...] }.
 export class Cdr {
   #types;
   #readers = new Map();
@@ -46,7 +46,7 @@ export class Cdr {
     this.#types = types;
   }
 
-  /// What these bytes say, as a value of this type. Throws on what is too short or of a type that nobody knows.
+  /// Returns the bytes as a value of this type. Throws if they are too short or the type is unknown.
   read(type, bytes) {
     return this.#reader(type)(new Stream(bytes));
   }
@@ -98,19 +98,19 @@ export class Cdr {
   }
 }
 
-/// A message in the way a behaviour sees it: { tm, value }.
+/// A message in the form that a behaviour sees: { tm, value }.
 export function to_message({ tm, ...fields }) {
   const names = Object.keys(fields);
   const value = names.length === 1 && names[0] === "data" ? fields.data : fields;
   return { tm: tm && typeof tm === "object" ? tm.sec + tm.nsec * 1e-9 : tm ?? 0, value };
 }
 
-/// The numbers within a value, by their path: [["position.x", 0.5], ...]. Truth values are 0 and 1.
+/// The numbers within a value, with their paths: [["position.x", 0.5], ...]. Booleans are 0 and 1.
 export function numbers_in(value, path = "", found = []) {
   if (typeof value === "number") found.push([path, value]);
   else if (typeof value === "boolean") found.push([path, value ? 1 : 0]);
   else if (Array.isArray(value)) {
-    value.slice(0, 64).forEach((each, i) => numbers_in(each, `${path}[${i}]`, found));
+    value.slice(0, 64).forEach((each, i) => numbers_in(each, `${path}[${i + 1}]`, found));
   } else if (value && typeof value === "object" && !ArrayBuffer.isView(value)) {
     for (const [name, each] of Object.entries(value)) numbers_in(each, path ? `${path}.${name}` : name, found);
   }

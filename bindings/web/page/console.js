@@ -5,9 +5,9 @@ import { T } from "./texts.js";
 const MOST_LINES = 2000;
 const MOST_KEPT = 200;
 
-/// Bytes of UTF-8: what the protocol counts positions in.
+/// UTF-8 bytes: the protocol counts positions in bytes.
 const bytes_of = (text) => new TextEncoder().encode(text).length;
-/// The text behind the first `count` bytes begins at this index.
+/// The index of the text after the first `count` bytes.
 function index_at(text, count) {
   return new TextDecoder().decode(new TextEncoder().encode(text).slice(0, count)).length;
 }
@@ -24,7 +24,7 @@ class History {
     this.#at = this.#lines.length;
   }
 
-  /// The line before (-1) or after (1), or null at the end.
+  /// The previous line (-1) or the next one (1), or null at the end.
   go(step, present) {
     const next = this.#at + step;
     if (next < 0 || next > this.#lines.length) return null;
@@ -37,10 +37,10 @@ class History {
 export function make_console(parts) {
   const { link, model, notices } = parts;
   const history = new History();
-  const waiting = new Map();  // id: what takes the answer
+  const waiting = new Map();  // id: function for the answer
   let next = 1;
   let running = 0;
-  let drawing = null;  // an output that is drawn anew in its place
+  let drawing = null;  // an output that is redrawn in its place
 
   const output = el("div", { class: "output", role: "log", "aria-label": T.console.label, tabindex: 0 });
   const input = el("textarea", { rows: 1, placeholder: T.console.input, "aria-label": T.console.input, spellcheck: "false",
@@ -90,12 +90,12 @@ export function make_console(parts) {
     fit();
     evaluate(text);
   };
-  /// A line that another view says for a person: resolves to { ok, text }, what was wrong with it.
+  /// Runs a line for another view: resolves to { ok, text }, where text is the error.
   parts.run_line = (text) => new Promise((resolve) => {
     if (!link.is_open) return resolve({ ok: false, text: T.link.no_answer });
     evaluate(text, ({ ok }) => resolve({ ok, text: last_error }));
   });
-  /// A line that is not whole gets another one.
+  /// An incomplete line continues on the next one.
   const send_when_whole = () => {
     const text = input.value;
     ask({ do: "is_complete", text }, ({ ok }) => {

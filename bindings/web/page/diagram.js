@@ -1,4 +1,4 @@
-// The system as a diagram: components, their ports and connections, and what can be done to them.
+// The diagram of the system: components, ports and connections, and actions on them.
 import { lua_text, make_add_form } from "./add_form.js";
 import { ask } from "./ask.js";
 import { at_most_every, el, svg } from "./dom.js";
@@ -9,14 +9,14 @@ import { value_text } from "./value_text.js";
 
 const SIGNS = { ACTIVE: "▶", INACTIVE: "❚❚", ERROR: "!", CREATED: "○", REMOTE: "⇄" };
 
-/// The colour of a type of port: the same wherever it is.
+/// The colour of a type of port, the same everywhere.
 export function type_color(type) {
   let sum = 7;
   for (const letter of type.replace("Timed", "")) sum = (sum * 31 + letter.charCodeAt(0)) % 3600;
   return `hsl(${(sum * 137.5) % 360} 62% var(--port-light))`;
 }
 
-/// Whether these two ports can be connected, and from which to which: { from, to }, or null.
+/// Returns { from, to } if these two ports can be connected, or null.
 export function fits(model, one, other) {
   const [a, b] = [model.port(one), model.port(other)];
   if (!a || !b || a.way === b.way || a.type !== b.type || (a.component.host && b.component.host)) return null;
@@ -30,7 +30,7 @@ class Diagram {
   #boxes = new Map();
   #shape = "";
   #chosen = null;  // { component } or { from, to }
-  #begun = null;  // the port that a connection begins at
+  #begun = null;  // the port at which a connection was started
   #looked_at = null;
 
   constructor(parts) {
@@ -183,7 +183,7 @@ class Diagram {
     return node;
   }
 
-  /// Until the pointer is let go; where it never moved, the next port that is pressed ends it.
+  /// Until the pointer is released. Without movement, the next port that is pressed ends the connection.
   #drag_from(port, down) {
     if (!this.#begin(port)) return;
     const start = [down.clientX, down.clientY];
@@ -220,7 +220,7 @@ class Diagram {
     if (pair) this.#parts.acts.connect(pair.from, pair.to);
   }
 
-  /// Only what fits is bright while a connection is made.
+  /// While a connection is made, only ports that fit are bright.
   #light() {
     this.svg.classList.toggle("connecting", this.#begun !== null);
     for (const node of this.nodes.querySelectorAll(".port")) {
@@ -296,7 +296,7 @@ export function make_diagram(parts) {
     for (const { name, state: now } of model.system?.components ?? []) if (now === state) work(name);
   };
   const button = (text, onclick, kind = "") => el("button", { class: kind, text, onclick });
-  let form = null;  // made when the engine has said what there is
+  let form = null;  // made when the engine has sent the list of behaviours
   const save = async () => {
     const name = await ask(T.diagram.save_as, T.diagram.save_now, model.system.file.replace(/(\.lua)?$/, "_changed.lua"));
     if (!name) return;

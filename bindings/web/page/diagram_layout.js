@@ -1,13 +1,13 @@
-// Where the boxes of the diagram are, and the lines between their ports: what feeds stands left of what it feeds.
+// Computes the places of boxes and connection lines: a source is left of its target.
 
 const HEAD = 34;  // px of a box's title
-const ROW = 22;  // of a port
-const GAP = 26;  // between boxes of a column
-const LANE = 13;  // between lines that go back
-const BETWEEN = 96;  // columns
-const APART = 56;  // groups that nothing connects
+const ROW = 22;  // px of a port
+const GAP = 26;  // px between boxes of a column
+const LANE = 13;  // px between backward lines
+const BETWEEN = 96;  // px between columns
+const APART = 56;  // px between unconnected groups
 
-/// The size of a component's box, and where its ports are in it: { w, h, ports: Map(name: [x, y]) }.
+/// The size of a component's box and the places of its ports: { w, h, ports: Map(name: [x, y]) }.
 export function box_of({ name, type, kind, ports, error }) {
   const ins = ports.filter((each) => each.way === "in");
   const outs = ports.filter((each) => each.way === "out");
@@ -20,7 +20,7 @@ export function box_of({ name, type, kind, ports, error }) {
   return { w, h: HEAD + rows * ROW + 8 + (error ? ROW : 0), ports: places };
 }
 
-/// Sets of components that connections join.
+/// Sets of connected components.
 function groups_of(names, links) {
   const of = new Map(names.map((name) => [name, name]));
   const root = (name) => (of.get(name) === name ? name : root(of.get(name)));
@@ -33,7 +33,7 @@ function groups_of(names, links) {
   return [...groups.values()];
 }
 
-/// Column by component: the longest way from where signals come from. A link that closes a circle counts for nothing.
+/// The column of each component: the longest way from a source. Links that close a cycle are ignored.
 function columns_of(names, links, starts) {
   const state = new Map();
   const forward = [];
@@ -60,7 +60,7 @@ function columns_of(names, links, starts) {
   return column;
 }
 
-/// One group from (0, 0): { boxes: Map(name: { x, y, w, h, ports }), w, h }.
+/// Places one group from (0, 0): { boxes: Map(name: { x, y, w, h, ports }), w, h }.
 function place_group(names, links, boxes, starts) {
   const column = columns_of(names, links, starts);
   const columns = [];
@@ -94,7 +94,7 @@ function place_group(names, links, boxes, starts) {
   return { boxes: placed, w: x - BETWEEN, h: h + (back > 0 ? 18 + LANE * back : 0) };
 }
 
-/// All boxes: Map(name: { x, y, w, h, ports }). `kept` are places that a person chose: { name: [x, y] }.
+/// All boxes: Map(name: { x, y, w, h, ports }). `kept`: places chosen by a person: { name: [x, y] }.
 export function place(components, connections, kept = {}) {
   const names = components.map((each) => each.name);
   const known = new Set(names);
@@ -118,7 +118,7 @@ export function place(components, connections, kept = {}) {
   return placed;
 }
 
-/// Where a port is: [x, y], or null.
+/// The place of a port: [x, y], or null.
 export function port_at(boxes, port) {
   const dot = port.indexOf(".");
   const box = boxes.get(port.slice(0, dot));
@@ -128,7 +128,7 @@ export function port_at(boxes, port) {
 
 /// The lines of all connections: [{ from, to, path }].
 export function route(boxes, connections) {
-  const lanes = [];  // taken: [height that it is below, left end, right end]
+  const lanes = [];  // taken: [height of the lane, left end, right end]
   return connections.flatMap(({ from, to }) => {
     const [a, b] = [port_at(boxes, from), port_at(boxes, to)];
     if (!a || !b) return [];
@@ -148,7 +148,7 @@ export function curve([ax, ay], [bx, by]) {
   return `M${ax} ${ay}C${ax + reach} ${ay} ${bx - reach} ${by} ${bx} ${by}`;
 }
 
-/// Back, below the boxes, with round corners.
+/// Backwards, below the boxes, with round corners.
 function around([ax, ay], [bx, by], low, out) {
   const r = 9;
   return `M${ax} ${ay}H${ax + out - r}q${r} 0 ${r} ${r}V${low - r}q0 ${r} ${-r} ${r}H${bx - out + r}q${-r} 0 ${-r} ${-r}V${by + r}q0 ${-r} ${r} ${-r}H${bx}`;

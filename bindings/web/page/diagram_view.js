@@ -1,11 +1,11 @@
-// The sheet that the diagram is drawn on: moved and zoomed by wheel, fingers and buttons.
+// The drawing area of the diagram, moved and zoomed by wheel, fingers and buttons.
 
 const CLOSEST = 2.2;
 const FARTHEST = 0.08;
 
 export class Sheet {
   #svg;
-  #at = { x: 0, y: 0, scale: 1 };  // the sheet's point in the corner, and pixels a unit
+  #at = { x: 0, y: 0, scale: 1 };  // the corner's point of the drawing area, and pixels per unit
   #fingers = new Map();
   #is_fitted = true;
 
@@ -49,7 +49,7 @@ export class Sheet {
     this.#svg.setAttribute("viewBox", `${x} ${y} ${w / scale} ${h / scale}`);
   }
 
-  /// A point of the window, on the sheet.
+  /// Converts a point of the window to the drawing area.
   point({ clientX, clientY }) {
     const box = this.#svg.getBoundingClientRect();
     const { x, y, scale } = this.#at;
@@ -68,7 +68,7 @@ export class Sheet {
     this.#show();
   }
 
-  /// All boxes are seen.
+  /// Shows all boxes.
   fit(boxes) {
     const all = [...boxes.values()];
     const { clientWidth: w, clientHeight: h } = this.#svg;

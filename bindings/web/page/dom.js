@@ -1,4 +1,5 @@
-// Makes elements in one expression. Styles are set as properties: the page's security policy forbids style attributes.
+// Makes DOM elements in one expression. Styles are set as properties, because the page's security policy forbids style
+// attributes.
 
 const SVG = "http://www.w3.org/2000/svg";
 
@@ -19,21 +20,21 @@ function fill(node, props, children) {
 export const el = (tag, props = {}, ...children) => fill(document.createElement(tag), props, children);
 export const svg = (tag, props = {}, ...children) => fill(document.createElementNS(SVG, tag), props, children);
 
-/// Whether keys that are typed now belong to a field of text.
+/// True if typed keys go to a text field.
 export function is_typing(target = document.activeElement) {
   if (!target || !target.matches) return false;
   if (target.isContentEditable) return true;
   return target.matches("textarea, select, input:not([type=checkbox], [type=radio], [type=range], [type=button])");
 }
 
-/// Offers a text as a file.
+/// Lets the user save a text as a file.
 export function save_as(name, type, text) {
   const link = el("a", { href: URL.createObjectURL(new Blob([text], { type })), download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
-/// Calls `work` at most once in `ms`, and always with what came last.
+/// Calls `work` at most once in `ms`, always with the latest arguments.
 export function at_most_every(ms, work) {
   let waiting = false;
   let last = -Infinity;

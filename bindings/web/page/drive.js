@@ -1,15 +1,16 @@
-// Driving by hand: the pad, its readout and scale, and who drives. Letting go, losing the focus or the connection is zero.
+// Driving by hand: the pad, its values and scale, and the present driver. Releasing it, or losing the focus or the
+// connection, sends zero.
 import { at_most_every, el } from "./dom.js";
 import { Gamepad } from "./gamepad.js";
 import { make_pad, RADIUS } from "./pad.js";
 import { T } from "./texts.js";
 
-const PERIOD = 50;  // ms between two commands; the engine lets go after 500
-const SPEED = 0.3;  // m/s of a full stick
+const PERIOD = 50;  // ms between two commands; the engine releases the port after 500
+const SPEED = 0.3;  // m/s at full deflection
 const YAW_RATE = 3;  // rad/s
 const SCALES = [0.25, 0.5, 0.75, 1, 1.5, 2];
 
-/// What a stick at (x, y) [px, y up] asks of a port of this type.
+/// The value for a port of this type at stick position (x, y) [px, y up].
 export function value_of(type, x, y) {
   if (type === "TimedFloatSeq") return { TimedFloatSeq: [x, y] };
   return { TimedVelocity2D: { vx: (y / RADIUS) * SPEED, vy: 0, va: (-x / RADIUS) * YAW_RATE } };
@@ -67,7 +68,7 @@ class Driver {
     [this.port, this.type] = [port, type];
   }
 
-  /// The stick is at (x, y) [px] now; `held` false when nobody holds it any more.
+  /// The stick is at (x, y) [px]; `held` is false after it was released.
   move(x, y, held) {
     this.#stick = [x * this.scale, y * this.scale];
     if (!held) return this.let_go();
@@ -81,7 +82,7 @@ class Driver {
     this.#send();
   }
 
-  /// On purpose: from whoever drives now.
+  /// Takes over from the present driver.
   take() {
     this.#takes = true;
     this.move(0, 0, true);
@@ -93,7 +94,7 @@ class Driver {
     if (!this.#is_held) return;
     this.#is_held = false;
     clearInterval(this.#timer);
-    this.#parts.link.send({ do: "drive", port: this.port, value: null });  // the engine holds zero before it lets go
+    this.#parts.link.send({ do: "drive", port: this.port, value: null });  // the engine holds zero before it releases the port
   }
 
   #send() {
@@ -187,7 +188,7 @@ export function make_drive(parts) {
     source, el("p", { class: "hint", text: T.drive.keys }), gamepad);
   model.on("system", at_most_every(50, fill));
   parts.link.on("lost", show_who);
-  model.on("chosen", (robot) => {  // in the world
+  model.on("chosen", (robot) => {  // in the view of the world
     const own = drivable(model).find(([name]) => name.startsWith(`${robot}.`));
     if (!own || driver.is_mine) return;
     port.value = own[0];

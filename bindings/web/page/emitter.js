@@ -1,4 +1,4 @@
-// Tells those who asked: `on` an event, `emit` it.
+// A simple event emitter: `on` registers a listener, `emit` calls the listeners.
 
 export class Emitter {
   #heard = new Map();

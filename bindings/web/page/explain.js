@@ -1,12 +1,12 @@
-// One execution of a behaviour explained: what came in, the lines that ran with their values, what went out, and what a
-// robot's limits and wheels made of it. Nothing is asked of the engine while nobody looks.
+// Explains one execution of a behaviour: its inputs, the executed lines with values, its outputs, and the effect of the
+// robot's limits on the wheels. Requests nothing while the view is hidden.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 import { number_text } from "./value_text.js";
 
-const AGAIN = 500;  // ms between two looks while it follows
+const AGAIN = 500;  // ms between two requests in following mode
 
-/// The behaviour that drives a robot, or else hears it.
+/// The behaviour that drives a robot, or else one that reads from it.
 function behavior_of(model, robot) {
   const { connections } = model.system;
   const owner = (port) => port.slice(0, port.indexOf("."));
@@ -27,8 +27,9 @@ function ports_of(ports, arrow) {
 
 function lines_of({ lines, is_cut }) {
   if (lines.length === 0) return [el("p", { class: "hint", text: T.explain.no_lines })];
-  const rows = lines.flatMap(({ file, line, text, depth, values }, i) => [
+  const rows = lines.flatMap(({ file, line, text, depth, values, turns_left_out: turns }, i) => [
     (i === 0 || lines[i - 1].file !== file) && el("li", { class: "file", text: file }),
+    turns > 0 && el("li", { class: "file", text: T.explain.turns(turns) }),
     el("li", {}, el("span", { class: "place", text: String(line) }),
       el("code", { text: text.trim(), style: { paddingLeft: `${Math.max(0, depth - lines[0].depth) * 1.2}em` } }),
       el("span", { class: "values" }, ...values.map(([name, value]) => el("span", { class: "value" }, el("i", { text: name }), ` = ${value}`)))),
@@ -65,7 +66,7 @@ export function make_explain({ model, link, notices }) {
       notices.say(T.explain.paused);
     }
   };
-  /// Says why there is nothing to be seen, in the place of what was seen of another.
+  /// Shows why there is no explanation, in place of the previous one.
   const refuse = (why) => {
     waits = false;
     stop_following();

@@ -1,13 +1,13 @@
-// The browser's gamepad: its left stick, looked at while one is plugged in.
+// The browser's gamepad: its left stick, polled while one is plugged in.
 
 const PERIOD = 40;  // ms
-const DEAD = 0.12;  // of the stick's way
+const DEAD = 0.12;  // dead zone, as a part of the stick's range
 
 export class Gamepad {
   #timer = null;
   #was_held = false;
 
-  /// `moved(x, y, held)`: -1 to 1, y up. `named(id)`: which one is in use, or null.
+  /// `moved(x, y, held)`: -1 to 1, y up. `named(id)`: the gamepad in use, or null.
   constructor(moved, named) {
     this.moved = moved;
     this.named = named;

@@ -1,4 +1,4 @@
-// The bar that is always in sight: what runs, time, and the emergency stop.
+// The bar that is always visible: the system's name, time, and the emergency stop.
 import { ask } from "./ask.js";
 import { at_most_every, el, is_typing, svg } from "./dom.js";
 import { T } from "./texts.js";
@@ -73,13 +73,13 @@ function make_stop({ model, acts, notices }) {
     event.stopPropagation();
     if (!event.repeat && !model.hello?.view_only) acts.stop();
   }, true);
-  addEventListener("keyup", (event) => {  // a button with the focus is pressed by the space bar's release
+  addEventListener("keyup", (event) => {  // a focused button would also be pressed by the release of the space bar
     if (event.code === "Space" && !is_typing(event.target)) event.preventDefault();
   }, true);
   return el("div", { class: "stopping" }, rearm, stop);
 }
 
-/// The system's name; pressed, which other systems run on this machine.
+/// The system's name; a click lists the other systems on this machine.
 function make_systems({ model, link }) {
   const list = el("ul", {});
   const name = el("h1", { text: "nezumi" });
@@ -97,7 +97,7 @@ function make_systems({ model, link }) {
   return { node, name };
 }
 
-/// Copies the address at which somebody may look and no more.
+/// Copies the address for viewing only.
 function make_share({ model, notices }) {
   const sign = svg("svg", { class: "icon", viewBox: "0 0 16 16", "aria-hidden": "true" },
     svg("path", { d: "M6 5.5V3q0-1 1-1h6q1 0 1 1v6q0 1-1 1h-2.5M3 6h6q1 0 1 1v6q0 1-1 1H3q-1 0-1-1V7q0-1 1-1z" }));
@@ -108,7 +108,7 @@ function make_share({ model, notices }) {
       await navigator.clipboard.writeText(address);
       notices.say(T.share.copied);
     } catch {
-      notices.say(T.share.here(address));  // a page that is not trusted with the clipboard
+      notices.say(T.share.here(address));  // the page has no access to the clipboard
     }
   };
   return button;

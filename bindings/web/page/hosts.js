@@ -1,6 +1,6 @@
-// Other hosts in the diagram: their components are boxes with all ports that they offer.
+// Other hosts in the diagram: their components are boxes with all their offered ports.
 
-/// The components of the system, and those of other hosts. A port `waits` whose host is not there, or has none of its name.
+/// The components of the system and of other hosts. A port `waits` if its host is missing or has no port of this name.
 export function with_hosts({ components, hosts }) {
   const boxes = new Map();
   const box_of = (name, host) => {

@@ -1,4 +1,4 @@
-// Where the views are: three groups side by side where there is room, one view at a time on a phone.
+// The arrangement of the views: three groups side by side on wide screens, one view at a time on a phone.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
@@ -9,7 +9,7 @@ const GROUPS = {
 };
 const ICONS = { world: "◎", diagram: "⇄", plots: "∿", drive: "✛", parameters: "≡", cameras: "▣", console: "❯", explain: "?", log: "☰" };
 
-/// Tabs as ARIA has them: one of them has the focus, arrow keys move it.
+/// Tabs as in ARIA: one has the focus, arrow keys change it.
 function make_tabs(label, names, chosen, choose) {
   const tabs = new Map(names.map((name) => [name, el("button", {
     class: "tab", role: "tab", "aria-controls": `view-${name}`, data: { view: name },

@@ -1,10 +1,10 @@
-// The connection to the engine: text and binary frames, answers to what was asked, and coming back after a loss.
+// The connection to the engine: text and binary frames, answers to requests, and reconnection after a loss.
 import { Emitter } from "./emitter.js";
 
 const FIRST_WAIT = 500;  // ms
 const LONGEST_WAIT = 8000;
 const ANSWER_WITHIN = 5000;
-const LONGEST_SILENCE = 6000;  // the engine says something every second, also while it is paused
+const LONGEST_SILENCE = 6000;  // ms; the engine sends at least once a second, also while it is paused
 
 /// Emits: open, lost (why, wait in ms), said (an object of the engine), frame (kind, bytes).
 export class Link extends Emitter {
@@ -44,7 +44,7 @@ export class Link extends Emitter {
     socket.onclose = () => socket === this.#socket && this.#closed(was_open);
   }
 
-  /// False when there is nobody to hear it.
+  /// Returns false if there is no connection.
   send(what) {
     if (!this.is_open) return false;
     this.#socket.send(JSON.stringify(what));
@@ -69,7 +69,7 @@ export class Link extends Emitter {
     asked.resolve(answer);
   }
 
-  /// A laptop that was asleep, or a network that is gone, closes nothing.
+  /// After sleep or a network failure the connection is not closed by itself.
   #give_up_on_silence() {
     if (!this.is_open || performance.now() - this.#heard < LONGEST_SILENCE) return;
     const silent = this.#socket;
@@ -99,7 +99,7 @@ export class Link extends Emitter {
     this.emit("lost", was_open ? "closed" : await this.#why_refused(), wait);
   }
 
-  /// Who gives the page's files but refuses the connection does not know this token.
+  /// If the server gives the page's files but refuses the connection, the token is wrong.
   async #why_refused() {
     try {
       return (await fetch("/index.html", { method: "GET", cache: "no-store" })).ok ? "refused" : "away";

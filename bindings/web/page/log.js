@@ -1,4 +1,4 @@
-// The log: by level, searched, the newest last.
+// The log: filtered by level and text, the newest line last.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 

@@ -1,4 +1,4 @@
-// Builds the page and joins its parts.
+// Builds the page and connects its parts.
 import { el } from "./dom.js";
 import { Link } from "./link.js";
 import { Model } from "./model.js";
@@ -15,7 +15,7 @@ import { make_explain } from "./explain.js";
 import { make_console } from "./console.js";
 import { make_log } from "./log.js";
 
-/// A view that needs a library which may be missing: then it says which.
+/// A view that needs a library which may be missing; then it says which one.
 async function load(file, make, library) {
   try {
     return (await import(file))[make];
@@ -25,7 +25,7 @@ async function load(file, make, library) {
   }
 }
 
-/// The token comes in the address's fragment, which no server sees, and stays with this tab.
+/// The token is in the address's fragment, which is not sent to servers, and is kept in this tab.
 function take_token() {
   const given = location.hash.slice(1);
   if (given) {

@@ -1,21 +1,22 @@
-// What the page knows of the running system: its layout, poses, and the values of the ports that somebody looks at.
+// The page's knowledge of the running system: its layout, poses, and the values of watched ports.
 import { Cdr, to_message } from "./cdr.js";
 import { Emitter } from "./emitter.js";
 import { with_hosts } from "./hosts.js";
 
 const KEPT_EMPTY = 2000;  // ms
 
-/// Emits: hello, system, frame, port (name), picture, floor, restarted, chosen (a robot, in the world), and what else the engine says, by its name.
+/// Emits: hello, system, frame, port (name), picture, floor, restarted, chosen (a robot, in the world), and other
+/// messages of the engine by their names.
 export class Model extends Emitter {
   hello = null;
   system = null;
-  boxes = [];   // the components of the system, and those of other hosts
+  boxes = [];   // the components of the system and of other hosts
   frame = { time: 0, tick: 0, running: false, speed: 1, late: 0 };
   robots = [];   // poses by index
   things = [];
   markers = [];
   rays = [];    // of each robot, by index
-  floor = null;  // the address of the picture on the floor, once it has come
+  floor = null;  // the address of the floor's picture, after it was received
   values = new Map();  // of watched ports and members: { value, tm, at, count }
   #link;
   #cdr = null;
@@ -23,7 +24,7 @@ export class Model extends Emitter {
   #sent = "";
   #slots = [];  // of watched ports: { name, since }
   #will_send = false;
-  #floor_asked = "";  // of which system
+  #floor_asked = "";  // the system for which it was requested
 
   constructor(link) {
     super();
@@ -41,7 +42,7 @@ export class Model extends Emitter {
     return this.hello?.you ?? "";
   }
 
-  /// What `who` wants to see from now on; nothing when left out.
+  /// Sets what `who` wants to see from now on; nothing if left out.
   watch(who, wanted) {
     if (wanted) this.#watchers.set(who, wanted);
     else this.#watchers.delete(who);
@@ -71,12 +72,12 @@ export class Model extends Emitter {
       component.ports.map((port) => [`${component.name}.${port.name}`, port]));
   }
 
-  /// What else has numbers: ["mouse.truth", "controller.probes", ...].
+  /// Other objects with numbers: ["mouse.truth", "controller.probes", ...].
   all_members() {
     return (this.system?.components ?? []).flatMap(({ name, members }) => members.map((member) => `${name}.${member}`));
   }
 
-  /// As `watch` takes it: the values of these ports and members.
+  /// The argument of `watch` for the values of these ports and members.
   wanted(names) {
     const members = new Set(this.all_members());
     return { ports: names.filter((name) => !members.has(name)), members: names.filter((name) => members.has(name)) };
@@ -90,7 +91,7 @@ export class Model extends Emitter {
     this.#send_watch();
   }
 
-  /// Once for each start: the picture is the file's, and comes over the connection like all that is not for strangers.
+  /// Once per start. The picture comes over the connection, because the page's files are served without a token.
   #ask_floor({ start, file, arena }) {
     const which = arena.floor ? JSON.stringify([file, start, arena.floor]) : "";
     if (which === this.#floor_asked) return;
@@ -129,8 +130,8 @@ export class Model extends Emitter {
     for (const port of this.values.keys()) if (!ports.includes(port) && !next.members.includes(port)) this.values.delete(port);
   }
 
-  /// A port keeps its place while it is watched, and its place stays empty for a while: a frame under way may still
-  /// mean it.
+  /// A port keeps its index while it is watched. A freed index is not used for a while, because frames on their way may
+  /// still contain it.
   #fill_slots(ports) {
     const now = performance.now();
     for (const slot of this.#slots) {
@@ -184,7 +185,7 @@ export class Model extends Emitter {
     this.emit("frame");
   }
 
-  /// Those of a robot come all together and replace what it had.
+  /// The rays of a robot arrive together and replace the old ones.
   #take_rays(rays) {
     const begun = new Set();
     for (const ray of rays) {
@@ -204,7 +205,7 @@ export class Model extends Emitter {
       this.values.set(name, { ...message, at: performance.now(), count: (before?.count ?? 0) + count });
       this.emit("port", name);
     } catch (wrong) {
-      console.warn(name, wrong.message);  // of the watch list before
+      console.warn(name, wrong.message);  // of an earlier watch list
     }
   }
 

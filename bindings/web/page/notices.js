@@ -1,4 +1,4 @@
-// Short messages over the page: some pass, some last until they are no longer true.
+// Short messages over the page: some vanish after a time, others stay until they are no longer true.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
@@ -24,7 +24,7 @@ export class Notices {
     this.#lasting.set(key, node);
   }
 
-  /// Says `text` where something lasted until now.
+  /// Shows `text` if a lasting message was shown until now.
   clear_lasting(key, text) {
     const node = this.#lasting.get(key);
     if (!node) return;

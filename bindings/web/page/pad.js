@@ -1,8 +1,8 @@
-// The stick: dragged by a pointer, or held by keys while the pad has the focus.
+// The joystick: dragged by a pointer, or moved by keys while the pad has the focus.
 import { svg } from "./dom.js";
 import { T } from "./texts.js";
 
-export const RADIUS = 150;  // px, as the pad of the tutorial: half of its 300
+export const RADIUS = 150;  // px, as in the tutorial's pad: half of 300
 const KEYS = {
   ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0],
   KeyW: [0, 1], KeyS: [0, -1], KeyA: [-1, 0], KeyD: [1, 0],
@@ -76,7 +76,7 @@ export function make_pad(moved) {
   return {
     node,
     let_go,
-    /// By something else than pointer and keys, which go before it.
+    /// For other devices; pointer and keys have priority.
     move_to: (x, y, held) => {
       if (pointer !== null || keys.size > 0) return;
       if (held) put(x, y, true);

@@ -1,9 +1,9 @@
-// The view of parameters: a card for each component, a widget for each parameter.
+// The view of parameters: a card per component, a widget per parameter.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 import { bounds_text, make_widget } from "./widgets.js";
 
-/// What a row is made of; when it stays the same only values change.
+/// The structure of a row; if it is the same, only values change.
 const shape_of = ({ value, changed, given, ...rest }) => rest;
 
 function make_row(component, parameter, acts) {

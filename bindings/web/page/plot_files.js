@@ -1,9 +1,9 @@
-// A plot as a file: CSV for spreadsheets, SVG for documents.
+// Exports a plot: CSV for spreadsheets, SVG for documents.
 
 const quoted = (text) => (/[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 
-/// As `--record` writes it: a column of time, and one for each name; empty where there was no value.
+/// The format of `--record`: a column of time and one for each name; empty without a value.
 export function to_csv(names, rows) {
   const number = (value) => (value === null ? "" : String(Number(value.toPrecision(9))));
   return [["time", ...names.map(quoted)].join(","), ...rows.map((row) => row.map(number).join(","))].join("\n") + "\n";

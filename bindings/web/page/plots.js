@@ -1,16 +1,16 @@
-// Plots of numbers over time: any fields of any ports in one drawing, paused, zoomed, saved.
+// Plots of numbers over time: any fields of any ports in one drawing; can be paused, zoomed and saved.
 import { numbers_in } from "./cdr.js";
 import { at_most_every, el, save_as } from "./dom.js";
 import { to_csv, to_svg } from "./plot_files.js";
 import { T } from "./texts.js";
 
 const KEPT = 300;  // s
-const WINDOW = 60;  // s that are shown
+const WINDOW = 60;  // s shown
 const MOST_ROWS = 12000;
 const STEP = 0.04;  // s between two rows
 const MOST_FIELDS = 12;
 
-/// The lines of a plot: rows [time, value of the first field, ...], null where there was none.
+/// The data of a plot: rows [time, value of the first field, ...], null without a value.
 class Recording {
   fields = [];  // { port, path }
   rows = [];
@@ -29,7 +29,7 @@ class Recording {
     for (const row of this.rows) row.splice(index + 1, 1);
   }
 
-  /// Takes what the ports say now.
+  /// Records the present values of the ports.
   take(time, values) {
     const last = this.rows[this.rows.length - 1];
     if (last && time < last[0]) this.rows.length = 0;
@@ -49,7 +49,7 @@ const line_colors = () => {
   return Array.from({ length: MOST_FIELDS }, (_, i) => style.getPropertyValue(`--line-${i % 6}`).trim());
 };
 
-// The page has a legend of its own, and this one sets a style attribute, which the security policy forbids.
+// The page has its own legend; this one sets a style attribute, which the security policy forbids.
 Dygraph.PLUGINS = Dygraph.PLUGINS.filter((each) => each !== Dygraph.Plugins.Legend);
 
 class Plots {
@@ -58,7 +58,7 @@ class Plots {
   #graph = null;
   #is_shown = false;
   #is_paused = false;
-  #range = null;  // that a person chose
+  #range = null;  // chosen by a person
   box = el("div", { class: "graph" });
   legend = el("div", { class: "legend" });
 
@@ -119,7 +119,7 @@ class Plots {
     this.draw();
   }
 
-  /// The last minute, what a person zoomed to, or what there was when it was paused.
+  /// Draws the last minute, the zoomed range, or the data at the time of the pause.
   draw() {
     const { rows, names } = this.recording;
     if (!this.#is_shown || names.length === 0 || rows.length < 2) {

@@ -1,6 +1,6 @@
-// Values in a few characters.
+// Formats values with few characters.
 
-/// A number with as many decimals as tell something.
+/// A number with its significant decimals.
 export function number_text(value) {
   if (!Number.isFinite(value)) return String(value);
   if (Number.isInteger(value)) return String(value);
@@ -8,7 +8,7 @@ export function number_text(value) {
   return size >= 1000 ? value.toFixed(0) : size >= 100 ? value.toFixed(1) : size >= 1 ? value.toFixed(2) : value.toFixed(3);
 }
 
-/// "{ vx = 0.100, va = 0 }", as the console would show it.
+/// "{ vx = 0.100, va = 0 }", as in the console.
 export function value_text(value, most = 120) {
   let text;
   if (value === undefined || value === null) text = "–";

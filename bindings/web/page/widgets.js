@@ -1,4 +1,4 @@
-// Widgets for parameters: each shows a value and tells what a person makes of it, within its bounds.
+// Widgets for parameters: each shows a value and reports a change by a person, within its bounds.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
@@ -7,7 +7,7 @@ const is_number = (type) => is_whole(type) || type.startsWith("number");
 const element_type = (type) => type.replace(/s$/, "");
 const is_given = (bound) => bound !== null && bound !== undefined;
 
-/// "", or why this text is no value for the parameter.
+/// Returns "", or why this text is not a value for the parameter.
 export function what_is_wrong({ type, min, max }, text) {
   const value = Number(text);
   if (text.trim() === "" || !Number.isFinite(value)) return T.parameters.not_a_number;
@@ -17,7 +17,7 @@ export function what_is_wrong({ type, min, max }, text) {
   return "";
 }
 
-/// The bounds in words, or "".
+/// The bounds as text, or "".
 export function bounds_text({ min, max }) {
   if (is_given(min) && is_given(max)) return T.parameters.bounds(min, max);
   return is_given(min) ? T.parameters.at_least(min) : is_given(max) ? T.parameters.at_most(max) : "";
@@ -49,7 +49,7 @@ function number_field(parameter, label, set) {
   } };
 }
 
-/// Without the digits that binary fractions bring.
+/// Removes the rounding digits of binary fractions.
 const tidy = (value) => String(Number(value.toPrecision(12)));
 
 function slider(parameter, label, set) {
@@ -93,7 +93,7 @@ function text_field(parameter, label, set) {
 
 function checkbox(parameter, label, set) {
   const input = el("input", { type: "checkbox", role: "switch", class: "switch", "aria-label": label, onchange: () => set(input.checked) });
-  input.addEventListener("keydown", (event) => event.key === "Enter" && input.click());  // the space bar stops robots
+  input.addEventListener("keydown", (event) => event.key === "Enter" && input.click());  // the space bar is reserved for stopping robots
   return { node: input, show: (value) => {
     input.checked = value;
   } };
@@ -118,7 +118,7 @@ function choice({ options }, label, set) {
   } };
 }
 
-/// Values one below the other, that can be moved, taken away and added to.
+/// Values in a column that can be moved, removed and added.
 function list(parameter, label, set) {
   const { options = [], min_size, max_size } = parameter;
   const one = { ...parameter, type: element_type(parameter.type) };
@@ -147,7 +147,7 @@ function list(parameter, label, set) {
   } };
 }
 
-/// The widget that a parameter asks for, or the one that fits its type: { node, show(value) }.
+/// The parameter's widget, or the default for its type: { node, show(value) }.
 export function make_widget(parameter, label, set) {
   const { type, widget, options = [], min, max } = parameter;
   if (type.endsWith("s")) return list(parameter, label, set);

@@ -1,4 +1,4 @@
-// The view of the world: its picture, its tools, names and values over it.
+// The view of the world: its picture, its tools, and labels over it.
 import * as THREE from "/lib/three/three.module.js";
 import { at_most_every, el } from "./dom.js";
 import { T } from "./texts.js";
@@ -33,7 +33,7 @@ function make_renderer(canvas) {
   }
 }
 
-/// What is written over the picture; elements are kept and moved.
+/// Labels over the picture; elements are reused and moved.
 class Labels {
   node = el("div", { class: "labels", "aria-hidden": "true" });
   #used = 0;
@@ -50,7 +50,7 @@ class Labels {
     if (node.textContent !== text) node.textContent = text;
     if (node.className !== kind) node.className = kind;
     if (node.hidden) node.hidden = false;
-    const back = pixel[0] > 0.8 * this.#width ? " translateX(-100%)" : "";  // not over the edge
+    const back = pixel[0] > 0.8 * this.#width ? " translateX(-100%)" : "";  // not beyond the edge
     node.style.transform = `translate(${pixel[0].toFixed(1)}px, ${pixel[1].toFixed(1)}px)${back}`;
   }
 
@@ -74,7 +74,7 @@ class World {
   #is_shown = false;
   #nudged = {};  // by keys: { what, when, pose }
   #layout = "";
-  #is_old = false;  // what was built, since the system was told anew
+  #is_old = false;  // the picture must be rebuilt for a new description of the system
 
   constructor(parts) {
     this.#parts = parts;
@@ -163,7 +163,7 @@ class World {
     return acts.move_marker(model.system.markers[what.index].name, pose);
   }
 
-  /// Stays where it was dropped until the engine has answered.
+  /// It stays where it was dropped until the engine has answered.
   async #drop() {
     const { carried } = this;
     if (!carried?.pose) return;
@@ -174,7 +174,7 @@ class World {
     }, 60);
   }
 
-  /// From where the last keys have put it, also while that is still on its way.
+  /// Continues from the last position set by keys, even if the engine has not confirmed it.
   #nudge([dx, dy], turn) {
     const { what, when, pose: wished } = this.#nudged;
     const pose = what === this.chosen && performance.now() - when < NUDGES_JOIN ? wished : this.pose_of(this.chosen);
@@ -239,14 +239,14 @@ class World {
     this.#label(model);
   }
 
-  /// The robots whose sensors' values are shown.
+  /// The robots whose sensor values are shown.
   #valued() {
     const { system } = this.#parts.model;
     if (!system) return [];
     return system.robots.filter((_, i) => system.robots.length === 1 || (this.chosen?.kind === "robot" && this.chosen.index === i));
   }
 
-  /// What the sensor behind a ray says.
+  /// The value of the sensor that a ray belongs to.
   #sensor_value({ name, distances }, index) {
     const carrier = distances[index];
     const value = carrier && this.#parts.model.values.get(`${name}.${carrier.port}`)?.value;
@@ -276,7 +276,7 @@ class World {
   }
 }
 
-/// A little behind the end of a ray, so that the values of neighbours stand apart.
+/// A place slightly beyond the end of a ray, so that neighbouring labels do not overlap.
 function beyond(from, to) {
   const length = Math.hypot(to.x - from.x, to.y - from.y) || 1;
   const more = 0.02 + 0.25 * length;

@@ -1,4 +1,4 @@
-// The eye over the world: turns about a point, looks from above, follows a robot.
+// The camera of the view: turns about a point, looks from above, follows a robot.
 import * as THREE from "/lib/three/three.module.js";
 
 const LOWEST = 0.02;  // rad above the floor
@@ -12,7 +12,7 @@ export class Eye {
   azimuth = -Math.PI / 2;
   height = 0.9;  // rad above the horizon
   is_top = false;
-  shows_all = false;  // nobody has moved it since
+  shows_all = false;  // a person has not moved it since
   #size = [1, 1];
   #ray = new THREE.Raycaster();
 
@@ -33,7 +33,7 @@ export class Eye {
     this.height = Math.min(Math.PI / 2 - 0.001, Math.max(LOWEST, this.height + dy * 0.006));
   }
 
-  /// By so many pixels: what was under the pointer stays there.
+  /// Moves by these pixels: the point under the pointer stays there.
   move(dx, dy) {
     this.shows_all = false;
     const metres = (2 * this.distance * Math.tan((this.camera.fov / 2) * (Math.PI / 180))) / this.#size[1];
@@ -48,7 +48,7 @@ export class Eye {
     this.distance = Math.min(FARTHEST, Math.max(NEAREST, this.distance * factor));
   }
 
-  /// All of this box [m] is seen.
+  /// Shows all of this box [m].
   show({ x0, x1, y0, y1 }) {
     this.target.set((x0 + x1) / 2, (y0 + y1) / 2, 0);
     const half = Math.tan((this.camera.fov / 2) * (Math.PI / 180));
@@ -68,20 +68,20 @@ export class Eye {
     this.camera.updateMatrixWorld();
   }
 
-  /// The ray of sight through this pixel.
+  /// The viewing ray through this pixel.
   ray(x, y) {
     this.#ray.setFromCamera({ x: (2 * x) / this.#size[0] - 1, y: 1 - (2 * y) / this.#size[1] }, this.camera);
     return this.#ray.ray;
   }
 
-  /// Where that meets the plane `z`, or null.
+  /// Its intersection with the plane `z`, or null.
   on_floor(x, y, z = 0) {
     const { origin, direction } = this.ray(x, y);
     const t = (z - origin.z) / direction.z;
     return t > 0 ? { x: origin.x + t * direction.x, y: origin.y + t * direction.y } : null;
   }
 
-  /// The pixel of a point, or null behind the eye.
+  /// The pixel of a point, or null behind the camera.
   pixel(x, y, z) {
     point.set(x, y, z).project(this.camera);
     return point.z < 1 ? [((point.x + 1) / 2) * this.#size[0], ((1 - point.y) / 2) * this.#size[1]] : null;

@@ -1,13 +1,14 @@
-// Hands on the world: pointers that turn and move the eye, or drag a robot or a marker; the same by keys.
+// Pointer and key input on the world: turns and moves the camera, or drags a robot or a marker.
 import { BORDER } from "./world_scene.js";
 
-const CLICK = 5;  // px: less than this was no drag
+const CLICK = 5;  // px: a shorter movement is a click
 const NUDGE = 0.02;  // m
 const TURN = Math.PI / 36;
-const EDGE = 0.01;  // m around what is thin
-const REACH = 14;  // px around what is small
+const EDGE = 0.01;  // m added around thin objects
+const REACH = 14;  // px added around small objects
 
-/// `asks`: { eye, scene, model, may_act(), choose(kind, index), carry(kind, index, pose), drop(), changed(), chosen() }.
+/// `asks`: { eye, scene, model, may_act(), choose(kind, index), carry(kind, index, pose), drop(), changed(), chosen()
+/// }.
 export function put_hands_on(canvas, asks) {
   const { eye, scene, model } = asks;
   const pointers = new Map();
@@ -19,7 +20,7 @@ export function put_hands_on(canvas, asks) {
     return [event.clientX - box.left, event.clientY - box.top];
   };
 
-  /// What is nearest to the eye at this pixel: { kind, index, pose }.
+  /// The object nearest to the camera at this pixel: { kind, index, pose }.
   function pick(x, y) {
     let best = null;
     const look_at = (kind, index, pose, z, radius) => {
@@ -38,7 +39,7 @@ export function put_hands_on(canvas, asks) {
     return best ?? pick_thing(x, y);
   }
 
-  /// The box or cylinder whose top or middle is at this pixel, as it stands upright.
+  /// The box or cylinder whose top or middle is at this pixel, assuming that it is upright.
   function pick_thing(x, y) {
     let best = null;
     (scene.thing_specs ?? []).forEach(({ name, size }, i) => {

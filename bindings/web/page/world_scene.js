@@ -1,16 +1,16 @@
-// The world in three dimensions: what stands in the arena, the robots, what they see, where they were.
+// The world in three dimensions: objects of the arena, robots, sensor rays and trails.
 import * as THREE from "/lib/three/three.module.js";
 import { marker_atlas, matrix_of, merge, painted_lines, robot_geometry, solids_of } from "./world_shapes.js";
 import { Trails } from "./world_trails.js";
 
 const MOST_RAYS = 8192;
 const MOST_CONTACTS = 1024;
-/// What the engine calls the walls around an arena, which stay where they are.
+/// The engine's name of the walls around an arena, which can't be moved.
 export const BORDER = "wall";
 const shaded = () => new THREE.MeshLambertMaterial({ vertexColors: THREE.VertexColors });
 const hidden = new THREE.Matrix4().makeScale(0, 0, 0);
 
-/// A round shadow, or a ring: one picture, laid under robots.
+/// A round shadow, or a ring: one texture, drawn below robots.
 function disc_texture(paint) {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 128;
@@ -44,7 +44,7 @@ export class Scene {
   trails = new Trails();
   #colors = {};
   #tints = {};  // of rays
-  #made = [];  // of this system
+  #made = [];  // objects made for this system
   #groups = [];  // robots of one model: { mesh, members }
   #solids = [];  // of one shape and colour: { mesh, members }
   #discs = {};
@@ -79,7 +79,7 @@ export class Scene {
     return object;
   }
 
-  /// Makes everything anew, as it is laid out and where it is now.
+  /// Builds everything for a new layout, at the present places.
   build({ arena = {}, robots = [], markers = [] }, now) {
     for (const object of this.#made.splice(0)) {
       this.three.remove(object);
@@ -195,7 +195,7 @@ export class Scene {
     this.marker_mesh = this.#add(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ map: texture, side: THREE.DoubleSide })));
   }
 
-  /// Moves everything to where it is now. `chosen`: a robot's index.
+  /// Moves everything to its present place. `chosen`: a robot's index.
   update({ robots, things, markers, rays }, { chosen, shows_rays, carried }) {
     const at = (index) => (carried?.kind === "robot" && carried.index === index ? { ...robots[index], ...carried.pose } : robots[index]);
     for (const { mesh, members } of this.#groups) {
@@ -226,7 +226,7 @@ export class Scene {
     this.#update_contacts(robots.flatMap((each) => each?.contacts ?? []));
   }
 
-  /// Most things stand still: only those are placed that are elsewhere than they were.
+  /// Most things stand still, so only those that have moved are updated.
   #move_solids(things, carried) {
     for (const { mesh, members } of this.#solids) {
       members.forEach((each, i) => {
@@ -239,13 +239,13 @@ export class Scene {
     }
   }
 
-  /// Where a thing is: { x, y, z, yaw, pitch, roll }; undefined when that is not known yet.
+  /// The pose of a thing: { x, y, z, yaw, pitch, roll }; undefined if unknown.
   thing_pose(things, i, carried) {
     const pose = flat(things[i]?.pose);
     return pose && carried?.kind === "thing" && carried.index === i ? { ...pose, ...carried.pose } : pose;
   }
 
-  /// Where a marker is: { x, y, z, yaw }.
+  /// The pose of a marker: { x, y, z, yaw }.
   marker_pose(markers, i, carried) {
     const pose = flat(markers[i]?.pose) ?? { x: 0, y: 0, z: -1, yaw: 0 };
     return carried?.kind === "marker" && carried.index === i ? { ...pose, ...carried.pose } : pose;
@@ -265,7 +265,7 @@ export class Scene {
     position.needsUpdate = true;
   }
 
-  /// Where robots touch something.
+  /// Points where robots touch something.
   #update_contacts(points) {
     const { position } = this.contacts.geometry.attributes;
     const count = Math.min(points.length, MOST_CONTACTS);

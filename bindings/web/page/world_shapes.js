@@ -1,7 +1,7 @@
-// Geometry of the world's parts, joined so that a whole arena is drawn at once.
+// Geometry of the world's parts, merged so that a whole arena is drawn in one call.
 import * as THREE from "/lib/three/three.module.js";
 
-/// Joins parts { geometry, matrix, color } into one geometry with a colour at each vertex.
+/// Merges parts { geometry, matrix, color } into one geometry with a colour per vertex.
 export function merge(parts) {
   const positions = [];
   const normals = [];
@@ -34,13 +34,13 @@ export const unit_box = new THREE.BoxBufferGeometry(1, 1, 1);
 export const unit_cylinder = new THREE.CylinderBufferGeometry(0.5, 0.5, 1, 32).rotateX(Math.PI / 2);
 const wheel = new THREE.CylinderBufferGeometry(1, 1, 1, 24);  // its axis along y
 
-/// What stands in an arena, in the engine's order: [{ geometry, scale, color }]. Where it stands comes with each frame.
+/// The objects of an arena, in the engine's order: [{ geometry, scale, color }]. Their places come with each frame.
 export function solids_of(arena) {
   return (arena.things ?? []).map(({ shape, size, color }) =>
     ({ geometry: shape === "cylinder" ? unit_cylinder : unit_box, scale: size, color }));
 }
 
-/// Lines painted on the floor, a little above it.
+/// Lines painted on the floor, slightly above it.
 export function painted_lines(lines) {
   const parts = [];
   const z = 0.0008;
@@ -56,7 +56,7 @@ export function painted_lines(lines) {
   return merge(parts);
 }
 
-/// A robot of this description: hull, wheels, a plate with an arrow that shows its heading.
+/// The geometry of a robot: hull, wheels, and a plate with an arrow for its heading.
 export function robot_geometry({ hull, wheels, sensors = [] }, colors) {
   const [l, w, h] = hull.size;
   const [x, y, z] = hull.at;
@@ -90,7 +90,7 @@ function rounded_box(l, w, h) {
   return geometry.translate(0, 0, -(h - 2 * bevel) / 2);
 }
 
-/// A picture of all markers, and where each is in it: [u0, v0, u1, v1].
+/// One texture with all markers, and the place of each in it: [u0, v0, u1, v1].
 export function marker_atlas(markers) {
   const columns = Math.ceil(Math.sqrt(markers.length)) || 1;
   const cell = 64;

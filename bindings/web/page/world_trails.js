@@ -1,21 +1,21 @@
-// Where robots were: the latest pieces of their ways, in one drawing.
+// Trails of robots: the latest segments of their paths, in one drawing.
 import * as THREE from "/lib/three/three.module.js";
 
-const MOST = 40000;  // pieces of all together
-const EACH = 600;  // pieces for each robot
-const STEP = 0.008;  // m of a piece
-const FASTEST = 2;  // m/s, with what a hand moves; who comes farther was put elsewhere
-const LONGEST = 2;  // s without looking: on which way they came is not known
+const MOST = 40000;  // segments of all robots
+const EACH = 600;  // segments per robot
+const STEP = 0.008;  // m per segment
+const FASTEST = 2;  // m/s; a robot that is faster was teleported
+const LONGEST = 2;  // s between updates; after a longer gap the path is unknown
 
-/// A ring of pieces: a new one takes the oldest one's place, so that no more is written and uploaded than is new.
+/// A ring buffer of segments: a new one replaces the oldest, so only new data are uploaded.
 export class Trails {
   lines = new THREE.LineSegments(new THREE.BufferGeometry(),
     new THREE.LineBasicMaterial({ vertexColors: THREE.VertexColors, transparent: true, opacity: 0.75 }));
-  #ends = [];  // of each robot's way, so far
+  #ends = [];  // the last point of each robot's path
   #time = 0;
   #tints = [];
   #room = 0;
-  #count = 0;  // pieces since the beginning
+  #count = 0;  // segments since the start
   #drawn = 0;
 
   constructor() {
@@ -38,7 +38,7 @@ export class Trails {
     this.lines.geometry.setDrawRange(0, 0);
   }
 
-  /// Takes where the robots are at a time [s].
+  /// Takes the robots' places at a time [s].
   follow(robots, time) {
     const passed = time - this.#time;
     const farthest = passed < LONGEST ? 2 * STEP + FASTEST * passed : 0;
@@ -66,7 +66,7 @@ export class Trails {
     const begin = this.#drawn % this.#room;
     const range = begin + fresh <= this.#room ? { offset: begin * 6, count: fresh * 6 } : { offset: 0, count: -1 };
     for (const attribute of Object.values(this.lines.geometry.attributes)) {
-      attribute.updateRange = { ...range };  // the renderer empties it
+      attribute.updateRange = { ...range };  // the renderer resets it
       attribute.needsUpdate = true;
     }
     this.lines.geometry.setDrawRange(0, 2 * Math.min(this.#count, this.#room));

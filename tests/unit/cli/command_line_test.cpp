@@ -99,56 +99,6 @@ TEST_CASE("nothing runs when a word is wrong", "[cli][command line]") {
     }
 }
 
-TEST_CASE("a slip in the command line is one line with the nearest name", "[cli][command line]") {
-    CHECK(run_nezumi({"new"}).error ==
-          "nezumi: new: which? Write `nezumi new behavior NAME`, `nezumi new system NAME`, `nezumi new robot NAME`, "
-          "`nezumi "
-          "new scenario NAME` or `nezumi new project DIR`\n");
-    CHECK(run_nezumi({"new", "--project", "x"}).error ==
-          "nezumi: there is no option '--project'; see nezumi new --help\n");
-    CHECK(run_nezumi({"calc", "--rate", "1"}).error ==
-          "nezumi: --rate: expected a number from 4 to 25, got '1'; see nezumi calc --help\n");
-    CHECK(run_nezumi({"test", "--filter", ""}).error ==
-          "nezumi: --filter: expected a value, got ''; see nezumi test --help\n");
-    CHECK(run_nezumi({"attach", "a", "b"}).error == "nezumi: 'b' is one word too many; see nezumi attach --help\n");
-}
-
-TEST_CASE("an option that is not known is said before what is missing", "[cli][command line]") {
-    CHECK(run_nezumi({"run", "--headles"}).error ==
-          "nezumi: there is no option '--headles' (did you mean '--headless'?); see nezumi run --help\n");
-    for (const char* command : {"run", "check", "marker", "push", "completion", "manual"}) {
-        CHECK(run_nezumi({command, "--hlep"}).error ==
-              "nezumi: there is no option '--hlep' (did you mean '--help'?); see nezumi " + std::string(command) +
-                  " --help\n");
-    }
-    CHECK(run_nezumi({"run"}).error == "nezumi: FILE is missing; see nezumi run --help\n");
-}
-
-TEST_CASE("an option is never taken for the value that was forgotten before it", "[cli][command line]") {
-    const Scratch scratch;
-    const auto said = [&](const std::vector<std::string>& words) {
-        const Outcome outcome = run_nezumi(words, scratch.path("").string());
-        CHECK(outcome.status == 2);
-        CHECK(outcome.out.empty());
-        CHECK(std::filesystem::is_empty(scratch.path("")));
-        return outcome.error;
-    };
-    CHECK(said({"run", "x", "--record", "--trace-hash"}) ==
-          "nezumi: --record: its value is missing (got the option --trace-hash); see nezumi run --help\n");
-    CHECK(said({"run", "x", "--sounds", "--headless"}) ==
-          "nezumi: --sounds: its value is missing (got the option --headless); see nezumi run --help\n");
-    CHECK(said({"test", "-o", "--list"}) ==
-          "nezumi: -o: its value is missing (got the option --list); see nezumi test --help\n");
-    CHECK(said({"test", "--filter", "-o", "x"}) ==
-          "nezumi: --filter: its value is missing (got the option -o); see nezumi test --help\n");
-    CHECK(said({"attach", "--eval", "--list"}) ==
-          "nezumi: --eval: its value is missing (got the option --list); see nezumi attach --help\n");
-    CHECK(said({"new", "behavior", "b", "--in", "--out"}) ==
-          "nezumi: --in: its value is missing (got the option --out); see nezumi new behavior --help\n");
-    CHECK(said({"run", "x", "--record", "--odd"}) ==
-          "nezumi: --record: its value is missing (got the option --odd); see nezumi run --help\n");
-}
-
 TEST_CASE("values that begin with dashes and are no options are taken", "[cli][command line]") {
     const auto text = [](const std::vector<std::string>& words) {
         Values values;
@@ -160,49 +110,6 @@ TEST_CASE("values that begin with dashes and are no options are taken", "[cli][c
     CHECK(text({"paint", "w", "--text", "-- a comment"}) == "-- a comment");
     CHECK(text({"paint", "w", "--text=--odd"}) == "--odd");
     CHECK(text({"paint", "w", "--text=--fast"}) == "--fast");
-}
-
-TEST_CASE("a result is never written over a script, nor over what another option writes or reads",
-          "[cli][command line]") {
-    const Scratch scratch;
-    scratch.write("g_test.lua", "-- mine\n");
-    scratch.write("kept", "a journal\n");
-    std::filesystem::create_symlink("g_test.lua", scratch.path("link.csv"));
-    const auto said = [&](const std::vector<std::string>& words) {
-        const Outcome outcome = run_nezumi(words, scratch.path("").string());
-        CHECK(outcome.status == 2);
-        CHECK(text_of_file(scratch.path("g_test.lua")) == "-- mine\n");
-        CHECK(text_of_file(scratch.path("kept")) == "a journal\n");
-        return outcome.error;
-    };
-    const auto script = [](const std::string& option, const std::string& file) {
-        return "nezumi: " + option + ": '" + file +
-               "' is a script's name, and a result would take its place: choose another ending\n";
-    };
-    for (const std::string option : {"--record", "--journal", "--device-log"}) {
-        CHECK(said({"run", "x", option, "g_test.lua"}) == script(option, "g_test.lua"));
-        CHECK(said({"run", "x", option, "new.lua"}) == script(option, "new.lua"));
-        CHECK(said({"run", "x", option, "link.csv"}) == script(option, "link.csv"));
-    }
-    for (const std::string option : {"--junit", "--measures"})
-        CHECK(said({"test", option, "g_test.lua"}) == script(option, "g_test.lua"));
-    CHECK(said({"marker", "7", "-o", "g_test.lua"}) == script("--output", "g_test.lua"));
-
-    CHECK(said({"run", "x", "--record", "same", "--journal", "./same"}) ==
-          "nezumi: --record and --journal would write the same file, 'same': give each its own\n");
-    CHECK(said({"run", "x", "--record", "a.svg", "--picture", "a.svg"}) ==
-          "nezumi: --picture and --record would write the same file, 'a.svg': give each its own\n");
-    CHECK(said({"test", "--junit", "X", "--measures", "X"}) ==
-          "nezumi: --junit and --measures would write the same file, 'X': give each its own\n");
-    CHECK(said({"run", "--replay", "kept", "--record", "kept", "x"}) ==
-          "nezumi: --record would write over 'kept', which --replay reads: give it another file\n");
-    CHECK_FALSE(std::filesystem::exists(scratch.path("same")));
-}
-
-TEST_CASE("two results may go to one device", "[cli][command line]") {
-    const Outcome outcome = run_nezumi({"run", "behaviors/systems/stop_at_wall.lua", "--headless", "--speed", "max",
-                                        "--duration", "0.1", "--record", "/dev/null", "--journal", "/dev/null"});
-    CHECK(outcome.status == 0);
 }
 
 TEST_CASE("every command's --help shows each option with its form, help and default", "[cli][command line]") {

@@ -39,9 +39,8 @@ TEST_CASE("the doctor ends with 0 where nothing is to be done", "[cli][doctor]")
     const Outcome outcome = doctor(machine);
     CHECK(outcome.status == 0);
     CHECK(outcome.out.starts_with("ok     driver: rtmouse 3.3.2\nok     nodes: all 14 can be used\n"));
-    CHECK(outcome.out.find(
-              "note   udev rules: there is none for the nodes: other users may not use them, or not after the "
-              "next start\n       do: sudo cp ") != std::string::npos);
+    CHECK(outcome.out.find("note   udev rules: no rule for the nodes: other users may not use them, or not after the "
+                           "next start\n       do: sudo cp ") != std::string::npos);
     CHECK(outcome.out.ends_with("\nnothing wrong\n"));
 }
 
@@ -78,7 +77,7 @@ TEST_CASE("no wheel turns unless somebody is there to see it", "[cli][doctor][sa
     write_mouse(machine);
     const Outcome outcome = doctor(machine, {"--move"});
     CHECK(outcome.status == 2);
-    CHECK(outcome.error == "nezumi: somebody has to stand beside the robot: run this on a terminal, or with --yes\n");
+    CHECK(outcome.error == "nezumi: a person has to stand beside the robot: run this on a terminal, or with --yes\n");
     const Scratch nothing;
     const Outcome no_robot = doctor(nothing, {"--move", "--yes"});
     CHECK(no_robot.status == 2);

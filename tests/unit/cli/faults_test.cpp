@@ -27,7 +27,7 @@ TEST_CASE("out of file descriptors, a run ends as any other or says in one line 
         CAPTURE(text);
         if (status == 0) {
             ++done;
-            alone += text.find("nobody can attach: ") == 0 ? 1 : 0;
+            alone += text.find("no console can attach: ") == 0 ? 1 : 0;
             CHECK(text_of_file(csv).find("\n0.04,") != std::string::npos);
         } else {
             ++refused;

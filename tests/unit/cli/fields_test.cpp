@@ -16,7 +16,7 @@
 #include "bindings/lua/stubs/record_annotations.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "engine/base/whole_file.hpp"
-#include "engine/ports/usage.hpp"
+#include "engine/ports/setting.hpp"
 #include "engine/system/act_fields.hpp"
 #include "tests/unit/source_root.hpp"
 

@@ -143,7 +143,7 @@ TEST_CASE("time stands for all while a host is stopped, and one that is killed a
         REQUIRE(a.wait_for_error("host c is silent"));
         REQUIRE(b.wait_for_error("time stands at"));
         c.send(SIGCONT);
-        REQUIRE(a.wait_for_error("lockstep: time goes on"));
+        REQUIRE(a.wait_for_error("lockstep: time continues"));
         c.send(SIGKILL);
         c.wait();
         a.error.clear();
@@ -151,11 +151,11 @@ TEST_CASE("time stands for all while a host is stopped, and one that is killed a
     }
     Program c({"run", ring.files[2], "--headless"});
     REQUIRE(a.wait_for_error("in step with host c from "));
-    REQUIRE(a.wait_for_error("lockstep: time goes on"));
+    REQUIRE(a.wait_for_error("lockstep: time continues"));
     std::this_thread::sleep_for(std::chrono::seconds(1));  // all three tick
     c.send(SIGINT);
     CHECK(c.wait() == 0);
-    REQUIRE(a.wait_for_error("host c has ended: this one goes on without it"));
+    REQUIRE(a.wait_for_error("host c has ended: this one continues without it"));
     a.send(SIGINT);
     b.send(SIGINT);
     CHECK(a.wait() == 0);

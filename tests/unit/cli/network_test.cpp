@@ -68,7 +68,7 @@ TEST_CASE("a port of another process is found, lost when that is killed, and fou
         counter.send(SIGKILL);
         counter.wait();
         REQUIRE(listener.wait_for_error("hears nothing any more"));
-        REQUIRE(listener.wait_for_error("host one has gone"));
+        REQUIRE(listener.wait_for_error("host one has left"));
     }
     listener.send(SIGINT);
     CHECK(listener.wait() == 0);
@@ -147,7 +147,7 @@ TEST_CASE("a secret that is not there, that others can read, or that is none end
     std::filesystem::permissions(key, std::filesystem::perms{0644});
     CHECK(said().find("can be read by others: chmod 600") != std::string::npos);
     std::filesystem::permissions(key, std::filesystem::perms{0600});
-    CHECK(said().find("the secret 's.key' is no secret") != std::string::npos);
+    CHECK(said().find("the secret 's.key' is not a secret") != std::string::npos);
 }
 
 TEST_CASE("hosts of a secret find each other, and those without it do not", "[cli][network][wallclock]") {
@@ -225,7 +225,7 @@ TEST_CASE("who is in a domain is listed", "[cli][network][wallclock]") {
     for (int i = 0; i < 10 && out.find("host one") == std::string::npos; ++i)
         out = run_nezumi({"network", "list", "--domain", "221", "--seconds", "2"}).out;
     CHECK(out.find("host one  nezumi 0.") != std::string::npos);
-    CHECK(run_nezumi({"network", "list", "--domain", "225", "--seconds", "0.2"}).out == "nobody is in domain 225\n");
+    CHECK(run_nezumi({"network", "list", "--domain", "225", "--seconds", "0.2"}).out == "domain 225 is empty\n");
     CHECK(run_nezumi({"network", "list", "--domain", "300"}).error ==
           "nezumi: network list: --domain: expected 0 to 232, got 300\n");
 }

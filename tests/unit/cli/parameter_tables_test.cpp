@@ -13,6 +13,7 @@
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/stubs/field_table.hpp"
 #include "engine/base/whole_file.hpp"
+#include "engine/values/value_text.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/source_root.hpp"
@@ -27,7 +28,7 @@ std::string values_of(const ParameterSpec& spec) {
     std::string text(type_text(spec.initial));
     if (!spec.choices.empty()) {
         std::vector<std::string> choices;
-        for (const ParameterValue& choice : spec.choices) choices.push_back(to_text(choice));
+        for (const Value& choice : spec.choices) choices.push_back(lua_text(choice));
         text = fmt::format("one of {}", fmt::join(choices, ", "));
     } else if (spec.min && spec.max) {
         text += fmt::format(" from {} to {}", *spec.min, *spec.max);
@@ -38,7 +39,8 @@ std::string values_of(const ParameterSpec& spec) {
 std::string parameter_table(const Component& component) {
     std::string text = "| parameter | value | default | meaning |\n|---|---|---|---|\n";
     for (const auto& [spec, value, set, from_outside, from_within] : component.parameters().all())
-        text += fmt::format("| `{}` | {} | `{}` | {} |\n", spec.name, values_of(spec), to_text(spec.initial), spec.doc);
+        text +=
+            fmt::format("| `{}` | {} | `{}` | {} |\n", spec.name, values_of(spec), lua_text(spec.initial), spec.doc);
     return text;
 }
 

@@ -180,6 +180,26 @@ TEST_CASE("an input takes as many rows as the window's width asks for, and log l
     CHECK(rows == expected);
 }
 
+TEST_CASE("an input goes on in a window that was resized meanwhile", "[cli][prompt]") {
+    const Home home(quiet);
+    PtyProgram it = home.run(60);
+    REQUIRE(it.wait_for_prompt("nezumi>"));
+    const std::string text = "'" + std::string(40, 'x');
+    it.type(text);
+    CHECK(it.wait_until([&] { return it.screen.last_row() == "nezumi> " + text; }));
+    it.resize(30);
+    it.type("yz'");
+    const std::string input = "nezumi> " + text + "yz'";
+    CHECK(it.wait_until([&] {
+        const auto& rows = it.screen.rows();
+        return rows.size() > 2 && rows[rows.size() - 2] == input.substr(0, 30) && rows.back() == input.substr(30);
+    }));
+    it.resize(80);
+    it.type("\x01");  // to its beginning
+    it.type("\r");
+    CHECK(it.wait_for_row(input));
+}
+
 TEST_CASE("what a Tab lists fits the window", "[cli][prompt]") {
     const Home home(quiet);
     PtyProgram it = home.run(17);
@@ -227,7 +247,7 @@ TEST_CASE("Ctrl-C with nothing to drop says how to leave, and a second one soon 
         PtyProgram other({"attach"}, home.home);
         REQUIRE(other.wait_for_prompt("nezumi>"));
         other.type(ctrl_c);
-        CHECK(other.wait_for_row("Ctrl-C again, or Ctrl-D, leaves; the system goes on"));
+        CHECK(other.wait_for_row("Ctrl-C again, or Ctrl-D, leaves; the system continues"));
         other.type(ctrl_c);
         CHECK(other.wait() == 0);
     }

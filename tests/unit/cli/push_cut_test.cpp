@@ -75,7 +75,7 @@ TEST_CASE("a run first finishes a push that was interrupted while its files were
     server.receive_by("exec strace -qq -o /dev/null -e trace=renameat -e inject=renameat:signal=KILL:when=2 " +
                       nezumi_program() + " receive");
     CHECK(project.push(server).error ==
-          "nezumi: mouse: the connection broke: push again, which finishes this push or undoes it\n");
+          "nezumi: mouse: the connection broke: push again: that finishes this push or undoes it\n");
     REQUIRE(server.there("robots/behaviors/systems/one.lua") != "the second one\n");
     fs::remove(server.folder.path("bin/nezumi"));
     const Outcome shown = project.push(server, {"--dry-run"});
@@ -91,7 +91,7 @@ TEST_CASE("a run first finishes a push that was interrupted while its files were
           there +
               ": a push to this folder was interrupted and can't be finished (.nezumi-push/next: is damaged: remove it "
               "there, then push again): push again, or run `nezumi receive --finish " +
-              there + "` as the user that it was pushed by\n");
+              there + "` as the user who pushed it\n");
     fs::remove(server.folder.path("home/robots/.nezumi-push/next"));
 
     project.folder.write("robots/behaviors/systems/one.lua", "robot 'second' { model = 'raspimouse' }\n");

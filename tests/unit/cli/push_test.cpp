@@ -113,9 +113,10 @@ TEST_CASE("a folder there that a project would be mixed into is refused by ssh a
         CHECK(refused.error == "nezumi: mouse: " + std::string(home) + " is a home folder" + own);
     }
     CHECK(project.push(server, {"--to", "/"}).error == "nezumi: mouse: / is the root folder" + own);
-    CHECK(project.push(server, {"--to", ".ssh/"}).error ==
-          "nezumi: mouse: .ssh/ has files and was not pushed to before: choose another folder by --to, or move it away "
-          "there\n");
+    CHECK(
+        project.push(server, {"--to", ".ssh/"}).error ==
+        "nezumi: mouse: .ssh/ has files and was not pushed to before: choose another folder with --to, or move it away "
+        "there\n");
     CHECK(server.there(".ssh/authorized_keys") == "keys");
     REQUIRE(project.push(server, {"--to", "demo"}).status == 0);
     REQUIRE(project.push(server, {"--to", "demo/"}).status == 0);

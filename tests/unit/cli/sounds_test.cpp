@@ -42,7 +42,7 @@ connect("crier.out", "ev3.sound")
 
     Program refused({"run", file, "--headless", "--duration", "0.1", "--sounds", file + "/x"});
     CHECK(refused.wait() == 2);
-    CHECK(refused.error == "nezumi: '" + file + "/x' can't be made a folder for sounds: Not a directory\n");
+    CHECK(refused.error == "nezumi: '" + file + "/x' can't be made as a folder for sounds: Not a directory\n");
 }
 
 TEST_CASE("a picture of the floor that can't be read is told with its line, running or checking", "[cli][floor]") {

@@ -115,8 +115,7 @@ TEST_CASE("where the port is taken it is the next free one, and without any the 
     const TakenPort last(65535);
     const Outcome without = system.run({"--duration", "0.05", "--port", "65535"});
     CHECK(without.status == 0);
-    CHECK(without.error.find("no page for browsers: nothing can listen on 127.0.0.1:65535: Address already in use\n") ==
-          0);
+    CHECK(without.error.find("no page for browsers: can't listen on 127.0.0.1:65535: Address already in use\n") == 0);
     CHECK(without.error.find("0.05 s simulated") != std::string::npos);
 }
 

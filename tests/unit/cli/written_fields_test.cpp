@@ -6,10 +6,10 @@
 #include <set>
 #include <string>
 
-#include "bindings/lua/files/lua_value_text.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/files/system_text.hpp"
 #include "bindings/lua/stubs/record_annotations.hpp"
+#include "engine/base/lua_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/source_root.hpp"
 

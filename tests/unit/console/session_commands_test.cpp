@@ -61,12 +61,6 @@ TEST_CASE("ls lists the first forty components and says how many more there are"
     CHECK_THAT(listed, Catch::EndsWith(fmt::format("\nand {} more: ls \"name\" shows one", others)));
 }
 
-TEST_CASE("time passes wherever Lua can call", "[console][session]") {
-    SessionRig it;
-    CHECK(it.type("table.sort({ 1, 2 }, function(a, b) run(1) return a < b end) return now()") == "1.0");
-    CHECK(it.type("('x'):gsub('.', function() step(2) end) return now()") == "1.02");
-}
-
 TEST_CASE("a run can be interrupted, which pauses", "[console][session]") {
     SessionRig it;
     it.session->submit("run(100)");
@@ -146,52 +140,6 @@ TEST_CASE("on hardware only real time is offered", "[console][session]") {
     CHECK(it.paused);
 }
 
-TEST_CASE("a restart begins anew, and names stay valid", "[console][session]") {
-    SessionRig it;
-    it.type("kept = controller controller.config.speed_x = 0.5 step(5)");
-    CHECK(it.type("restart()") == "started anew, time is 0");
-    CHECK(it.type("kept.config.speed_x, now()") == "0.25\t0.0");
-}
-
-TEST_CASE("ports are connected, disconnected and held from the prompt", "[console][session]") {
-    SessionRig it;
-    CHECK(it.type("disconnect(controller.out, 'mouse.target_velocity_in')").empty());
-    CHECK(it.type("#controller.out.peers") == "0");
-    CHECK(it.type("disconnect(controller.out)") == "! disconnect: controller.out is not connected");
-    CHECK(it.type("connect('controller.out', mouse.target_velocity_in)").empty());
-    CHECK(it.type("controller.out.peers") == "{ \"mouse.target_velocity_in\" }");
-    CHECK_THAT(it.type("connect(controller.out, controller.in)"), StartsWith("! connect: types differ"));
-    CHECK_THAT(it.type("connect('controller.ot', mouse.target_velocity_in)"),
-               Contains("controller has no port 'ot' (did you mean 'out'?)"));
-    CHECK(it.type("disconnect(mouse.target_velocity_in)").empty());
-    CHECK(it.type("hold(controller.in, { 31, 0, 0, 0 }) step(2) return controller.out.value.vx") == "0.0");
-    CHECK_THAT(it.type("ls()"),
-               Contains("in  in   TimedShortSeq    <- mouse.ir_sensor_out  held by console at { 31, 0, 0, 0 }"));
-    CHECK(it.type("hold(controller.in, { 32 })").empty());
-    CHECK_THAT(it.type("ls()"), Contains("held by console at { 32 }"));  // what is held, also before a tick has passed
-    CHECK(it.type("hold(controller.in, { 31, 0, 0, 0 })").empty());
-    CHECK(it.type("release 'controller.in' step(2) return controller.out.value.vx") == "0.25");
-    CHECK(it.type("inject(controller.in, 5)") == "! inject: input 'in' (TimedShortSeq): expected an array, got number");
-}
-
-TEST_CASE("ls, find, help and errors show what there is", "[console][session]") {
-    SessionRig it;
-    CHECK_THAT(it.type("ls()"), Contains("controller  Counter, ACTIVE, version 1") && Contains("ACTIVE\n"));
-    CHECK_THAT(it.type("ls(controller)"),
-               StartsWith("controller  Counter, ACTIVE, version 1\n  in  in   TimedShortSeq"));
-    CHECK_THAT(it.type("find 'vel'"), Contains("mouse.target_velocity_in  in TimedVelocity2D") &&
-                                          Contains("controller.out  out TimedVelocity2D"));
-    CHECK_THAT(it.type("find 'straight'"), Contains("controller.config.speed_x = 0.25  straight-ahead speed"));
-    CHECK(it.type("find 'xyzzy'") == "nothing has 'xyzzy' in its name");
-    CHECK_THAT(it.type("help()"), Contains("step(n)") && Contains("save \"system.lua\""));
-    CHECK(it.type("help 'step'") == "step(n): lets n ticks pass, then pauses");
-    CHECK(it.type("step") == "step(n): lets n ticks pass, then pauses");
-    CHECK(it.type("help 'stepp'") == "! help: there is no word 'stepp' (did you mean 'step'?)");
-    CHECK(it.type("errors()") == "no errors");
-    it.component("controller").abort(Error{"it broke", {}});
-    CHECK_THAT(it.type("errors()"), Contains("controller: it broke") && Contains("controller is in ERROR: it broke"));
-}
-
 TEST_CASE("errors of an earlier start say so: their clock is another", "[console][session]") {
     SessionRig it;
     it.type("step(12)");
@@ -256,20 +204,6 @@ TEST_CASE("the arrow keys drive until Esc", "[console][session]") {
     CHECK_THAT(it.type("drive(controller.in)"), Contains("controller.in is TimedShortSeq: a stick drives"));
 }
 
-TEST_CASE("scripts are reloaded and rolled back from the prompt", "[console][session]") {
-    SessionRig it;
-    CHECK(it.type("reload()") == "no script has changed");
-    std::string changed = counter_behavior;
-    changed.replace(changed.find("0.25"), 4, "0.75");
-    it.folder.write("behaviors/counter.lua", changed);
-    CHECK(it.type("reload()") == "controller: version 2 runs");
-    CHECK(it.type("controller.config.speed_x") == "0.75");
-    CHECK_THAT(it.type("rollback()"), StartsWith("controller: version 1 runs"));
-    CHECK(it.type("rollback(mouse)") == "! rollback: mouse has no script: only behaviours reload");
-    it.folder.write("behaviors/counter.lua", "function (");
-    CHECK_THAT(it.type("reload()"), Contains("counter.lua:1: ") && Contains("still running version 1"));
-}
-
 TEST_CASE("a marker is carried by hand, a robot as well", "[console][session]") {
     SessionRig it(
         "arena { marker { name = 'target', id = 7, size = 0.1, at = { 1.0, 0.0, 0.06 }, facing = math.pi } }\n"
@@ -309,19 +243,6 @@ end
     const std::string errors = it.type("errors()");
     CHECK_THAT(errors, Contains("controller: w\n") && Contains("controller is in ERROR: "));
     CHECK_THAT(errors, Contains("error forged") && !Contains("\n[   9.000] error forged"));
-}
-
-TEST_CASE("what is no port is said by its name", "[console][session]") {
-    SessionRig it;
-    for (const std::string word : {"watch", "release", "disconnect"}) {
-        CHECK(it.type(word + "(mouse.truth)") ==
-              "! " + word + ": expected a port or \"name.port\", got the truth of mouse");
-        CHECK(it.type(word + "(controller.config)") ==
-              "! " + word + ": expected a port or \"name.port\", got the parameters of controller");
-    }
-    CHECK(it.type("watch(controller.ports)") ==
-          "! watch: expected a port or \"name.port\", got the ports of controller");
-    CHECK(it.type("watch(system)") == "! watch: expected a port or \"name.port\", got the system");
 }
 
 TEST_CASE("a hold that is another's is refused, and can be taken", "[console][session][act]") {

@@ -8,9 +8,14 @@ using namespace nezumi;
 TEST_CASE("the console explains the next execution of a behaviour, once", "[console][explain]") {
     SessionRig it;
     it.paused = false;
-    CHECK(it.type("explain(controller)").empty());
+    it.session->submit("explain(controller)");
+    for (int i = 0; i < 1000; ++i) it.session->advance();
+    CHECK(it.shown.empty());
+    CHECK(it.session->is_busy());  // who asked by --eval leaves when it is told
     it.turn();
+    CHECK_FALSE(it.session->is_busy());
     CHECK(it.shown.find("controller at ") == 0);
+    CHECK(it.shown.find("controller.out -> ") < it.shown.find("controller.in <- "));
     CHECK(it.shown.find("controller.in <- mouse.ir_sensor_out") != std::string::npos);
     CHECK(it.shown.find("mouse's wheels") != std::string::npos);
     it.shown.clear();

@@ -115,6 +115,12 @@ TEST_CASE("other hosts, their components and ports are completed", "[console][ne
     CHECK(it.network->asked.empty());
 }
 
+TEST_CASE("ports of other hosts are connected by their names", "[console][network]") {
+    HostsRig it;
+    CHECK(it.type("connect('it.out', 'ev3/vehicle.velocity2D')") == "! connect: not here");  // the network was asked
+    CHECK(it.type("connect('ev3/vehicle.current_vel', 'it.out')") == "! connect: not here");
+}
+
 TEST_CASE("ticks go on while another host is waited for, and the wait can be interrupted", "[console][network]") {
     HostsRig it;
     it.session->submit("hosts.ev3.vehicle:use 'careful'");
@@ -159,7 +165,7 @@ TEST_CASE("what can be no member of a component of another host is told", "[cons
 
 TEST_CASE("what another host shows is a copy that can't be written", "[console][network]") {
     HostsRig it;
-    using Ref = PlainData::TableRef;
+    using Ref = TableRef;
     PlainData look;
     look.values.emplace_back(Ref{0});
     look.tables = {{{std::string("config"), Ref{1}}, {std::string("sets"), Ref{3}}},

@@ -25,23 +25,6 @@ TEST_CASE("an expression shows its value, a statement nothing", "[console][sessi
     CHECK(it.finished == 11);
 }
 
-TEST_CASE("the system's components are in scope, also through a keyword's name", "[console][session]") {
-    SessionRig it;
-    it.turn(2);
-    CHECK(it.type("controller.status") == "\"ACTIVE\"");
-    CHECK(it.type("controller.out") ==
-          "controller.out  TimedVelocity2D  { vx = 0.25, vy = 0, va = 0 }  0.01 s old  -> mouse.target_velocity_in");
-    CHECK_THAT(it.type("controller.in"), StartsWith("controller.in  TimedShortSeq  { 0, 0, 0, 0 }"));
-    CHECK(it.type("#controller.in.value, #controller.ports.in.value") == "4\t4");
-    CHECK(it.type("c = controller").empty());
-    CHECK(it.type("c.in.type") == "\"TimedShortSeq\"");
-    CHECK(it.type("controller.config.speed_x = 0.2").empty());
-    CHECK(it.type("world.controller.config.speed_x") == "0.2");
-    CHECK(it.type("controller:add(2, 'x')") == "2\t\"x\"");
-    CHECK(it.type("controller:deactivate()") == "\"INACTIVE\"");
-    CHECK(it.type("controller.truth") == "! controller has no 'truth'");
-}
-
 TEST_CASE("a keyword after a dot becomes a name, in code alone", "[console][input]") {
     CHECK(with_keyword_names("controller.in") == "controller[\"in\"]");
     CHECK(with_keyword_names(".in") == ".in");

@@ -12,24 +12,6 @@ using namespace nezumi;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
-TEST_CASE("all components are deactivated and activated at once, each by an act of its own",
-          "[console][session][act]") {
-    SessionRig it(counter_system + "behavior \"idle\" { script = \"counter\", active = false }\n");
-    it.turn(20);
-    CHECK(it.type("deactivate()") == "INACTIVE now: controller, mouse");
-    CHECK(it.type("controller.status, mouse.status, idle.status") == "\"INACTIVE\"\t\"INACTIVE\"\t\"INACTIVE\"");
-    CHECK(it.type("deactivate()") == "nothing is ACTIVE");
-    it.turn(100);
-    CHECK(std::abs(it.live->system().find_robot("mouse")->guard().current().vx) < 1e-9);  // and stands
-    CHECK(it.type("activate()") == "ACTIVE now: mouse, controller, idle");
-    CHECK(it.type("activate()") == "nothing is INACTIVE");
-    CHECK(it.type("deactivate(idle)") == "INACTIVE now: idle");
-    CHECK(it.type("activate 'idle'") == "ACTIVE now: idle");
-    CHECK(it.type("activate 'idel'") == "! activate: there is no component 'idel' (did you mean 'idle'?)");
-    CHECK(it.type("activate(idle, 2)") ==
-          "! activate: expected at most 1 argument, got 2: activate() or activate(component)");
-}
-
 TEST_CASE("who can't be activated is told, and the others are", "[console][session][act]") {
     SessionRig it(counter_system + "behavior \"bad\" { script = \"bad\", active = false }\n",
                   {{"counter", counter_behavior}, {"bad", "function on_activated() error('no luck') end"}});
@@ -41,19 +23,11 @@ TEST_CASE("who can't be activated is told, and the others are", "[console][sessi
     CHECK(it.type("activate()") == "nothing is INACTIVE");
 }
 
-TEST_CASE("a level of the log that there is not is told", "[console][session]") {
-    SessionRig it;
-    CHECK(it.type("log_level 'warning'") == "! log_level: there is no level 'warning' (did you mean 'warn'?)");
-    CHECK(it.type("log_level 'loud'") == "! log_level: there is no level 'loud' (there are debug, info, warn, error)");
-    CHECK(it.type("log_level 'debug'") ==
-          "! log_level: no log is shown here: it is where `nezumi run` or `nezumi attach` has a terminal");
-}
-
 TEST_CASE("pictures and graphs are drawn within the project by whoever can draw", "[console][session]") {
     std::string drawn;
     const Scratch outside;
     SessionOptions options;
-    options.draughtsman = [&drawn](Drawn what) -> Drawing {
+    options.drawing_maker = [&drawn](Drawn what) -> Drawing {
         return [&drawn, what](const std::string& file) -> Expected<void> {
             drawn +=
                 (what == Drawn::world ? "world " : "wiring ") + std::filesystem::path(file).filename().string() + ";";

@@ -8,12 +8,12 @@ using namespace nezumi;
 namespace {
 
 struct Author {
-    BehaviorWish wish;
+    BehaviorRequest request;
     SessionOptions options() {
         SessionOptions options;
         options.author = [this](const std::filesystem::path&,
-                                const BehaviorWish& given) -> Expected<std::vector<std::string>> {
-            wish = given;
+                                const BehaviorRequest& given) -> Expected<std::vector<std::string>> {
+            request = given;
             if (given.name == "taken") return failure("behaviors/taken.lua is there already");
             return std::vector<std::string>{"behaviors/" + given.name + ".lua", "tests/" + given.name + "_test.lua"};
         };
@@ -29,12 +29,12 @@ TEST_CASE("the console has a new behaviour written with its ports, parameters an
     CHECK(it.type(R"(new "follower" { inputs = { "light:TimedShortSeq:sensors" }, outputs = { "out:TimedVelocity2D" },
                                       params = { "gain=0.5" }, callbacks = { "on_activated" }, doc = "Follows." })") ==
           "wrote behaviors/follower.lua, tests/follower_test.lua");
-    CHECK(author.wish.name == "follower");
-    CHECK(author.wish.inputs == std::vector<std::string>{"light:TimedShortSeq:sensors"});
-    CHECK(author.wish.outputs == std::vector<std::string>{"out:TimedVelocity2D"});
-    CHECK(author.wish.parameters == std::vector<std::string>{"gain=0.5"});
-    CHECK(author.wish.callbacks == std::vector<std::string>{"on_activated"});
-    CHECK(author.wish.doc == "Follows.");
+    CHECK(author.request.name == "follower");
+    CHECK(author.request.inputs == std::vector<std::string>{"light:TimedShortSeq:sensors"});
+    CHECK(author.request.outputs == std::vector<std::string>{"out:TimedVelocity2D"});
+    CHECK(author.request.parameters == std::vector<std::string>{"gain=0.5"});
+    CHECK(author.request.callbacks == std::vector<std::string>{"on_activated"});
+    CHECK(author.request.doc == "Follows.");
 }
 
 TEST_CASE("the console says what is wrong with a new behaviour", "[console][new]") {

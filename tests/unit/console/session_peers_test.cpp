@@ -11,15 +11,15 @@ namespace {
 
 // Answers as soon as it is told to.
 struct Asked {
-    std::vector<PeerWish> wishes;
+    std::vector<PeerRequest> requests;
     std::optional<std::promise<Expected<std::string>>> late{};
     Expected<std::string> says = "rtm:Out0  Out, ACTIVE";
     bool hangs = false;
 
     SessionOptions options() {
         SessionOptions options;
-        options.peers = [this](const PeerWish& wish) {
-            wishes.push_back(wish);
+        options.peers = [this](const PeerRequest& request) {
+            requests.push_back(request);
             late.emplace();
             auto answer = late->get_future();
             if (!hangs) late->set_value(says);
@@ -36,26 +36,26 @@ const std::map<std::string, std::string> behaviors{{"counter", counter_behavior}
 TEST_CASE("RTCs are listed, shown and changed by their names", "[console][rtm]") {
     Asked asked;
     SessionRig it(counter_system, behaviors, asked.options());
-    const auto wish = [&](const std::string& text) {
+    const auto request = [&](const std::string& text) {
         CHECK(it.type(text) == "rtm:Out0  Out, ACTIVE");
-        return asked.wishes.back();
+        return asked.requests.back();
     };
-    CHECK(wish("ls 'rtm:'").name.empty());
-    CHECK(wish("rtm()").name.empty());
-    CHECK(wish("ls 'rtm:pc.host_cxt/Out0'").name == "pc.host_cxt/Out0");
-    CHECK(wish("rtm 'Out0'").what == PeerWish::What::look);
-    CHECK(wish("activate 'rtm:Out0'").what == PeerWish::What::activate);
-    CHECK(wish("deactivate 'rtm:Out0'").what == PeerWish::What::deactivate);
-    CHECK(wish("rtm('rtm:Out0', 'activate')").what == PeerWish::What::activate);
-    CHECK(asked.wishes.back().name == "Out0");
-    CHECK(wish("rtm('Out0', 'reset')").what == PeerWish::What::reset);
-    CHECK(wish("rtm('Out0', 'use', 'fast')").set == "fast");
-    CHECK(wish("rtm('Out0', { speed = 0.5, on = true, gains = { 1, 2 } })").values ==
+    CHECK(request("ls 'rtm:'").name.empty());
+    CHECK(request("rtm()").name.empty());
+    CHECK(request("ls 'rtm:pc.host_cxt/Out0'").name == "pc.host_cxt/Out0");
+    CHECK(request("rtm 'Out0'").what == PeerRequest::What::look);
+    CHECK(request("activate 'rtm:Out0'").what == PeerRequest::What::activate);
+    CHECK(request("deactivate 'rtm:Out0'").what == PeerRequest::What::deactivate);
+    CHECK(request("rtm('rtm:Out0', 'activate')").what == PeerRequest::What::activate);
+    CHECK(asked.requests.back().name == "Out0");
+    CHECK(request("rtm('Out0', 'reset')").what == PeerRequest::What::reset);
+    CHECK(request("rtm('Out0', 'use', 'fast')").set == "fast");
+    CHECK(request("rtm('Out0', { speed = 0.5, on = true, gains = { 1, 2 } })").values ==
           ParameterValues{{"speed", 0.5}, {"on", true}, {"gains", std::vector<std::int64_t>{1, 2}}});
-    CHECK(asked.wishes.back().what == PeerWish::What::configure);
+    CHECK(asked.requests.back().what == PeerRequest::What::configure);
 }
 
-TEST_CASE("what is no wish of an RTC is refused", "[console][rtm]") {
+TEST_CASE("what is no request of an RTC is refused", "[console][rtm]") {
     Asked asked;
     SessionRig it(counter_system, behaviors, asked.options());
     CHECK(it.type("rtm(5)") == "! rtm: expected an RTC's name, as in rtm \"ConsoleOut0\", got number");
@@ -67,7 +67,7 @@ TEST_CASE("what is no wish of an RTC is refused", "[console][rtm]") {
     CHECK(it.type("rtm('Out0', {})") == "! rtm: expected values by name, as in rtm(\"ConsoleOut0\", { speed = 0.5 })");
     CHECK(it.type("rtm('Out0', 'use')") ==
           "! rtm: expected the name of a set, as in rtm(\"ConsoleOut0\", \"use\", \"default\"), got nothing");
-    CHECK(asked.wishes.empty());
+    CHECK(asked.requests.empty());
     asked.says = failure("there is no RTC 'Out0' in the name service");
     CHECK(it.type("rtm 'Out0'") == "! rtm: there is no RTC 'Out0' in the name service");
     SessionRig without;
@@ -79,7 +79,7 @@ TEST_CASE("ticks go on while an RTC is waited for, and the wait can be interrupt
     asked.hangs = true;
     SessionRig it(counter_system, behaviors, asked.options());
     it.session->submit("ls 'rtm:'");
-    while (asked.wishes.empty()) it.session->advance();
+    while (asked.requests.empty()) it.session->advance();
     const auto before = it.live->system().now().tick;
     for (int i = 0; i < 5; ++i) {
         it.session->advance();
@@ -87,7 +87,7 @@ TEST_CASE("ticks go on while an RTC is waited for, and the wait can be interrupt
     }
     CHECK(it.live->system().now().tick == before + 5);
     CHECK(it.session->is_busy());
-    CHECK(asked.wishes.size() == 1);
+    CHECK(asked.requests.size() == 1);
     SECTION("until it answers") {
         asked.late->set_value("there");
         while (it.session->is_busy()) it.session->advance();

@@ -34,38 +34,6 @@ struct PlotRig : SessionRig {
 
 }  // namespace
 
-TEST_CASE("a field of a port is plotted for itself, from before it was asked for", "[console][plot]") {
-    PlotRig it;
-    it.type("plot(controller.out) step(10) controller.config.speed_x = 0.5 step(10)");
-    const std::string plot = it.type("plot('controller.out.vx', 5)");
-    CHECK_THAT(plot, StartsWith("controller.out.vx\nvx\n 0.5 │"));
-    CHECK_THAT(plot, !Contains("vy"));
-    CHECK_THAT(it.type("plot('mouse.ir_sensor_out[2]')"), Contains("mouse.ir_sensor_out[2]"));
-    CHECK(it.type("plot 'controller.out.vz'") == "! plot: controller.out has no 'vz' (did you mean 'vx'?)");
-}
-
-TEST_CASE("texts and truth values are plotted, texts as their changes", "[console][plot]") {
-    PlotRig it;
-    it.type("plot(talker.mode, talker.blocked) step(10)");
-    CHECK(it.type("plot(talker.mode)") == "talker.mode\nvalue: \"slow\" from 0 s, \"fast\" from 0.05 s");
-    CHECK_THAT(it.type("plot(talker.blocked)"), StartsWith("talker.blocked\nvalue\n1 │"));
-    const std::string both = it.type("plot(talker.mode, talker.blocked, 5)");
-    CHECK_THAT(both, Contains("* talker.blocked"));
-    CHECK_THAT(both, Contains("talker.mode: \"slow\" from 0 s, \"fast\" from 0.05 s"));
-}
-
-TEST_CASE("truth, parameters and state are remembered from the first plot on", "[console][plot]") {
-    PlotRig it;
-    it.turn(50);
-    CHECK_THAT(it.type("plot 'mouse.truth.pose.position.x'"),
-               StartsWith("mouse.truth.pose.position.x\npose.position.x = ") &&
-                   EndsWith(" at 0.5 s, the only value that is remembered"));
-    it.type("plot('controller.config.speed_x', 'talker.state.n') step(20)");
-    CHECK_THAT(it.type("plot('mouse.truth.pose.position.x', 1)"), Contains("pose.position.x"));
-    CHECK_THAT(it.type("plot 'talker.state.n'"), StartsWith("talker.state.n\nn\n"));
-    CHECK_THAT(it.type("plot('controller.config.speed_x', 0.05)"), Contains("speed_x = 0.25 all the time"));
-}
-
 TEST_CASE("probes are plotted by their names", "[console][plot]") {
     PlotRig it;
     it.turn(1);
@@ -78,23 +46,6 @@ TEST_CASE("probes are plotted by their names", "[console][plot]") {
     CHECK_THAT(it.type("plot(talker.probes.count, 5)"), StartsWith("talker.probes.count\ncount\n21 │"));
     CHECK_THAT(it.type("plot(talker.probes.count, controller.out.vx, 5)"),
                Contains("* talker.probes.count   o controller.out.vx"));
-}
-
-TEST_CASE("what carried nothing is named beside what did", "[console][plot]") {
-    PlotRig it;
-    it.turn(10);
-    CHECK_THAT(it.type("plot(talker.blocked, mouse.pose_update)"),
-               Contains("* talker.blocked") && Contains("mouse.pose_update has carried nothing in this time"));
-}
-
-TEST_CASE("several share one drawing and one scale, each with its mark", "[console][plot]") {
-    PlotRig it;
-    it.type("plot(controller.out) step(20)");
-    const std::string plot =
-        it.type("plot('controller.out.vx', 'mouse.target_velocity_in.vx', 'controller.out.va', 5)");
-    CHECK_THAT(plot, Contains("* controller.out.vx   o mouse.target_velocity_in.vx   + controller.out.va") ||
-                         Contains("* controller.out.vx   o controller.out.va"));
-    CHECK_THAT(plot, StartsWith("0.25 |"));
 }
 
 TEST_CASE("a plot is drawn again and again, until unwatch or Ctrl-C", "[console][plot]") {
@@ -123,20 +74,6 @@ TEST_CASE("a plot of what goes ends, which is told once", "[console][plot]") {
     CHECK(it.shown.empty());
 }
 
-TEST_CASE("what plot can't draw is told", "[console][plot]") {
-    PlotRig it;
-    CHECK(it.type("plot()") == "! plot: expected a port or \"name.port\", got nothing");
-    CHECK(it.type("plot(5)") == "! plot: expected a port or \"name.port\", got nothing");
-    CHECK(it.type("plot(controller.out, -1)") == "! plot: expected seconds, more than 0, got -1");
-    CHECK(it.type("plot(controller.out, 1, controller.out)") ==
-          "! plot: expected what to draw, then seconds, then options: plot(port, ..., seconds, { every = 1 })");
-    CHECK(it.type("plot(controller.out, { evry = 1 })") ==
-          "! plot: controller.out: unknown option 'evry' (did you mean 'every'?)");
-    CHECK(it.type("plot(controller.out, { every = 'x' })") ==
-          "! plot: controller.out: option 'every' expected a positive number, got string");
-    CHECK_THAT(it.type("plot(controller)"), StartsWith("! plot: expected a port, got the component controller"));
-}
-
 TEST_CASE("what plot is given is meant by its name, not by its value", "[console][plot][input]") {
     const auto text = [](const std::string& given) { return with_plotted_names(given); };
     CHECK(text("plot(controller.out.vx, 5)") == "plot({ controller, \".out.vx\" }, 5)");
@@ -153,22 +90,6 @@ TEST_CASE("what plot is given is meant by its name, not by its value", "[console
                                    "plot(", "plot(a.b.c", "plot(a.b.", "plot(a.b.)", "plot"}) {
         CHECK(text(same) == same);
     }
-}
-
-TEST_CASE("a field is plotted as it is written elsewhere", "[console][plot]") {
-    PlotRig it;
-    it.type("plot(controller.out) step(10) controller.config.speed_x = 0.5 step(10)");
-    CHECK_THAT(it.type("plot(controller.config.speed_x, 0.05)"), Contains("speed_x"));
-    it.type("c = controller p = controller.out");
-    for (const std::string name :
-         {"controller.out.vx", "controller.out.value.vx", "controller.ports.out.value.vx", "controller.out[\"vx\"]",
-          "'controller.out.value.vx'", "c.out.vx", "c.ports.out['value'].vx", "p.value.vx"}) {
-        INFO(name);
-        CHECK_THAT(it.type("plot(" + name + ", 5)"), StartsWith("controller.out.vx\nvx\n 0.5 │"));
-    }
-    CHECK(it.type("for _, each in ipairs { p } do plot(each.value.vz, 5) end") ==
-          "! plot: controller.out has no 'vz' (did you mean 'vx'?)");
-    CHECK(it.type("t = {} plot(t.a.b)") == "! plot: expected a component or a port before .a.b, got table");
 }
 
 TEST_CASE("a probe is plotted with its .value or without, and a misspelt one names the nearest", "[console][plot]") {
@@ -200,11 +121,4 @@ TEST_CASE("every value that the console shows is plotted", "[console][plot]") {
     CHECK(it.type("plot(controller.out.count)") ==
           "controller.out.count\nvalue = 1 at 0.01 s, the only value that is remembered");
     CHECK(it.type("plot('mouse.teleport')") == "! plot: mouse has no port 'teleport'");
-}
-
-TEST_CASE("the truth is plotted without what rounding leaves of a zero", "[console][plot]") {
-    PlotRig it;
-    it.turn(5);
-    CHECK(it.type("plot(mouse.truth.velocity.va)") ==
-          "mouse.truth.velocity.va\nvelocity.va = 0 at 0.05 s, the only value that is remembered");
 }

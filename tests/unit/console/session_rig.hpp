@@ -1,7 +1,6 @@
 // A session on a live system, a clock that a test turns by hand, and all that the session said.
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <map>
 #include <memory>

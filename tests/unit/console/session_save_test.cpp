@@ -134,7 +134,7 @@ TEST_CASE("a value set by hand is saved in the set in use that names it, else in
         return std::get<BehaviorEntry>(
             read_system_file(file, Project::of(file, {source_root()})).value().entries.front());
     };
-    const auto whole = [](std::int64_t number) { return ParameterValue{number}; };
+    const auto whole = [](std::int64_t number) { return Value{number}; };
     CHECK(it.type("it:use 'g' it.config.q = 5").empty());
     const BehaviorEntry other = saved();
     CHECK(other.set == "g");
@@ -146,6 +146,20 @@ TEST_CASE("a value set by hand is saved in the set in use that names it, else in
     CHECK(named.sets.at("g") == ParameterValues{{"p", whole(7)}});
     CHECK(named.sets.at("h") == ParameterValues{{"r", whole(4)}});
     CHECK(named.config.at("p") == whole(2));
+}
+
+TEST_CASE("a save whose working folder has been deleted says so, and the session goes on", "[console][session]") {
+    SessionRig it;
+    const Scratch scratch;
+    const std::filesystem::path before = std::filesystem::current_path();
+    const std::filesystem::path gone = scratch.path("gone");
+    std::filesystem::create_directory(gone);
+    std::filesystem::current_path(gone);
+    std::filesystem::remove(gone);
+    const std::string answer = it.type("save 'saved.lua'");
+    std::filesystem::current_path(before);
+    CHECK(answer == "! save: 'saved.lua': the working folder is not known: No such file or directory");
+    CHECK(it.type("1 + 1") == "2");
 }
 
 TEST_CASE("a system is saved as a Lua file within its project, and nowhere else", "[console][session]") {

@@ -18,14 +18,6 @@ TEST_CASE("the console carries a box elsewhere, and what is left out stays as it
     CHECK(it.live->system().world()->things().front().pose.position.y == 1);
 }
 
-TEST_CASE("the console refuses to carry a box where it can't be", "[console]") {
-    SessionRig it;
-    CHECK(it.type("teleport('box 1', { x = 0 })") ==
-          "! teleport: box 1 at x = 0, y = 0 overlaps robot 'mouse': move one of them");
-    CHECK(it.type("teleport('box 1', { z = 1 })") == "! teleport: pose: a thing keeps its height: leave out z");
-    CHECK(it.type("teleport('box 1')") == "! teleport: pose: expected a table { x =, y =, heading = }, got nothing");
-}
-
 TEST_CASE("save writes things and markers where a hand has put them, and restart puts them back", "[console]") {
     SessionRig it;
     it.type("marker { name = 'target', id = 7, at = { 1, 0, 0.1 } }");

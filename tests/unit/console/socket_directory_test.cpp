@@ -41,12 +41,29 @@ TEST_CASE("a system that listens is found, by its name, its process or as the on
         const auto other = Listener::open("line follower", folder.path());
         REQUIRE(other);
         CHECK(refusal("", folder.path()) ==
-              "several systems are running, say which by its name or its process: line_follower (process " + process +
+              "several systems are running, say which by its name or its process: line follower (process " + process +
                   "), stop_at_wall (process " + process + ")");
-        CHECK(refusal("line_follower", folder.path()) == "none");
+        CHECK(refusal("line follower", folder.path()) == "none");
     }
     CHECK(std::filesystem::is_empty(folder.path()));
     CHECK(refusal("", folder.path()) == "nothing is running: start a system with `nezumi run FILE`");
+}
+
+TEST_CASE("a system is called as its file is, whatever that is called", "[console][attach]") {
+    const Scratch folder;
+    for (const std::string& name :
+         std::vector<std::string>{"maze-solver", "v1.2", "line follower", "\xe8\xbf\xb7\xe8\xb7\xaf", "a-12.sock",
+                                  "it's \"mine\"", std::string(60, 'n'), std::string(240, 'n')}) {
+        INFO(name);
+        const auto listener = Listener::open(name, folder.path());
+        REQUIRE(listener);
+        const auto systems = running_systems(folder.path());
+        REQUIRE(systems);
+        REQUIRE(systems->size() == 1);
+        CHECK(systems->front().name == name);
+        CHECK(refusal(name, folder.path()) == "none");
+        CHECK(refusal("behaviors/systems/" + name + ".lua", folder.path()) == "none");
+    }
 }
 
 TEST_CASE("sockets that nobody listens at are removed, other files are not", "[console][attach]") {

@@ -49,7 +49,7 @@ Octets cdr(std::size_t size) {
 
 }  // namespace
 
-TEST_CASE("octets arrive as they were written, whatever their number", "[dds][cyclone][wallclock]") {
+TEST_CASE("messages of any length arrive unchanged", "[dds][cyclone][wallclock]") {
     const auto place = join(211);
     Topic topic = topic_of("a", "b.c", type_index<std::string>());
     topic.depth = 16;
@@ -72,7 +72,7 @@ TEST_CASE("octets arrive as they were written, whatever their number", "[dds][cy
     }
 }
 
-TEST_CASE("a reader wakes who waits for it, and a writer that keeps all says when it has no room",
+TEST_CASE("a reader wakes a waiting thread, and a writer that keeps all reports a full queue",
           "[dds][cyclone][wallclock]") {
     const auto place = join(220);
     const Topic topic{.name = "nezumi/a/steps/b",
@@ -103,7 +103,7 @@ TEST_CASE("a reader wakes who waits for it, and a writer that keeps all says whe
     }));
 }
 
-TEST_CASE("a message that a reader does not admit pushes out none that waits", "[dds][cyclone][wallclock]") {
+TEST_CASE("a message that a reader rejects does not displace waiting ones", "[dds][cyclone][wallclock]") {
     const auto place = join(216);
     Topic topic = topic_of("a", "b.c", type_index<std::string>());
     topic.depth = 1;
@@ -123,7 +123,7 @@ TEST_CASE("a message that a reader does not admit pushes out none that waits", "
     CHECK(got[0].bytes == cdr(11));
 }
 
-TEST_CASE("who comes late is given what is kept for it", "[dds][cyclone][wallclock]") {
+TEST_CASE("a late reader gets the stored message", "[dds][cyclone][wallclock]") {
     const auto place = join(212);
     const Topic topic{.name = "nezumi/hosts", .type = "nezumi::Announcement", .reliable = true, .keeps_last = true};
     const auto writer = place->write(topic);
@@ -138,7 +138,7 @@ TEST_CASE("who comes late is given what is kept for it", "[dds][cyclone][wallclo
     CHECK(got.back().bytes == cdr(10));
 }
 
-TEST_CASE("writers and readers in a domain are seen, and gone when they end", "[dds][cyclone][wallclock]") {
+TEST_CASE("writers and readers in a domain are listed until they end", "[dds][cyclone][wallclock]") {
     const auto place = join(213);
     const auto is_seen = [&](bool writes) {
         for (const SeenEndpoint& each : place->seen()) {
@@ -155,7 +155,7 @@ TEST_CASE("writers and readers in a domain are seen, and gone when they end", "[
     CHECK(comes([&] { return !is_seen(true); }));
 }
 
-TEST_CASE("on the loopback nothing is heard that another computer sends", "[dds][cyclone]") {
+TEST_CASE("on the loopback messages of other computers are ignored", "[dds][cyclone]") {
     const auto filtered = [](bool loopback) {
         const auto place = open_cyclone({.domain = 215, .xml = domain_xml("", {}), .loopback = loopback});
         REQUIRE(place.has_value());
@@ -178,7 +178,7 @@ TEST_CASE("on the loopback nothing is heard that another computer sends", "[dds]
     CHECK(filtered(false) == std::vector<bool>{false, false});
 }
 
-TEST_CASE("an interface that is not there is told in one line", "[dds][cyclone]") {
+TEST_CASE("a missing interface is reported in one line", "[dds][cyclone]") {
     const auto place = open_cyclone({.domain = 214, .xml = domain_xml("none9", {})});
     REQUIRE_FALSE(place.has_value());
     CHECK(place.error().message.find("none9") != std::string::npos);

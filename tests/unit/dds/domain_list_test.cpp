@@ -6,7 +6,7 @@
 using namespace nezumi;
 using namespace nezumi::dds;
 
-TEST_CASE("hosts and topics of ROS are listed as a person calls them", "[dds]") {
+TEST_CASE("hosts and topics of ROS are listed with their usual names", "[dds]") {
     Announcement ev3;
     ev3.head = {.protocol = protocol, .host = "ev3", .version = "0.1.0"};
     ev3.ports.resize(1);

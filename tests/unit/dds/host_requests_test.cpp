@@ -18,15 +18,15 @@ Question question(What what, const std::string& name = "", PlainData values = {}
 }
 
 // A value of the table of a look.
-PlainData::Value looked(const Expected<PlainData>& data, const std::string& key) {
+Value looked(const Expected<PlainData>& data, const std::string& key) {
     REQUIRE(data.has_value());
     for (const auto& [name, value] : data->tables.at(0)) {
-        if (name == PlainData::Value{key}) return value;
+        if (name == Value{key}) return value;
     }
     return {};
 }
 
-PlainData one(PlainData::Value value) {
+PlainData one(Value value) {
     PlainData data;
     data.values.push_back(std::move(value));
     return data;
@@ -34,34 +34,32 @@ PlainData one(PlainData::Value value) {
 
 std::string text(const Expected<PlainData>& answer) {
     if (!answer) return "! " + answer.error().message;
-    return answer->values.empty() ? "" : std::get<std::string>(answer->values[0]);
+    return answer->values.empty() ? "" : answer->values[0].get<std::string>();
 }
 
 }  // namespace
 
-TEST_CASE("a component of another host says what it is, and does what it is told", "[dds][network]") {
+TEST_CASE("a component of another host shows its state and executes requests", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     REQUIRE(ev3.part->parameters().declare({.name = "speed", .initial = 0.5, .min = 0.0, .max = 1.0}));
     REQUIRE(ev3.part->parameters().declare({.name = "list", .initial = std::vector<double>{1.0}}));
     pass(room, 3, ev3, pi);
-    CHECK(looked(pi.ask(question(What::look), ev3), "status") == PlainData::Value{"ACTIVE"});
-    CHECK(looked(pi.ask(question(What::look), ev3), "type") == PlainData::Value{"Part"});
+    CHECK(looked(pi.ask(question(What::look), ev3), "status") == Value{"ACTIVE"});
+    CHECK(looked(pi.ask(question(What::look), ev3), "type") == Value{"Part"});
     CHECK(ev3.acts.empty());  // to look is no act
     CHECK(text(pi.ask(question(What::deactivate), ev3)) == "INACTIVE");
     CHECK(ev3.part->state() == LifeState::inactive);
     CHECK(text(pi.ask(question(What::activate), ev3)) == "ACTIVE");
     CHECK(text(pi.ask(question(What::set, "speed", one(0.25)), ev3)) == "");
-    CHECK(ev3.part->parameters().find("speed")->value == ParameterValue{0.25});
-    PlainData list = one(PlainData::TableRef{0});
-    list.tables.push_back({{std::int64_t{1}, 2.5}, {std::int64_t{2}, std::int64_t{3}}});
-    CHECK(text(pi.ask(question(What::set, "list", list), ev3)) == "");
-    CHECK(ev3.part->parameters().find("list")->value == ParameterValue{std::vector<double>{2.5, 3.0}});
+    CHECK(ev3.part->parameters().find("speed")->value == Value{0.25});
+    CHECK(text(pi.ask(question(What::set, "list", one(std::vector<double>{2.5, 3.0})), ev3)) == "");
+    CHECK(ev3.part->parameters().find("list")->value == Value{std::vector<double>{2.5, 3.0}});
     CHECK(ev3.acts == Lines{"Deactivate by network pi", "Activate by network pi", "SetParameter by network pi",
                             "SetParameter by network pi"});
 }
 
-TEST_CASE("what another host refuses is told with its name", "[dds][network]") {
+TEST_CASE("a refusal by another host is reported with its name", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     REQUIRE(ev3.part->parameters().declare({.name = "speed", .initial = 0.5, .min = 0.0, .max = 1.0}));
@@ -78,17 +76,16 @@ TEST_CASE("what another host refuses is told with its name", "[dds][network]") {
     CHECK(text(pi.ask(none, ev3)) == "! pi is this host: its components have their own names");
 }
 
-TEST_CASE("where others may only look, they look at components and change nothing", "[dds][network]") {
+TEST_CASE("read-only hosts can see components but change nothing", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3", false), pi(room, "pi");
     pass(room, 3, ev3, pi);
-    CHECK(looked(pi.ask(question(What::look), ev3), "status") == PlainData::Value{"ACTIVE"});
+    CHECK(looked(pi.ask(question(What::look), ev3), "status") == Value{"ACTIVE"});
     CHECK(text(pi.ask(question(What::deactivate), ev3)).find("! host ev3: others may only look") == 0);
     CHECK(ev3.part->state() == LifeState::active);
 }
 
-TEST_CASE("a host that does not answer is told after 2 s, and what was asked then is not done later",
-          "[dds][network]") {
+TEST_CASE("a missing answer is reported after 2 s, and the request is not executed later", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     pass(room, 3, ev3, pi);
@@ -102,7 +99,7 @@ TEST_CASE("a host that does not answer is told after 2 s, and what was asked the
     CHECK(ev3.part->state() == LifeState::active);
 }
 
-TEST_CASE("what gets lost is asked again, and done once", "[dds][network]") {
+TEST_CASE("a lost request is repeated and executed once", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     pass(room, 3, ev3, pi);
@@ -129,7 +126,7 @@ TEST_CASE("what gets lost is asked again, and done once", "[dds][network]") {
     CHECK(ev3.part->state() == LifeState::active);
 }
 
-TEST_CASE("a request that somebody recorded is not done again after its host was away", "[dds][network][secret]") {
+TEST_CASE("a recorded request is not executed again after its host was away", "[dds][network][secret]") {
     Room room;
     HostRig rig(room, "me");
     const auto place = room.domain.join(), others = room.domain.join();

@@ -33,7 +33,7 @@ struct Table {
 
 }  // namespace
 
-TEST_CASE("what somebody recorded of a host stands for none when the real one goes", "[dds][secret]") {
+TEST_CASE("recorded announcements do not replace a host that has left", "[dds][secret]") {
     Table table(true);
     table.heard(1, announcement(5, 1));
     table.heard(2, announcement(6, 1, {own}));
@@ -42,8 +42,7 @@ TEST_CASE("what somebody recorded of a host stands for none when the real one go
     CHECK(table.run() == 0);
 }
 
-TEST_CASE("what somebody recorded of a host ends no run of it, and undoes nothing that it said since",
-          "[dds][secret]") {
+TEST_CASE("recorded announcements do not end a host's run or undo its later ones", "[dds][secret]") {
     Table table(true);
     table.heard(1, announcement(6, 1, {own}));
     table.heard(2, announcement(5, 9));
@@ -56,7 +55,7 @@ TEST_CASE("what somebody recorded of a host ends no run of it, and undoes nothin
     CHECK(table.run() == 0);
 }
 
-TEST_CASE("the older of two hosts of one name is heard again when the newer one has gone", "[dds]") {
+TEST_CASE("the older of two hosts with one name is used again when the newer one has left", "[dds]") {
     Table table(false);
     table.heard(1, announcement(5, 1));
     table.heard(2, announcement(6, 1));
@@ -67,7 +66,7 @@ TEST_CASE("the older of two hosts of one name is heard again when the newer one 
     CHECK(table.number() == 2);
 }
 
-TEST_CASE("a writer speaks for one host, in one run of it and one version", "[dds]") {
+TEST_CASE("a writer belongs to one host, one run and one version", "[dds]") {
     Table table(false);
     table.heard(1, announcement(5, 1));
     static_cast<void>(table.hosts.take_news());
@@ -80,8 +79,7 @@ TEST_CASE("a writer speaks for one host, in one run of it and one version", "[dd
     CHECK(table.hosts.take_news().empty());
 }
 
-TEST_CASE("an announcement that is too large, or names what can have no such name, is told once and not taken",
-          "[dds]") {
+TEST_CASE("an announcement that is too large or has invalid names is reported once and rejected", "[dds]") {
     const auto refused = [](const Announcement& said) {
         Table table(false);
         table.heard(1, said);

@@ -15,7 +15,7 @@ using namespace nezumi::dds;
 
 namespace {
 
-using Numbers = std::vector<std::int32_t>;
+using NumbersPart = std::vector<std::int32_t>;
 
 // A host in lockstep that publishes in each tick a number made of all that it has heard.
 struct StepRig : HostRig {
@@ -51,7 +51,7 @@ void pass_together(Room& room, int times, Rig&... rigs) {
 
 }  // namespace
 
-TEST_CASE("what a host publishes in a tick is taken in the next tick of the other", "[dds][lockstep]") {
+TEST_CASE("a message published in a host's tick is received in the next tick of the other", "[dds][lockstep]") {
     Room room;
     StepRig one(room, "one", {"two"}), two(room, "two");
     REQUIRE(two.system.connect("one/part.count", "part.number"));
@@ -69,12 +69,12 @@ TEST_CASE("what a host publishes in a tick is taken in the next tick of the othe
     REQUIRE(one.try_tick());
     CHECK_FALSE(one.ready());  // nor two ticks ahead
     REQUIRE(two.try_tick());
-    CHECK(two.part->numbers == Numbers{first});
+    CHECK(two.part->numbers == NumbersPart{first});
     CHECK(two.arrivals == std::vector<std::string>{"Write by network one"});
     CHECK(two.ticks() == 2);
 }
 
-TEST_CASE("hosts in lockstep run the same each time, whoever is quick and whatever is lost", "[dds][lockstep]") {
+TEST_CASE("hosts in lockstep give the same run with any speed and any loss of messages", "[dds][lockstep]") {
     std::vector<std::uint64_t> before;
     for (unsigned seed = 1; seed <= 20; ++seed) {
         CAPTURE(seed);
@@ -102,7 +102,7 @@ TEST_CASE("hosts in lockstep run the same each time, whoever is quick and whatev
     }
 }
 
-TEST_CASE("a named host is waited for, which is told when it takes long", "[dds][lockstep]") {
+TEST_CASE("a run waits for a named host, and reports it when it takes long", "[dds][lockstep]") {
     Room room;
     StepRig one(room, "one");
     REQUIRE(one.system.connect("two/part.count", "part.number"));
@@ -115,10 +115,10 @@ TEST_CASE("a named host is waited for, which is told when it takes long", "[dds]
     pass_together(room, 10, one, two);
     CHECK(one.ticks() > 3);
     CHECK(one.told("info: lockstep: in step with host two"));
-    CHECK(one.told("info: lockstep: time goes on"));
+    CHECK(one.told("info: lockstep: time continues"));
 }
 
-TEST_CASE("who names nobody waits for the first that names it", "[dds][lockstep]") {
+TEST_CASE("a host that names no other waits for the first host that names it", "[dds][lockstep]") {
     Room room;
     StepRig one(room, "one");
     pass_together(room, 30, one);
@@ -129,7 +129,7 @@ TEST_CASE("who names nobody waits for the first that names it", "[dds][lockstep]
     CHECK(one.ticks() > 3);
 }
 
-TEST_CASE("time stands for all while a host is silent, paused or waits itself", "[dds][lockstep]") {
+TEST_CASE("time stands for all hosts while one is silent, paused or waiting", "[dds][lockstep]") {
     Room room;
     StepRig a(room, "a"), b(room, "b", {"a"}), c(room, "c", {"b"});
     pass_together(room, 20, a, b, c);
@@ -152,10 +152,10 @@ TEST_CASE("time stands for all while a host is silent, paused or waits itself", 
     }
     pass_together(room, 20, a, b, c);
     CHECK(a.ticks() > ticks + 10);
-    CHECK(a.told("lockstep: time goes on"));
+    CHECK(a.told("lockstep: time continues"));
 }
 
-TEST_CASE("the others go on without a host that ends, and with one that is started again", "[dds][lockstep]") {
+TEST_CASE("the other hosts continue without a host that ends, and with one that is restarted", "[dds][lockstep]") {
     Room room;
     StepRig a(room, "a");
     auto b = std::make_unique<StepRig>(room, "b", std::vector<std::string>{"a"});
@@ -165,7 +165,7 @@ TEST_CASE("the others go on without a host that ends, and with one that is start
     SECTION("in good order") {
         b->system.network()->leave();
         pass_together(room, 10, a);
-        CHECK(a.told("info: lockstep: host b has ended: this one goes on without it"));
+        CHECK(a.told("info: lockstep: host b has ended: this one continues without it"));
         CHECK(a.ticks() > ticks + 5);
         REQUIRE(b->try_tick());  // while its robots brake
         b.reset();
@@ -185,12 +185,11 @@ TEST_CASE("the others go on without a host that ends, and with one that is start
     pass_together(room, 20, a, *b);
     CHECK(b->ticks() > 10);
     CHECK(a.ticks() - again - b->ticks() <= 2);
-    CHECK(a.told("s on; runs that are to be the same begin together"));
+    CHECK(a.told("s on; for reproducible runs start them together"));
     CHECK(b->part->numbers.size() + 2 >= static_cast<std::size_t>(b->ticks()));
 }
 
-TEST_CASE("a run that was killed and is not missed yet is waited for no longer when a newer one has ended",
-          "[dds][lockstep]") {
+TEST_CASE("hosts do not wait for a killed run when a newer run of that host has ended", "[dds][lockstep]") {
     Room room;
     StepRig a(room, "a"), killed(room, "b", {"a"});
     pass_together(room, 10, a, killed);
@@ -205,7 +204,7 @@ TEST_CASE("a run that was killed and is not missed yet is waited for no longer w
     CHECK(a.ticks() > ticks + 10);
 }
 
-TEST_CASE("a host that went before it was heard is waited for no longer", "[dds][lockstep]") {
+TEST_CASE("hosts do not wait for a host that left before it was heard", "[dds][lockstep]") {
     Room room;
     StepRig a(room, "a"), b(room, "b", {"a"});
     pass_together(room, 10, a, b);
@@ -221,7 +220,7 @@ TEST_CASE("a host that went before it was heard is waited for no longer", "[dds]
     CHECK(a.ticks() > ticks + 10);
 }
 
-TEST_CASE("all that a host has published is taken though it has left", "[dds][lockstep]") {
+TEST_CASE("all messages of a host are received after it has left", "[dds][lockstep]") {
     Room room;
     StepRig a(room, "a"), b(room, "b");
     REQUIRE(a.system.connect("b/part.count", "part.number"));
@@ -237,19 +236,19 @@ TEST_CASE("all that a host has published is taken though it has left", "[dds][lo
     CHECK(a.part->numbers.size() == static_cast<std::size_t>(b.ticks()));
 }
 
-TEST_CASE("a host that comes late is taken in, and told how it would not be late", "[dds][lockstep]") {
+TEST_CASE("a late host joins, and a message says how to start together", "[dds][lockstep]") {
     Room room;
     StepRig a(room, "a"), b(room, "b", {"a"});
     pass_together(room, 20, a, b);
     StepRig late(room, "late", {"a"});
     const std::int64_t ticks = a.ticks();
     pass_together(room, 20, a, b, late);
-    CHECK(a.told("begin together: network { hosts = \"late\" } waits for it"));
+    CHECK(a.told("start them together: network { hosts = \"late\" } waits for it"));
     CHECK(late.ticks() > 10);
     CHECK(a.ticks() - ticks - late.ticks() <= 3);
 }
 
-TEST_CASE("different numbers of ticks a second are refused at both hosts", "[dds][lockstep]") {
+TEST_CASE("different tick rates are refused at both hosts", "[dds][lockstep]") {
     Room room;
     StepRig one(room, "one", {"two"}), two(room, "two", {"one"}, 50);
     pass_together(room, 30, one, two);
@@ -259,10 +258,10 @@ TEST_CASE("different numbers of ticks a second are refused at both hosts", "[dds
     CHECK(two.told(
         "error: lockstep: host one has 100 ticks a second, this one 50: say rate(100) here or rate(50) there"));
     CHECK(one.ticks() == 0);
-    CHECK(one.told("time stands at 0.00 s: host two has another number of ticks a second"));
+    CHECK(one.told("time stands at 0.00 s: host two has another tick rate"));
 }
 
-TEST_CASE("a host that is not in lockstep is told, and not waited for", "[dds][lockstep]") {
+TEST_CASE("a host that is not in lockstep is reported, and hosts do not wait for it", "[dds][lockstep]") {
     Room room;
     StepRig one(room, "one");
     HostRig two(room, "two");
@@ -273,13 +272,13 @@ TEST_CASE("a host that is not in lockstep is told, and not waited for", "[dds][l
         pass_together(room, 1, one);
     }
     CHECK(
-        one.told("warn: host two is not in lockstep as this one is: what comes from it comes when it comes; say "
+        one.told("warn: host two is not in lockstep: its messages arrive at any time; set "
                  "network { lockstep = true } there"));
     CHECK(one.ticks() > 10);
     CHECK(one.part->numbers.size() > 10);
 }
 
-TEST_CASE("hosts whose last connection ends keep in step no longer", "[dds][lockstep]") {
+TEST_CASE("hosts whose last connection ends leave lockstep", "[dds][lockstep]") {
     Room room;
     StepRig a(room, "a"), b(room, "b");
     REQUIRE(b.system.connect("a/part.count", "part.number"));
@@ -299,7 +298,7 @@ TEST_CASE("hosts whose last connection ends keep in step no longer", "[dds][lock
     CHECK(a.ticks() <= stands + 3);
 }
 
-TEST_CASE("an emergency stop and a change of parameters hold up nobody", "[dds][lockstep]") {
+TEST_CASE("an emergency stop and a change of parameters delay no host", "[dds][lockstep]") {
     Room room;
     StepRig a(room, "a"), b(room, "b", {"a"});
     pass_together(room, 10, a, b);

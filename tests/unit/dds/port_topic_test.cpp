@@ -37,7 +37,7 @@ struct Line {
 
 }  // namespace
 
-TEST_CASE("a velocity goes as the newest alone, a picture as one of the newest, all else is delivered", "[dds]") {
+TEST_CASE("of velocities and pictures the newest are sent, all other messages are delivered", "[dds]") {
     const Topic velocity = topic_of("ev3", "a.b", type_index<Velocity2D>());
     CHECK(velocity.name == "nezumi/ev3/a/b");
     CHECK(velocity.type == "nezumi::TimedVelocity2D");
@@ -48,7 +48,7 @@ TEST_CASE("a velocity goes as the newest alone, a picture as one of the newest, 
     CHECK(topic_of("ev3", "a.b", type_index<CameraImage>()).depth == 2);
 }
 
-TEST_CASE("a velocity older than 0.5 s is dropped, by clocks that are not set", "[dds]") {
+TEST_CASE("a velocity older than 0.5 s is dropped, also if the clocks are not set", "[dds]") {
     Line line;
     line.send({.run = 7, .number = 1, .stamp = 2.0, .offset = 100.0}, {.vx = 0.1});  // sent at 102 of theirs
     CHECK(line.receive(5000.0));
@@ -60,7 +60,7 @@ TEST_CASE("a velocity older than 0.5 s is dropped, by clocks that are not set", 
     CHECK(line.inlet.counts().taken == 2);
 }
 
-TEST_CASE("a velocity that its sender measured long ago is old when it comes at once", "[dds]") {
+TEST_CASE("a velocity that was measured long ago is old even if it arrives at once", "[dds]") {
     Line line;
     OutPort<Velocity2D> out{"speed"};
     std::uint64_t number = 0;
@@ -87,7 +87,7 @@ TEST_CASE("the sender's pause makes no message old", "[dds]") {
     CHECK(line.receive(5060.01));
 }
 
-TEST_CASE("a message that comes again, of another start or of no host is not taken", "[dds]") {
+TEST_CASE("repeated messages, and those of another run or no host, are rejected", "[dds]") {
     Line line;
     line.send({.run = 7, .number = 1, .offset = 100}, {});
     CHECK(line.receive(1));
@@ -102,7 +102,7 @@ TEST_CASE("a message that comes again, of another start or of no host is not tak
     CHECK(line.receive(1, 9));
 }
 
-TEST_CASE("what is no message of the port's type, or not finite, is not taken", "[dds]") {
+TEST_CASE("messages of a wrong type or with numbers that are not finite are rejected", "[dds]") {
     Line line;
     const Octets bytes{0, 1, 0, 0, 1, 2, 3};
     line.writer->write(bytes);
@@ -118,7 +118,7 @@ TEST_CASE("what is no message of the port's type, or not finite, is not taken", 
     CHECK(line.inlet.counts().wrong == 5);
 }
 
-TEST_CASE("an outlet sends every message of a tick, with what it says of itself", "[dds]") {
+TEST_CASE("an outlet sends every message of a tick with its head", "[dds]") {
     FakeDomain domain;
     const auto place = domain.join();
     OutPort<std::int32_t> port{"count"};
@@ -145,8 +145,7 @@ TEST_CASE("an outlet sends every message of a tick, with what it says of itself"
     CHECK(head.offset == Approx(1000));
 }
 
-TEST_CASE("without an interface a domain is the loopback's, and nothing stands in its configuration unquoted",
-          "[dds]") {
+TEST_CASE("without an interface a domain uses the loopback, and its configuration is quoted", "[dds]") {
     const std::string loopback = domain_xml("", {});
     CHECK(loopback.find("<NetworkInterface name=\"lo\"/>") != std::string::npos);
     CHECK(loopback.find("<AllowMulticast>false</AllowMulticast>") != std::string::npos);
@@ -157,7 +156,7 @@ TEST_CASE("without an interface a domain is the loopback's, and nothing stands i
     CHECK(wlan.find("<Peers><Peer address=\"10.0.0.2\"/><Peer address=\"pi.local\"/></Peers>") != std::string::npos);
 }
 
-TEST_CASE("what is opened anew does not take what came before", "[dds]") {
+TEST_CASE("a port that is opened again does not take earlier messages", "[dds]") {
     Line line;
     line.send({.run = 7, .number = 5, .offset = 100}, {});
     CHECK(line.receive(1));

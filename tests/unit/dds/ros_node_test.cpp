@@ -1,5 +1,6 @@
 // A system as a node among those of ROS 2.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
 
 #include "bindings/dds/network_maker.hpp"
@@ -41,7 +42,7 @@ struct CommandRig : NodeRig {
 
 }  // namespace
 
-TEST_CASE("a node publishes what ports carry, stamped by the simulation's time, and tells that time", "[dds][ros]") {
+TEST_CASE("a node publishes ports' messages with the simulation's time, and publishes that time", "[dds][ros]") {
     NodeRig rig(spec_of({{"part.speed", "/velocity", "geometry_msgs/msg/TwistStamped"}}, {}));
     REQUIRE(rig.refusal.empty());
     const auto mapping = ros::find_mapping(type_index<Velocity2D>(), "geometry_msgs/msg/TwistStamped", false);
@@ -64,7 +65,7 @@ TEST_CASE("a node publishes what ports carry, stamped by the simulation's time, 
     CHECK(time.clock == ros::Time{0, 10'000'000});
 }
 
-TEST_CASE("a node of real robots stamps by the time of day and has no clock of its own", "[dds][ros]") {
+TEST_CASE("a node of real robots uses the time of day and publishes no clock", "[dds][ros]") {
     NodeRig rig(spec_of({{"part.speed", "/velocity", "geometry_msgs/msg/TwistStamped"}}, {}), true);
     const auto mapping = ros::find_mapping(type_index<Velocity2D>(), "geometry_msgs/msg/TwistStamped", false);
     const auto reader = rig.other->read(ros::topic_of("/velocity", **mapping, false));
@@ -79,7 +80,7 @@ TEST_CASE("a node of real robots stamps by the time of day and has no clock of i
     for (const std::string& topic : rig.domain.topics()) CHECK(topic.find("rt/clock") == std::string::npos);
 }
 
-TEST_CASE("a node takes what comes on topics, and nothing that is no message", "[dds][ros]") {
+TEST_CASE("a node takes valid messages from topics and rejects others", "[dds][ros]") {
     NodeRig rig(spec_of({}, {{"part.target", "/cmd_vel"}}));
     REQUIRE(rig.refusal.empty());
     rig.tick();
@@ -103,11 +104,11 @@ TEST_CASE("a node takes what comes on topics, and nothing that is no message", "
     rig.tick();
     CHECK(rig.part->targets.size() == 1);
     REQUIRE(rig.log.size() == 2);
-    CHECK(rig.log[0].find("a message is not taken: byte 4") == 0);
-    CHECK(rig.log[1] == "a message is not taken: a number is not finite");
+    CHECK(rig.log[0].find("a message was rejected: byte 4") == 0);
+    CHECK(rig.log[1] == "a message was rejected: a number is not finite");
 }
 
-TEST_CASE("a velocity that came while time stood moves nothing afterwards", "[dds][ros]") {
+TEST_CASE("a velocity that came while time stood has no effect afterwards", "[dds][ros]") {
     const bool real = GENERATE(true, false);
     NodeRig rig(spec_of({}, {{"part.target", "/cmd_vel"}}), real);
     REQUIRE(rig.refusal.empty());
@@ -136,7 +137,35 @@ TEST_CASE("a simulation that is slower than the clock takes every velocity", "[d
     CHECK(rig.arrivals.size() == 1);
 }
 
-TEST_CASE("a range of Humble, which has no variance, is taken as well", "[dds][ros]") {
+TEST_CASE("an odometry has the velocity of its robot, or that of its poses", "[dds][ros]") {
+    const auto mapping = ros::find_mapping(type_index<Pose2D>(), "nav_msgs/msg/Odometry", false);
+    REQUIRE(mapping.has_value());
+    FakeDomain domain;
+    const auto here = domain.join(), there = domain.join();
+    const dds::Topic topic = ros::topic_of("/odom", **mapping, true);
+    const auto reader = there->read(topic);
+    const auto port = make_in_port(type_index<Pose2D>(), "odom", "", 0);
+    const auto publication = (*mapping)->publish(*port, here->write(topic), "odom");
+    const auto sent = [&](const Pose2D& pose, std::int64_t tick, const Velocity2D* measured) {
+        port->inject(pose);
+        port->latch({.tick = tick, .seconds = static_cast<double>(tick) / 100});
+        publication->send(0, measured);
+        ros::Odometry message;
+        REQUIRE(read_cdr(reader->take().at(0).bytes, {.header = true}, message));
+        return message.twist.twist;
+    };
+    const Velocity2D measured{.vx = 0.1, .va = 0.5};
+    CHECK(sent({}, 0, &measured).linear.x == 0.1);
+    CHECK(sent({}, 1, &measured).angular.z == 0.5);
+    CHECK(sent({{1, 1}, 3.1}, 2, nullptr).linear.x == 0);  // the first one says nothing of a velocity
+    // 0.1 s later, half a turn around it is 0.1 m nearer.
+    const ros::Twist twist = sent({{0.9, 1}, -3.1}, 12, nullptr);
+    CHECK(twist.linear.x == Approx(1).epsilon(0.01));
+    CHECK(twist.linear.y == Approx(0).margin(0.01));
+    CHECK(twist.angular.z == Approx((2 * M_PI - 6.2) / 0.1));
+}
+
+TEST_CASE("a range of Humble, without variance, is accepted", "[dds][ros]") {
     const auto mapping = ros::find_mapping(type_index<RangeData>(), "sensor_msgs/msg/Range", true);
     REQUIRE(mapping.has_value());
     FakeDomain domain;
@@ -154,7 +183,7 @@ TEST_CASE("a range of Humble, which has no variance, is taken as well", "[dds][r
     CHECK(taken.ranges == std::vector<double>{0.5});
 }
 
-TEST_CASE("a node says which topic it can't have", "[dds][ros]") {
+TEST_CASE("an impossible topic of a node is refused with its name", "[dds][ros]") {
     RosTopic topic{"part.sped", "/a"};
     topic.place = {"s.lua", 3, 5};
     CHECK(NodeRig(spec_of({topic}, {})).refusal ==
@@ -162,7 +191,7 @@ TEST_CASE("a node says which topic it can't have", "[dds][ros]") {
     CHECK(NodeRig(spec_of({{"part.target", "/a"}}, {})).refusal == "ros: part.target: an in-port can't be published");
     CHECK(NodeRig(spec_of({}, {{"part.speed", "/a"}})).refusal == "ros: /a: an out-port takes nothing from a topic");
     CHECK(NodeRig(spec_of({{"part.speed", "/a"}, {"part.count", "/a"}}, {})).refusal ==
-          "ros: part.count: the topic /a is there already");
+          "ros: part.count: the topic /a exists already");
 }
 
 TEST_CASE("an emergency stop sends zero to robots of ROS in every tick, until rearm", "[dds][ros][stop]") {
@@ -180,7 +209,7 @@ TEST_CASE("an emergency stop sends zero to robots of ROS in every tick, until re
     CHECK(speeds(*rig.robot) == std::vector<double>{0.5});
 }
 
-TEST_CASE("a robot of ROS is sent zero once when its port falls silent", "[dds][ros][stop]") {
+TEST_CASE("zero is sent once to a robot of ROS when its port becomes silent", "[dds][ros][stop]") {
     CommandRig rig;
     rig.clock += 0.4;
     rig.node().between_ticks();
@@ -191,7 +220,7 @@ TEST_CASE("a robot of ROS is sent zero once when its port falls silent", "[dds][
     CHECK(speeds(*rig.robot) == std::vector<double>{0});
 }
 
-TEST_CASE("a robot of ROS is sent zero when the run ends", "[dds][ros][stop]") {
+TEST_CASE("zero is sent to a robot of ROS when the run ends", "[dds][ros][stop]") {
     CommandRig rig;
     rig.system.stop(1);
     CHECK(speeds(*rig.robot) == std::vector<double>{0});

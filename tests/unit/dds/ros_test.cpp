@@ -53,7 +53,7 @@ TEST_CASE("the hashes of types are those that ROS 2 publishes", "[dds][ros]") {
           "RIHS01_7170d3d8f841f7be3172ce5f4f59f3a4d7f63b0447e8b33327601ad64d83d6e2");
 }
 
-TEST_CASE("topics and types are called as ROS 2 calls them on the wire", "[dds][ros]") {
+TEST_CASE("topics and types have ROS 2's names on the wire", "[dds][ros]") {
     const auto twist = ros::find_mapping(type_index<Velocity2D>(), "", false);
     REQUIRE(twist.has_value());
     const dds::Topic written = ros::topic_of("/cmd_vel", **twist, true);
@@ -70,7 +70,7 @@ TEST_CASE("topics and types are called as ROS 2 calls them on the wire", "[dds][
     CHECK_FALSE(ros::topic_of("/scan", **scan, true).reliable);
 }
 
-TEST_CASE("a type that a port does not become is told with those that it does", "[dds][ros]") {
+TEST_CASE("an impossible type for a port is refused with the possible ones", "[dds][ros]") {
     CHECK(ros::find_mapping(type_index<Velocity2D>(), "geometry_msgs/msg/Twst", false).error().message ==
           "TimedVelocity2D becomes no 'geometry_msgs/msg/Twst' (did you mean 'geometry_msgs/msg/Twist'?); there are "
           "geometry_msgs/msg/Twist, geometry_msgs/msg/TwistStamped");
@@ -81,7 +81,7 @@ TEST_CASE("a type that a port does not become is told with those that it does", 
               .message.find("TimedPose2D is made of no 'tf2_msgs/msg/TFMessage'") == 0);
 }
 
-TEST_CASE("a stamped message is the bytes that the definitions of ROS give", "[dds][ros]") {
+TEST_CASE("a stamped message is encoded as in ROS's definition", "[dds][ros]") {
     ros::TwistStamped message;
     message.header = {{1, 2}, "odom"};
     message.twist.linear.x = 1;
@@ -94,7 +94,7 @@ TEST_CASE("a stamped message is the bytes that the definitions of ROS give", "[d
     CHECK(bytes_of(odometry).size() == 4 + 8 + 4 + 1 + 3 + 4 + 1 + 3 + 56 + 288 + 48 + 288);
 }
 
-TEST_CASE("what goes to ROS and back is the same", "[dds][ros]") {
+TEST_CASE("conversion to ROS and back gives the same message", "[dds][ros]") {
     const Velocity2D velocity{0.25, -0.5, 1.5};
     CHECK(around<ros::Twist>(velocity) == velocity);
     CHECK(around<ros::TwistStamped>(velocity) == velocity);
@@ -126,18 +126,75 @@ TEST_CASE("what goes to ROS and back is the same", "[dds][ros]") {
     CHECK(around<ros::Int32MultiArray>(std::vector<std::int32_t>{1, 2}) == std::vector<std::int32_t>{1, 2});
 }
 
-TEST_CASE("an infinite distance becomes the ranger's largest, and a picture of another encoding is refused",
-          "[dds][ros]") {
-    ros::Range message;
-    message.max_range = 2;
-    message.range = std::numeric_limits<float>::infinity();
+TEST_CASE("distances are infinite where nothing is within reach, as REP 117 has it, both ways", "[dds][ros]") {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
     RangeData range;
+    range.config = {.minRange = 0.125, .maxRange = 2};
+    range.ranges = {2, 1, 0.0625, 3, std::nan("")};
+    ros::LaserScan scan;
+    ros::to_ros(range, scan);
+    CHECK(std::vector<double>(scan.ranges.begin(), scan.ranges.begin() + 4) ==
+          std::vector<double>{infinite, 1, -infinite, infinite});
+    CHECK(std::isnan(scan.ranges[4]));
+    RangeData back;
+    REQUIRE(ros::from_ros(scan, back));
+    CHECK(std::vector<double>(back.ranges.begin(), back.ranges.begin() + 4) ==
+          std::vector<double>{infinite, 1, -infinite, infinite});
+    CHECK(std::isnan(back.ranges[4]));
+    ros::Range message;
+    ros::to_ros(range, message);
+    CHECK(message.range == infinite);
+    message.range = std::numeric_limits<float>::quiet_NaN();
     REQUIRE(ros::from_ros(message, range));
-    CHECK(range.ranges == std::vector<double>{2});
+    CHECK(std::isnan(range.ranges.at(0)));  // no obstacle at 0 m
+    ros::to_ros(RangeData{}, message);
+    CHECK(std::isnan(message.range));
+}
+
+TEST_CASE("a lens of ROS's rational model keeps its eight coefficients", "[dds][ros]") {
+    const CameraIntrinsics intrinsics{640, 480, 500, 501, 320, 240, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
+    ros::CameraInfo message;
+    ros::to_ros(intrinsics, message);
+    CHECK(message.distortion_model == "rational_polynomial");
+    CHECK(message.d == std::vector<double>{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8});
+    CHECK(around<ros::CameraInfo>(intrinsics) == intrinsics);
+    message.distortion_model = "equidistant";
+    CameraIntrinsics ours;
+    CHECK(ros::from_ros(message, ours).error().message ==
+          "the distortion model 'equidistant': expected plumb_bob or rational_polynomial");
+}
+
+TEST_CASE("pictures of ROS's cameras come with the encoding that detectors know", "[dds][ros]") {
+    const auto taken = [](const char* encoding, std::uint32_t step, Octets data) {
+        CameraImage ours;
+        const auto ok = ros::from_ros(
+            ros::Image{.height = 1, .width = 2, .encoding = encoding, .is_bigendian = 1, .step = step, .data = data},
+            ours);
+        INFO((ok ? std::string() : ok.error().message));
+        REQUIRE(ok.has_value());
+        return ours;
+    };
+    for (const auto& [theirs, format, bits] :
+         std::vector<std::tuple<const char*, const char*, int>>{{"bgr8", "bgr8", 24},
+                                                                {"8UC3", "bgr8", 24},
+                                                                {"bgra8", "bgra8", 32},
+                                                                {"rgba8", "rgba8", 32},
+                                                                {"yuv422_yuy2", "yuv422_yuy2", 16},
+                                                                {"mono16", "mono16", 16}}) {
+        const CameraImage ours = taken(theirs, static_cast<std::uint32_t>(bits / 4), Octets(bits / 4, 7));
+        CHECK(ours.format == format);
+        CHECK(ours.bpp == bits);
+    }
+    CHECK(taken("mono16", 4, {1, 2, 3, 4}).pixels == Octets{2, 1, 4, 3});  // ours are little-endian
+}
+
+TEST_CASE("a picture of another encoding is refused", "[dds][ros]") {
     ros::Image image;
     image.encoding = "bayer_rggb8";
     CameraImage ours;
-    CHECK(ros::from_ros(image, ours).error().message == "a picture of encoding 'bayer_rggb8': expected rgb8 or mono8");
+    CHECK(
+        ros::from_ros(image, ours).error().message ==
+        "a picture of encoding 'bayer_rggb8': expected rgb8, bgr8, rgba8, bgra8, mono8, mono16, yuv422_yuy2 or yuv422");
     image.encoding = "mono8";
     image.width = 2;
     image.height = 2;
@@ -154,7 +211,7 @@ TEST_CASE("times are whole nanoseconds", "[dds][ros]") {
     CHECK(ros::to_seconds({1, 500'000'000}) == 1.5);
 }
 
-TEST_CASE("the documentation has the table of types of ROS as it is", "[dds][ros]") {
+TEST_CASE("the documentation's table of ROS types is up to date", "[dds][ros]") {
     std::ifstream page(source_root() + "/docs/network.md");
     std::ostringstream text;
     text << page.rdbuf();

@@ -33,7 +33,7 @@ Octets announced(const std::string& host, std::uint64_t run, std::uint64_t numbe
 
 }  // namespace
 
-TEST_CASE("what was sealed is opened by the same secret for the same topic alone", "[dds][secret]") {
+TEST_CASE("a message is decrypted only with the same secret for the same topic", "[dds][secret]") {
     const Secret secret = make_secret();
     const Octets sealed = seal(message, topic, secret);
     CHECK(unseal(sealed, topic, secret) == message);
@@ -64,11 +64,11 @@ TEST_CASE("a secret is a line of text in a file", "[dds][secret]") {
                                      text.substr(0, text.size() - 5), text + "AAAA"}) {
         CAPTURE(wrong);
         CHECK(secret_from(wrong).error().message ==
-              "is no secret: `nezumi network secret FILE` makes one, to be copied to each host");
+              "is not a secret: `nezumi network secret FILE` makes one, to be copied to each host");
     }
 }
 
-TEST_CASE("hosts with another secret, or without one, do not hear each other", "[dds][secret]") {
+TEST_CASE("hosts with different secrets, or without one, do not receive each other's messages", "[dds][secret]") {
     FakeDomain domain;
     const auto one = domain.join(), two = domain.join(), open = domain.join();
     const Secret secret = make_secret();
@@ -88,7 +88,7 @@ TEST_CASE("hosts with another secret, or without one, do not hear each other", "
     CHECK(reader->take().empty());
 }
 
-TEST_CASE("what was not sealed pushes out nothing that was", "[dds][secret]") {
+TEST_CASE("messages without encryption do not displace encrypted ones", "[dds][secret]") {
     FakeDomain domain;
     const auto inner = domain.join(), stranger = domain.join();
     const auto place = make_sealed_transport(*inner, make_secret());
@@ -107,7 +107,7 @@ TEST_CASE("what was not sealed pushes out nothing that was", "[dds][secret]") {
     CHECK(samples[0].bytes == message);
 }
 
-TEST_CASE("an announcement that was kept from earlier is none", "[dds][secret]") {
+TEST_CASE("a stored and replayed announcement is ignored", "[dds][secret]") {
     const std::uint64_t own = 77;
     HostTable hosts({.protocol = protocol, .host = "me", .version = "1.0"}, own, true);
     hosts.heard(1, announced("ev3", 5, 1, {}), 0);  // of a time before this run
@@ -124,7 +124,7 @@ TEST_CASE("an announcement that was kept from earlier is none", "[dds][secret]")
     CHECK(hosts.find("ev3")->run == 6);
 }
 
-TEST_CASE("the secret of a user is made once, and nobody else reads it", "[dds][secret]") {
+TEST_CASE("the secret of a user is made once and readable only by the user", "[dds][secret]") {
     const Scratch scratch;
     const auto file = scratch.path() / "state" / "nezumi" / "network.secret";
     std::vector<Expected<Secret>> made(8, failure("not asked"));
@@ -143,7 +143,7 @@ TEST_CASE("the secret of a user is made once, and nobody else reads it", "[dds][
           "the secret '" + file.string() + "' can be read by others: chmod 600 " + file.string());
 }
 
-TEST_CASE("a secret that can't be kept is refused with what to say instead", "[dds][secret]") {
+TEST_CASE("a secret that can't be stored is an error with advice", "[dds][secret]") {
     const Scratch scratch;
     scratch.write("file", "");
     const auto refused = user_secret(scratch.path() / "file" / "network.secret");
@@ -154,7 +154,7 @@ TEST_CASE("a secret that can't be kept is refused with what to say instead", "[d
               "where every user of this computer may drive");
     CHECK(user_secret("").error().message.find("this user has no home") != std::string::npos);
     std::filesystem::create_directory(scratch.path() / "network.secret");
-    CHECK(user_secret(scratch.path() / "network.secret").error().message.find("it is no file of this user's") !=
+    CHECK(user_secret(scratch.path() / "network.secret").error().message.find("it is not a file of this user") !=
           std::string::npos);
 }
 
@@ -198,8 +198,7 @@ void meet(UsersHost& one, UsersHost& two) {
 
 }  // namespace
 
-TEST_CASE("on the loopback hosts of one user hear each other, and those of another user are refused",
-          "[dds][secret][wallclock]") {
+TEST_CASE("on the loopback only hosts of the same user communicate", "[dds][secret][wallclock]") {
     const Scratch scratch;
     FakeDomain domain;
     UsersHost one(domain, scratch, "first", {.name = "one"});
@@ -216,8 +215,8 @@ TEST_CASE("on the loopback hosts of one user hear each other, and those of anoth
         CHECK_FALSE(one.hears("two"));
         CHECK_FALSE(two.hears("one"));
         const std::vector<std::string> told{
-            "network: a host with another secret, as another user's, is there, and refused: let both say the same "
-            "`secret = FILE`, or both `open = true`"};
+            "network: a host with another secret, as another user's, is there, but refused: set the same "
+            "`secret = FILE` on both, or `open = true` on both"};
         CHECK(one.log == told);
         CHECK(two.log == told);
     }
@@ -225,16 +224,16 @@ TEST_CASE("on the loopback hosts of one user hear each other, and those of anoth
         UsersHost two(domain, scratch, "first", {.name = "two", .open = true});
         meet(one, two);
         CHECK_FALSE(one.hears("two"));
-        CHECK(one.log == std::vector<std::string>{
-                             "network: a host without a secret (open = true) is there, and refused: let both say the "
-                             "same `secret = FILE`, or both `open = true`"});
-        CHECK(two.log == std::vector<std::string>{"network: a host with a secret is there, and refused: let both say "
-                                                  "the same `secret = FILE`, or both `open = true`"});
+        CHECK(one.log ==
+              std::vector<std::string>{"network: a host without a secret (open = true) is there, but refused: set the "
+                                       "same `secret = FILE` on both, or `open = true` on both"});
+        CHECK(two.log == std::vector<std::string>{"network: a host with a secret is there, but refused: set "
+                                                  "the same `secret = FILE` on both, or `open = true` on both"});
     }
     unsetenv("XDG_STATE_HOME");
 }
 
-TEST_CASE("two hosts that say open = true on the loopback hear each other, whosever they are",
+TEST_CASE("two hosts with open = true on the loopback communicate, also of different users",
           "[dds][secret][wallclock]") {
     const Scratch scratch;
     FakeDomain domain;

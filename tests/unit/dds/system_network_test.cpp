@@ -12,7 +12,7 @@ using Lines = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("what a port of another host publishes arrives", "[dds][network]") {
+TEST_CASE("messages of another host's port arrive", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     REQUIRE(pi.system.connect("ev3/part.speed", "part.target"));
@@ -29,7 +29,7 @@ TEST_CASE("what a port of another host publishes arrives", "[dds][network]") {
     CHECK(pi.arrivals == Lines{"Write by network ev3"});
 }
 
-TEST_CASE("a connection that the sending host is asked for is the same", "[dds][network]") {
+TEST_CASE("a connection can be requested at the sending host too", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     REQUIRE(ev3.system.connect("part.count", "pi/part.number"));
@@ -44,7 +44,7 @@ TEST_CASE("a connection that the sending host is asked for is the same", "[dds][
     CHECK(pi.part->numbers == std::vector<std::int32_t>{1, 10, 2, 20, 3, 30});
 }
 
-TEST_CASE("a component that takes another one's place between two ticks sends on for it", "[dds][network]") {
+TEST_CASE("a component that replaces another between two ticks continues to send for it", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     REQUIRE(ev3.system.connect("part.count", "pi/part.number"));
@@ -60,7 +60,7 @@ TEST_CASE("a component that takes another one's place between two ticks sends on
     CHECK(pi.part->numbers == std::vector<std::int32_t>{7});
 }
 
-TEST_CASE("a connection waits for a host that is not there, and says so", "[dds][network]") {
+TEST_CASE("a connection waits for a missing host, and shows it", "[dds][network]") {
     Room room;
     HostRig pi(room, "pi");
     REQUIRE(pi.system.connect("ev3/part.speed", "part.target"));
@@ -92,11 +92,11 @@ TEST_CASE("a connection survives the other host's restart", "[dds][network]") {
     }
     pass(room, 2, pi);
     CHECK(pi.part->numbers == std::vector<std::int32_t>{1, 2});
-    CHECK(pi.told("warn: host ev3 has gone"));
+    CHECK(pi.told("warn: host ev3 has left"));
     CHECK((*pi.system.port("ev3/part.count"))->note() == "waits for host ev3");
 }
 
-TEST_CASE("either end ends a connection at both", "[dds][network]") {
+TEST_CASE("a connection ends on both hosts when it ends on one", "[dds][network]") {
     for (const bool by_asker : {true, false}) {
         CAPTURE(by_asker);
         Room room;
@@ -121,7 +121,7 @@ TEST_CASE("either end ends a connection at both", "[dds][network]") {
     }
 }
 
-TEST_CASE("types that differ are told at both ends", "[dds][network]") {
+TEST_CASE("different types are reported at both ends", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     REQUIRE(pi.system.connect("ev3/part.speed", "part.number"));
@@ -134,7 +134,7 @@ TEST_CASE("types that differ are told at both ends", "[dds][network]") {
     CHECK(ev3.connections().empty());
 }
 
-TEST_CASE("a port that the other host does not have is told with the nearest", "[dds][network]") {
+TEST_CASE("an unknown port of another host is reported with the most similar one", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     REQUIRE(pi.system.connect("ev3/part.sped", "part.target"));
@@ -143,7 +143,7 @@ TEST_CASE("a port that the other host does not have is told with the nearest", "
     CHECK(pi.connections() == Lines{"ev3/part.sped > part.target"});
 }
 
-TEST_CASE("where others may only look they read, and write nothing", "[dds][network]") {
+TEST_CASE("read-only hosts can read but not write", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3", false), pi(room, "pi", false);
     REQUIRE(pi.system.connect("ev3/part.count", "part.number"));
@@ -158,25 +158,25 @@ TEST_CASE("where others may only look they read, and write nothing", "[dds][netw
     CHECK(pi.connections() == Lines{"ev3/part.count > part.number"});
 }
 
-TEST_CASE("two hosts of one name are told at both and at a third", "[dds][network]") {
+TEST_CASE("two hosts with one name are reported at both and at a third", "[dds][network]") {
     Room room;
     HostRig one(room, "ev3"), two(room, "ev3"), pi(room, "pi");
     pass(room, 30, one, two, pi);
-    CHECK_FALSE(one.told("another host is called"));
+    CHECK_FALSE(one.told("another host is also called"));
     pass(room, 60, one, two, pi);
-    CHECK(one.told("error: another host is called ev3 as this one"));
-    CHECK(two.told("error: another host is called ev3 as this one"));
-    CHECK(pi.told("error: two hosts are called ev3"));
+    CHECK(one.told("error: another host is also called ev3"));
+    CHECK(two.told("error: another host is also called ev3"));
+    CHECK(pi.told("error: two hosts have the name ev3"));
 }
 
-TEST_CASE("hosts of different versions are told", "[dds][network]") {
+TEST_CASE("hosts of different versions are reported", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3", true, "1.1"), pi(room, "pi");
     pass(room, 2, ev3, pi);
-    CHECK(pi.told("warn: host ev3 is here; it runs nezumi 1.1, protocol 2, this one nezumi 1.0, protocol 2"));
+    CHECK(pi.told("warn: host ev3 is here; it runs nezumi 1.1, protocol 3, this one nezumi 1.0, protocol 3"));
 }
 
-TEST_CASE("of what a host has announced since the last look its last word counts", "[dds][network]") {
+TEST_CASE("only the last announcement since the last check counts", "[dds][network]") {
     Room room;
     HostRig pi(room, "pi");
     pass(room, 1, pi);
@@ -197,7 +197,8 @@ TEST_CASE("of what a host has announced since the last look its last word counts
     CHECK_FALSE(pi.told("1.1"));
 }
 
-TEST_CASE("a link that heals replays no velocity, and the count of what was missed is shown", "[dds][network]") {
+TEST_CASE("after an interrupted connection no old velocity is used, and the number of missed messages is shown",
+          "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     REQUIRE(pi.system.connect("ev3/part.speed", "part.target"));
@@ -218,7 +219,7 @@ TEST_CASE("a link that heals replays no velocity, and the count of what was miss
     CHECK((*pi.system.port("ev3/part.speed"))->note() == "5 messages missed, 0 late, 0 wrong");
 }
 
-TEST_CASE("what is deactivated at the console takes nothing from its host", "[dds][network]") {
+TEST_CASE("a deactivated remote component takes no messages from its host", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     REQUIRE(pi.system.connect("ev3/part.count", "part.number"));
@@ -229,7 +230,7 @@ TEST_CASE("what is deactivated at the console takes nothing from its host", "[dd
     CHECK(pi.part->numbers.empty());
 }
 
-TEST_CASE("a hand here on what another host's port takes is refused", "[dds][network]") {
+TEST_CASE("a hold on another host's in-port is refused", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     REQUIRE(pi.system.connect("part.speed", "ev3/part.target"));
@@ -250,7 +251,7 @@ TEST_CASE("a hand here on what another host's port takes is refused", "[dds][net
     CHECK(pi.act(Hold{.port = "ev3/part.speed", .value = fast}, user));  // what comes from there is read here
 }
 
-TEST_CASE("a component that is removed takes its end of a connection with it", "[dds][network]") {
+TEST_CASE("removing a component removes its end of a connection", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
     REQUIRE(pi.system.connect("ev3/part.speed", "part.target"));

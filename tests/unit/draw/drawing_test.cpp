@@ -31,7 +31,7 @@ std::pair<int, int> size_of_png(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("a picture's scale follows what there is to be seen", "[draw][picture]") {
+TEST_CASE("a picture's scale depends on its contents", "[draw][picture]") {
     const Scratch scratch;
     const std::string file = scratch.path("a.png").string();
     PictureOf picture{.title = "nothing"};
@@ -76,7 +76,7 @@ TEST_CASE("a picture shows the floor's image, its top where y is largest", "[dra
     CHECK(colour_at(0.5, 0.7) == std::vector<int>{0, 0, 255});
 }
 
-TEST_CASE("a plot is drawn whatever its values", "[draw][plot]") {
+TEST_CASE("a plot is drawn with any values", "[draw][plot]") {
     const Scratch scratch;
     const std::string file = scratch.path("a.svg").string();
     Plot plot{.title = "values"};
@@ -93,7 +93,7 @@ TEST_CASE("a plot is drawn whatever its values", "[draw][plot]") {
     CHECK(svg.find("inf") == std::string::npos);
 }
 
-TEST_CASE("what can't be written is said and leaves no file", "[draw][picture]") {
+TEST_CASE("a write error is reported and leaves no file", "[draw][picture]") {
     const Scratch scratch;
     const std::string file = scratch.path("none/a.png").string();
     const auto drawn = draw_picture({.title = "x"}, file, sim::read_picture);

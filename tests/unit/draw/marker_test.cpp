@@ -44,7 +44,8 @@ GrayImage printed(const Paper& paper, int id, double size) {
 
 }  // namespace
 
-TEST_CASE("a printed marker is itself, and its black border is as long as was asked", "[draw][marker]") {
+TEST_CASE("a printed marker is found with its number, and its black border has the requested length",
+          "[draw][marker]") {
     const Paper& paper = papers().front();
     for (const double size : {0.03, 0.1, largest_marker(paper)}) {
         GrayImage image = printed(paper, 7, size);
@@ -74,7 +75,7 @@ TEST_CASE("the PDF has a page of the paper's size for each marker", "[draw][mark
     CHECK(text_of_file(pdf).find("/Count 3") != std::string::npos);
 }
 
-TEST_CASE("a marker that there is not, or that does not fit, is refused", "[draw][marker]") {
+TEST_CASE("a marker that does not exist or does not fit is refused", "[draw][marker]") {
     const auto refused = [](std::vector<std::string> words) {
         words.insert(words.begin(), "marker");
         const Outcome outcome = run_nezumi(std::move(words));

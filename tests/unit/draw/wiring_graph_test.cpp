@@ -28,7 +28,7 @@ using Columns = std::vector<std::size_t>;
 
 }  // namespace
 
-TEST_CASE("a graph's columns follow the data, and circles lead back", "[draw][graph]") {
+TEST_CASE("a graph's columns follow the data flow, and cycles have backward connections", "[draw][graph]") {
     CHECK(columns_of(wired(0, {})) == Columns{});
     CHECK(columns_of(wired(3, {{0, 1}, {1, 2}, {0, 2}})) == Columns{0, 1, 2});
     CHECK(columns_of(wired(3, {{2, 1}, {1, 0}})) == Columns{2, 1, 0});
@@ -59,7 +59,7 @@ TEST_CASE("a graph shows components, states, ports and connections", "[draw][gra
     CHECK_FALSE(draw_wiring(wiring, it.folder.path("none/w.svg").string()));
 }
 
-TEST_CASE("a run draws its picture and graph where a person asks for them", "[draw][graph]") {
+TEST_CASE("a run draws its picture and graph to the requested files", "[draw][graph]") {
     const Scratch files;
     files.write("behaviors/it.lua", "function on_execute() end\n");
     files.write("behaviors/systems/s.lua", "robot 'mouse' { model = 'raspimouse' }\nbehavior 'it' { script = 'it' }\n");

@@ -127,7 +127,7 @@ TEST_CASE("a system is built in the order of its file, configured and wired, and
         CHECK(component->state() == LifeState::inactive);
     }
     CHECK(names == std::vector<std::string>{"controller", "mouse", "eye", "sleeper"});
-    CHECK(system->find("controller")->parameters().find("speed_x")->value == ParameterValue(0.5));
+    CHECK(system->find("controller")->parameters().find("speed_x")->value == Value(0.5));
     CHECK(system->peers(**system->port("mouse.velocity_in")) == std::vector<std::string>{"controller.speed"});
     activate_all(*system, plan.spec);
     CHECK(system->find("controller")->state() == LifeState::active);

@@ -7,6 +7,7 @@
 
 #include "engine/ports/payload.hpp"
 #include "engine/values/cdr.hpp"
+#include "engine/values/plain_data.hpp"
 
 using namespace nezumi;
 
@@ -331,6 +332,24 @@ struct Matrix {
 };
 
 }  // namespace
+
+TEST_CASE("plain data is each value's type in a byte and the value, and comes back with its shape", "[engine][cdr]") {
+    PlainData data;
+    data.values = {Value(), true, std::int64_t{-2}, 0.5, "a", TableRef{0}, std::vector<double>{1.5}};
+    data.tables = {{{"self", TableRef{0}}, {false, std::vector<std::string>{"x"}}}};
+    Octets stream;
+    write_cdr(stream, with_header, data);
+    PlainData back;
+    REQUIRE(read_cdr(stream, with_header, back));
+    CHECK(back == data);
+    CHECK(is_sound(back));
+    CHECK(written(std::vector<Value>{true, Value()}) == "02 00 00 00 01 01 00");
+    CHECK(error_of<std::vector<Value>>("01 00 00 00 63") == "byte 4: expected a type from 0 to 9, got 99");
+    back.tables[0][0][1] = TableRef{1};
+    CHECK_FALSE(is_sound(back));
+    back.tables[0][0] = {Value(), 1.0};
+    CHECK_FALSE(is_sound(back));
+}
 
 TEST_CASE("an array of a fixed size has no length before it", "[engine][cdr]") {
     const Matrix matrix{7, {1.0, -2.0}};

@@ -53,7 +53,7 @@ TEST_CASE("a map's first line is skipped, whatever it says in whatever encoding"
     for (const std::string first :
          {"\x92\x86\x90\x53x,\x92\x86\x90\x53y,\x92\x86\x90\x53z,\x92\xb7\x82\xb3,\x95\x9d,\x8d\x82\x82\xb3,"
           "\x8a\x70\x93\x78",
-          "yaw,lz,ly,lx,z,y,x", "a map", "", "\"not closed", "x;y;z", "x,y,z,lx,ly,lz,yaw,colour,colour"}) {
+          "a map", "", "\"not closed", "x;y;z", "x,y,z,lx,ly,lz,yaw,colour,colour"}) {
         CAPTURE(first);
         const auto read = map_of(first + row);
         REQUIRE(read.boxes.size() == 1);
@@ -93,6 +93,33 @@ TEST_CASE("a map may come from a spreadsheet on any system", "[engine][csv]") {
     CHECK(read[1].place.line == 7);
 }
 
+TEST_CASE("a header that names the columns of a map in another order is obeyed", "[engine][csv]") {
+    for (const char* first : {"yaw,lz,ly,lx,z,y,x", "\xef\xbb\xbfYaw, LZ ,ly,lx,z,y,x", "yaw,lz,ly,lx,z,y,x,name"}) {
+        const auto read = boxes(std::string(first) + "\n7,6,5,4,3,2,1,door\n");
+        REQUIRE(read.size() == 1);
+        CHECK(read[0].at == Point3D{1, 2, 3});
+        CHECK(read[0].size == Point3D{4, 5, 6});
+        CHECK(read[0].yaw == 7);
+    }
+    CHECK(boxes("name,x,y,z,lx,ly,lz,yaw\ndoor,1,2,3,4,5,6,7\n").size() == 1);
+    CHECK(error("yaw,lz,ly,lx,z,y,x\n0,0,1,1,0,0,0\n") ==
+          "map.csv:2: column 'lz': expected a positive number, got '0'");
+}
+
+TEST_CASE("a map of which no row is a box is an error that says what separates its columns", "[engine][csv]") {
+    CHECK(error("x;y;z;lx;ly;lz;yaw\n1;2;3;4;5;6;7\n") ==
+          "map.csv:2: expected rows x,y,z,lx,ly,lz,yaw, got columns that are separated by semicolons: separate them by "
+          "commas");
+    CHECK(error("x;y;z;lx;ly;lz;yaw\n1,5;2,0;3,0;4,0;5,0;6,0;7,0\n") ==
+          "map.csv:2: expected rows x,y,z,lx,ly,lz,yaw, got columns that are separated by semicolons: separate them by "
+          "commas");
+    CHECK(
+        error("x\ty\tz\tlx\tly\tlz\tyaw\n# walls\n1\t2\t3\t4\t5\t6\t7\n") ==
+        "map.csv:3: expected rows x,y,z,lx,ly,lz,yaw, got columns that are separated by tabs: separate them by commas");
+    CHECK(error("x,y,z,lx,ly,lz\n1,2,3,4,5,6\n") == "map.csv:2: expected rows x,y,z,lx,ly,lz,yaw, got 6 columns");
+    CHECK(error(header + "north\n") == "map.csv:2: expected rows x,y,z,lx,ly,lz,yaw, got 1 column");
+}
+
 TEST_CASE("a map without rows is an empty map", "[engine][csv]") { CHECK(boxes(header).empty()); }
 
 TEST_CASE("a bad field of a map is named with its line, column and what was expected", "[engine][csv]") {
@@ -127,7 +154,7 @@ TEST_CASE("a quote that is not closed is a matter of comments and further column
 TEST_CASE("a box of a map that a quote which is not closed would hide is refused", "[engine][csv]") {
     for (const char* row : {"\"1,2,3,4,5,6,7", "1,2,3,4,5,6,\"7", "1,\"2,3,4,5,6,7,red", "\"1\",\"2\",3,4,5,\"6,7"})
         CHECK(error(header + row + "\n") == "map.csv:2: a quote is not closed");
-    CHECK(boxes(header + "# \"1,2,3,4,5,6,7\n\"1,2,3,4,5,6,7\"\n").empty());
+    CHECK(boxes(header + "# \"1,2,3,4,5,6,7\n\"1,2,3,4,5,6,7\"\n1,2,3,4,5,6,7\n").size() == 1);
     CHECK(error(header + "1,2,3,4,5,6,\n") == "map.csv:2: column 'yaw': expected a number, got ''");
 }
 

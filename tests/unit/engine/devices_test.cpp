@@ -81,15 +81,15 @@ TEST_CASE("a servo is sent to its angle once, at the speed of its parameter", "[
     RobotSpec spec = brick();
     spec.actuators[2].speed = 1.6;
     FakeRun run(spec);
-    CHECK(run.robot->parameters().find("neck_speed")->value == ParameterValue(1.6));
+    CHECK(run.robot->parameters().find("neck_speed")->value == Value(1.6));
     run.send("neck_in", 0.05);
     CHECK(run.hull().servos[2] == 0.05);
     CHECK(run.hull().servo_speeds[2] == 1.6);
-    REQUIRE(run.robot->parameters().stage("neck_speed", ParameterValue(0.5)));
+    REQUIRE(run.robot->parameters().stage("neck_speed", Value(0.5)));
     run.send("neck_in", -5.0);  // beyond its limit
     CHECK(run.hull().servos[2] == -1.0);
     CHECK(run.hull().servo_speeds[2] == 0.5);
-    CHECK(run.robot->parameters().stage("neck_speed", ParameterValue(2.5)).error().message ==
+    CHECK(run.robot->parameters().stage("neck_speed", Value(2.5)).error().message ==
           "parameter 'neck_speed' (number): 2.5 is above its maximum 2.0");
     run.hull().servos[2] = 0.3;  // on its way
     REQUIRE(run.robot->deactivate(run.system.now()));

@@ -54,6 +54,30 @@ bool is_wall(const BoxSpec& box, Point2D middle, double length_x, double length_
 
 }  // namespace
 
+TEST_CASE("the drawings that contests exchange have posts o, four signs a cell, and letters for start and goal",
+          "[engine][maze]") {
+    const std::vector<std::string> contest{
+        "o---o---o",  //
+        "|     G |",  //
+        "o   o   o",  //
+        "| S |   |",  //
+        "o---o---o",
+    };
+    CHECK(check_maze(contest).text.empty());
+    const auto walls = walls_of(contest, 0.18, {0, 0}), same = walls_of(small, 0.18, {0, 0});
+    REQUIRE(walls.size() == same.size());
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        CHECK(walls[i].at.x == same[i].at.x);
+        CHECK(walls[i].at.y == same[i].at.y);
+    }
+    std::vector<std::string> wrong = contest;
+    wrong[3] = "| x |   |";
+    CHECK(check_maze(wrong).text == "expected \"   \" from sign 2 on, got \" x \"");
+    wrong = contest;
+    wrong[0] = "o---o---";
+    CHECK(check_maze(wrong).text == "expected 4 signs for each cell and one more, for 1 to 64 cells, got 8 signs");
+}
+
 TEST_CASE("the walls of a drawing stand between the cells, one box for each line", "[engine][maze]") {
     REQUIRE(check_maze(small).text.empty());
     const auto walls = walls_of(small, 0.18, {0, 0});

@@ -104,7 +104,8 @@ TEST_CASE("a payload with one number that is not finite is not finite", "[engine
         CHECK_FALSE(is_finite(std::vector<float>{static_cast<float>(value)}));
         CHECK_FALSE(is_finite(Velocity2D{.va = value}));
         CHECK_FALSE(is_finite(Pose2D{.position = {.y = value}}));
-        CHECK_FALSE(is_finite(RangeData{.ranges = {1, value}}));
+        CHECK(is_finite(RangeData{.ranges = {1, value}}));  // nothing within reach, too near, no reading
+        CHECK_FALSE(is_finite(RangeData{.config = {.maxRange = value}}));
         RangeData deep;
         deep.geometry.elements.push_back({.pose = {.orientation = {.r = value}}});
         CHECK_FALSE(is_finite(deep));

@@ -35,14 +35,14 @@ std::string picture(const std::vector<std::string>& rows) {
 }
 
 OccupancyMap map_of(const std::vector<std::string>& rows, const std::string& more = "") {
-    auto map = read_occupancy(facts_of(yaml + more), picture(rows), "map.pgm", {"s.lua", 3});
+    auto map = read_occupancy(facts_of(yaml + more), picture(rows), "map.pgm", occupancy_height, {"s.lua", 3});
     INFO((map ? std::string() : describe(map.error())));
     REQUIRE(map.has_value());
     return *map;
 }
 
 std::string picture_error(std::string_view bytes) {
-    const auto map = read_occupancy(facts_of(yaml), bytes, "map.pgm", {});
+    const auto map = read_occupancy(facts_of(yaml), bytes, "map.pgm", occupancy_height, {});
     return map ? "no error" : describe(map.error());
 }
 
@@ -85,12 +85,14 @@ TEST_CASE("a map's threshold, its inversion and its turn are kept", "[engine][ma
     CHECK(map_of({"#?."}, "negate: 1\n").occupied == 2);
     const OccupancyFacts turned =
         facts_of("image: m.pgm\nresolution: 0.1\norigin: [1, 1, " + std::to_string(M_PI / 2) + "]\n");
-    const auto map = read_occupancy(turned, picture({"..#"}), "m.pgm", {});
+    const auto map = read_occupancy(turned, picture({"..#"}), "m.pgm", 0.3, {});
     REQUIRE(map.has_value());
     REQUIRE(map->boxes.size() == 1);
     CHECK(map->boxes[0].at.x == Approx(1 - 0.05).margin(1e-6));
     CHECK(map->boxes[0].at.y == Approx(1 + 0.25).margin(1e-6));
     CHECK(map->boxes[0].yaw == Approx(M_PI / 2).margin(1e-6));
+    CHECK(map->boxes[0].size.z == 0.3);
+    CHECK(map->boxes[0].at.z == 0.15);
 }
 
 TEST_CASE("every occupied pixel is covered once", "[engine][map]") {
@@ -129,17 +131,67 @@ TEST_CASE("a bad YAML file of a map is told with its line and what belongs there
     CHECK(facts_error("origin: [1]\n") == "map.yaml:1: 'origin': expected [x, y, yaw], got '[1]'");
     CHECK(facts_error("origin: [1, 2, 3, 4]\n") == "map.yaml:1: 'origin': expected [x, y, yaw], got '[1, 2, 3, 4]'");
     CHECK(facts_error("negate: maybe\n") == "map.yaml:1: 'negate': expected 0 or 1, got 'maybe'");
-    CHECK(facts_error("mode: scale\n") ==
-          "map.yaml:1: 'mode': expected trinary, the only mode that is read, got 'scale'");
+    CHECK(facts_error("mode: grey\n") == "map.yaml:1: 'mode': expected trinary, scale or raw, got 'grey'");
+    CHECK(facts_error("image: [a, b]\n") == "map.yaml:1: 'image': expected the name of a picture's file, got '[a, b]'");
+    CHECK_THAT(facts_error("image: m.pgm\norigin: [0, 0\n"), Catch::Contains("is no YAML: "));
+    CHECK(facts_error("image: \"\\\x01\"\n").find('\x01') ==
+          std::string::npos);  // what YAML's reader quotes is visible
     CHECK(facts_error("occupied_thresh: 65\n") ==
           "map.yaml:1: 'occupied_thresh': expected a number from 0 to 1, got '65'");
 }
 
+TEST_CASE("a key within another mapping of a map's YAML file is none of the map's", "[engine][map]") {
+    const OccupancyFacts facts = facts_of(yaml + "saved:\n  resolution: 0.1\n  negate: 1\n");
+    CHECK(facts.resolution == 0.05);
+    CHECK_FALSE(facts.negate);
+    CHECK(facts_error("map:\n  image: m.pgm\nresolution: 0.1\norigin: [0, 0]\n") ==
+          "map.yaml: is no map of ROS: it has no 'image:'");
+}
+
+TEST_CASE("a map's YAML file may be written in any way of YAML", "[engine][map]") {
+    for (const std::string text :
+         {"{image: m.pgm, resolution: 0.05, origin: [-1, -2, 0], negate: False}",
+          "\xef\xbb\xbfimage: m.pgm\r\nresolution: 0.05\r\norigin:\r\n- -1\r\n- -2\r\n- 0.0\r\n",
+          "edge: &e 0.05\n'image': 'm.pgm'\n\"resolution\": *e\norigin: [\n  -1.0,\n  -2.0\n]\nnegate: no\n"}) {
+        INFO(text);
+        const OccupancyFacts facts = facts_of(text);
+        CHECK(facts.image == "m.pgm");
+        CHECK(facts.resolution == 0.05);
+        CHECK(facts.origin.position == Point2D{-1, -2});
+        CHECK_FALSE(facts.negate);
+    }
+    CHECK(facts_of(yaml + "negate: True\n").negate);
+    CHECK(facts_of("image: 'room #2.pgm'\nresolution: 0.05\norigin: [0, 0, 0]\n").image == "room #2.pgm");
+}
+
+TEST_CASE("a raw map's pixels are parts of occupied in percent, and those above are not known", "[engine][map]") {
+    const OccupancyFacts raw = facts_of(yaml + "mode: raw\n");
+    const std::string pixels = std::string("P5\n5 1\n255\n") + '\0' + '\x41' + '\x42' + '\x64' + '\xff';
+    const auto map = read_occupancy(raw, pixels, "m.pgm", occupancy_height, {});
+    REQUIRE(map.has_value());
+    CHECK(map->occupied == 2);  // 66 and 100
+    CHECK(map_of({"#?."}, "mode: scale\n").occupied == 1);
+}
+
+TEST_CASE("a map's picture may be an ASCII PGM, and of any white", "[engine][map]") {
+    const auto occupied = [](std::string_view bytes) {
+        const auto map = read_occupancy(facts_of(yaml), bytes, "m.pgm", occupancy_height, {});
+        INFO((map ? std::string() : describe(map.error())));
+        REQUIRE(map.has_value());
+        return map->occupied;
+    };
+    CHECK(occupied("P2\n# by hand\n3 1\n255\n0 205 254\n") == 1);
+    CHECK(occupied("P2\n3 1\n15\n0 12 15\n") == 1);
+    CHECK(occupied(std::string("P5\n3 1\n15\n") + '\0' + '\x0c' + '\x0f') == 1);
+    CHECK(occupied(std::string("P5\n3 1\n65535\n") + std::string(2, '\0') + "\xcd\xcd\xfe\xfe") == 1);
+}
+
 TEST_CASE("a bad picture of a map is told with what is the matter", "[engine][map]") {
-    CHECK(picture_error("P2\n1 1\n255\n0") == "map.pgm: is no map: expected a binary PGM, which begins with P5");
-    CHECK(picture_error("P5\n1") == "map.pgm: is no map: its header has no width, height and white");
-    CHECK(picture_error("P5 # no end") == "map.pgm: is no map: its header has no width, height and white");
-    CHECK(picture_error("P5\n2 2\n65535\n") == "map.pgm: is no map: expected pixels of 8 bits, its white is 65535");
-    CHECK(picture_error("P5\n2 2\n255\nabc") == "map.pgm: is no map: it ends after 3 of 4 pixels");
-    CHECK(picture_error("P5\n9000000000000000000 9\n255\n").find("expected at most 64 million") != std::string::npos);
+    const std::string none = "OpenCV can't read its format (PNG, JPEG, BMP, TIFF, WebP, PPM and others are possible)";
+    CHECK(picture_error("") == "map.pgm: is no map: it is empty");
+    for (const std::string bytes : {"P5\n1", "P5 # no end", "P5\n2 2\n255\nabc", "P7\n1 1\n255\n0"}) {
+        INFO(bytes);
+        CHECK(picture_error(bytes) == "map.pgm: is no map: " + none);
+    }
+    CHECK(picture_error("P5\n9000000000000000000 9\n255\n").find("map.pgm: is no map: ") == 0);
 }

@@ -1,5 +1,6 @@
 // Parameters: what may be set by whom, when it holds, and what is said when it may not.
 #include "engine/components/parameter.hpp"
+#include "engine/values/value_text.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
@@ -13,8 +14,7 @@ namespace {
 
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
-ParameterSpec spec(std::string name, ParameterValue initial, std::optional<double> min = {},
-                   std::optional<double> max = {}) {
+ParameterSpec spec(std::string name, Value initial, std::optional<double> min = {}, std::optional<double> max = {}) {
     ParameterSpec made;
     made.name = std::move(name);
     made.initial = std::move(initial);
@@ -24,7 +24,7 @@ ParameterSpec spec(std::string name, ParameterValue initial, std::optional<doubl
 }
 
 // Why this value may not be, or "" when it may.
-std::string refusal(const ParameterSpec& declared, const ParameterValue& value) {
+std::string refusal(const ParameterSpec& declared, const Value& value) {
     const auto allowed = check_value(declared, value);
     return allowed ? "" : allowed.error().message;
 }
@@ -36,7 +36,7 @@ Parameters two() {
     return all;
 }
 
-ParameterValue value_of(const Parameters& all, std::string_view name) { return all.find(name)->value; }
+Value value_of(const Parameters& all, std::string_view name) { return all.find(name)->value; }
 
 }  // namespace
 
@@ -61,8 +61,8 @@ TEST_CASE("a number is finite", "[engine][parameter]") {
 }
 
 TEST_CASE("the type follows the default, and numbers convert where nothing is lost", "[engine][parameter]") {
-    CHECK(check_value(spec("x", 0.0), std::int64_t{3}) == ParameterValue(3.0));
-    CHECK(check_value(spec("n", std::int64_t{0}), 3.0) == ParameterValue(std::int64_t{3}));
+    CHECK(check_value(spec("x", 0.0), std::int64_t{3}) == Value(3.0));
+    CHECK(check_value(spec("n", std::int64_t{0}), 3.0) == Value(std::int64_t{3}));
     CHECK(refusal(spec("n", std::int64_t{0}), 3.5) == "parameter 'n' (integer): expected integer, got number 3.5");
     CHECK(refusal(spec("n", std::int64_t{0}), 1e300).find("expected integer") != std::string::npos);
     CHECK(refusal(spec("n", std::int64_t{0}), nan_value) ==
@@ -72,9 +72,9 @@ TEST_CASE("the type follows the default, and numbers convert where nothing is lo
     CHECK(refusal(spec("x", 0.0), "fast"s) == "parameter 'x' (number): expected number, got string \"fast\"");
     CHECK(refusal(spec("x", 0.0), true) == "parameter 'x' (number): expected number, got boolean true");
     CHECK(check_value(spec("xs", std::vector<double>{1}), std::vector<std::int64_t>{1, 2}) ==
-          ParameterValue(std::vector<double>{1, 2}));
+          Value(std::vector<double>{1, 2}));
     CHECK(check_value(spec("ns", std::vector<std::int64_t>{1}), std::vector<double>{1, 2}) ==
-          ParameterValue(std::vector<std::int64_t>{1, 2}));
+          Value(std::vector<std::int64_t>{1, 2}));
     CHECK(refusal(spec("ns", std::vector<std::int64_t>{1}), std::vector<double>{1.5}) ==
           "parameter 'ns' (array of integers): expected array of integers, got array of numbers { 1.5 }");
     CHECK(refusal(spec("xs", std::vector<double>{1}), 1.0).find("expected array of numbers, got number 1.0") !=
@@ -94,7 +94,7 @@ TEST_CASE("an array has bounds for each element and for its size", "[engine][par
           "parameter 'gains' (array of numbers): 4 elements are more than its max_size 3");
     // An empty table of Lua is an empty array of whatever is wanted.
     CHECK(check_value(spec("names", std::vector<std::string>{"a"}), std::vector<bool>{}) ==
-          ParameterValue(std::vector<std::string>{}));
+          Value(std::vector<std::string>{}));
 }
 
 TEST_CASE("choices leave nothing else, and name the nearest", "[engine][parameter]") {
@@ -190,11 +190,11 @@ TEST_CASE("an unknown parameter is told with the nearest, and nothing changes", 
     CHECK(all.set("speed_y", 1.0).error().message == "unknown parameter 'speed_y' (did you mean 'speed_x'?)");
     CHECK(all.set("volume", 1.0).error().message == "unknown parameter 'volume'");
     CHECK_FALSE(all.set("speed_x", 2.0));
-    CHECK(value_of(all, "speed_x") == ParameterValue(0.0));
+    CHECK(value_of(all, "speed_x") == Value(0.0));
     CHECK_FALSE(all.find("speed_x")->set);
     CHECK(all.version() == version);
     REQUIRE(all.set("speed_x", 1.0));
-    CHECK(value_of(all, "speed_x") == ParameterValue(1.0));
+    CHECK(value_of(all, "speed_x") == Value(1.0));
     CHECK(all.find("speed_x")->set);
     CHECK(all.version() != version);
 }
@@ -203,9 +203,9 @@ TEST_CASE("several values are set whole or not at all", "[engine][parameter]") {
     Parameters all = two();
     CHECK_FALSE(all.set_all({{"speed_x", 1.0}, {"stop_d", "near"s}}));
     CHECK_FALSE(all.take_staged());
-    CHECK(value_of(all, "speed_x") == ParameterValue(0.0));
+    CHECK(value_of(all, "speed_x") == Value(0.0));
     REQUIRE(all.set_all({{"speed_x", 1.0}, {"stop_d", 40.0}}));
-    CHECK(value_of(all, "stop_d") == ParameterValue(std::int64_t{40}));
+    CHECK(value_of(all, "stop_d") == Value(std::int64_t{40}));
 }
 
 TEST_CASE("a staged value is checked at once and holds from the next tick", "[engine][parameter]") {
@@ -213,9 +213,9 @@ TEST_CASE("a staged value is checked at once and holds from the next tick", "[en
     CHECK_FALSE(all.stage("speed_x", 2.0));
     REQUIRE(all.stage("speed_x", 1.0));
     REQUIRE(all.stage("speed_x", 0.5));
-    CHECK(value_of(all, "speed_x") == ParameterValue(0.0));
+    CHECK(value_of(all, "speed_x") == Value(0.0));
     CHECK(all.take_staged());
-    CHECK(value_of(all, "speed_x") == ParameterValue(0.5));
+    CHECK(value_of(all, "speed_x") == Value(0.5));
     CHECK_FALSE(all.take_staged());
 }
 
@@ -234,24 +234,24 @@ TEST_CASE("a new version keeps what somebody set while it fits, the rest follows
     REQUIRE(after.declare(spec("untouched", 5.0)));
     REQUIRE(after.declare(spec("added", 5.0)));
     after.adopt(before);
-    CHECK(value_of(after, "kept") == ParameterValue(1.0));
+    CHECK(value_of(after, "kept") == Value(1.0));
     CHECK(after.find("kept")->set);
-    CHECK(value_of(after, "narrowed") == ParameterValue(0.2));
-    CHECK(value_of(after, "retyped") == ParameterValue("text"s));
-    CHECK(value_of(after, "untouched") == ParameterValue(5.0));
-    CHECK(value_of(after, "added") == ParameterValue(5.0));
+    CHECK(value_of(after, "narrowed") == Value(0.2));
+    CHECK(value_of(after, "retyped") == Value("text"s));
+    CHECK(value_of(after, "untouched") == Value(5.0));
+    CHECK(value_of(after, "added") == Value(5.0));
 }
 
 TEST_CASE("values are told as Lua writes them", "[engine][parameter]") {
-    CHECK(to_text(ParameterValue(0.25)) == "0.25");
-    CHECK(to_text(ParameterValue(2.0)) == "2.0");
-    CHECK(to_text(ParameterValue(1e300)) == "1e+300");
-    CHECK(to_text(ParameterValue(std::int64_t{30})) == "30");
-    CHECK(to_text(ParameterValue(true)) == "true");
-    CHECK(to_text(ParameterValue("a\"b\\\n\x01"s)) == R"("a\"b\\\n\x01")");
-    CHECK(to_text(ParameterValue(std::vector<double>{1, 0.5})) == "{ 1.0, 0.5 }");
-    CHECK(to_text(ParameterValue(std::vector<bool>{true, false})) == "{ true, false }");
-    CHECK(to_text(ParameterValue(std::vector<std::int64_t>{})) == "{}");
+    CHECK(lua_text(Value(0.25)) == "0.25");
+    CHECK(lua_text(Value(2.0)) == "2.0");
+    CHECK(lua_text(Value(1e300)) == "1e+300");
+    CHECK(lua_text(Value(std::int64_t{30})) == "30");
+    CHECK(lua_text(Value(true)) == "true");
+    CHECK(lua_text(Value("a\"b\\\n\x01"s)) == R"("a\"b\\\n\x01")");
+    CHECK(lua_text(Value(std::vector<double>{1, 0.5})) == "{ 1.0, 0.5 }");
+    CHECK(lua_text(Value(std::vector<bool>{true, false})) == "{ true, false }");
+    CHECK(lua_text(Value(std::vector<std::int64_t>{})) == "{}");
 }
 
 namespace {
@@ -267,7 +267,7 @@ public:
         sets["turning"] = {{"speed_r", 1.0}};
         sets["broken"] = {{"speed_r", 1.0}, {"speed_x", 9.0}};
     }
-    std::pair<ParameterValue, ParameterValue> values() const {
+    std::pair<Value, Value> values() const {
         return {value_of(parameters_, "speed_x"), value_of(parameters_, "speed_r")};
     }
 };
@@ -277,13 +277,13 @@ public:
 TEST_CASE("a named set takes effect whole, and what it leaves out keeps the config value", "[engine][parameter][set]") {
     WithSets it;
     REQUIRE(it.use("careful"));
-    CHECK(it.values() == std::pair<ParameterValue, ParameterValue>{0.05, 0.5});
+    CHECK(it.values() == std::pair<Value, Value>{0.05, 0.5});
     CHECK(it.set_in_use() == "careful");
     REQUIRE(it.use("turning"));
-    CHECK(it.values() == std::pair<ParameterValue, ParameterValue>{0.1, 1.0});
+    CHECK(it.values() == std::pair<Value, Value>{0.1, 1.0});
     REQUIRE(it.use("fast"));
-    CHECK(it.values() == std::pair<ParameterValue, ParameterValue>{0.4, 0.0});  // neither set nor config: the default
-    CHECK_FALSE(it.parameters().find("speed_r")->set);  // so that a reload follows its new default
+    CHECK(it.values() == std::pair<Value, Value>{0.4, 0.0});  // neither set nor config: the default
+    CHECK_FALSE(it.parameters().find("speed_r")->set);        // so that a reload follows its new default
     CHECK(it.parameters().find("speed_x")->set);
 }
 
@@ -292,7 +292,7 @@ TEST_CASE("the set default is to have none", "[engine][parameter][set]") {
     REQUIRE(it.use("careful"));
     REQUIRE(it.use("default"));
     CHECK(it.set_in_use().empty());
-    CHECK(it.values() == std::pair<ParameterValue, ParameterValue>{0.1, 0.0});
+    CHECK(it.values() == std::pair<Value, Value>{0.1, 0.0});
     CHECK_FALSE(it.parameters().find("speed_r")->set);
     CHECK(it.use("defalt").error().message == "it has no parameter set 'defalt' (did you mean 'default'?)");
 }
@@ -303,13 +303,13 @@ TEST_CASE("a set that breaks a bound, or that is not there, changes nothing", "[
     CHECK(it.use("broken").error().message ==
           "set 'broken': parameter 'speed_x' (number): 9.0 is above its maximum 1.5");
     CHECK(it.use("carefull").error().message == "it has no parameter set 'carefull' (did you mean 'careful'?)");
-    CHECK(it.values() == std::pair<ParameterValue, ParameterValue>{0.05, 0.5});
+    CHECK(it.values() == std::pair<Value, Value>{0.05, 0.5});
     CHECK(it.set_in_use() == "careful");
 }
 
 TEST_CASE("a value that a script sets while it executes holds from its next execution", "[engine][parameter]") {
     WithSets it;
-    std::vector<ParameterValue> seen;
+    std::vector<Value> seen;
     it.executed = [&](TryComponent& self) -> Expected<void> {
         seen.push_back(value_of(self.parameters(), "speed_r"));
         return self.parameters().stage("speed_r", 0.7);
@@ -319,5 +319,5 @@ TEST_CASE("a value that a script sets while it executes holds from its next exec
         it.latch_inputs(now);
         it.execute(now);
     }
-    CHECK(seen == std::vector<ParameterValue>{0.0, 0.7});
+    CHECK(seen == std::vector<Value>{0.0, 0.7});
 }

@@ -109,7 +109,7 @@ TEST_CASE("a parameter says by which act it is set, everything else why it can't
     const SetParameter act = tree.at("it.config").to_set("speed_x").value().set(0.75);
     CHECK(act.component == "it");
     CHECK(act.parameter == "speed_x");
-    CHECK(act.value == ParameterValue{0.75});
+    CHECK(act.value == Value{0.75});
     const auto refusal = [&](const std::string& path, std::string_view name) {
         return tree.at(path).to_set(name).error().message;
     };

@@ -1,9 +1,12 @@
 // The tables of types: what they say, and values that are looked at and changed by them.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "engine/ports/payload.hpp"
+#include "engine/system/act.hpp"
+#include "engine/values/value_text.hpp"
 
 using namespace nezumi;
 
@@ -78,7 +81,7 @@ TEST_CASE("a value is looked at and changed by its type's table", "[engine][type
 
 TEST_CASE("a value has its type, and copies are equal and apart from each other", "[engine][type]") {
     const Value empty;
-    CHECK(empty.get<bool>() == false);
+    CHECK(empty.is_nothing());
     Value range = RangeData{.ranges = {0.1, 0.2}};
     const Value copy = range;
     CHECK(copy == range);
@@ -91,6 +94,43 @@ TEST_CASE("a value has its type, and copies are equal and apart from each other"
     CHECK(std::move(range).get<RangeData>().ranges == std::vector<double>{0.1, 0.3});
     CHECK_FALSE(Value(1.0) == Value(1.0F));
     CHECK(Value(type_of<Velocity2D>()) == Value(Velocity2D{}));
+}
+
+TEST_CASE("a value that was moved from holds nothing, and scalars and texts are moved whole", "[engine][type]") {
+    Value number = 0.5, text = "a text that is too long to lie within a string itself";
+    const Value same_number = number, same_text = text;
+    const Value moved_number = std::move(number), moved_text = std::move(text);
+    CHECK(number.is_nothing());
+    CHECK(text.is_nothing());
+    CHECK(moved_number == same_number);
+    CHECK(moved_text == same_text);
+    number = moved_text;
+    CHECK(number.get<std::string>() == same_text.get<std::string>());
+}
+
+TEST_CASE("the names of its members describe an act", "[engine][type]") {
+    const Type& hold = type_of<Hold>();
+    CHECK(hold.name == "Hold");
+    REQUIRE(hold.fields.size() == 3);
+    CHECK(hold.fields[0].name == "port");
+    CHECK(hold.fields[1].name == "value");
+    CHECK(hold.fields[1].type->kind == Type::Kind::any);
+    CHECK(hold.fields[2].name == "take");
+    CHECK(hold.fields[2].type == &type_of<bool>());
+    const Hold act{"mouse.out", 0.5, true};
+    CHECK(ValueView(act).field(hold.fields[0]).as<std::string>() == "mouse.out");
+    CHECK(ValueView(act).field(hold.fields[2]).as<bool>());
+    CHECK(type_of<Stop>().fields.empty());
+}
+
+TEST_CASE("a walker looks through a value of any type at the one that it holds", "[engine][type]") {
+    const std::vector<Value> all{0.5, "text", Value(), std::vector<double>{1.0, 2.0}, Velocity2D{.vx = 0.1}};
+    CHECK(lua_text(all) == R"({ 0.5, "text", nil, { 1.0, 2.0 }, { vx = 0.1, vy = 0.0, va = 0.0 } })");
+    CHECK(is_equal(all, std::vector<Value>(all)));
+    CHECK_FALSE(is_equal(all, std::vector<Value>(5)));
+    CHECK(is_finite(all));
+    CHECK_FALSE(is_finite(std::vector<Value>{0.5, std::vector<double>{HUGE_VAL}}));
+    CHECK(text_bytes(all) == 4);
 }
 
 TEST_CASE("values of every message type are equal to their copies, and not to those of another type",

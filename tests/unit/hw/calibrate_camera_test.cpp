@@ -1,4 +1,4 @@
-// A camera's calibration, tried on a lens that differs from the camera's model.
+// Calibration of a camera whose lens differs from its model.
 #include "hw/calibrate/camera.hpp"
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,7 @@ using namespace nezumi::hw;
 namespace {
 
 const CameraSettings camera_model{.field_of_view = 1.0472};
-// A lens as cheap webcams have it, and a sensor with noise behind it.
+// A lens like that of cheap webcams, and a noisy sensor.
 const CameraSettings truth{.field_of_view = 1.16,
                            .k1 = -0.24,
                            .k2 = 0.08,
@@ -42,7 +42,7 @@ std::unique_ptr<World> world_with(const ArenaSpec& arena) {
     return std::move(*sim::make_world(arena, {.step = 0.005, .seed = 1}, nullptr));
 }
 
-// Shows the board of `boards`, each view twice: a hand that holds it still.
+// Shows the board of `boards`, each view twice, as if a person held it still.
 Expected<IntrinsicsFit> calibrated(const std::function<CameraMount(int view)>& view, BoardCourse course = {}) {
     ArenaSpec arena;
     arena.boxes = chessboard({});
@@ -58,14 +58,14 @@ Expected<IntrinsicsFit> calibrated(const std::function<CameraMount(int view)>& v
 }
 CameraMount all_around(int view) { return view_of_chessboard({}, view); }
 
-// Where a lens shows what is in this direction (x to the right, y down, z = 1).
+// The pixel of this direction (x to the right, y down, z = 1).
 Point2D pixel_of(const CameraIntrinsics& c, double a, double b) {
     const double r2 = a * a + b * b, radial = 1 + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3));
     return {c.cx + c.fx * (a * radial + 2 * c.p1 * a * b + c.p2 * (r2 + 2 * a * a)),
             c.cy + c.fy * (b * radial + c.p1 * (r2 + 2 * b * b) + 2 * c.p2 * a * b)};
 }
 
-// [px] by which these intrinsics are off, in the mean over what the picture shows but its outermost corners.
+// [px] mean error of these intrinsics over the picture without its outermost corners.
 double pixel_error(const CameraIntrinsics& believed) {
     double sum = 0;
     int count = 0;
@@ -80,7 +80,7 @@ double pixel_error(const CameraIntrinsics& believed) {
     return sum / count;
 }
 
-// [m] by which markers are off, in the mean, that these intrinsics are used to find.
+// [m] mean error of markers found with these intrinsics.
 double marker_error(const CameraIntrinsics& believed) {
     double sum = 0;
     int count = 0;
@@ -101,7 +101,7 @@ double marker_error(const CameraIntrinsics& believed) {
 
 }  // namespace
 
-TEST_CASE("a calibrated camera errs by less than a fifth of what its model does", "[hw][calibration][camera]") {
+TEST_CASE("a calibrated camera has less than a fifth of its model's error", "[hw][calibration][camera]") {
     const auto fit = calibrated(all_around);
     INFO((fit ? "" : fit.error().message));
     REQUIRE(fit);
@@ -117,8 +117,8 @@ TEST_CASE("a calibrated camera errs by less than a fifth of what its model does"
                           << " mm, calibrated " << metres * 1e3 << " mm");
 }
 
-TEST_CASE("views that are all alike tell nothing of the lens, and are refused", "[hw][calibration][camera]") {
-    // Straight from above, moved along only.
+TEST_CASE("views that are all alike do not determine the lens and are refused", "[hw][calibration][camera]") {
+    // Views from directly above, only moved.
     const auto fit = calibrated(
         [](int view) {
             const ChessboardSpec board;
@@ -129,10 +129,10 @@ TEST_CASE("views that are all alike tell nothing of the lens, and are refused", 
         {.views = 8});
     REQUIRE_FALSE(fit);
     INFO(fit.error().message);
-    CHECK(
-        fit.error().message ==
-        "the views are too much alike to tell the focal length: hold the board tilted, to all sides, by 30 degrees or "
-        "more");
+    CHECK(fit.error().message ==
+          "the views are too similar to determine the focal length: hold the board tilted, to all sides, by 30 degrees "
+          "or "
+          "more");
 }
 
 TEST_CASE("a board that never moves, or is not there, ends the calibration after a while",
@@ -149,7 +149,7 @@ TEST_CASE("a board that never moves, or is not there, ends the calibration after
           "corners and a white margin, is it bright enough?");
 }
 
-TEST_CASE("a camera's calibration is rehearsed in simulation, and writes nothing then", "[hw][calibration][camera]") {
+TEST_CASE("a camera's calibration in simulation writes nothing", "[hw][calibration][camera]") {
     const Scratch scratch;
     scratch.write("system.lua",
                   "robot 'mouse' { model = 'raspimouse' }\n"
@@ -163,7 +163,7 @@ TEST_CASE("a camera's calibration is rehearsed in simulation, and writes nothing
     CHECK_FALSE(std::filesystem::exists(scratch.path("mouse.calibration.lua")));
 }
 
-TEST_CASE("a camera that can't be calibrated is told in one line", "[hw][calibration][camera]") {
+TEST_CASE("a camera that can't be calibrated is refused in one line", "[hw][calibration][camera]") {
     const Scratch scratch;
     const std::string folder = scratch.path("").string();
     const std::string mouse = "robot 'mouse' { model = 'raspimouse' }\n";
@@ -185,9 +185,9 @@ TEST_CASE("a camera that can't be calibrated is told in one line", "[hw][calibra
     CHECK(said({"two.lua", "--sim", "--camera", "lefft"}) ==
           "nezumi: there is no camera 'lefft' in two.lua (did you mean 'left'?)\n");
     CHECK(said({"free.lua", "--sim"}) ==
-          "free.lua:2: camera 'eye' is on no robot, whose calibration would have it: give it one by on = \"NAME\"\n");
+          "free.lua:2: camera 'eye' is not on a robot, so it has no calibration file: add on = \"NAME\"\n");
     CHECK(said({"one.lua"}) ==
-          "nezumi: somebody has to stand beside the robot: run this on a terminal, or with --yes\n");
+          "nezumi: a person has to stand beside the robot: run this on a terminal, or with --yes\n");
     CHECK(said({"one.lua", "--sim", "--board", "9"})
               .find("expected its inner corners as COLUMNSxROWS, from 3 to 50, "
                     "as 9x6") != std::string::npos);

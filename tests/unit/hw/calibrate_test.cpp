@@ -1,4 +1,4 @@
-// Guided calibrations, tried on robots whose truth differs from their model.
+// Guided calibrations of robots that differ from their model.
 #include "hw/calibrate/odometry.hpp"
 
 #include <catch2/catch.hpp>
@@ -23,7 +23,7 @@ namespace {
 constexpr double step = 0.005;  // [s] of physics
 constexpr int steps = 2;        // in a tick
 
-// A robot in a world of its own that is not quite what its driver believes: as a real one.
+// A robot in its own world that differs slightly from its driver's model, as real robots do.
 class TrueRobot final : public RobotBody {
 public:
     TrueRobot(const RobotSpec& believed, RobotSpec truth, const ArenaSpec& arena)
@@ -42,7 +42,7 @@ public:
         return body_->read_sensors(now, period);
     }
     std::span<const double> sensor_values(std::size_t index) const override { return body_->sensor_values(index); }
-    // The driver turns a speed into a rate of the motor by the wheel that it believes in.
+    // The driver converts a speed to a motor rate with the wheel radius of its model.
     void set_wheel_speeds(Wheels speeds) override {
         const DriveSpec &believed = believed_.drive, &truth = truth_.drive;
         body_->set_wheel_speeds({.left = speeds.left * truth.radius_of_left() / believed.radius_of_left(),
@@ -63,7 +63,7 @@ RobotSpec model() {
     return *read_robot_file(file, Project::of(file));
 }
 
-// A robot that believes to be `believed` and is `truth`.
+// A robot with the model `believed` and the properties `truth`.
 struct Mistaken {
     Mistaken(RobotSpec believed, const RobotSpec& truth, const ArenaSpec& arena = {}) {
         SystemSpec spec;
@@ -83,7 +83,7 @@ struct Mistaken {
         REQUIRE(made);
         robot = std::move(*made);
     }
-    // A tape measure that is read to a millimetre, from where the robot was.
+    // Measures like a person with a tape: to a millimetre, from the robot's start.
     Point2D measured_from(const Pose2D& start) const {
         const Pose2D now = body->pose();
         const double dx = now.position.x - start.position.x, dy = now.position.y - start.position.y;
@@ -96,7 +96,7 @@ struct Mistaken {
     std::unique_ptr<GuidedRobot> robot;
 };
 
-// How far [m] the odometry is off after a course that is none of the calibration's.
+// The odometry error [m] after a course that was not used for the calibration.
 double odometry_error(const RobotSpec& believed, const RobotSpec& truth) {
     Mistaken mouse(believed, truth);
     for (const auto& [distance, angle] :
@@ -109,7 +109,7 @@ double odometry_error(const RobotSpec& believed, const RobotSpec& truth) {
     return std::hypot(said.position.x - is.position.x, said.position.y - is.position.y);
 }
 
-// Of a mouse whose light sensors are weaker than the model's, each by its own, and noisy.
+// A mouse with noisy light sensors that are weaker than the model's, each by a different factor.
 RobotSpec with_weak_sensors() {
     RobotSpec truth = model();
     double weakness = 0.55;
@@ -126,7 +126,7 @@ RobotSpec with_weak_sensors() {
 
 }  // namespace
 
-TEST_CASE("a calibrated odometry errs by less than a fifth of what the model's does", "[hw][calibration]") {
+TEST_CASE("calibrated odometry has less than a fifth of the model's error", "[hw][calibration]") {
     RobotSpec truth = model();
     truth.drive.track = 0.0957;
     truth.drive.left_radius = 0.0243;
@@ -153,7 +153,7 @@ TEST_CASE("a calibrated odometry errs by less than a fifth of what the model's d
     WARN("odometry off by " << before * 1e3 << " mm, calibrated " << after * 1e3 << " mm");
 }
 
-TEST_CASE("calibrated distance sensors err by less than a fifth of what the model's do", "[hw][calibration]") {
+TEST_CASE("calibrated distance sensors have less than a fifth of the model's error", "[hw][calibration]") {
     const RobotSpec truth = with_weak_sensors();
     ArenaSpec arena;
     arena.boxes.push_back({.at = {0.105, 0, 0.15}, .size = {0.1, 2.0, 0.3}});
@@ -177,7 +177,7 @@ TEST_CASE("calibrated distance sensors err by less than a fifth of what the mode
     }
 }
 
-TEST_CASE("a calibration that is ended leaves the robot standing", "[hw][calibration][safety]") {
+TEST_CASE("an interrupted calibration leaves the robot standing", "[hw][calibration][safety]") {
     Mistaken mouse(model(), model());
     volatile std::sig_atomic_t end = 0;
     SystemSpec spec = mouse.robot->spec();
@@ -193,12 +193,12 @@ TEST_CASE("a calibration that is ended leaves the robot standing", "[hw][calibra
     int ticks = 0;
     const auto gone = go(**guided, 1, {}, [&] { end = ++ticks > 50 ? 1 : 0; });
     REQUIRE_FALSE(gone);
-    CHECK(gone.error().message == "ended before it was done: the robot stands");
+    CHECK(gone.error().message == "interrupted: the robot stands");
     CHECK((*guided)->robot().stands());
     CHECK(body->pose().position.x < 0.3);
 }
 
-TEST_CASE("a calibration is rehearsed in simulation, and writes nothing then", "[hw][calibration]") {
+TEST_CASE("a calibration in simulation writes nothing", "[hw][calibration]") {
     const Scratch scratch;
     scratch.write("system.lua", "robot 'mouse' { model = 'raspimouse' }");
     const Outcome outcome =
@@ -209,7 +209,7 @@ TEST_CASE("a calibration is rehearsed in simulation, and writes nothing then", "
     CHECK_FALSE(std::filesystem::exists(scratch.path("mouse.calibration.lua")));
 }
 
-TEST_CASE("what can't be calibrated is told in one line", "[hw][calibration]") {
+TEST_CASE("a robot that can't be calibrated is refused in one line", "[hw][calibration]") {
     const Scratch scratch;
     const std::string folder = scratch.path("").string();
     scratch.write("two.lua", "robot 'a' { model = 'raspimouse' } robot 'b' { model = 'raspimouse', pose = { x = 1 } }");
@@ -225,12 +225,12 @@ TEST_CASE("what can't be calibrated is told in one line", "[hw][calibration]") {
     CHECK(said({"ir", "two.lua", "--yes", "--robot", "c"}) == "nezumi: there is no robot 'c' in two.lua\n");
     CHECK(said({"ir", "none.lua", "--yes"}) == "nezumi: none.lua has no robot\n");
     CHECK(said({"odometry", "two.lua", "--robot", "a"}) ==
-          "nezumi: somebody has to stand beside the robot: run this on a terminal, or with --yes\n");
+          "nezumi: a person has to stand beside the robot: run this on a terminal, or with --yes\n");
     CHECK(said({"odometry", "two.lua", "--robot", "a", "--yes", "--dev-root", folder}).find("rtmotoren0") !=
           std::string::npos);
 }
 
-TEST_CASE("a calibration that is torn, or another robot's, keeps a real robot from moving",
+TEST_CASE("a real robot does not move with a damaged calibration or that of another robot",
           "[hw][calibration][safety]") {
     const Scratch scratch;
     const std::string folder = scratch.path("").string();

@@ -1,4 +1,4 @@
-// The camera's driver against a node that behaves as Video4Linux has it, with OpenCV's capture between the two.
+// The camera's driver with OpenCV's capture on a fake Video4Linux node.
 #include <fmt/format.h>
 #include <sys/stat.h>
 
@@ -19,7 +19,7 @@ using namespace nezumi::hw;
 
 namespace {
 
-// A Camera with the driver behind it, at 100 ticks a second of real time.
+// A Camera component with its driver, at 100 ticks per second in real time.
 struct DrivenCamera {
     explicit DrivenCamera(const DeviceRoots& roots, const ParameterValues& config = {})
         : system({.rate = 100, .real_time = true}, [this](const LogLine& line) { log.push_back(line.text); }) {
@@ -56,7 +56,7 @@ struct DrivenCamera {
         return all;
     }
 
-    // Cheap to paint.
+    // Fast to paint.
     static inline const ParameterValues small{{"width", std::int64_t{320}}, {"height", std::int64_t{240}}};
 
     std::vector<std::string> log;
@@ -93,8 +93,8 @@ TEST_CASE("a real camera's pictures carry the time at which each was taken", "[h
     CHECK(driven.out().read().format == "rgb8");
     CHECK(driven.out().read().pixels.size() == 320 * 240 * 3);
     CHECK(oldest < 0.3);
-    // Pictures are no nearer in time than the camera takes them, whenever a tick finds them; but for two or three that
-    // the fake camera of a busy machine makes up for.
+    // The intervals of pictures are at least the camera's, independent of ticks, except for two or three when a fake
+    // camera on a busy machine catches up.
     int nearer = 0;
     for (std::size_t i = 1; i < stamps.size(); ++i) nearer += stamps[i] - stamps[i - 1] < 0.02 ? 1 : 0;
     CHECK(nearer <= 3);
@@ -103,8 +103,7 @@ TEST_CASE("a real camera's pictures carry the time at which each was taken", "[h
     CHECK(driven.log.empty());
 }
 
-TEST_CASE("a real camera's colours are red, green and blue, or grey where that is asked for",
-          "[hw][camera][fakes][wallclock]") {
+TEST_CASE("a real camera's pictures are red, green and blue, or grey on request", "[hw][camera][fakes][wallclock]") {
     FakeMouse fake({"0.3"});  // a wall of #8a8f98
     {
         DrivenCamera driven(fake.roots());
@@ -120,10 +119,10 @@ TEST_CASE("a real camera's colours are red, green and blue, or grey where that i
     CHECK(driven.out().read().pixels.size() == 320 * 240);
 }
 
-TEST_CASE("a camera that is faster than it was asked to be gives as many pictures as were asked for",
+TEST_CASE("a camera that is faster than requested gives the requested number of pictures",
           "[hw][camera][fakes][wallclock]") {
     FakeMouse fake;
-    DrivenCamera driven(fake.roots(), {{"frame_rate", 10.0}});  // of 30, 15 and 5 it takes 15 or 5
+    DrivenCamera driven(fake.roots(), {{"frame_rate", 10.0}});  // of 30, 15 and 5 Hz it chooses 15 or 5
     REQUIRE(driven.sees());
     const double since = driven.out().tm();
     const auto before = driven.out().count();
@@ -132,7 +131,7 @@ TEST_CASE("a camera that is faster than it was asked to be gives as many picture
     CHECK(rate < 11);
 }
 
-TEST_CASE("a camera that is unplugged is silent, told once, and taken up again",
+TEST_CASE("an unplugged camera is silent, reported once, and used again when it is back",
           "[hw][camera][fakes][threads][wallclock]") {
     FakeMouse fake;
     DrivenCamera driven(fake.roots());
@@ -149,7 +148,7 @@ TEST_CASE("a camera that is unplugged is silent, told once, and taken up again",
     CHECK(driven.is_back_again());
 }
 
-TEST_CASE("without a camera the run goes on, and says what is missing", "[hw][camera][fakes][wallclock]") {
+TEST_CASE("without a camera the run continues and reports what is missing", "[hw][camera][fakes][wallclock]") {
     FakeMouse fake;
     CHECK(fake.say("unplug video0").empty());
     DrivenCamera driven(fake.roots());
@@ -160,7 +159,7 @@ TEST_CASE("without a camera the run goes on, and says what is missing", "[hw][ca
     CHECK(driven.sees(VideoCamera::search_period + 5));
 }
 
-TEST_CASE("what is the matter with a camera is told once with what to do, and when it is over its pictures come",
+TEST_CASE("a camera's fault is reported once with what to do, and pictures come when it is over",
           "[hw][camera][fakes][wallclock]") {
     struct Fault {
         std::string name, said;
@@ -188,7 +187,7 @@ TEST_CASE("what is the matter with a camera is told once with what to do, and wh
     CHECK(driven.is_back_again());
 }
 
-TEST_CASE("a camera that fails, falls silent or hangs while it is used does not hold up a tick, and comes back",
+TEST_CASE("a camera that fails, stops or hangs does not delay a tick, and is used again",
           "[hw][camera][fakes][threads][wallclock]") {
     const std::string fault = GENERATE("eio", "enodev", "silent", "hang");
     INFO(fault);
@@ -214,7 +213,8 @@ TEST_CASE("a camera that fails, falls silent or hangs while it is used does not 
     CHECK(driven.is_back_again());
 }
 
-TEST_CASE("a camera is the one that was asked for, and what is none is said", "[hw][camera][fakes][wallclock]") {
+TEST_CASE("the requested camera is used, and a device that is not a camera is refused",
+          "[hw][camera][fakes][wallclock]") {
     FakeMouse fake;
     const auto told = [&](const std::string& device) {
         DrivenCamera driven(fake.roots(), {{"device", device}});
@@ -222,17 +222,16 @@ TEST_CASE("a camera is the one that was asked for, and what is none is said", "[
         return driven.all_log();
     };
     CHECK(told("/dev/video0").empty());
-    CHECK(told("/dev/rtled0") == "camera: " + fake.mount() + "/rtled0 is none: no pictures can be had of it\n");
+    CHECK(told("/dev/rtled0") == "camera: " + fake.mount() + "/rtled0 is not a camera: it can't take pictures\n");
     CHECK(told("/dev/video7") ==
           "camera: " + fake.mount() + "/video7: no such file or directory: it is unplugged: plug it in again\n");
 }
 
-TEST_CASE("a lens' distortion is taken out of a real camera's pictures where that is asked for",
-          "[hw][camera][fakes][wallclock]") {
+TEST_CASE("a real camera's pictures are undistorted on request", "[hw][camera][fakes][wallclock]") {
     FakeMouse fake({"0.9"});
     CHECK(fake.say("lens 1.2 -0.4 0.1 0 0 0").empty());
     const ParameterValues lens{{"field_of_view", 1.2}, {"k1", -0.4}, {"k2", 0.1}};
-    // Where the wall's upper edge is in a column; the camera stands 6 cm high, the wall is 30 cm high and 80 cm away.
+    // The wall's upper edge in a column; the camera is 6 cm high, the wall 30 cm high and 80 cm away.
     const auto edge = [](const CameraImage& image, int column) {
         for (int row = 0; row < image.height; ++row) {
             const std::uint8_t* pixel = &image.pixels[3 * (static_cast<std::size_t>(row) * image.width + column)];
@@ -252,7 +251,7 @@ TEST_CASE("a lens' distortion is taken out of a real camera's pictures where tha
     CHECK(std::abs(bend({{"undistort", true}})) <= 1);
 }
 
-TEST_CASE("the module for cameras is loaded by who opens one, and by nobody else", "[hw][camera]") {
+TEST_CASE("the module for cameras is loaded only when a camera is opened", "[hw][camera]") {
     const auto libraries = [](const std::string& program) { return output_of("ldd " + program + " 2>&1"); };
     const std::string all = libraries(nezumi_program());
     CHECK(all.find("libstdc++") != all.npos);
@@ -261,13 +260,13 @@ TEST_CASE("the module for cameras is loaded by who opens one, and by nobody else
     CHECK(all.find("imgcodecs") == all.npos);
 }
 
-TEST_CASE("a program that is not ours reads the fake camera as a camera", "[hw][camera][fakes][wallclock]") {
+TEST_CASE("a foreign program can use the fake camera", "[hw][camera][fakes][wallclock]") {
     if (std::system("command -v v4l2-ctl > /dev/null") != 0)
         throw std::runtime_error("SKIPPED: v4l2-ctl is not installed: sudo apt install v4l-utils");
     if (geteuid() != 0)
         throw std::runtime_error("SKIPPED: v4l2-ctl wants a device with a number, which root can give it");
     FakeMouse fake;
-    // It asks sysfs what a device of this number is; a file's is 0:0.
+    // OpenCV asks sysfs for a device with this number; a regular file has 0:0.
     const std::string as_device =
         "unshare -m sh -c 'mount -t tmpfs none /sys/dev/char && mkdir /sys/dev/char/0:0 && "
         "echo DEVNAME=video0 > /sys/dev/char/0:0/uevent && exec timeout 20 v4l2-ctl -d " +
@@ -304,14 +303,14 @@ TEST_CASE("the mouse follows a marker that its real camera sees", "[hw][camera][
     Program program({"run", "system.lua", "--hw", "--headless", "--dev-root", fake.dev(), "--sys-root",
                      fake.folder.path("sys").string(), "--duration", "15"},
                     fake.folder.path("").string());
-    // It begins 0.95 m from the marker and wants to be 0.5 m from it, give or take 0.05 m.
+    // It starts 0.95 m from the marker and stops at 0.5 m, within 0.05 m.
     CHECK(FakeRobot::wait_until([&] { return fake.truth().position.x > 0.38; }, 14));
     sleep_for(1);
     CHECK(fake.truth().position.x < 0.52);
     CHECK(std::abs(fake.truth().position.y) < 0.05);
 }
 
-TEST_CASE("a camera that never gives a picture is told, and its first one is taken", "[hw][camera][fakes][wallclock]") {
+TEST_CASE("a camera without pictures is reported, and its first picture is used", "[hw][camera][fakes][wallclock]") {
     FakeMouse fake;
     fake.fault("video0", "silent");
     DrivenCamera driven(fake.roots());
@@ -322,7 +321,7 @@ TEST_CASE("a camera that never gives a picture is told, and its first one is tak
     CHECK(driven.is_back_again());
 }
 
-TEST_CASE("nezumi calibrate camera measures a real camera's lens by a chessboard, beside what was measured before",
+TEST_CASE("nezumi calibrate camera measures a real camera with a chessboard and keeps earlier measurements",
           "[hw][camera][calibration][fakes][wallclock]") {
     FakeMouse fake({"board"});
     CHECK(fake.say("lens 1.15 -0.22 0.06 0 0 0").empty());
@@ -338,7 +337,7 @@ TEST_CASE("nezumi calibrate camera measures a real camera's lens by a chessboard
         const CameraMount held = view_of_chessboard({}, i);
         CHECK(fake.say(fmt::format("look {} {} {} {} {}", held.at.x, held.at.y, held.at.z, held.yaw, held.pitch))
                   .empty());
-        // However slow the machine: who moved on before a view was taken would show only some, maybe all alike.
+        // Independent of the machine's speed: moving on before a view was taken would give too few different views.
         if (program.wait_for_error(fmt::format("view {} of 20", views + 1), 2)) ++views;
     }
     const int status = program.wait();
@@ -356,7 +355,7 @@ TEST_CASE("nezumi calibrate camera measures a real camera's lens by a chessboard
     CHECK(number("track") == 0.095);
     const double truth = 160 / std::tan(1.15 / 2);
     CHECK(number("width") == 320);
-    // A busy machine sees fewer of the views, and others; how exact a lens is known is another test's.
+    // A busy machine gets fewer and other views; another test checks the accuracy.
     CHECK(number("fx") == Approx(truth).epsilon(0.03));
     CHECK(number("fy") == Approx(truth).epsilon(0.03));
     CHECK(number("cx") == Approx(159.5).margin(3));

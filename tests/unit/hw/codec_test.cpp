@@ -1,4 +1,4 @@
-// What the mouse's driver says, word for word, and what is no word of it.
+// The texts of the mouse's driver, and invalid texts.
 #include "hw/raspimouse/codec.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ TEST_CASE("the light sensors' four numbers are read in their order, a little bel
     }
 }
 
-TEST_CASE("a switch that says 0 is pressed", "[hw][mouse]") {
+TEST_CASE("a switch with the value 0 is pressed", "[hw][mouse]") {
     CHECK(decode_switch("0\n") == true);
     CHECK(decode_switch("1\n") == false);
     for (const char* wrong : {"", "2\n", "0", "00 \n", "on\n"}) {

@@ -1,4 +1,4 @@
-// What another program prints, for tests that read fake devices with programs that are not ours.
+// The output of another program, for tests that use fake devices with foreign programs.
 #pragma once
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// `nezumi run --device-log` on the fake mouse, and what was logged played without it.
+// `nezumi run --device-log` on the fake mouse, and the replay of the log without it.
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
@@ -30,7 +30,7 @@ Outcome play(const Scratch& folder) {
 
 }  // namespace
 
-TEST_CASE("a run that was logged plays without the robot, and what its behaviour does otherwise is told",
+TEST_CASE("a logged run replays without the robot, and differences of its behaviour are reported",
           "[hw][log][run][fakes][wallclock]") {
     const Scratch folder;
     {
@@ -53,12 +53,13 @@ TEST_CASE("a run that was logged plays without the robot, and what its behaviour
     const Outcome slower = play(folder);
     CAPTURE(slower.error);
     CHECK(slower.status == 1);
-    CHECK(slower.error.find("' was written to /dev/rtmotor_raw_l0, and now it has '") != std::string::npos);
+    CHECK(slower.error.find("' was written to /dev/rtmotor_raw_l0, but now it has '") != std::string::npos);
     CHECK(slower.error.find("x.log: played, ") != std::string::npos);
     CHECK(slower.error.find(" difference") != std::string::npos);
 }
 
-TEST_CASE("a device log of a program that is killed is whole lines, and plays", "[hw][log][run][fakes][wallclock]") {
+TEST_CASE("the device log of a killed program has whole lines and can be replayed",
+          "[hw][log][run][fakes][wallclock]") {
     const Scratch folder;
     {
         FakeMouse fake;
@@ -80,7 +81,7 @@ TEST_CASE("a device log of a program that is killed is whole lines, and plays", 
     CHECK(outcome.status == 0);
 }
 
-TEST_CASE("a device log that can't be written any more is told once, and the run goes on",
+TEST_CASE("a device log that can no longer be written is reported once, and the run continues",
           "[hw][log][run][fakes][wallclock]") {
     FakeMouse fake;
     write_system(fake.folder, "0.15");
@@ -97,7 +98,7 @@ TEST_CASE("a device log that can't be written any more is told once, and the run
     CHECK(run.error.find(told, first + 1) == std::string::npos);
 }
 
-TEST_CASE("a device log that is none is refused before anything runs", "[hw][log][run]") {
+TEST_CASE("a file that is not a device log is refused before anything runs", "[hw][log][run]") {
     const Scratch folder;
     write_system(folder, "0.15");
     folder.write("x.log", "nezumi device log 1\n0.1 0 peek /dev/x = 1\n");

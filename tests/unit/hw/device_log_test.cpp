@@ -1,4 +1,4 @@
-// Device logs: lines that are written and read again, what is refused, and how writes are compared.
+// Device logs: writing, reading, errors, and comparison of writes.
 #include "hw/log/device_log.hpp"
 
 #include <catch2/catch.hpp>
@@ -70,13 +70,13 @@ TEST_CASE("a device log says when the ticks began and ended, and a torn last lin
     CHECK(log->is_torn);
     CHECK(log->calls.size() == 1);
     CHECK(log->start == 0);
-    CHECK(log->length == Approx(0.1));  // of a run that was cut off: its last call
+    CHECK(log->length == Approx(0.1));  // of an interrupted run: its last call
 }
 
-TEST_CASE("a device log that is none is refused with its line, what it has and what was expected", "[hw][log]") {
+TEST_CASE("a file that is not a device log is refused with line, content and expectation", "[hw][log]") {
     CHECK(refused("") == "x.log:1: is empty: expected a device log of nezumi run --device-log");
     CHECK(refused("{\"journal\":1}\n") ==
-          "x.log:1: is no device log of nezumi run --device-log: expected 'nezumi device log 1', got "
+          "x.log:1: is not a device log of nezumi run --device-log: expected 'nezumi device log 1', got "
           "'{\"journal\":1}'");
     const auto [line, why] = GENERATE(table<std::string, std::string>({
         {"", "expected a time [s], got ''"},
@@ -103,22 +103,22 @@ TEST_CASE("a device log that is none is refused with its line, what it has and w
     CHECK(refused(with_header("2 start\n1 end\n")) == "x.log:3: ends at 1 s, before it starts at 2 s");
 }
 
-TEST_CASE("a long text that is written is its length and a fingerprint", "[hw][log]") {
+TEST_CASE("a long written text is logged as its length and a fingerprint", "[hw][log]") {
     CHECK(fingerprint("") == "#0:cbf29ce484222325");  // FNV-1a's offset basis
     CHECK(fingerprint("a") == "#1:af63dc4c8601ec8c");
 }
 
-TEST_CASE("writes that are the same at about the same time are alike", "[hw][log]") {
+TEST_CASE("equal writes at about the same time match", "[hw][log]") {
     auto it = comparison({{1, "run", 5}, {3, "stop", 6}});
     it.wrote("/dev/m", 1.1, "run");
-    it.wrote("/dev/m", 2.0, "run");  // again: it is in force
+    it.wrote("/dev/m", 2.0, "run");  // again: the value is in force
     it.wrote("/dev/m", 2.9, "stop");
     CHECK(it.compare(10).empty());
     CHECK(it.compared() == 5);
     CHECK(it.differences() == 0);
 }
 
-TEST_CASE("a ramp in other steps is the same ramp", "[hw][log]") {
+TEST_CASE("ramps with different steps match", "[hw][log]") {
     auto it = comparison({{1.00, "20", 5}, {1.02, "60", 6}, {1.04, "100", 7}, {1.06, "400", 8}});
     it.wrote("/dev/m", 1.01, "33");
     it.wrote("/dev/m", 1.03, "80");
@@ -126,12 +126,12 @@ TEST_CASE("a ramp in other steps is the same ramp", "[hw][log]") {
     CHECK(it.compare(10).empty());
 }
 
-TEST_CASE("what is written and what was are told where they differ, once until they agree again", "[hw][log]") {
+TEST_CASE("a difference between two runs is reported once until they agree again", "[hw][log]") {
     auto it = comparison({{1, "400", 5}, {5, "0", 6}});
     it.wrote("/dev/m", 1, "400");
     it.wrote("/dev/m", 2, "100");
     it.wrote("/dev/m", 3, "90");
-    CHECK(it.compare(2.1).empty());  // the log may have it in a moment
+    CHECK(it.compare(2.1).empty());  // the log may have it a moment later
     CHECK(it.compare(3.5) ==
           std::vector<std::string>{"x.log: at 2.000 s '100' is written to /dev/m, and the log has '400' (line 5)"});
     it.wrote("/dev/m", 5, "0");
@@ -141,19 +141,19 @@ TEST_CASE("what is written and what was are told where they differ, once until t
     CHECK(it.differences() == 2);
 }
 
-TEST_CASE("what is no longer written is told with the log's line", "[hw][log]") {
+TEST_CASE("a write that is missing is reported with the log's line", "[hw][log]") {
     auto it = comparison({{1, "400", 5}, {2, "0", 6}});
     it.wrote("/dev/m", 1, "400");
-    CHECK(it.compare(8) == std::vector<std::string>{"x.log:6: at 2.000 s '0' was written to /dev/m, and now it has "
+    CHECK(it.compare(8) == std::vector<std::string>{"x.log:6: at 2.000 s '0' was written to /dev/m, but now it has "
                                                     "'400'"});
     WriteComparison silent{"x.log", {{"/dev/led", {{1, "1", 7}}}}, 0, 10};
     silent.wrote("/dev/other", 1, "1");
     CHECK(silent.compare(8) ==
-          std::vector<std::string>{"x.log:7: at 1.000 s '1' was written to /dev/led, and now it has nothing",
+          std::vector<std::string>{"x.log:7: at 1.000 s '1' was written to /dev/led, but now it has nothing",
                                    "x.log: at 1.000 s '1' is written to /dev/other, and the log has nothing"});
 }
 
-TEST_CASE("only what is between the start and the end of a log is compared", "[hw][log]") {
+TEST_CASE("only writes between the start and the end of a log are compared", "[hw][log]") {
     auto it = comparison({{0.5, "1", 5}, {3, "2", 6}, {9.9, "3", 7}, {11, "4", 8}}, 2, 10);
     it.wrote("/dev/m", 1, "7");
     it.wrote("/dev/m", 3, "2");
@@ -161,7 +161,7 @@ TEST_CASE("only what is between the start and the end of a log is compared", "[h
     CHECK(it.compared() == 2);
 }
 
-TEST_CASE("a clock that is set moves what was written", "[hw][log]") {
+TEST_CASE("setting the clock moves the times of earlier writes", "[hw][log]") {
     auto it = comparison({{3, "on", 5}});
     it.wrote("/dev/m", 1, "on");
     it.move_written(2);

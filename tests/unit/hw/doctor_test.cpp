@@ -1,4 +1,4 @@
-// What `nezumi doctor` finds on machines that are folders.
+// The findings of `nezumi doctor` on machines made of folders.
 #include "hw/doctor/doctor.hpp"
 
 #include <grp.h>
@@ -22,7 +22,7 @@ using namespace nezumi::hw;
 
 namespace {
 
-// A Raspberry Pi 4 with a mouse that lacks nothing.
+// A Raspberry Pi 4 as a complete mouse.
 struct MouseMachine {
     MouseMachine() {
         for (const char* node :
@@ -55,7 +55,7 @@ struct MouseMachine {
     std::string cameras;  // why nezumi can't use them
 };
 
-// "wrong driver: rtmouse is not loaded -> sudo modprobe rtmouse", a line each, of what is not well.
+// The findings that are not good, one line each: "wrong driver: rtmouse is not loaded -> sudo modprobe rtmouse".
 std::string not_well(const Examination& examination) {
     std::string text;
     for (const Finding& finding : examination.findings) {
@@ -74,7 +74,7 @@ std::string found(const Examination& examination, const std::string& check) {
 
 }  // namespace
 
-TEST_CASE("a mouse that lacks nothing has nothing wrong, and tells what is there", "[hw][doctor]") {
+TEST_CASE("for a complete mouse nothing is wrong, and its parts are listed", "[hw][doctor]") {
     const MouseMachine machine;
     const Examination all = machine.examine();
     CHECK(all.driver == "raspimouse");
@@ -85,28 +85,28 @@ TEST_CASE("a mouse that lacks nothing has nothing wrong, and tells what is there
     CHECK(found(all, "light sensors") == "12 0 -3 14");
     CHECK(found(all, "wheel counters") == "700 left, 65000 right");
     CHECK(found(all, "udev rules") == machine.folder.path("udev/rules.d/60-nezumi.rules").string());
-    CHECK(found(all, "camera") == "none is there");
+    CHECK(found(all, "camera") == "not found");
 }
 
-TEST_CASE("looking at a mouse writes nothing", "[hw][doctor][safety]") {
+TEST_CASE("the examination of a mouse writes nothing", "[hw][doctor][safety]") {
     const MouseMachine machine;
     const auto before = std::filesystem::last_write_time(machine.folder.path("dev/rtmotoren0"));
     static_cast<void>(machine.examine());
     CHECK(std::filesystem::last_write_time(machine.folder.path("dev/rtmotoren0")) == before);
 }
 
-TEST_CASE("a Pi without the driver is told to load it", "[hw][doctor]") {
+TEST_CASE("on a Pi without the driver the advice is to load it", "[hw][doctor]") {
     const MouseMachine machine;
     machine.remove("dev");
     machine.remove("sys/module");
     const std::string text = not_well(machine.examine());
-    CHECK(text.find("driver: rtmouse is not loaded -> sudo modprobe rtmouse; where there is no such module, build it: "
+    CHECK(text.find("driver: rtmouse is not loaded -> sudo modprobe rtmouse; if there is no such module, build it: "
                     "https://github.com/rt-net/RaspberryPiMouse\n") != text.npos);
     CHECK(text.find("nodes: 14 of 14 are missing in ") != text.npos);
     CHECK(text.find("-> load the driver: sudo modprobe rtmouse\n") != text.npos);
 }
 
-TEST_CASE("a node that is missing is named", "[hw][doctor]") {
+TEST_CASE("a missing node is named", "[hw][doctor]") {
     const MouseMachine machine;
     machine.remove("dev/rtbuzzer0");
     CHECK(not_well(machine.examine()) ==
@@ -115,15 +115,35 @@ TEST_CASE("a node that is missing is named", "[hw][doctor]") {
               "modprobe rtmouse\n");
 }
 
-TEST_CASE("light sensors that say only zeros lead to the overlay, where the kernel needs one", "[hw][doctor]") {
+TEST_CASE("counters that the driver has not found are a matter of I2C", "[hw][doctor]") {
+    const MouseMachine machine;
+    machine.remove("dev/rtcounter_l0");
+    machine.remove("dev/rtcounter_r0");
+    CHECK_THAT(not_well(machine.examine()),
+               Catch::Contains("rtcounter_l0 and rtcounter_r0 -> the driver has not found the counters on I2C. Is "
+                               "dtparam=i2c_arm=on in config.txt"));
+}
+
+TEST_CASE("an I2C clock that is faster than the counters' makers ask for is wrong", "[hw][doctor]") {
+    const MouseMachine machine;
+    machine.folder.write("sys/bus/i2c/devices/i2c-1/of_node/clock-frequency", std::string_view("\0\6\32\200", 4));
+    CHECK(
+        not_well(machine.examine()) ==
+        "I2C clock: 400000 Hz: the wheel counters' makers ask for 62500 Hz, else readings fail -> write "
+        "dtparam=i2c_baudrate=62500 into /boot/firmware/config.txt (/boot/config.txt on older systems), and restart\n");
+    machine.folder.write("sys/bus/i2c/devices/i2c-1/of_node/clock-frequency", std::string_view("\0\0\364\44", 4));
+    CHECK(found(machine.examine(), "I2C clock") == "62500 Hz");
+}
+
+TEST_CASE("for light sensors that give only zeros the advice is the overlay, if the kernel needs one", "[hw][doctor]") {
     const MouseMachine machine;
     machine.folder.write("dev/rtlightsensor0", "0 0 0 0\n");
     const std::string zeros =
-        "light sensors: they say 0 0 0 0 all the time: that is no measurement -> turn SPI on, see "
-        "overlay; and look at the boards' connector\n";
+        "light sensors: they always give 0 0 0 0: that is not a measurement -> switch SPI on, see "
+        "overlay; and check the boards' connector\n";
     CHECK(not_well(machine.examine()) ==
           zeros +
-              "overlay: the light sensors' converter is not on the SPI bus -> write dtparam=spi=on and "
+              "overlay: the converter of the light sensors is not on the SPI bus -> write dtparam=spi=on and "
               "dtoverlay=anyspi:spi0-0,dev=\"microchip,mcp3204\",speed=500000 into /boot/firmware/config.txt "
               "(/boot/config.txt on older systems), and restart\n");
     machine.folder.write("proc/sys/kernel/osrelease", "5.15.84\n");
@@ -134,7 +154,7 @@ TEST_CASE("light sensors that say only zeros lead to the overlay, where the kern
     CHECK(found(with_overlay, "overlay") == "spi0.0 is spi:mcp3204");
 }
 
-TEST_CASE("wheel counters that are not there lead to I2C", "[hw][doctor]") {
+TEST_CASE("for missing wheel counters the advice is I2C", "[hw][doctor]") {
     const MouseMachine machine;
     machine.folder.write("dev/rtcounter_r0", "nonsense\n");
     CHECK(not_well(machine.examine()) ==
@@ -144,7 +164,7 @@ TEST_CASE("wheel counters that are not there lead to I2C", "[hw][doctor]") {
     CHECK(not_well(machine.examine()).starts_with("I2C: it is off, and the wheel counters need it -> "));
 }
 
-TEST_CASE("computers that can't be a mouse's are told apart", "[hw][doctor]") {
+TEST_CASE("computers that can't be used in a mouse are recognised", "[hw][doctor]") {
     const MouseMachine machine;
     machine.folder.write("sys/firmware/devicetree/base/model", "Raspberry Pi 5 Model B Rev 1.0");
     CHECK(not_well(machine.examine()) ==
@@ -159,7 +179,7 @@ TEST_CASE("computers that can't be a mouse's are told apart", "[hw][doctor]") {
           "Raspberry Pi 2, 3, 4 or Zero 2 into the mouse\n");
 }
 
-TEST_CASE("a Pi with too little voltage is told, and one that has had too little", "[hw][doctor]") {
+TEST_CASE("too little voltage of a Pi is reported, also if it was earlier", "[hw][doctor]") {
     const MouseMachine machine;
     const std::string flags = "sys/devices/platform/soc/soc:firmware/get_throttled";
     machine.folder.write(flags, "50005\n");
@@ -173,7 +193,7 @@ TEST_CASE("a Pi with too little voltage is told, and one that has had too little
     CHECK(not_well(machine.examine()).starts_with("supply: "));
 }
 
-TEST_CASE("programs that have a node open are named, and their counters left alone", "[hw][doctor]") {
+TEST_CASE("programs that have a node open are named, and their counters are not tested", "[hw][doctor]") {
     const MouseMachine machine;
     machine.folder.write("dev/rtcounter_l1", "5\n");
     machine.folder.write("proc/812/comm", "python3\n");
@@ -183,10 +203,10 @@ TEST_CASE("programs that have a node open are named, and their counters left alo
     const Examination all = machine.examine();
     CHECK(not_well(all) == "programs: python3 (process 812) has " + machine.folder.path("dev/rtcounter_l1").string() +
                                " open -> end it before a robot is driven: kill 812\n");
-    CHECK(found(all, "wheel counters") == "another program has them: they were left alone");
+    CHECK(found(all, "wheel counters") == "another program uses them: not tested");
 }
 
-TEST_CASE("of a program and its guard only the program is to be ended", "[hw][doctor]") {
+TEST_CASE("of a program and its guard only the program is named", "[hw][doctor]") {
     const MouseMachine machine;
     const auto node = std::filesystem::canonical(machine.folder.path("dev/rtmotoren0"));
     for (const auto& [process, parent] : {std::pair("812", "1"), std::pair("813", "812")}) {
@@ -200,7 +220,7 @@ TEST_CASE("of a program and its guard only the program is to be ended", "[hw][do
                                              " open -> end it before a robot is driven: kill 812\n");
 }
 
-TEST_CASE("who drives the motors is seen by the lock as well", "[hw][doctor]") {
+TEST_CASE("the lock also shows which program drives the motors", "[hw][doctor]") {
     const MouseMachine machine;
     const std::string node = machine.folder.path("dev/rtmotoren0").string();
     std::array<int, 2> ends{};
@@ -222,7 +242,7 @@ TEST_CASE("who drives the motors is seen by the lock as well", "[hw][doctor]") {
     CHECK(text.find("process " + std::to_string(other)) != text.npos);
 }
 
-TEST_CASE("a node that does not answer costs a second, and is told", "[hw][doctor]") {
+TEST_CASE("a node that does not answer costs one second and is reported", "[hw][doctor]") {
     const MouseMachine machine;
     machine.remove("dev/rtlightsensor0");
     REQUIRE(mkfifo(machine.folder.path("dev/rtlightsensor0").c_str(), 0666) == 0);
@@ -231,7 +251,7 @@ TEST_CASE("a node that does not answer costs a second, and is told", "[hw][docto
           text.npos);
 }
 
-TEST_CASE("nodes that this user may not use are told with the rule to install", "[hw][doctor]") {
+TEST_CASE("for nodes without permission the advice is the udev rule", "[hw][doctor]") {
     const MouseMachine machine;
     chmod(machine.folder.path("").c_str(), 0755);
     chmod(machine.folder.path("dev/rtmotoren0").c_str(), 0600);
@@ -261,7 +281,7 @@ TEST_CASE("cameras and sound cards are listed", "[hw][doctor]") {
     CHECK(found(machine.examine(), "sound") == "bcm2835 Headphones");
 }
 
-TEST_CASE("a camera that nezumi's part for cameras can't be loaded for is of no use", "[hw][doctor]") {
+TEST_CASE("a camera can't be used without nezumi's module for cameras", "[hw][doctor]") {
     MouseMachine machine;
     machine.cameras = "libopencv_videoio.so.406 is not there. Install it";
     CHECK(not_well(machine.examine()).empty());
@@ -270,11 +290,11 @@ TEST_CASE("a camera that nezumi's part for cameras can't be loaded for is of no 
     CHECK(found(machine.examine(), "camera") == "video0: USB Camera");
     CHECK(not_well(machine.examine()) ==
           "camera: nezumi can't use it -> libopencv_videoio.so.406 is not there. Install it\n");
-    machine.cameras = "";  // the program that runs this test can
+    machine.cameras = "";  // the program of this test can use cameras
     CHECK(not_well(machine.examine()).empty());
 }
 
-TEST_CASE("a brick tells its motors, sensors and battery", "[hw][doctor]") {
+TEST_CASE("motors, sensors and battery of a brick are listed", "[hw][doctor]") {
     const Scratch folder;
     const auto device = [&](const std::string& path, const char* driver, const char* port) {
         folder.write("sys/class/" + path + "/driver_name", std::string(driver) + "\n");
@@ -304,7 +324,7 @@ TEST_CASE("a brick tells its motors, sensors and battery", "[hw][doctor]") {
     CHECK(found(examine(), "motors") == "lego-ev3-l-motor at outB and lego-ev3-l-motor at outC");
 }
 
-TEST_CASE("a computer that is no robot is told to look on the robot", "[hw][doctor]") {
+TEST_CASE("on a computer that is not a robot the advice is to examine the robot", "[hw][doctor]") {
     const Scratch folder;
     MachineRoots roots;
     roots.devices = {.dev = folder.path("dev").string(), .sys = folder.path("sys").string()};
@@ -316,7 +336,7 @@ TEST_CASE("a computer that is no robot is told to look on the robot", "[hw][doct
           "robot; here systems are simulated, which needs nothing more\n");
 }
 
-TEST_CASE("who may use a node is told by its group's name", "[hw][doctor]") {
+TEST_CASE("the permission of a node is explained by the name of its group", "[hw][doctor]") {
     const Scratch folder;
     folder.write("node", "");
     const std::string node = folder.path("node").string();

@@ -1,4 +1,4 @@
-// A real robot whose run writes to what takes nothing: it is driven on, and the run ends.
+// A real robot drives on and the run ends even if its output blocks.
 #include <fcntl.h>
 #include <sys/stat.h>
 
@@ -27,14 +27,14 @@ void write_turning_system(const FakeMouse& fake, const std::string& more) {
                       "connect('driver.out', 'mouse.target_velocity_in')\n");
 }
 
-// Waits until it has turned: what the run writes to has not held it.
+// Waits until it has turned: then the blocked output has not stopped it.
 bool turns(FakeMouse& fake) {
     return FakeMouse::wait_until([&] { return fake.motion().left < -10 && fake.motion().right > 10; }, 20);
 }
 
 }  // namespace
 
-TEST_CASE("a robot whose run has a log that is not read is driven on, and stops by SIGTERM",
+TEST_CASE("a robot drives on when its log output is not read, and stops by SIGTERM",
           "[hw][ends][fakes][safety][wallclock]") {
     FakeMouse fake;
     write_turning_system(fake, "for i = 1, 10 do log.info(('x'):rep(1000)) end");
@@ -48,7 +48,7 @@ TEST_CASE("a robot whose run has a log that is not read is driven on, and stops 
     CHECK(clock_seconds() - begin < 2.5);
 }
 
-TEST_CASE("a device log that takes nothing is given up, with a line", "[hw][ends][fakes][wallclock]") {
+TEST_CASE("a device log that accepts no writes is abandoned, with a message", "[hw][ends][fakes][wallclock]") {
     FakeMouse fake;
     write_turning_system(fake, "");
     const std::string fifo = fake.folder.path("fifo").string();
@@ -68,12 +68,12 @@ TEST_CASE("a device log that takes nothing is given up, with a line", "[hw][ends
     close(reader);
 }
 
-TEST_CASE("a second signal ends the program when the guard has braked", "[hw][ends][fakes][safety][wallclock]") {
+TEST_CASE("a second signal ends the program after the guard has braked", "[hw][ends][fakes][safety][wallclock]") {
     FakeMouse fake;
     write_turning_system(fake, "");
     Program run({"run", "system.lua", "--hw", "--headless", "--dev-root", fake.dev()}, fake.folder.path("").string());
     REQUIRE(FakeMouse::wait_until([&] { return fake.motion().left > 390; }, 20));
-    // Two of one kind could arrive as one.
+    // Two signals of one kind could be merged.
     run.send(SIGTERM);
     run.send(SIGINT);
     const auto status = run.wait_unread(30);

@@ -19,7 +19,7 @@ const SensorReading& key(const DrivenEv3& ev3, std::string_view name) {
 
 }  // namespace
 
-TEST_CASE("each key of an EV3 is pressed for itself", "[hw][ev3][fakes][wallclock]") {
+TEST_CASE("each key of an EV3 is read separately", "[hw][ev3][fakes][wallclock]") {
     FakeEv3 fake;
     DrivenEv3 ev3(fake);
     ev3.idle(0.1);
@@ -34,7 +34,7 @@ TEST_CASE("each key of an EV3 is pressed for itself", "[hw][ev3][fakes][wallcloc
     }
 }
 
-TEST_CASE("keys of an EV3 that fail are told once, and taken up again", "[hw][ev3][fakes][threads][wallclock]") {
+TEST_CASE("failed keys of an EV3 are reported once and used again", "[hw][ev3][fakes][threads][wallclock]") {
     const auto [fault, why] = GENERATE(table<std::string, std::string>({
         {"missing", "no such device: is this an EV3 brick with ev3dev?"},
         {"eio", "input/output error: is this an EV3 brick with ev3dev?"},
@@ -55,7 +55,7 @@ TEST_CASE("keys of an EV3 that fail are told once, and taken up again", "[hw][ev
     CHECK(ev3.idle(5, [&] { return ev3.said("keys: back again"); }));
 }
 
-TEST_CASE("a button that is no key of the brick is refused with those that are", "[hw][ev3]") {
+TEST_CASE("a button that is not a key of the brick is refused with a list of the keys", "[hw][ev3]") {
     RobotSpec spec = ev3_spec();
     for (SensorSpec& sensor : spec.sensors) {
         if (sensor.name == "key_back") sensor.port = "escape";

@@ -1,4 +1,5 @@
-// `nezumi run --hw` of shipped systems on the fake EV3: what ends or stalls the program, and how soon the wheels stand.
+// `nezumi run --hw` of shipped systems on the fake EV3: events that end or stall the program, and the time until the
+// wheels stand.
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
@@ -38,7 +39,7 @@ struct Ev3Run {
     Ev3Run(const Ev3Run&) = delete;
     Ev3Run& operator=(const Ev3Run&) = delete;
 
-    // How long after `cause` the wheels stood [s].
+    // The time [s] from `cause` until the wheels stand.
     double time_to_stand(const std::function<void()>& cause) {
         const double begin = clock_seconds();
         cause();
@@ -106,7 +107,7 @@ TEST_CASE("a run of an EV3 that is ended by Ctrl-C brakes, and lets its wheels r
     CHECK(run.fake.motion().rolls);
 }
 
-TEST_CASE("a hand rolls the real EV3, and the simulated mouse of the shipped system follows",
+TEST_CASE("when a person rolls the real EV3, the simulated mouse of the shipped system follows",
           "[hw][ev3][run][fakes][wallclock]") {
     FakeEv3 fake;
     auto words = words_for(fake, shipped("leader_follower"));

@@ -1,4 +1,4 @@
-// The EV3's driver against ev3dev's true behaviour: driver, fake nodes, physics, fake nodes, driver.
+// The EV3's driver on fake nodes that behave like ev3dev, with simulated physics.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -31,7 +31,8 @@ std::string text_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-TEST_CASE("an EV3 without one of its wheels' motors is refused, and the other is not touched", "[hw][ev3][safety]") {
+TEST_CASE("an EV3 without one of its wheels' motors is refused, and the other motor is unchanged",
+          "[hw][ev3][safety]") {
     const RobotSpec spec = ev3_spec();
     const Scratch folder;
     const std::string classes = folder.path("class/tacho-motor").string();
@@ -51,7 +52,7 @@ TEST_CASE("an EV3 without one of its wheels' motors is refused, and the other is
         CHECK(text_of(folder.path(std::string("class/tacho-motor/motor4/") + node)) == "untouched");
 }
 
-TEST_CASE("an EV3's motors are where its robot file says", "[hw][ev3]") {
+TEST_CASE("an EV3's motors are at the ports of its robot file", "[hw][ev3]") {
     RobotSpec spec = ev3_spec();
     spec.drive.port = {"outD", "outA"};
     spec.actuators.clear();
@@ -66,7 +67,7 @@ TEST_CASE("an EV3's motors are where its robot file says", "[hw][ev3]") {
     auto body = Ev3Body::make(spec, roots);
     REQUIRE(body);
     (*body)->set_motor_power(true);
-    const auto turns = [&] {  // once the guard has proved that it can stop them
+    const auto turns = [&] {  // after the guard has proved that it can stop them
         (*body)->set_wheel_speeds({.left = -360 * degree * spec.drive.radius, .right = 0});
         return text_of(folder.path("class/tacho-motor/motor2/command")) == "run-timed";
     };
@@ -89,7 +90,7 @@ TEST_CASE("a robot file that the driver ev3 can't serve is refused", "[hw][ev3]"
     RobotSpec two_arms = ev3_spec();
     two_arms.actuators.push_back(two_arms.actuators.front());
     for (ActuatorSpec& actuator : two_arms.actuators) actuator.kind = ActuatorSpec::Kind::servo;
-    CHECK(refusal(two_arms).find("the driver ev3 has one servo, and model 'ev3' wants ") == 0);
+    CHECK(refusal(two_arms).find("the driver ev3 has one servo, but model 'ev3' needs ") == 0);
     RobotSpec same_port = ev3_spec();
     for (SensorSpec& sensor : same_port.sensors) {
         if (sensor.name == "left") sensor.port = "in3";
@@ -101,14 +102,14 @@ TEST_CASE("a robot file that the driver ev3 can't serve is refused", "[hw][ev3]"
     CHECK(refusal(one_wheel) == "drive.port of model 'ev3': expected two, the left motor's and the right's, got 1");
 }
 
-TEST_CASE("a gyro's angle counts on over its wrap and after it was unplugged", "[hw][ev3]") {
+TEST_CASE("a gyro's angle continues over its wrap and after it was unplugged", "[hw][ev3]") {
     GyroAngle gyro;
     const auto says = [&](int degrees, int plugged_in) {
         return std::round(gyro.take({.values = {static_cast<double>(degrees)}, .plugged_in = plugged_in}) / degree);
     };
     CHECK(says(32700, 1) == 0);
     CHECK(says(-32736, 1) == -100);  // clockwise, 65536 on
-    CHECK(says(0, 2) == -100);       // its zero is where it was plugged in again
+    CHECK(says(0, 2) == -100);       // its zero is the position where it was plugged in again
     CHECK(says(-30, 2) == -70);
 }
 
@@ -127,7 +128,7 @@ TEST_CASE("raw colours become the colours that people see", "[hw][ev3]") {
     CHECK(brightness(*floor_seen({.values = {600, 400, 300}})) == Approx(100));
 }
 
-TEST_CASE("a picture fills the brick's screen as it can, in 32 bits and in one", "[hw][ev3]") {
+TEST_CASE("a picture is scaled to the brick's screen, with 32 bits or one per pixel", "[hw][ev3]") {
     CameraImage picture{
         .width = 2, .height = 1, .bpp = 24, .format = "rgb8", .fDiv = 0, .pixels = {255, 0, 0, 0, 0, 255}};
     const std::string frame = paint_screen(picture, {});
@@ -154,7 +155,7 @@ TEST_CASE("a picture fills the brick's screen as it can, in 32 bits and in one",
     CHECK(paint_screen(picture, {}).empty());
 }
 
-TEST_CASE("a sensor of an EV3 that stays in another mode is told with that mode, and taken up again",
+TEST_CASE("a sensor of an EV3 that stays in another mode is reported with that mode and used again",
           "[hw][ev3][fakes][wallclock]") {
     FakeEv3 fake;
     DrivenEv3 ev3(fake);
@@ -168,7 +169,7 @@ TEST_CASE("a sensor of an EV3 that stays in another mode is told with that mode,
     CHECK(ev3.log.size() == 1);
 }
 
-TEST_CASE("an EV3's battery that does not answer is told", "[hw][ev3][fakes][wallclock]") {
+TEST_CASE("an EV3's battery that does not answer is reported", "[hw][ev3][fakes][wallclock]") {
     FakeEv3 fake;
     DrivenEv3 ev3(fake);
     ev3.idle(0.5);

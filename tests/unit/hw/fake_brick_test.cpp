@@ -61,7 +61,7 @@ TEST_CASE("a fake brick's speed acts with the command that follows it", "[hw][ev
     CHECK(motor.read("state", 12) == "running\n");
 }
 
-TEST_CASE("a fake brick's run-timed ends by itself, and begins anew when it is told again", "[hw][ev3][fakes]") {
+TEST_CASE("a fake brick's run-timed ends by itself, and starts again when it is repeated", "[hw][ev3][fakes]") {
     Ev3Motor motor = large_motor();
     motor.write("stop_action", "hold", 10);
     motor.write("speed_sp", "400", 10);
@@ -86,7 +86,7 @@ TEST_CASE("a fake brick's speed of zero is no power: the motor rolls and is not 
     motor.write("command", "stop", 12);
     CHECK(motor.mode(12) == Ev3Motor::Mode::hold);
     motor.write("stop_action", "coast", 13);
-    CHECK(motor.mode(13) == Ev3Motor::Mode::hold);  // as the speed, with the next command
+    CHECK(motor.mode(13) == Ev3Motor::Mode::hold);  // like the speed, it takes effect with the next command
     motor.write("command", "stop", 13);
     CHECK(motor.mode(13) == Ev3Motor::Mode::roll);
 }
@@ -108,7 +108,7 @@ TEST_CASE("a fake brick's position can't be written while the motor runs", "[hw]
     CHECK(motor.read("position", 12) == "17\n");
 }
 
-TEST_CASE("a fake brick's sensor says what its old mode says for 20 ms after a change", "[hw][ev3][fakes]") {
+TEST_CASE("a fake brick's sensor gives values of its old mode for 20 ms after a change", "[hw][ev3][fakes]") {
     Ev3Sensor sensor("lego-ev3-us");
     const Ev3Surroundings around{.distance = 1.0};
     CHECK(sensor.read("value0", around, 10) == "1000\n");
@@ -119,7 +119,7 @@ TEST_CASE("a fake brick's sensor says what its old mode says for 20 ms after a c
     CHECK(sensor.read("value0", around, 10.021) == "394\n");
 }
 
-TEST_CASE("a fake brick's change of mode takes its time, and what is unplugged says so", "[hw][ev3][fakes]") {
+TEST_CASE("a fake brick's change of mode takes time, and an unplugged device gives an error", "[hw][ev3][fakes]") {
     Ev3Nodes nodes;
     const std::string gyro = "sys/class/lego-sensor/sensor4/";
     REQUIRE(get(nodes, gyro + "address") == "ev3-ports:in2\n");

@@ -1,4 +1,4 @@
-// The fake EV3, and a robot of the engine that drives it.
+// The fake EV3, and a robot of the engine that uses it.
 #pragma once
 
 #include "hw/ev3/ev3_body.hpp"

@@ -1,4 +1,4 @@
-// The fake mouse, and a robot of the engine that drives it.
+// The fake mouse, and a robot of the engine that uses it.
 #pragma once
 
 #include "hw/raspimouse/mouse_body.hpp"

@@ -49,7 +49,7 @@ TEST_CASE("a fake motor's node is as strict as the kernel", "[hw][fakes]") {
     CHECK(nodes.motion().right == 10000);
 }
 
-TEST_CASE("fake switches of power and light take one byte of what is written", "[hw][fakes]") {
+TEST_CASE("fake switches of power and light read one byte of each write", "[hw][fakes]") {
     MouseNodes nodes;
     CHECK(nodes.motion().power);  // the driver's motors are enabled when it is loaded
     CHECK(put(nodes, "rtmotoren0", "0\n") == 1);
@@ -69,7 +69,7 @@ TEST_CASE("a fake buzzer is silenced by any write to a motor", "[hw][fakes]") {
     CHECK(nodes.motion().tone == 1);
 }
 
-TEST_CASE("fake counters wrap, and whoever opens last decides whether they are signed", "[hw][fakes]") {
+TEST_CASE("fake counters wrap, and the last program that opens one decides whether it is signed", "[hw][fakes]") {
     MouseNodes nodes;
     nodes.set_counters(65535);
     CHECK(get(nodes, "rtcounter_l0") == "65535\n");
@@ -84,7 +84,7 @@ TEST_CASE("fake counters wrap, and whoever opens last decides whether they are s
     CHECK(get(nodes, "rtcounter_l0") == "40000\n");
 }
 
-TEST_CASE("what goes wrong with fake nodes is an error to who uses them", "[hw][fakes]") {
+TEST_CASE("a fault of a fake node is an error for its user", "[hw][fakes]") {
     MouseNodes nodes;
     std::uint64_t handle = 0;
     std::string text;

@@ -1,4 +1,4 @@
-// A fake robot that runs, and a robot of the engine that drives it: driver, fake device, physics and back.
+// A running fake robot, and a robot of the engine that uses it: driver, fake device, physics and back.
 #pragma once
 
 #include <poll.h>
@@ -31,9 +31,8 @@ namespace nezumi::hw {
 
 inline void sleep_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
-/// A program beside the test that stands for a robot, or without a `model` for another device, with its nodes in
-/// `mount()`. Where there is no FUSE, the test is
-/// skipped.
+/// A program beside the test that acts as a robot, or without `model` as another device, with its nodes in `mount()`.
+/// Without FUSE the test is skipped.
 class FakeRobot {
 public:
     FakeRobot(const std::string& name, const std::string& model, const std::vector<std::string>& more = {}) {
@@ -80,11 +79,11 @@ public:
     static std::string robot_file(const std::string& model) {
         return source_root() + "/engine/robots/" + model + ".lua";
     }
-    /// Where it answers as a rig does.
+    /// The socket of its rig.
     std::string socket_path() const { return folder.path("socket").string(); }
     std::string mount() const { return folder.path("nodes").string(); }
 
-    /// What it answers to a command (tests/fakes).
+    /// Its answer to a command (tests/fakes).
     std::string say(const std::string& command) {
         const std::string line = command + "\n";
         REQUIRE(send(socket_, line.data(), line.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(line.size()));
@@ -106,7 +105,7 @@ public:
         std::istringstream(say("truth")) >> pose.position.x >> pose.position.y >> pose.heading;
         return pose;
     }
-    /// All writes that were done, "rtled0 '1'" each.
+    /// All successful writes, as "rtled0 '1'".
     std::vector<std::string> writes() {
         std::vector<std::string> all;
         std::istringstream lines(say("log"));
@@ -114,7 +113,7 @@ public:
             all.push_back(node + " " + text);
         return all;
     }
-    /// Waits until something is the case; false when it is not within these seconds.
+    /// Waits until `is_so` returns true; returns false after this time [s].
     static bool wait_until(const std::function<bool()>& is_so, double seconds) {
         const double end = clock_seconds() + seconds;
         while (!is_so()) {
@@ -135,10 +134,10 @@ private:
         REQUIRE(::connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
     }
     void end() {
-        kill(process_, SIGTERM);  // it unmounts its files, unless one of them hangs
+        kill(process_, SIGTERM);  // it unmounts its files, unless a call hangs
         if (wait_until([this] { return waitpid(process_, nullptr, WNOHANG) == process_; }, 1)) return;
         umount2(mount().c_str(), MNT_DETACH);
-        kill(process_, SIGKILL);  // with the connection to the kernel all that hangs in its files ends as well
+        kill(process_, SIGKILL);  // calls that hang in its files end with the connection to the kernel
         waitpid(process_, nullptr, 0);
     }
 
@@ -153,7 +152,7 @@ inline RobotSpec shipped_spec(const std::string& model) {
     return *spec;
 }
 
-/// A system with this one robot at 100 ticks a second of real time, driven by the test.
+/// A system with only this robot at 100 ticks per second in real time, driven by the test.
 struct DrivenRobot {
     DrivenRobot(RobotSpec its_spec, const DeviceRoots& roots)
         : spec(std::move(its_spec)),
@@ -167,7 +166,7 @@ struct DrivenRobot {
         REQUIRE(system.add(std::move(*made)));
         REQUIRE(robot->activate(system.now()));
     }
-    /// Runs for these seconds, or until something is the case, with this velocity as the command of every tick.
+    /// Runs for this time [s] or until `until` returns true, with this velocity as the command of every tick.
     bool run(double seconds, Velocity2D velocity = {}, const std::function<bool()>& until = nullptr) {
         return tick_for(seconds, &velocity, until);
     }
@@ -191,7 +190,7 @@ struct DrivenRobot {
     const T& published(std::string_view port) const {
         return static_cast<const OutPort<T>*>(robot->find_out_port(port))->read();
     }
-    /// Whether a port has said something within the last 0.1 s.
+    /// True if the port has published within the last 0.1 s.
     bool speaks(std::string_view port) const { return system.now().seconds - robot->find_out_port(port)->tm() < 0.1; }
     bool said(const std::string& part) const {
         return std::any_of(log.begin(), log.end(), [&](const auto& line) { return line.find(part) != line.npos; });

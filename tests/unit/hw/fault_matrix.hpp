@@ -1,5 +1,5 @@
-// One device of a robot in motion, one fault: what the robot does, what it says, whether it comes back. The page's
-// table is what happens.
+// One device of a moving robot with one fault: the robot's reaction, its messages and its recovery. The page's table
+// must agree.
 #pragma once
 
 #include <fmt/format.h>
@@ -21,26 +21,26 @@
 
 namespace nezumi::hw {
 
-/// Does something with a device in a step of 25 ms; false: the robot is to stand meanwhile.
+/// Uses a device in a step of 25 ms. Returns false if the robot must stand meanwhile.
 using Use = bool (*)(DrivenRobot& driven, FakeRobot& fake, int step);
 
-/// A device of a robot: the node that fails, and the ports that hang on the device.
+/// A device of a robot: its failing node, and the ports that depend on it.
 struct FailingDevice {
     std::string robot, device, node;
     std::vector<std::string> faults;
     std::vector<std::string> ports;
-    double told_within = 1;   ///< [s] after which at the latest it is told that it fails
-    Use use = nullptr;        ///< while it fails, and when it is well again; null: the robot drives, its lights blink
-    bool leaves_mark = true;  ///< whether `use` shows in the fake's log or frame when it works
-    std::string mode{};       ///< that another program puts it into
-    /// Where the fault is not the fake's: makes it, or ends it ("none").
+    double told_within = 1;   ///< [s] latest time of the report of a failure
+    Use use = nullptr;        ///< during the fault and after it; null: the robot drives and its lights blink
+    bool leaves_mark = true;  ///< true if `use` is visible in the fake's log or frame when it works
+    std::string mode{};       ///< set by another program
+    /// For faults that the fake does not have: starts one, or ends it ("none").
     std::function<void(const std::string& fault)> set{};
 };
 
-/// [s] after which at the latest it is told that a device works again.
+/// [s] latest time of the report that a device works again.
 inline constexpr double told_back = Health::proven_after + 0.5;
 
-/// What is told, sorted, without what differs from run to run. `places`: folders, and what stands for them.
+/// The sorted messages without parts that differ from run to run. `places`: folders and their replacements.
 inline std::string told(const std::vector<std::string>& log, const std::map<std::string, std::string>& places) {
     std::map<std::string, int> lines;
     for (std::string line : log) {
@@ -49,7 +49,7 @@ inline std::string told(const std::vector<std::string>& log, const std::map<std:
                 line.replace(at, folder.size(), shown);
         }
         line = std::regex_replace(line, std::regex("(sensor|motor)[0-9]+/[a-z0-9_]+"), "$1N/...");
-        // What is unplugged has no file either, as soon as anybody has looked for it.
+        // An unplugged device's file also vanishes as soon as it is searched for.
         line = std::regex_replace(line, std::regex("file or directory: it is unplugged: look"),
                                   "device: it is unplugged: look");
         ++lines[std::regex_replace(line, std::regex("[|\n]"), " ")];
@@ -104,7 +104,7 @@ inline void end_fault(FakeRobot& fake, const FailingDevice& device, const std::s
     }
 }
 
-/// What a device that is used has left behind: its last write that was done, or the screen's picture.
+/// The last effect of using a device: its last successful write, or the screen's picture.
 inline std::string mark_of(FakeRobot& fake, const FailingDevice& device) {
     if (device.node == "fb0") return fake.say("frame");
     std::string last;
@@ -117,7 +117,7 @@ inline std::string mark_of(FakeRobot& fake, const FailingDevice& device) {
     return last;
 }
 
-/// One row: the robot drives, the device fails for a while, and is well again.
+/// One row: the robot drives, the device fails for a while and works again.
 template <class Fake, class Driven>
 std::string row(Fake& fake, Driven& driven, const FailingDevice& device, const std::string& fault,
                 const std::map<std::string, std::string>& places) {
@@ -145,13 +145,13 @@ std::string row(Fake& fake, Driven& driven, const FailingDevice& device, const s
         if (!driven.speaks(port)) silent += (silent.empty() ? "`" : ", `") + port + "`";
     }
     std::string said = told(driven.log, places);
-    // Whether an open node fails first or its place is found empty is chance.
+    // It is random whether an open node fails first or its path is missing.
     if (fault == "missing") said = std::regex_replace(said, std::regex("no such device"), "no such file or directory");
     if (fault == "reload") {
-        // Which of a device's nodes is missed first is chance.
+        // It is random which of a device's nodes is missed first.
         for (const char* node : {"rtled", "rtswitch", "rtcounter_"})
             said = std::regex_replace(said, std::regex(std::string(node) + "[a-z]?[0-9]"), std::string(node) + "...");
-        // And whether the motors' loss is seen by an error of theirs, by their nodes, or by the guard.
+        // It is also random whether the loss of motors is noticed by their errors, by their nodes, or by the guard.
         said = std::regex_replace(said, std::regex("`(motors: (/dev/|the driver)|guard of the motors: )[^`]*`; "), "");
     }
     end_fault(fake, device, fault);
@@ -181,7 +181,7 @@ inline std::string rows_of(const FailingDevice& device, const std::string& text)
     return rows;
 }
 
-/// Compares all rows of a device with the page, or brings that up to date.
+/// Compares all rows of a device with the page, or updates the page.
 inline void compare(const FailingDevice& device, const std::string& rows) {
     const std::string& page = page_of_faults();
     std::string text = *read_whole(page, page);

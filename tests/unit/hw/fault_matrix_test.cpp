@@ -28,7 +28,7 @@ bool beep(DrivenRobot& driven, FakeRobot& /*fake*/, int step) {
     return step % cycle >= cycle / 2;
 }
 
-// Motors lose their power when the robot is deactivated, and get it when it is activated.
+// Motors are switched off when the robot is deactivated, and on when it is activated.
 bool switch_power(DrivenRobot& driven, FakeRobot& /*fake*/, int step) {
     if (step == 0) REQUIRE(driven.robot->deactivate(driven.system.now()));
     if (step == 44) REQUIRE(driven.robot->activate(driven.system.now()));
@@ -52,7 +52,7 @@ bool make_sounds(DrivenRobot& driven, FakeRobot& /*fake*/, int step) {
     return true;
 }
 
-// Another program changes what the gyro says; it is to be changed back.
+// Another program changes the gyro's mode; it must be changed back.
 bool disturb_gyro(DrivenRobot& /*driven*/, FakeRobot& fake, int step) {
     if (step == 4) REQUIRE(fake.say("mode in2 GYRO-RATE").empty());
     return true;
@@ -70,7 +70,7 @@ struct SeeingMouse : DrivenMouse {
         REQUIRE(system.add(std::move(*made)));
         REQUIRE(eye->activate(system.now()));
     }
-    // Its pictures come 30 times a second, some of them late.
+    // Its pictures come 30 times per second, some of them late.
     bool speaks(std::string_view port) const {
         return port == "eye.out" ? system.now().seconds - std::as_const(*eye).find_out_port("out")->tm() < 0.5
                                  : DrivenMouse::speaks(port);
@@ -104,7 +104,7 @@ struct SteeredMouse : DrivenMouse {
     std::uint64_t taken = 0;
 };
 
-// A brick's keys have sensors, and no port.
+// A brick's keys are sensors without a port.
 struct KeyedEv3 : DrivenEv3 {
     explicit KeyedEv3(FakeEv3& fake) : DrivenEv3(fake) {}
     bool speaks(std::string_view sensor) const {
@@ -115,7 +115,7 @@ struct KeyedEv3 : DrivenEv3 {
     }
 };
 
-// A folder of programs that is all the PATH there is, with a player of sounds.
+// A folder of programs as the whole PATH, with a sound player.
 struct Player {
     Player() {
         set("none");
@@ -149,7 +149,7 @@ const std::vector<std::string> when_counted{"missing", "denied", "eio",   "enode
 
 }  // namespace
 
-TEST_CASE("each fault of each device of the mouse in motion comes to what the page says",
+TEST_CASE("each fault of each device of the mouse in motion has the effect that the page says",
           "[hw][mouse][fakes][safety][.][matrix]") {
     const std::vector<std::string> odometry{"current_pose_out", "current_velocity_out"};
     const std::vector<std::string> ranges{"ir_sensor_out", "ir_sensor_metre_out"};
@@ -175,7 +175,7 @@ TEST_CASE("each fault of each device of the mouse in motion comes to what the pa
     try_all(fake, driven, device);
 }
 
-TEST_CASE("each fault of a Pi's voltage monitor in motion comes to what the page says",
+TEST_CASE("each fault of a Pi's voltage monitor in motion has the effect that the page says",
           "[hw][mouse][fakes][safety][.][matrix]") {
     FakeMouse fake;
     const std::string folder = "sys/class/hwmon/hwmon0/", alarm = folder + "in0_lcrit_alarm";
@@ -183,7 +183,7 @@ TEST_CASE("each fault of a Pi's voltage monitor in motion comes to what the page
     fake.folder.write(alarm, "0\n");
     FailingDevice device{
         .robot = "mouse", .device = "Pi's voltage", .node = "", .faults = {"low", "garbage"}, .ports = {}};
-    // In place, as the kernel's file: it is never empty.
+    // Written in place like the kernel's file, so it is never empty.
     device.set = [&](const std::string& fault) {
         std::fstream(fake.folder.path(alarm)).put(fault == "low" ? '1' : fault == "garbage" ? '?' : '0');
     };
@@ -191,7 +191,7 @@ TEST_CASE("each fault of a Pi's voltage monitor in motion comes to what the page
     try_all(fake, driven, device, {{fake.folder.path("sys").string(), "/sys"}});
 }
 
-TEST_CASE("each fault of a gamepad that drives a mouse comes to what the page says",
+TEST_CASE("each fault of a gamepad that drives a mouse has the effect that the page says",
           "[hw][mouse][gamepad][fakes][safety][.][matrix]") {
     FakeRobot pad("fake_gamepad", "");
     const auto push_ahead = [&] { REQUIRE(pad.say("set ABS_Y -32768").empty()); };
@@ -217,7 +217,7 @@ TEST_CASE("each fault of a gamepad that drives a mouse comes to what the page sa
     try_all(fake, driven, device, {{pad.mount(), "/dev"}});
 }
 
-TEST_CASE("each fault of a mouse's camera in motion comes to what the page says",
+TEST_CASE("each fault of a mouse's camera in motion has the effect that the page says",
           "[hw][mouse][camera][fakes][safety][.][matrix]") {
     const FailingDevice device{.robot = "mouse",
                                .device = "camera",
@@ -230,7 +230,7 @@ TEST_CASE("each fault of a mouse's camera in motion comes to what the page says"
     try_all(fake, driven, device);
 }
 
-TEST_CASE("each fault of each device of the EV3 in motion comes to what the page says",
+TEST_CASE("each fault of each device of the EV3 in motion has the effect that the page says",
           "[hw][ev3][fakes][safety][.][matrix]") {
     const std::vector<std::string> all{"missing", "denied", "eio", "timeout", "hang", "garbage"};
     const std::vector<std::string> cable{"unplugged"}, sensor{"unplugged", "mode"};
@@ -269,7 +269,8 @@ TEST_CASE("each fault of each device of the EV3 in motion comes to what the page
     try_all(fake, driven, device);
 }
 
-TEST_CASE("each fault of an EV3's keys in motion comes to what the page says", "[hw][ev3][fakes][safety][.][matrix]") {
+TEST_CASE("each fault of an EV3's keys in motion has the effect that the page says",
+          "[hw][ev3][fakes][safety][.][matrix]") {
     FakeEv3 fake;
     KeyedEv3 driven(fake);
     try_all(fake, driven,
@@ -280,7 +281,7 @@ TEST_CASE("each fault of an EV3's keys in motion comes to what the page says", "
              .ports = {"key_enter"}});
 }
 
-TEST_CASE("each fault of an EV3's loudspeaker in motion comes to what the page says",
+TEST_CASE("each fault of an EV3's loudspeaker in motion has the effect that the page says",
           "[hw][ev3][sound][fakes][safety][.][matrix]") {
     FakeEv3 fake;
     const Player player;

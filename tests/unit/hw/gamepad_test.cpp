@@ -1,4 +1,4 @@
-// The gamepad's driver against event devices that behave as Linux has them.
+// The gamepad's driver on event devices that behave like Linux.
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <fstream>
@@ -67,7 +67,7 @@ TEST_CASE("a gamepad's stick, axes and buttons arrive on the ports", "[hw][gamep
     REQUIRE(driven.points_to({0, 0}));
     fake.set("ABS_X", 32767);
     CHECK(driven.points_to({150, 0}));
-    fake.set("ABS_X", 128);  // a stick that is let go stands a little beside its middle
+    fake.set("ABS_X", 128);  // a released stick is slightly beside its middle
     fake.set("ABS_Y", -32768);
     CHECK(driven.points_to({0, 150}));
     CHECK(driven.port("vel").read()[0] == Approx(150 * std::sqrt(0.5F)));
@@ -77,8 +77,8 @@ TEST_CASE("a gamepad's stick, axes and buttons arrive on the ports", "[hw][gamep
     fake.set("ABS_HAT0X", 1);
     CHECK(driven.run(3, [&] { return driven.port("axes").read().at(6) == 1; }));
     CHECK(driven.port("axes").read().size() == 8);
-    CHECK(driven.port("axes").read()[1] == -1);  // as Linux has it: down is positive
-    CHECK(driven.port("axes").read()[2] == -1);  // ABS_Z, a trigger that nobody pulls
+    CHECK(driven.port("axes").read()[1] == -1);  // on Linux, down is positive
+    CHECK(driven.port("axes").read()[2] == -1);  // ABS_Z, a released trigger
     CHECK(driven.port("axes").read()[5] == 1);
     fake.set("BTN_WEST", 1);
     CHECK(driven.run(3, [&] { return driven.port<std::vector<bool>>("buttons").read().at(3); }));
@@ -87,7 +87,7 @@ TEST_CASE("a gamepad's stick, axes and buttons arrive on the ports", "[hw][gamep
     CHECK(driven.log.empty());
 }
 
-TEST_CASE("what a gamepad did while its events were lost is not missed", "[hw][gamepad][fakes][wallclock]") {
+TEST_CASE("changes of a gamepad are seen even if its events were lost", "[hw][gamepad][fakes][wallclock]") {
     FakeGamepad fake;
     DrivenStick driven(fake.roots());
     fake.set("ABS_Y", -32768);
@@ -96,7 +96,7 @@ TEST_CASE("what a gamepad did while its events were lost is not missed", "[hw][g
     CHECK(driven.points_to({0, 0}));
 }
 
-TEST_CASE("a gamepad that is unplugged sends the middle once, is silent, and is taken up again",
+TEST_CASE("an unplugged gamepad sends its middle position once, is silent, and is used again",
           "[hw][gamepad][fakes][safety][threads][wallclock]") {
     FakeGamepad fake;
     DrivenStick driven(fake.roots());
@@ -111,7 +111,7 @@ TEST_CASE("a gamepad that is unplugged sends the middle once, is silent, and is 
     INFO(driven.all_log());
     CHECK(driven.times_said("gamepad: ") == 1);
     CHECK(driven.times_said("input/event3: no such device: it is unplugged: plug it in again") == 1);
-    // Who holds the stick on the screen drives without it.
+    // The stick on the screen can be used without the dead-man button.
     driven.stick->find_in_port("stick")->inject(Floats{0, 50});
     CHECK(driven.points_to({0, 50}, 0.1));
     CHECK(driven.points_to({0, 0}, 0.1));
@@ -123,7 +123,7 @@ TEST_CASE("a gamepad that is unplugged sends the middle once, is silent, and is 
     CHECK(driven.points_to({150, 0}));
 }
 
-TEST_CASE("without a gamepad the run goes on, and says what is missing", "[hw][gamepad][fakes][wallclock]") {
+TEST_CASE("without a gamepad the run continues and reports what is missing", "[hw][gamepad][fakes][wallclock]") {
     FakeGamepad fake;
     fake.say("unplug");
     DrivenStick driven(fake.roots());
@@ -134,7 +134,8 @@ TEST_CASE("without a gamepad the run goes on, and says what is missing", "[hw][g
     CHECK(driven.points_to({0, 0}));
 }
 
-TEST_CASE("a stick with a dead-man button counts only while that is held", "[hw][gamepad][fakes][safety][wallclock]") {
+TEST_CASE("a stick with a dead-man button works only while the button is held",
+          "[hw][gamepad][fakes][safety][wallclock]") {
     FakeGamepad fake;
     DrivenStick driven(fake.roots(), {{"dead_man_button", std::string("BTN_TL")}});
     fake.set("ABS_Y", -32768);
@@ -147,7 +148,7 @@ TEST_CASE("a stick with a dead-man button counts only while that is held", "[hw]
     CHECK(driven.port("axes").read()[1] == -1);
 }
 
-TEST_CASE("the button for emergency stops counts each time it is pressed, and its stick no longer",
+TEST_CASE("the emergency stop works each time it is pressed, and the stick then has no effect",
           "[hw][gamepad][fakes][safety][wallclock]") {
     FakeGamepad fake;
     DrivenStick driven(fake.roots(), {{"stop_button", std::string("BTN_SELECT")}});
@@ -162,7 +163,7 @@ TEST_CASE("the button for emergency stops counts each time it is pressed, and it
     CHECK(driven.run(3, [&] { return driven.stick->stops() == 2; }));
 }
 
-TEST_CASE("a gamepad without a button that keeps people safe is not used, and the button named",
+TEST_CASE("a gamepad without its safety button is not used, and the button is named",
           "[hw][gamepad][fakes][safety][wallclock]") {
     FakeGamepad fake;
     DrivenStick driven(fake.roots(), {{"dead_man_button", std::string("BTN_TL2")}});
@@ -175,7 +176,7 @@ TEST_CASE("a gamepad without a button that keeps people safe is not used, and th
     CHECK(driven.port("pos").count() == 0);
 }
 
-TEST_CASE("a gamepad is the one that was asked for, and what it lacks is said", "[hw][gamepad][fakes][wallclock]") {
+TEST_CASE("the requested gamepad is used, and what it lacks is reported", "[hw][gamepad][fakes][wallclock]") {
     FakeGamepad fake;
     const auto told = [&](const std::string& device) {
         DrivenStick driven(fake.roots(), {{"device", device}});
@@ -184,7 +185,8 @@ TEST_CASE("a gamepad is the one that was asked for, and what it lacks is said", 
     };
     CHECK(told("/dev/input/event3").empty());
     CHECK(told("/dev/input/event0") ==
-          "gamepad: " + fake.mount() + "/input/event0 (Plain Keyboard) is none: it has no stick or no buttons\n");
+          "gamepad: " + fake.mount() +
+              "/input/event0 (Plain Keyboard) is not a gamepad: it has no stick or no buttons\n");
     CHECK(told("/dev/input/event9") == "gamepad: " + fake.mount() +
                                            "/input/event9: no such file or directory: it is unplugged: plug it in "
                                            "again\n");
@@ -194,7 +196,7 @@ TEST_CASE("a gamepad is the one that was asked for, and what it lacks is said", 
                           "and log in again\n");
 }
 
-TEST_CASE("a gamepad that fails or hangs lets go of its stick, and is taken up again",
+TEST_CASE("a gamepad that fails or hangs releases its stick and is used again",
           "[hw][gamepad][fakes][safety][threads][wallclock]") {
     const std::string fault = GENERATE("eio", "hang");
     FakeGamepad fake;
@@ -212,7 +214,7 @@ TEST_CASE("a gamepad that fails or hangs lets go of its stick, and is taken up a
     CHECK(driven.points_to({0, 150}));
 }
 
-TEST_CASE("a program that is not ours reads the fake gamepad as a gamepad", "[hw][gamepad][fakes][wallclock]") {
+TEST_CASE("a foreign program can use the fake gamepad", "[hw][gamepad][fakes][wallclock]") {
     if (std::system("command -v evtest > /dev/null") != 0)
         throw std::runtime_error("SKIPPED: evtest is not installed: sudo apt install evtest");
     FakeGamepad fake;
@@ -234,7 +236,7 @@ TEST_CASE("a program that is not ours reads the fake gamepad as a gamepad", "[hw
 
 namespace {
 
-// Runs a Python program on the fake gamepad, whose stick moves meanwhile; skipped where it can't import what it needs.
+// Runs a Python program on the fake gamepad while its stick moves; skipped if a needed module is missing.
 std::string output_of_python(const std::string& needs, const std::string& package, const std::string& program) {
     if (std::system(("/usr/bin/python3 -c '" + needs + "' 2> /dev/null").c_str()) != 0)
         throw std::runtime_error("SKIPPED: " + package + " is not installed: sudo apt install " + package);

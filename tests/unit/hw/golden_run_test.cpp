@@ -1,4 +1,4 @@
-// What a whole run writes to the mouse's nodes, byte for byte.
+// All writes of a run to the mouse's nodes, byte for byte.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -18,7 +18,7 @@ using namespace nezumi::hw;
 
 namespace {
 
-// Each of these for half a second: far enough apart for the order of writes to be the same each time.
+// Each of these for half a second: long enough for a fixed order of writes.
 const std::string behavior = R"(
 local vel = output("vel", "TimedVelocity2D")
 local leds = output("leds", "TimedBooleanSeq")
@@ -43,7 +43,7 @@ function on_execute()
 end
 )";
 
-// The shipped model without ramps: what is between two speeds depends on when the ticks come.
+// The shipped model without ramps, because the steps of a ramp depend on the times of ticks.
 std::string quick_mouse() {
     std::string text = read_whole(mouse_file(), mouse_file()).value_or("");
     const auto replace = [&](const std::string& what, const std::string& with) {
@@ -66,8 +66,8 @@ connect("driver.leds", "mouse.led4bit_in")
 connect("driver.tone", "mouse.buzzer_hz_in")
 )";
 
-// The log without its times. At the end the guard stops the power and both motors, each on its own: they come in any
-// order, and stand here in that of their names.
+// The log without times. At the end the guard stops the power and both motors in any order; here they are sorted by
+// name.
 std::string writes(const std::string& log) {
     std::vector<std::string> all;
     std::istringstream lines(log);

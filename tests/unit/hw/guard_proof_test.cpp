@@ -1,4 +1,4 @@
-// What a guard proves: that it could stop the motors, or which node keeps it from that.
+// The guard's proofs: it can stop the motors, or it names the node that prevents this.
 #include <fcntl.h>
 #include <pty.h>
 #include <sched.h>
@@ -22,7 +22,7 @@ using namespace nezumi::hw;
 
 namespace {
 
-// A beat's answer, which comes within 0.3 s: nothing when there is none.
+// The answer to a beat, which comes within 0.3 s; nothing if there is none.
 std::optional<bool> proof_of(Guard& guard) {
     const double begin = clock_seconds();
     guard.beat(begin);
@@ -36,7 +36,7 @@ std::optional<bool> proof_of(Guard& guard) {
     return std::nullopt;
 }
 
-// A proof from before is good for a while.
+// An earlier proof stays valid for a while.
 bool finds_trouble(Guard& guard) {
     const double begin = clock_seconds();
     while (!guard.trouble() && clock_seconds() - begin < 5) {
@@ -49,7 +49,7 @@ bool finds_trouble(Guard& guard) {
 
 }  // namespace
 
-TEST_CASE("a guard without a proof lets nothing turn, and one with nodes proves within a beat",
+TEST_CASE("without a guard's proof nothing turns, and a guard with nodes proves within a beat",
           "[hw][guard][safety][threads][wallclock]") {
     const Scratch folder;
     const std::string node = folder.write("power", "1").string();
@@ -63,7 +63,7 @@ TEST_CASE("a guard without a proof lets nothing turn, and one with nodes proves 
     CHECK_FALSE((*guard)->is_proved(clock_seconds()));
 }
 
-TEST_CASE("a guard that was told to brake stops its nodes at once, and lets nothing turn any more",
+TEST_CASE("a guard with the order to brake stops its nodes at once and prevents further motion",
           "[hw][guard][safety][threads][wallclock]") {
     const Scratch folder;
     const auto node = folder.write("motor", "400");
@@ -78,7 +78,7 @@ TEST_CASE("a guard that was told to brake stops its nodes at once, and lets noth
     };
     std::thread([] { Guard::brake_all(); }).join();
     CHECK(stops());
-    // A thread that drives may write once more before it looks at the guard.
+    // A driving thread may write once more before it checks the guard.
     folder.write("motor", "400");
     guard_sleep(0.02);
     (*guard)->beat(clock_seconds());
@@ -107,7 +107,7 @@ TEST_CASE("a proof writes nothing", "[hw][guard][safety][threads][wallclock]") {
     (*guard)->rest();
 }
 
-TEST_CASE("a guard proves nothing by a node that was removed, made anew, or whose device has gone, and says which",
+TEST_CASE("a guard gives no proof for a removed or new node, and says which",
           "[hw][guard][safety][threads][wallclock]") {
     const Scratch folder;
     const auto power = folder.write("power", "1"), motor = folder.write("motor", "400");
@@ -122,14 +122,14 @@ TEST_CASE("a guard proves nothing by a node that was removed, made anew, or whos
         guard_sleep(0.02);
         REQUIRE(finds_trouble(**guard));
         CHECK(describe(*(*guard)->trouble()) == motor.string() + ": no such file or directory");
-        // Under the same lease it is taken up.
+        // It is accepted under the same lease.
         REQUIRE(guard_file(**guard, 1, motor));
         CHECK(proof_of(**guard) == true);
         guard->reset();
         CHECK(guarded_text(motor) == "0");
     }
     SECTION("a device that has gone") {
-        // As one of a USB port, or of sysfs: its descriptor is open, and takes no writes.
+        // Like a node of a USB port or of sysfs: its descriptor is open but accepts no writes.
         int master = -1, device = -1;
         REQUIRE(openpty(&master, &device, nullptr, nullptr, nullptr) == 0);
         const std::string path = ttyname(device);
@@ -143,7 +143,7 @@ TEST_CASE("a guard proves nothing by a node that was removed, made anew, or whos
     }
 }
 
-TEST_CASE("a guard stops by its descriptors what its paths no longer lead to",
+TEST_CASE("a guard stops nodes by its descriptors when their paths have changed",
           "[hw][guard][safety][threads][wallclock]") {
     const Scratch folder;
     const auto power = folder.write("dev/power", "1");
@@ -158,7 +158,7 @@ TEST_CASE("a guard stops by its descriptors what its paths no longer lead to",
     CHECK(guarded_text(power) == "another");
 }
 
-TEST_CASE("a guard is given no node but the one that is open", "[hw][guard][safety]") {
+TEST_CASE("a guard accepts only the node that is open", "[hw][guard][safety]") {
     const Scratch folder;
     const auto power = folder.write("power", "1");
     auto guard = Guard::start("test", power.string());
@@ -176,7 +176,7 @@ TEST_CASE("a guard is given no node but the one that is open", "[hw][guard][safe
     CHECK(describe(other.error()) == power.string() + ": no such device");
 }
 
-TEST_CASE("a guard that was stopped together with its engine stops the motors before it answers beats of old",
+TEST_CASE("a guard that was suspended with its engine stops the motors before it answers old beats",
           "[hw][guard][safety][threads][wallclock]") {
     const Scratch folder;
     const auto power = folder.write("power", "1");
@@ -187,7 +187,7 @@ TEST_CASE("a guard that was stopped together with its engine stops the motors be
     kill((*guard)->process(), SIGSTOP);
     guard_sleep(0.02);
     (*guard)->beat(clock_seconds());
-    guard_sleep(beat_timeout + 0.1);  // as an engine does that is stopped
+    guard_sleep(beat_timeout + 0.1);  // as a suspended engine does
     CHECK_FALSE((*guard)->is_proved(clock_seconds()));
     kill((*guard)->process(), SIGCONT);
     guard_sleep(0.1);
@@ -196,7 +196,7 @@ TEST_CASE("a guard that was stopped together with its engine stops the motors be
     CHECK(guarded_text(power) == "0");
 }
 
-TEST_CASE("neither the guard's name nor its words have the program's name, and it has a process group of its own",
+TEST_CASE("the guard's name and command line lack the program's name, and it has its own process group",
           "[hw][guard][safety]") {
     const Scratch folder;
     const std::string node = folder.write("power", "1").string();
@@ -213,7 +213,7 @@ TEST_CASE("neither the guard's name nor its words have the program's name, and i
     CHECK(guarded_text("/proc/self/cmdline") != words);
 }
 
-TEST_CASE("as process 1 of a container no motor gets power, and what to do is told", "[hw][guard][safety]") {
+TEST_CASE("as process 1 of a container the motors get no power, and the error says what to do", "[hw][guard][safety]") {
     const Scratch folder;
     const std::string node = folder.write("power", "1").string();
     int ends[2];

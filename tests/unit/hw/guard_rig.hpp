@@ -1,4 +1,4 @@
-// A guard of plain files, which stand for a robot's nodes.
+// A guard of regular files in place of a robot's nodes.
 #pragma once
 
 #include <chrono>
@@ -20,7 +20,7 @@ inline std::string guarded_text(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// From now on the guard stops what is in this file, by "0".
+/// From now on the guard stops this file by "0".
 inline bool guard_file(Guard& guard, std::size_t index, const std::filesystem::path& file) {
     Node node(file.string(), Access::write);
     return node.open() && guard.take_up(node, {.index = index, .text = "0", .proof = Proof::empty_write});

@@ -1,4 +1,4 @@
-// The guard process: whatever ends or stalls the engine, the motors stop.
+// The guard process stops the motors when the engine ends or stalls for any reason.
 #include "hw/guard/guard.hpp"
 
 #include <fcntl.h>
@@ -20,7 +20,7 @@ using namespace nezumi::hw;
 
 namespace {
 
-// An engine in a process of its own, whose motor turns.
+// An engine in its own process, with a turning motor.
 struct Engine {
     explicit Engine(const std::function<void(Guard&)>& live) {
         folder.write("power", "1");
@@ -84,9 +84,9 @@ TEST_CASE("the motors stand within 50 ms of their engine's death", "[hw][guard][
     }
 }
 
-TEST_CASE("they stand as soon when something of the dead engine still keeps its files open",
+TEST_CASE("the motors stand as soon even if another process keeps the dead engine's files open",
           "[hw][guard][safety][wallclock]") {
-    // As a thread does that waits in the kernel for a device's answer.
+    // Like a thread that waits in the kernel for a device.
     const Engine engine([](Guard& guard) {
         if (fork() == 0) {
             guard_sleep(1.5);
@@ -100,12 +100,12 @@ TEST_CASE("they stand as soon when something of the dead engine still keeps its 
     CHECK(engine.time_to_stand() < 0.05);
 }
 
-TEST_CASE("a node that does not answer keeps no other from being stopped", "[hw][guard][safety][wallclock]") {
+TEST_CASE("a node that does not answer does not prevent stopping the others", "[hw][guard][safety][wallclock]") {
     const Scratch folder;
     const auto hung = folder.path("power"), motor = folder.path("motor");
     REQUIRE(mkfifo(hung.c_str(), 0600) == 0);
     folder.write("motor", "400");
-    // A pipe that is full, and that this reader never empties.
+    // A full pipe that is never read.
     const int reader = open(hung.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
     while (write(reader, "x", 1) == 1) {
     }
@@ -123,7 +123,7 @@ TEST_CASE("a node that does not answer keeps no other from being stopped", "[hw]
     while (guarded_text(motor) != "0" && clock_seconds() - begin < 1) guard_sleep(0.0005);
     CHECK(clock_seconds() - begin < 0.05);
     waitpid(engine, nullptr, 0);
-    close(reader);  // lets what waits for room end
+    close(reader);  // ends calls that wait for space
 }
 
 TEST_CASE("the motors stand within 250 ms of a stall, and turn again with the next beats",
@@ -142,7 +142,7 @@ TEST_CASE("the motors stand within 250 ms of a stall, and turn again with the ne
     CHECK(guarded_text(engine.folder.path("motor")) == "400");
 }
 
-TEST_CASE("an engine whose motors rest need not beat", "[hw][guard][threads][wallclock]") {
+TEST_CASE("an engine without motor power needs no beats", "[hw][guard][threads][wallclock]") {
     const Engine engine([](Guard& guard) {
         guard.rest();
         for (;;) pause();
@@ -194,7 +194,7 @@ TEST_CASE("a dead engine's lease is free once its guard has stopped the motors",
     CHECK(Lease::take("test", node));
 }
 
-TEST_CASE("a guard that ends leaves no process behind", "[hw][guard]") {
+TEST_CASE("a guard's end leaves no process", "[hw][guard]") {
     const Scratch folder;
     const std::string node = folder.write("rtmotoren0", "1").string();
     auto guard = Guard::start("test", node);

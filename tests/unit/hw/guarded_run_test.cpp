@@ -1,4 +1,4 @@
-// A driving mouse whose nodes are changed under it: it can be stopped, or it stands.
+// A driving mouse whose nodes are changed: it can still be stopped, or it stands.
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
@@ -15,14 +15,14 @@ namespace {
 
 const std::vector<std::string> motor_nodes{"rtmotoren0", "rtmotor_raw_l0", "rtmotor_raw_r0"};
 
-// The folder of nodes leads to an empty one: as where another /dev is mounted over it.
+// The folder of nodes is replaced by an empty one, as if another /dev was mounted over it.
 void hide_nodes(const HardwareRun& run) {
     std::filesystem::create_directory(run.fake.folder.path("empty"));
     std::filesystem::remove(run.dev());
     std::filesystem::create_directory_symlink(run.fake.folder.path("empty"), run.dev());
 }
 
-// Whether anything that was written since the log was cleared makes a motor turn, or gives it power.
+// True if any write since the log was cleared turns a motor or switches it on.
 bool was_driven(FakeMouse& fake) {
     const auto writes = fake.writes();
     return std::any_of(writes.begin(), writes.end(), [](const std::string& write) {
@@ -32,7 +32,7 @@ bool was_driven(FakeMouse& fake) {
 
 }  // namespace
 
-TEST_CASE("whatever became of the paths of its nodes, the mouse stands within 50 ms of the program's death",
+TEST_CASE("after any change of its nodes' paths, the mouse stands within 50 ms of the program's death",
           "[hw][run][fakes][safety][wallclock]") {
     HardwareRun run;
     run.get_going();
@@ -46,18 +46,18 @@ TEST_CASE("whatever became of the paths of its nodes, the mouse stands within 50
     CHECK(FakeMouse::wait_until([&] { return !run.fake.motion().power; }, 1));
 }
 
-TEST_CASE("a mouse whose driver was loaded anew drives again, and its guard can stop it",
+TEST_CASE("a mouse with a reloaded driver drives again, and its guard can stop it",
           "[hw][run][fakes][safety][wallclock]") {
     HardwareRun run;
     run.get_going();
     run.fake.say("reload");
     REQUIRE(FakeMouse::wait_until([&] { return run.fake.moves(); }, 5));
     run.get_going();
-    for (const auto& node : motor_nodes) run.fake.fault(node, "denied");  // by its own descriptors, then
+    for (const auto& node : motor_nodes) run.fake.fault(node, "denied");  // then by its own descriptors
     CHECK(run.time_to_stand([&] { run.program->send(SIGKILL); }) < 0.05);
 }
 
-TEST_CASE("a mouse whose motors' power can't be written any more brakes and tells within 0.3 s, without a new command",
+TEST_CASE("a mouse whose motor power can't be written brakes and reports it within 0.3 s, without a new command",
           "[hw][run][fakes][safety][wallclock]") {
     HardwareRun run;
     run.get_going();
@@ -71,7 +71,7 @@ TEST_CASE("a mouse whose motors' power can't be written any more brakes and tell
     CHECK(FakeMouse::wait_until([&] { return run.fake.moves(); }, 5));
 }
 
-TEST_CASE("a second program is refused when the driver of a mouse was loaded anew, too",
+TEST_CASE("a second program is refused after a reload of the mouse's driver too",
           "[hw][run][fakes][safety][wallclock]") {
     HardwareRun run;
     run.get_going();
@@ -83,7 +83,7 @@ TEST_CASE("a second program is refused when the driver of a mouse was loaded ane
                             ") drives this robot's motors: end it first, then try again") != std::string::npos);
 }
 
-TEST_CASE("a program that goes on while its guard is still stopped does not drive by a single write",
+TEST_CASE("a program that continues while its guard is suspended makes no driving write",
           "[hw][run][fakes][safety][wallclock]") {
     HardwareRun run;
     run.get_going();

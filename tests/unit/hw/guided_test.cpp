@@ -15,7 +15,7 @@
 using namespace nezumi;
 using namespace nezumi::hw;
 
-TEST_CASE("the doctor turns each wheel both ways, and takes the motors' power", "[hw][run][fakes][wallclock]") {
+TEST_CASE("the doctor turns each wheel both ways, then switches the motors off", "[hw][run][fakes][wallclock]") {
     FakeMouse fake;
     const std::vector<std::string> words{"doctor", "--move", "--yes", "--dev-root", fake.dev()};
     const Outcome well = run_nezumi(words);
@@ -33,11 +33,11 @@ TEST_CASE("the doctor turns each wheel both ways, and takes the motors' power", 
     CHECK(broken.status == 1);
     CHECK(
         broken.out.find("wrong  wheels: right wheel forward: 0.000 m counted, 0.050 m expected\n       do: its counter "
-                        "or its motor is not connected: look at their cables\n") != std::string::npos);
+                        "or its motor is not connected: check their cables\n") != std::string::npos);
     CHECK_FALSE(fake.motion().power);
 }
 
-TEST_CASE("the doctor turns each wheel of an EV3 both ways, and lets them roll", "[hw][ev3][run][fakes][wallclock]") {
+TEST_CASE("the doctor turns each wheel of an EV3 both ways, then releases them", "[hw][ev3][run][fakes][wallclock]") {
     FakeEv3 fake;
     const std::vector<std::string> words{"doctor",         "--move",     "--yes",         "--dev-root",
                                          fake.roots().dev, "--sys-root", fake.roots().sys};
@@ -60,7 +60,7 @@ TEST_CASE("the doctor turns each wheel of an EV3 both ways, and lets them roll",
 
 namespace {
 
-// A person who measures exactly: answers with where the robot stands in the frame of the drive's start.
+// A person who measures exactly: answers with the robot's position in the frame of the drive's start.
 class Measurer {
 public:
     explicit Measurer(FakeRobot& fake) : fake_(fake), answers_(fake.folder.path("answers").string()) {

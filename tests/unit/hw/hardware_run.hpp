@@ -17,7 +17,7 @@
 
 namespace nezumi::hw {
 
-/// Drives ahead; the third button sends it into an endless loop, and at 2 s by the engine's clock it may fail.
+/// Drives ahead. The third button starts an endless loop, and at 2 s of the engine's clock it may fail.
 inline const std::string behavior_ahead = R"(
 local buttons = input("buttons", "TimedBooleanSeq")
 local out = output("out", "TimedVelocity2D", "velocity")
@@ -70,7 +70,7 @@ struct HardwareRun {
         REQUIRE(FakeMouse::wait_until([&] { return fake.motion().left > 390; }, 20));
         sleep_for(0.1);
     }
-    // How long after `cause` the wheels stood [s].
+    // The time [s] from `cause` until the wheels stand.
     double time_to_stand(const std::function<void()>& cause) {
         const double begin = clock_seconds();
         cause();
@@ -85,7 +85,7 @@ struct HardwareRun {
         return child;
     }
 
-    // Leads to the fake's nodes, and can be made to lead elsewhere.
+    // A path to the fake's nodes that can be redirected.
     std::string dev() const { return fake.folder.path("dev").string(); }
 
     FakeMouse fake;

@@ -1,4 +1,4 @@
-// `nezumi run --hw` that writes files on a disk which no longer answers.
+// `nezumi run --hw` with output files on a hanging disk.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <csignal>
@@ -14,7 +14,7 @@ using namespace nezumi::hw;
 
 namespace {
 
-// A robot that drives, and whose run writes all that it can.
+// A driving robot whose run writes all possible files.
 struct WritingRun {
     WritingRun() {
         fake.folder.write("behaviors/ahead.lua",
@@ -31,7 +31,7 @@ struct WritingRun {
         REQUIRE(FakeMouse::wait_until([&] { return fake.motion().left > 390; }, 20));
         sleep_for(0.3);
     }
-    // A program that writes to a disk that hangs does not end.
+    // A program that writes to a hanging disk does not end.
     ~WritingRun() {
         disk.say("heal");
         program.reset();
@@ -52,18 +52,17 @@ struct WritingRun {
 
 }  // namespace
 
-TEST_CASE("a disk that hangs beside a run on hardware stops no robot, and Ctrl-C stops it as ever",
-          "[hw][run][fakes][safety][wallclock]") {
+TEST_CASE("a hanging disk does not stop a robot, and Ctrl-C still stops it", "[hw][run][fakes][safety][wallclock]") {
     WritingRun run;
     REQUIRE(run.disk.say("hang").empty());
-    // Two seconds: all three writers wait by then.
+    // After two seconds all three writers wait.
     for (int i = 0; i < 100; ++i) {
         REQUIRE(run.fake.moves());
         sleep_for(0.02);
     }
     run.program->send(SIGINT);
     CHECK(run.stands_within(0.15 / 0.52 + 0.2));
-    // What writes the files still waits, and the motors have no power meanwhile.
+    // The writers still wait, and the motors have no power meanwhile.
     CHECK(FakeMouse::wait_until([&] { return !run.fake.motion().power; }, 1));
     REQUIRE(run.disk.say("heal").empty());
     CHECK(run.program->wait() == 0);
@@ -77,7 +76,7 @@ TEST_CASE("a disk that hangs beside a run on hardware stops no robot, and Ctrl-C
     }
 }
 
-TEST_CASE("a second Ctrl-C ends a run whose files' disk hangs, and the robot has stood since the first",
+TEST_CASE("with a hanging disk the first Ctrl-C stops the robot and the second ends the run",
           "[hw][run][fakes][safety][wallclock]") {
     WritingRun run;
     REQUIRE(run.disk.say("hang").empty());
@@ -86,7 +85,7 @@ TEST_CASE("a second Ctrl-C ends a run whose files' disk hangs, and the robot has
     CHECK(run.stands_within(0.15 / 0.52 + 0.2));
     run.program->send(SIGINT);
     CHECK(FakeMouse::wait_until([&] { return !run.fake.motion().power; }, 1));
-    REQUIRE(run.disk.say("heal").empty());  // a call into the kernel ends with its answer
+    REQUIRE(run.disk.say("heal").empty());  // a system call ends with its answer
     run.program->wait();
     CHECK_FALSE(run.fake.moves());
 }

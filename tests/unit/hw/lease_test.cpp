@@ -1,4 +1,4 @@
-// Who may drive a robot: one program of the machine.
+// Leases: only one program of a machine may drive a robot.
 #include "hw/guard/lease.hpp"
 
 #include <unistd.h>
@@ -13,7 +13,7 @@
 using namespace nezumi;
 using namespace nezumi::hw;
 
-TEST_CASE("one program at a time drives the motors, and the other is told which", "[hw][guard][safety]") {
+TEST_CASE("only one program drives the motors, and a second one is told which", "[hw][guard][safety]") {
     const Scratch folder;
     const std::string node = folder.write("rtmotoren0", "").string();
     auto first = Guard::start("test", node);
@@ -27,7 +27,7 @@ TEST_CASE("one program at a time drives the motors, and the other is told which"
     CHECK(Guard::start("test", node));
 }
 
-TEST_CASE("a robot's lease stays its own when its nodes are made anew", "[hw][guard][safety]") {
+TEST_CASE("a robot's lease is still valid after its nodes were made again", "[hw][guard][safety]") {
     const Scratch folder;
     const auto node = folder.write("rtmotoren0", "1");
     auto guard = Guard::start("test", node.string());
@@ -36,14 +36,13 @@ TEST_CASE("a robot's lease stays its own when its nodes are made anew", "[hw][gu
     folder.write("rtmotoren0", "1");
     CHECK_FALSE(Lease::take("test", node.string()));
     CHECK(Lease::take("other", node.string()));
-    // By another path to the same folder as well.
+    // Also by another path to the same folder.
     std::filesystem::create_directory_symlink(folder.path(""), folder.path("same"));
     CHECK_FALSE(Lease::take("test", folder.path("same/rtmotoren0").string()));
 }
 
-TEST_CASE("a machine has one robot of each driver behind nodes of the kernel, by whatever path",
-          "[hw][guard][safety]") {
-    const std::string driver = "test " + std::to_string(getpid());  // others may test on this machine as well
+TEST_CASE("a machine has one robot per driver for the kernel's nodes, by any path", "[hw][guard][safety]") {
+    const std::string driver = "test " + std::to_string(getpid());  // other tests may run on this machine
     const auto nodes = Lease::take(driver, "/dev/null");
     REQUIRE(nodes);
     CHECK_FALSE(Lease::take(driver, "/dev/zero"));

@@ -27,14 +27,14 @@ constexpr MotorState driving{.power = true, .left = 400, .right = 380};
 
 }  // namespace
 
-TEST_CASE("power comes before motion and goes after it", "[hw][mouse][safety]") {
+TEST_CASE("power is switched on before motion and off after it", "[hw][mouse][safety]") {
     CHECK(writes(off, driving) == "power 1, left 400, right 380");
     CHECK(writes(driving, off) == "left 0, right 0, power 0");
     CHECK(writes(driving, standing) == "left 0, right 0");
     CHECK(writes(driving, {.power = false, .left = 400, .right = 380}) == "left 0, right 0, power 0");
 }
 
-TEST_CASE("only what changes is written, for each write to a motor silences the buzzer", "[hw][mouse]") {
+TEST_CASE("only changes are written, because each write to a motor silences the buzzer", "[hw][mouse]") {
     CHECK(writes(driving, driving).empty());
     CHECK(writes(driving, {.power = true, .left = 400, .right = 390}) == "right 390");
     CHECK(writes({.tone = 440}, {.tone = 440}).empty());
@@ -49,7 +49,7 @@ TEST_CASE("a tone ends before the wheels turn, and sounds at standstill only", "
     CHECK(writes({.power = true, .tone = 440}, {.power = false, .tone = 440}) == "power 0");
 }
 
-TEST_CASE("a ramp jumps over the lowest rates, and who wants one of them gets it", "[hw][mouse]") {
+TEST_CASE("a ramp skips the lowest rates, but a steady request for one is fulfilled", "[hw][mouse]") {
     StepRate wheel(0.001, 10);  // 1 mm a pulse
     CHECK(wheel.next(0.007, 0, 0.01) == 0);
     CHECK(wheel.next(0.014, 0, 0.01) == 0);
@@ -60,14 +60,14 @@ TEST_CASE("a ramp jumps over the lowest rates, and who wants one of them gets it
     CHECK(wheel.next(0, 0, 0.01) == 0);
 }
 
-TEST_CASE("a motor that was stopped without being asked gets up to speed as from standstill", "[hw][mouse][safety]") {
+TEST_CASE("after an unexpected stop a motor accelerates as from standstill", "[hw][mouse][safety]") {
     StepRate wheel(0.001, 1);  // 1000 pulses/s^2
     CHECK(wheel.next(0.5, 500, 0.01) == 500);
     CHECK(wheel.next(0.5, 0, 0.01) == StepRate::at_once);
     CHECK(wheel.next(0.5, 50, 0.01) == 65);
-    CHECK(wheel.next(0.5, 65, 5.0) == 215);  // a gap is no run-up
+    CHECK(wheel.next(0.5, 65, 5.0) == 215);  // after a gap the speed must not jump
     CHECK(wheel.next(-0.5, 215, 0.01) == -StepRate::at_once);
-    CHECK(wheel.next(0.1, 500, 0.01) == 100);  // braking is the robot's
+    CHECK(wheel.next(0.1, 500, 0.01) == 100);  // braking is limited by the robot, not here
 }
 
 TEST_CASE("a rate stays within what the driver takes", "[hw][mouse]") {

@@ -1,4 +1,4 @@
-// The power of the mouse's motors: when it goes, when it comes back, and when it can't be cut.
+// The power of the mouse's motors: when it is switched, and what happens if that fails.
 #include <catch2/catch.hpp>
 
 #include "hw/raspimouse/motors.hpp"
@@ -7,7 +7,7 @@
 using namespace nezumi;
 using namespace nezumi::hw;
 
-TEST_CASE("motors that have stood for long have no power until they are to turn again",
+TEST_CASE("after a long standstill motors have no power until they must turn again",
           "[hw][mouse][fakes][safety][wallclock]") {
     constexpr double standing_power = 0.5;  // [s]
     constexpr double metres_per_pulse = 2 * 3.14159265 * 0.024 / 400;
@@ -15,7 +15,7 @@ TEST_CASE("motors that have stood for long have no power until they are to turn 
     auto made = Motors::make(fake.dev(), {.left = metres_per_pulse, .right = metres_per_pulse}, 0.52, standing_power);
     REQUIRE(made);
     const RunningJob motors(std::move(*made));
-    // As a control loop does, for some seconds or until something is so; returns after how many it was.
+    // Like a control loop, for some seconds or until a condition is true; returns the time taken.
     const auto command = [&](double speed, double seconds, const std::function<bool(FakeMouse::Motion)>& until) {
         const double begin = clock_seconds();
         while (clock_seconds() - begin < seconds) {
@@ -30,7 +30,7 @@ TEST_CASE("motors that have stood for long have no power until they are to turn 
     const auto has_none = [](const FakeMouse::Motion& is) { return !is.power; };
     const auto turns = [](const FakeMouse::Motion& is) { return is.left > 150 && is.power; };
 
-    CHECK(command(0, 2, has_power) < 2);  // what the control loop wants first
+    CHECK(command(0, 2, has_power) < 2);  // the control loop's first command
     const double stood = command(0, 3, has_none);
     CHECK(stood > standing_power - 0.2);
     CHECK(stood < standing_power + 0.5);
@@ -38,14 +38,14 @@ TEST_CASE("motors that have stood for long have no power until they are to turn 
     CHECK_FALSE(fake.motion().power);
 
     CHECK(command(0.1, 2, turns) < 2);
-    command(0.1, 2 * standing_power, nullptr);  // in motion they keep it
+    command(0.1, 2 * standing_power, nullptr);  // in motion the power stays on
     CHECK(fake.motion().power);
     CHECK(command(0, 3, has_none) > standing_power - 0.2);
     CHECK(command(-0.1, 2, [](const auto& is) { return is.left < -150 && is.power; }) < 2);
     CHECK(motors->take_faults().empty());
 }
 
-TEST_CASE("motors whose power can't be cut stand, and nothing else is told of them until they are well again",
+TEST_CASE("motors whose power can't be switched off stand, and give no other message until they work again",
           "[hw][mouse][fakes][safety][wallclock]") {
     FakeMouse fake;
     DrivenMouse mouse(fake);

@@ -1,4 +1,4 @@
-// Which device of a mouse a sensor of its robot file is.
+// Assignment of a mouse's devices to the sensors of its robot file.
 #include <algorithm>
 
 #include "hw/raspimouse/mouse_body.hpp"
@@ -7,7 +7,7 @@
 using namespace nezumi;
 using namespace nezumi::hw;
 
-TEST_CASE("a mouse's sensors are the devices that its robot file says, the others follow in order",
+TEST_CASE("a mouse's sensors are the devices of its robot file, the others follow in order",
           "[hw][mouse][fakes][wallclock]") {
     FakeMouse fake;
     RobotSpec spec = mouse_spec();
@@ -38,7 +38,7 @@ TEST_CASE("a mouse's light sensors are in the driver's order: right front, right
         return static_cast<std::size_t>(sensor - spec.sensors.begin());
     };
     const auto read = [&] {
-        const Scratch folder;  // of its own: a guard may hold the motors of the one before for a moment
+        const Scratch folder;  // a new folder, because a guard may hold the previous motors for a moment
         for (const char* node : {"rtmotoren0", "rtmotor_raw_l0", "rtmotor_raw_r0"}) folder.write(node, "");
         folder.write("rtlightsensor0", "10 200 300 400\n");
         auto body = MouseBody::make(spec, {.dev = folder.path("").string(), .sys = ""});
@@ -50,13 +50,13 @@ TEST_CASE("a mouse's light sensors are in the driver's order: right front, right
         return values;
     };
     CHECK(read() == std::vector<double>{10, 200, 300, 400});
-    // Another robot has them elsewhere.
+    // Another robot has them at other places.
     spec.sensors[place("right_front")].port = "3";
     spec.sensors[place("left_front")].port = "";
     CHECK(read() == std::vector<double>{400, 200, 300, 10});
 }
 
-TEST_CASE("a port that means nothing to a mouse is refused", "[hw][mouse]") {
+TEST_CASE("a port that is unknown to a mouse is refused", "[hw][mouse]") {
     const auto refusal = [](const std::function<void(RobotSpec&)>& change) {
         RobotSpec spec = mouse_spec();
         change(spec);
@@ -66,12 +66,13 @@ TEST_CASE("a port that means nothing to a mouse is refused", "[hw][mouse]") {
     };
     CHECK(refusal([](RobotSpec& spec) {
               spec.drive.port = {"a", "b"};
-          }) == "drive.port of model 'raspimouse' means nothing to the driver raspimouse: leave it out");
+          }) == "drive.port of model 'raspimouse' has no meaning for the driver raspimouse: remove it out");
     CHECK(refusal([](RobotSpec& spec) {
               for (ActuatorSpec& actuator : spec.actuators) {
                   if (actuator.name == "buzzer") actuator.port = "rtbuzzer0";
               }
-          }) == "port of actuator 'buzzer' of model 'raspimouse' means nothing to the driver raspimouse: leave it out");
+          }) ==
+          "port of actuator 'buzzer' of model 'raspimouse' has no meaning for the driver raspimouse: remove it out");
     const auto with_ports = [&](SensorSpec::Kind kind, const std::string& port, int count) {
         return refusal([&](RobotSpec& spec) {
             int given = 0;

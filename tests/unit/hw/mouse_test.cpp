@@ -1,4 +1,4 @@
-// The mouse's driver against the driver's true behaviour: driver, fake nodes, physics, fake nodes, driver.
+// The mouse's driver on fake nodes that behave like the real driver's, with simulated physics.
 #include "hw/raspimouse/mouse_body.hpp"
 
 #include <algorithm>
@@ -14,7 +14,8 @@ using namespace nezumi::hw;
 
 using Lines = std::vector<std::string>;
 
-TEST_CASE("where motors or their power are missing nothing is touched, and what to do is said", "[hw][mouse][safety]") {
+TEST_CASE("if motors or their power are missing, nothing is written and the error says what to do",
+          "[hw][mouse][safety]") {
     const RobotSpec spec = mouse_spec();
     for (const std::string missing : {"rtmotoren0", "rtmotor_raw_l0", "rtmotor_raw_r0"}) {
         const Scratch folder;
@@ -34,7 +35,7 @@ TEST_CASE("where motors or their power are missing nothing is touched, and what 
     }
 }
 
-TEST_CASE("a second program that wants the mouse is told who has it", "[hw][mouse][safety]") {
+TEST_CASE("a second program is told which program drives the mouse", "[hw][mouse][safety]") {
     const RobotSpec spec = mouse_spec();
     const Scratch folder;
     for (const char* node : {"rtmotoren0", "rtmotor_raw_l0", "rtmotor_raw_r0"}) folder.write(node, "");
@@ -53,15 +54,15 @@ TEST_CASE("a robot file that the driver can't serve is refused", "[hw][mouse]") 
     const auto body = MouseBody::make(spec, {});
     REQUIRE_FALSE(body);
     CHECK(body.error().message ==
-          "the driver raspimouse has 4 distance sensors and 3 buttons, and model 'raspimouse' wants more");
+          "the driver raspimouse has 4 distance sensors and 3 buttons, but model 'raspimouse' needs more");
 }
 
-TEST_CASE("a drive's writes are these, one by one", "[hw][mouse][fakes][wallclock]") {
+TEST_CASE("a drive makes exactly these writes", "[hw][mouse][fakes][wallclock]") {
     FakeMouse fake;
     {
         auto body = MouseBody::make(mouse_spec(), fake.roots());
         REQUIRE(body);
-        // Each command is given again, as a loop does, until the nodes have it.
+        // The command is repeated, as in a loop, until the nodes have it.
         const auto tell = [&](const std::function<void()>& command,
                               const std::function<bool(FakeMouse::Motion)>& done) {
             CHECK(FakeMouse::wait_until(
@@ -91,7 +92,7 @@ TEST_CASE("a drive's writes are these, one by one", "[hw][mouse][fakes][wallcloc
     }
     Lines written = fake.writes();
     REQUIRE(written.size() > 3);
-    // The guard stops the power and both motors each on its own, in any order: here in that of their names.
+    // The guard stops the power and both motors in any order; here they are sorted by name.
     std::sort(written.end() - 3, written.end());
     CHECK(written == Lines{// the start: no power, no motion
                            "rtmotoren0 '0'", "rtmotor_raw_l0 '0'", "rtmotor_raw_r0 '0'",
@@ -130,7 +131,7 @@ TEST_CASE("a control loop that stalls leaves the wheels standing until it comman
     DrivenMouse mouse(fake);
     mouse.run(0.6, {.vx = 0.1});
     REQUIRE(fake.moves());
-    // The driver's threads go on, as while a script runs without end.
+    // The driver's threads continue, as during an endless script.
     sleep_for(0.25);
     bool has_moved = false;
     for (int i = 0; i < 75; ++i) {
@@ -214,14 +215,14 @@ namespace {
 struct FaultCase {
     const char* node;
     const char* fault;
-    const char* said;    // part of what is told; "": nothing
-    bool drives;         // whether the robot goes on
-    const char* silent;  // the port that says nothing meanwhile; "": none
+    const char* said;    // part of the message; "": none
+    bool drives;         // true if the robot continues to drive
+    const char* silent;  // the silent port; "": none
 };
 
 }  // namespace
 
-TEST_CASE("each device that fails in motion stops the robot or its own port alone, is told once, and is taken up again",
+TEST_CASE("each device that fails in motion stops the robot or only its port, is reported once, and is used again",
           "[hw][mouse][fakes][safety][wallclock]") {
     const auto fault =
         GENERATE(FaultCase{"rtmotor_raw_l0", "eio", "motors: ", false, ""},
@@ -229,16 +230,16 @@ TEST_CASE("each device that fails in motion stops the robot or its own port alon
                  FaultCase{"rtmotor_raw_l0", "hang", "motors: no answer for 0.3 s", false, ""},
                  FaultCase{"rtlightsensor0", "eio", "light sensors: ", false, "ir_sensor_out"},
                  FaultCase{"rtlightsensor0", "hang", "light sensors: no answer for 0.3 s", false, "ir_sensor_out"},
-                 FaultCase{"rtlightsensor0", "zeros", "says only 0 0 0 0", false, "ir_sensor_out"},
+                 FaultCase{"rtlightsensor0", "zeros", "gives only 0 0 0 0", false, "ir_sensor_out"},
                  FaultCase{"rtlightsensor0", "garbage", "expected four numbers, got 'what?", false, "ir_sensor_out"},
                  FaultCase{"rtswitch1", "eio", "switches: ", true, "switch3bit_out"},
                  FaultCase{"rtcounter_l0", "eio", "wheel counters: ", true, "current_pose_out"},
-                 FaultCase{"rtcounter_r0", "zeros", "wheel counters: they say 0", true, "current_velocity_out"},
+                 FaultCase{"rtcounter_r0", "zeros", "wheel counters: they give 0", true, "current_velocity_out"},
                  FaultCase{"rtcounter_r0", "tear", "", true, ""});
     INFO(fault.node << " " << fault.fault);
     FakeMouse fake;
     DrivenMouse mouse(fake);
-    // A command that changes all the time: the motors' nodes are written.
+    // A command that changes all the time, so that the motors' nodes are written.
     const auto drive = [&](double seconds, const std::function<bool()>& until = nullptr) {
         const double end = mouse.system.now().seconds + seconds;
         for (int i = 0; mouse.system.now().seconds < end; ++i) {
@@ -256,7 +257,7 @@ TEST_CASE("each device that fails in motion stops the robot or its own port alon
     for (const auto& line : mouse.log) log += line + "\n";
     INFO(log);
     CHECK(fake.moves() == fault.drives);
-    // The mouse needs its light sensors: it stands without them, and tells that as well.
+    // The mouse needs its light sensors: without them it stands and reports that too.
     const bool is_blind = std::string_view(fault.silent) == "ir_sensor_out";
     CHECK(mouse.log.size() == (*fault.said == '\0' ? 0 : is_blind ? 2 : 1));
     CHECK(mouse.said("stands: without ") == is_blind);
@@ -271,7 +272,7 @@ TEST_CASE("each device that fails in motion stops the robot or its own port alon
     CHECK(drive(2, [&] { return fake.moves() && (*fault.silent == '\0' || mouse.speaks(fault.silent)); }));
 }
 
-TEST_CASE("a driver that is loaded anew is taken up, motors first", "[hw][mouse][fakes][safety][threads][wallclock]") {
+TEST_CASE("a reloaded driver is used again, motors first", "[hw][mouse][fakes][safety][threads][wallclock]") {
     FakeMouse fake;
     DrivenMouse mouse(fake);
     mouse.run(0.5, {.vx = 0.1});
@@ -296,7 +297,7 @@ TEST_CASE("counters that another program has switched to signed are switched bac
     CHECK(mouse.published<Pose2D>("current_pose_out").position.x == Approx(fake.truth().position.x).margin(0.01));
 }
 
-TEST_CASE("a mouse whose Raspberry Pi gets too little voltage stands, and drives again",
+TEST_CASE("a mouse stops while its Raspberry Pi has too little voltage, then drives again",
           "[hw][mouse][fakes][safety][wallclock]") {
     FakeMouse fake;
     fake.folder.write("sys/class/hwmon/hwmon0/name", "cpu_thermal\n");
@@ -304,7 +305,7 @@ TEST_CASE("a mouse whose Raspberry Pi gets too little voltage stands, and drives
     fake.folder.write("sys/class/hwmon/hwmon3/in0_lcrit_alarm", "0\n");
     DrivenMouse mouse(fake);
     REQUIRE(mouse.run(3, {.vx = 0.1}, [&] { return fake.motion().left > 250; }));
-    // In place, as the kernel's file: it is never empty.
+    // Written in place like the kernel's file, so it is never empty.
     const auto set_alarm = [&](char on) {
         std::fstream file(fake.folder.path("sys/class/hwmon/hwmon3/in0_lcrit_alarm"));
         file.put(on);

@@ -1,4 +1,4 @@
-// Device nodes: kept open, taken up again, their errors in words.
+// Device nodes: kept open, used again after a loss, errors as text.
 #include "hw/device/node.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@
 using namespace nezumi;
 using namespace nezumi::hw;
 
-TEST_CASE("a plain file in a node's place has the last write alone", "[hw][device]") {
+TEST_CASE("a regular file in a node's place has only the last write", "[hw][device]") {
     const Scratch folder;
     const auto file = folder.write("rtmotor_raw_l0", "");
     Node node(file.string(), Node::Access::write);
@@ -33,7 +33,7 @@ TEST_CASE("a node is read from its beginning each time", "[hw][device]") {
     CHECK(node.read() == "13\n");
 }
 
-TEST_CASE("a node that was missing is taken up when it is there", "[hw][device]") {
+TEST_CASE("a missing node is used when it appears", "[hw][device]") {
     const Scratch folder;
     Node node(folder.path("rtled0").string(), Node::Access::write);
     const auto missing = node.write("1");
@@ -44,7 +44,7 @@ TEST_CASE("a node that was missing is taken up when it is there", "[hw][device]"
     CHECK(node.write("1"));
 }
 
-TEST_CASE("a node that says nothing or is a folder is an error", "[hw][device]") {
+TEST_CASE("an empty node or a folder is an error", "[hw][device]") {
     const Scratch folder;
     Node empty(folder.write("empty", "").string(), Node::Access::read);
     CHECK(empty.read().error().code == EIO);
@@ -53,7 +53,7 @@ TEST_CASE("a node that says nothing or is a folder is an error", "[hw][device]")
     CHECK(node.read().error().code == EISDIR);
 }
 
-TEST_CASE("what can be done about a node is part of its error", "[hw][device]") {
+TEST_CASE("the error of a node says what to do", "[hw][device]") {
     CHECK(with_advice({"/dev/rtled0", ENOENT}) ==
           "/dev/rtled0: no such file or directory: is the driver loaded? Try: sudo modprobe rtmouse");
     CHECK(
@@ -64,7 +64,7 @@ TEST_CASE("what can be done about a node is part of its error", "[hw][device]") 
           "/dev/rtled0: input/output error: look at the robot's power and cables, and at what dmesg says");
 }
 
-TEST_CASE("a loss is told once, and so is the return when it has lasted", "[hw][device]") {
+TEST_CASE("a loss is reported once, and the recovery once it has lasted", "[hw][device]") {
     Health health("LEDs");
     health.works(1);
     CHECK(health.take(10).empty());
@@ -81,7 +81,7 @@ TEST_CASE("a loss is told once, and so is the return when it has lasted", "[hw][
     CHECK(health.take(23) == std::vector<std::string>{"LEDs: gone again"});
 }
 
-TEST_CASE("a device that comes and goes is told as lost, once", "[hw][device]") {
+TEST_CASE("a device that fails again and again is reported as lost, once", "[hw][device]") {
     Health health("LEDs");
     for (int i = 0; i < 10; ++i) {
         health.lost("gone");

@@ -8,7 +8,7 @@
 
 namespace nezumi {
 
-/// For so many seconds, or until something is so: returns whether it came to that; without it, true. `before` is done
+/// Runs for this time, or until `until` returns true; returns whether it did, or true without it. `before` is called
 /// before each tick.
 inline bool run_paced(System& system, double seconds, const std::function<bool()>& until = nullptr,
                       const std::function<void()>& before = nullptr) {

@@ -1,4 +1,4 @@
-// Device files that are logged, and a log that stands for devices.
+// Logged device files, and a log that replaces devices.
 #include "hw/log/played_files.hpp"
 
 #include <fcntl.h>
@@ -45,7 +45,7 @@ std::vector<std::string> calls_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("what drivers do with their files is in the log, as /dev and /sys have them", "[hw][log]") {
+TEST_CASE("a log has all accesses of drivers, with paths in /dev and /sys", "[hw][log]") {
     const Scratch folder;
     folder.write("d/rtled0", "1");
     folder.write("s/class/hwmon/hwmon0/name", "rpi_volt\n");
@@ -86,7 +86,7 @@ TEST_CASE("the older log has another name until the new one is whole", "[hw][log
     CHECK_FALSE(std::filesystem::exists(file + "~"));
 }
 
-TEST_CASE("a log that can't be written is refused, and one that no longer can holds up nobody", "[hw][log]") {
+TEST_CASE("a log that can't be written is refused, and a later write error delays no driver", "[hw][log]") {
     const auto none = LoggedFiles::create("/no/such/folder/x.log", {});
     REQUIRE_FALSE(none);
     CHECK(describe(none.error()) == "/no/such/folder/x.log: can't be written: No such file or directory");
@@ -102,7 +102,7 @@ TEST_CASE("a log that can't be written is refused, and one that no longer can ho
     CHECK(led.write("0"));
 }
 
-TEST_CASE("a call that never comes back is in the log as well", "[hw][log][fakes]") {
+TEST_CASE("a call that never returns is in the log too", "[hw][log][fakes]") {
     FakeMouse fake;
     DeviceRoots roots = fake.roots();
     auto logged = LoggedFiles::create(fake.folder.path("x.log").string(), roots);
@@ -120,7 +120,7 @@ TEST_CASE("a call that never comes back is in the log as well", "[hw][log][fakes
     CHECK(log_text(fake.folder).find(" never ") != std::string::npos);
 }
 
-TEST_CASE("a reading that is played gets what the log has, when it has it", "[hw][log][wallclock]") {
+TEST_CASE("a replayed reading gives the log's value at the log's time", "[hw][log][wallclock]") {
     const auto files = played(
         "0 0 open-read /dev/x = ok\n0 0.001 read /dev/x = \"1\"\n0.5 0.1 read /dev/x = \"2\"\n"
         "0.7 0 read /dev/x = EIO\n0.9 0 open-read /dev/x = ENODEV\n1.2 0 open-read /dev/x = ok\n"
@@ -129,7 +129,7 @@ TEST_CASE("a reading that is played gets what the log has, when it has it", "[hw
     const auto at = [&](double tm) { sleep_for(std::max(0.0, begin + tm - clock_seconds())); };
     Node node({"/dev/x", files}, Access::read);
     CHECK(said(node) == "1");
-    CHECK(said(node) == "1");  // again: it is what is known
+    CHECK(said(node) == "1");  // again: the last known value
     at(0.53);
     CHECK(said(node) == "2");
     CHECK(clock_seconds() - begin >= 0.6);  // it took its time
@@ -157,7 +157,7 @@ TEST_CASE("a device that hung in the log hangs when it is played, until the end"
     CHECK(is_back);
 }
 
-TEST_CASE("what a log does not know is not there", "[hw][log]") {
+TEST_CASE("a device that is not in the log does not exist in a replay", "[hw][log]") {
     const auto files = played("0 0 open-read /dev/x = ok\n0 0 list /sys/class/a = \"one\\ntwo\"\n");
     Node other({"/dev/y", files}, Access::read), unread({"/dev/x", files}, Access::read);
     CHECK(said(other) == "/dev/y: no such file or directory");
@@ -167,7 +167,7 @@ TEST_CASE("what a log does not know is not there", "[hw][log]") {
     CHECK_FALSE(files->are_real());
 }
 
-TEST_CASE("a log of a robot stands for it: the same drivers say the same, and write the same",
+TEST_CASE("with a robot's log the drivers give the same readings and make the same writes",
           "[hw][log][fakes][wallclock]") {
     const std::string model = GENERATE("raspimouse", "ev3");
     INFO(model);
@@ -220,7 +220,7 @@ TEST_CASE("a log of a robot stands for it: the same drivers say the same, and wr
     robot.run(0.5);
     drive(robot);
     const Pose2D pose = robot.published<Pose2D>(pose_port);
-    // A few milliseconds in which a wheel's direction is the other one are some pulses.
+    // A few milliseconds with the other direction make a difference of some pulses.
     CHECK(pose.position.x == Approx(recorded.position.x).margin(0.02));
     CHECK(pose.heading == Approx(recorded.heading).margin(0.2));
     CHECK(robot.log == told);

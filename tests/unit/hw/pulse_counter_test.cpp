@@ -1,4 +1,4 @@
-// Pulses that are counted, and readings that are not believed.
+// Counted pulses and ignored readings.
 #include "hw/raspimouse/pulse_counter.hpp"
 
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@ namespace {
 
 using Verdict = PulseCounter::Verdict;
 
-// A motor that turns at a rate, read every 10 ms, and what its counter would say.
+// A motor that turns at a rate, read every 10 ms, and its counter's value.
 struct Wheel {
     // Turns for 10 ms.
     void turn(int rate) {
@@ -38,7 +38,7 @@ struct Wheel {
 
 }  // namespace
 
-TEST_CASE("pulses have the sign of what was commanded", "[hw][mouse][odometry]") {
+TEST_CASE("pulses have the sign of the command", "[hw][mouse][odometry]") {
     Wheel wheel;
     REQUIRE(wheel.read() == Verdict::taken);
     wheel.drive(500, 100);
@@ -49,7 +49,7 @@ TEST_CASE("pulses have the sign of what was commanded", "[hw][mouse][odometry]")
     CHECK(wheel.counter.pulses() == 200);
 }
 
-TEST_CASE("a direction that changes between two readings shares out their pulses", "[hw][mouse][odometry]") {
+TEST_CASE("when the direction changes between two readings, their pulses are divided", "[hw][mouse][odometry]") {
     Wheel wheel;
     REQUIRE(wheel.read() == Verdict::taken);
     wheel.turn(3000);
@@ -58,7 +58,7 @@ TEST_CASE("a direction that changes between two readings shares out their pulses
     CHECK(wheel.counter.pulses() == 20);
 }
 
-TEST_CASE("a counter that wraps goes on", "[hw][mouse][odometry]") {
+TEST_CASE("counting continues when a counter wraps", "[hw][mouse][odometry]") {
     Wheel wheel;
     wheel.zero = 65530;
     REQUIRE(wheel.read() == Verdict::taken);
@@ -66,7 +66,7 @@ TEST_CASE("a counter that wraps goes on", "[hw][mouse][odometry]") {
     CHECK(wheel.counter.pulses() == 500);
 }
 
-TEST_CASE("a 0 that stands for a failed reading is no reading", "[hw][mouse][odometry]") {
+TEST_CASE("a 0 from a failed reading is ignored", "[hw][mouse][odometry]") {
     Wheel wheel;
     wheel.zero = 3000;
     REQUIRE(wheel.read() == Verdict::taken);
@@ -80,7 +80,7 @@ TEST_CASE("a 0 that stands for a failed reading is no reading", "[hw][mouse][odo
     CHECK(wheel.counter.pulses() == 155);  // none is lost
 }
 
-TEST_CASE("a counter that stays at 0 while its motor turns is not read", "[hw][mouse][odometry]") {
+TEST_CASE("a counter that stays at 0 while its motor turns counts as failed", "[hw][mouse][odometry]") {
     Wheel wheel;
     REQUIRE(wheel.read(0) == Verdict::taken);
     for (int i = 0; i < 12; ++i) {
@@ -93,7 +93,7 @@ TEST_CASE("a counter that stays at 0 while its motor turns is not read", "[hw][m
     CHECK(wheel.counter.pulses() == 65);
 }
 
-TEST_CASE("a torn reading is left out, and the next one has its pulses", "[hw][mouse][odometry]") {
+TEST_CASE("a torn reading is ignored, and the next one includes its pulses", "[hw][mouse][odometry]") {
     Wheel wheel;
     wheel.zero = 1000;
     REQUIRE(wheel.read() == Verdict::taken);
@@ -106,7 +106,7 @@ TEST_CASE("a torn reading is left out, and the next one has its pulses", "[hw][m
     CHECK(wheel.counter.pulses() == 120);
 }
 
-TEST_CASE("a counter that counts from elsewhere is believed at its third word", "[hw][mouse][odometry]") {
+TEST_CASE("a counter with a new starting value is accepted at the third reading", "[hw][mouse][odometry]") {
     Wheel wheel;
     wheel.zero = 20000;
     REQUIRE(wheel.read() == Verdict::taken);
@@ -119,16 +119,16 @@ TEST_CASE("a counter that counts from elsewhere is believed at its third word", 
     wheel.turn(500);
     CHECK(wheel.read() == Verdict::jumped);
     CHECK(wheel.counter.pulses() == 515);  // those of the jump are those commanded
-    wheel.zero = 40000;                    // opened again, it may count from anywhere once more
+    wheel.zero = 40000;                    // opened again: it may start at any value
     wheel.drive(-500, 10);
     CHECK(wheel.counter.pulses() == 465);
 }
 
-TEST_CASE("a counter that was away counts from anywhere", "[hw][mouse][odometry]") {
+TEST_CASE("a counter that was away may start at any value", "[hw][mouse][odometry]") {
     Wheel wheel;
     REQUIRE(wheel.read() == Verdict::taken);
     wheel.drive(500, 10);
-    wheel.zero = -50;  // loaded anew: it would fit what it said last
+    wheel.zero = -50;  // reloaded: the value would fit the last one
     for (int i = 0; i < 10; ++i) wheel.turn(500);
     wheel.counter.begin_anew();
     CHECK(wheel.read() == Verdict::taken);

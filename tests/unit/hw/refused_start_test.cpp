@@ -1,4 +1,4 @@
-// `nezumi run --hw` where motors can't be used: one line that says why, exit status 2, and nothing has moved.
+// `nezumi run --hw` without usable motors: one line with the reason, exit status 2, and no motion.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -21,7 +21,7 @@ Outcome run_on(const Scratch& folder, const std::string& model, const DeviceRoot
 
 }  // namespace
 
-TEST_CASE("a mouse whose nodes this user may not use is refused with what to do, and nothing moves",
+TEST_CASE("without permission for the mouse's nodes, nothing moves and the error says what to do",
           "[hw][mouse][fakes][safety]") {
     const std::string node = GENERATE("rtmotor_raw_l0", "rtmotor_raw_r0", "rtmotoren0");
     FakeMouse fake;
@@ -34,7 +34,7 @@ TEST_CASE("a mouse whose nodes this user may not use is refused with what to do,
     CHECK(fake.writes().empty());
 }
 
-TEST_CASE("an EV3 whose motor this user may not use is refused with what to do, and nothing moves",
+TEST_CASE("without permission for an EV3's motor, nothing moves and the error says what to do",
           "[hw][ev3][fakes][safety]") {
     const std::string node = GENERATE("outB/command", "outC/speed_sp");
     FakeEv3 fake;
@@ -49,8 +49,7 @@ TEST_CASE("an EV3 whose motor this user may not use is refused with what to do, 
     CHECK_FALSE(fake.moves());
 }
 
-TEST_CASE("a folder in place of a motor's node is refused as what it is, and nothing is written",
-          "[hw][mouse][safety]") {
+TEST_CASE("a folder in place of a motor's node is refused as a folder, and nothing is written", "[hw][mouse][safety]") {
     const std::string wrong = GENERATE("rtmotor_raw_l0", "rtmotor_raw_r0", "rtmotoren0");
     const Scratch folder;
     for (const std::string node : {"rtmotoren0", "rtmotor_raw_l0", "rtmotor_raw_r0"}) {
@@ -73,8 +72,7 @@ TEST_CASE("a folder in place of a motor's node is refused as what it is, and not
     }
 }
 
-TEST_CASE("another motor than an EV3's wheel needs is refused with what is there, and nothing moves",
-          "[hw][ev3][fakes][safety]") {
+TEST_CASE("a wrong motor for an EV3's wheel is refused by its name, and nothing moves", "[hw][ev3][fakes][safety]") {
     FakeEv3 fake;
     fake.folder.write("behaviors/turned.lua",
                       "return robot_model { base = 'ev3', drive = { port = { 'outA', 'outC' } }, "

@@ -1,4 +1,4 @@
-// `nezumi run --hw` on the fake mouse: what ends or stalls the program, and how soon the wheels stand.
+// `nezumi run --hw` on the fake mouse: events that end or stall the program, and the time until the wheels stand.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -65,13 +65,13 @@ TEST_CASE("the wheels stand within 250 ms of a script's endless loop", "[hw][run
     HardwareRun run;
     run.get_going();
     const double time = run.time_to_stand([&] { run.fake.say("button 2 1"); });
-    constexpr double reading = 0.04;  // of the button, at most
+    constexpr double reading = 0.04;  // longest reading of the button
     CHECK(time < reading + 0.25);
     CHECK(run.program->wait_for_error("ran for more than 0.1 s: is there an endless loop?", 5));
     WARN("stopped " << time * 1e3 << " ms after the button that starts the loop was pressed");
 }
 
-TEST_CASE("a run that is ended by Ctrl-C brakes and takes the motors' power", "[hw][run][fakes][wallclock]") {
+TEST_CASE("Ctrl-C brakes and switches the motors off", "[hw][run][fakes][wallclock]") {
     HardwareRun run;
     run.get_going();
     const double time = run.time_to_stand([&] { run.program->send(SIGINT); });
@@ -81,7 +81,7 @@ TEST_CASE("a run that is ended by Ctrl-C brakes and takes the motors' power", "[
     CHECK_FALSE(run.fake.motion().power);
 }
 
-TEST_CASE("a run that SIGTERM ends leaves no motion, and its files whole", "[hw][run][fakes][safety][wallclock]") {
+TEST_CASE("SIGTERM stops all motion and leaves complete files", "[hw][run][fakes][safety][wallclock]") {
     HardwareRun run("", "raspimouse", {"--record", "run.csv", "--ports", "driver.out.vx", "--journal", "acts"});
     run.get_going();
     run.program->send(SIGTERM);
@@ -97,7 +97,7 @@ TEST_CASE("a run that SIGTERM ends leaves no motion, and its files whole", "[hw]
     CHECK(acts.find("\"end\"") != acts.npos);
 }
 
-TEST_CASE("SIGTERM stops a robot that a person is guided through at once", "[hw][run][fakes][safety][wallclock]") {
+TEST_CASE("SIGTERM stops a guided robot at once", "[hw][run][fakes][safety][wallclock]") {
     FakeMouse fake;
     fake.folder.write("system.lua", "robot 'mouse' { model = 'raspimouse' }");
     Program program({"calibrate", "odometry", "system.lua", "--yes", "--dev-root", fake.dev()},
@@ -108,7 +108,7 @@ TEST_CASE("SIGTERM stops a robot that a person is guided through at once", "[hw]
     REQUIRE(FakeMouse::wait_until([&] { return !fake.moves(); }, 3));
     CHECK(fake.motion().still_since - begin < 0.05);
     CHECK(program.wait() == 2);
-    CHECK(program.error.ends_with("ended before it was done: the robot stands\n"));
+    CHECK(program.error.ends_with("interrupted: the robot stands\n"));
     CHECK_FALSE(fake.motion().power);
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("nothing moves before the start button is pressed", "[hw][run][fakes][
     run.get_going();
 }
 
-TEST_CASE("the journal of a run on hardware tells what was done, and is not replayed", "[hw][run][fakes][wallclock]") {
+TEST_CASE("the journal of a run on hardware has its acts, but can't be replayed", "[hw][run][fakes][wallclock]") {
     HardwareRun run("", "raspimouse", {"--duration", "1", "--journal", "acts"});
     REQUIRE(run.program->wait() == 0);
     const Outcome again = run_nezumi({"run", "system.lua", "--replay", "acts"}, run.fake.folder.path("").string());

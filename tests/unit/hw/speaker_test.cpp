@@ -1,4 +1,4 @@
-// A robot's loudspeaker: which programs are run, what they get, and what is said when they are missing.
+// A robot's loudspeaker: the programs it runs, their input, and the messages if they are missing.
 #include "hw/sound/speaker.hpp"
 
 #include <sys/stat.h>
@@ -15,10 +15,10 @@ using namespace nezumi::hw;
 
 namespace {
 
-// A folder of programs that is all the PATH there is.
+// A folder of programs as the whole PATH.
 struct Programs {
     explicit Programs(const std::vector<std::string>& installed, const std::string& player_does = "") {
-        // Each keeps what it was told and what it read; the synthesizer's speech is what it read.
+        // Each program stores its arguments and its input; the synthesizer's speech is its input.
         const std::string keep = "i=$(ls \"$0\".* 2>/dev/null | wc -l)\nprintf '%s\\n' \"$*\" > \"$0.$i\"\n";
         for (const std::string& name : installed) {
             if (name == "the real espeak-ng") {
@@ -35,7 +35,7 @@ struct Programs {
     Programs(const Programs&) = delete;
     Programs& operator=(const Programs&) = delete;
 
-    // Its words on the first line, and what it read: of the call of this number.
+    // The arguments on the first line, then the input, of the call with this number.
     std::string call(const std::string& program, int number) const {
         std::ifstream file(folder.path(program + "." + std::to_string(number)), std::ios::binary);
         return {std::istreambuf_iterator<char>(file), {}};
@@ -62,7 +62,7 @@ private:
 Sound tone(double hertz, double seconds) { return {Sound::Kind::tone, hertz, seconds, {}}; }
 Sound speech(const std::string& text) { return {Sound::Kind::speech, 0, 0, text}; }
 
-// Lets it do all that waits.
+// Lets it process all that waits.
 void serve(Speaker& speaker) {
     while (speaker.run() == 0) continue;
 }
@@ -80,7 +80,7 @@ TEST_CASE("a tone is played by ALSA's player, on the device that the robot file 
     CHECK(speaker.take_faults().empty());
 }
 
-TEST_CASE("what is spoken goes to the synthesizer's input and through no shell", "[hw][sound][safety]") {
+TEST_CASE("spoken text goes to the synthesizer's standard input, not through a shell", "[hw][sound][safety]") {
     const Programs programs({"aplay", "espeak-ng"});
     const std::string text = "-w x.wav; $(touch gone) `id` \"quoted\" 'é'";
     Speaker speaker;
@@ -91,7 +91,7 @@ TEST_CASE("what is spoken goes to the synthesizer's input and through no shell",
     CHECK(speaker.take_faults().empty());
 }
 
-TEST_CASE("a missing player is told once with what to do, and the robot is silent", "[hw][sound]") {
+TEST_CASE("a missing player is reported once with what to do, and the robot is silent", "[hw][sound]") {
     Speaker speaker;
     {
         const Programs programs({});
@@ -117,7 +117,7 @@ TEST_CASE("a missing player is told once with what to do, and the robot is silen
     CHECK(told == std::vector<std::string>{"loudspeaker: back again", "speech: back again"});
 }
 
-TEST_CASE("a player that fails is told once with what to look for", "[hw][sound]") {
+TEST_CASE("a player that fails is reported once with what to check", "[hw][sound]") {
     const Programs programs({"aplay"}, "exit 1\n");
     Speaker speaker;
     speaker.play(tone(440, 0.01));
@@ -129,7 +129,7 @@ TEST_CASE("a player that fails is told once with what to look for", "[hw][sound]
                                  "this user in group audio?"});
 }
 
-TEST_CASE("sounds that come faster than they are played are left out, and told once", "[hw][sound]") {
+TEST_CASE("sounds that come faster than they are played are dropped, and reported once", "[hw][sound]") {
     const Programs programs({"aplay"});
     Speaker speaker;
     for (std::size_t i = 0; i < Speaker::most_waiting + 5; ++i) speaker.play(tone(440, 0));
@@ -140,7 +140,7 @@ TEST_CASE("sounds that come faster than they are played are left out, and told o
     CHECK(programs.call("aplay", Speaker::most_waiting).empty());
 }
 
-TEST_CASE("a robot that goes does not wait for the end of its sound", "[hw][sound][wallclock]") {
+TEST_CASE("a removed robot does not wait for the end of its sound", "[hw][sound][wallclock]") {
     const Programs programs({"aplay"}, "exec sleep 20\n");
     const double before = clock_seconds();
     {
@@ -151,7 +151,7 @@ TEST_CASE("a robot that goes does not wait for the end of its sound", "[hw][soun
     CHECK(clock_seconds() - before < 3);
 }
 
-TEST_CASE("a robot that is silenced ends what plays, forgets what waits, and plays what comes then",
+TEST_CASE("silencing a robot ends the present sound and drops waiting ones; later sounds play",
           "[hw][sound][safety][wallclock]") {
     const Programs programs({"aplay"}, "case $i in 0) exec sleep 20;; esac\n");
     Loudspeaker loudspeaker{RobotSpec{}};

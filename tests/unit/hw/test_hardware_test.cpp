@@ -39,7 +39,7 @@ std::string scenario(const std::string& body) { return "scenario('it', function(
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-// The seminar's scenarios of a file, on fakes; the truth comes from their hosts.
+// The seminar's scenarios of a file, on fakes; the truth comes from the fakes.
 Outcome seminar(const std::string& file, const std::string& filter, const std::string& rig, const std::string& dev,
                 const std::string& sys) {
     std::vector<std::string> words{"test", "tests/scenarios/" + file, "--filter", filter, "--hw", "--rig", rig};
@@ -65,11 +65,11 @@ TEST_CASE("a scenario of the simulation passes on the mouse, at real time", "[hw
     CHECK_FALSE(fake.motion().power);
 }
 
-TEST_CASE("without a rig a scenario that asks for the truth, collisions or a hand is refused in one line",
+TEST_CASE("without a rig a scenario that needs truth, collisions or pushes is refused in one line",
           "[hw][test][fakes][wallclock]") {
     Mouse fake;
     const std::string why =
-        "mouse is a real robot, and nobody sees it from outside: run this in simulation, or give --rig mouse=SOCKET";
+        "mouse is a real robot, whose true pose is not known: run this in simulation, or give --rig mouse=SOCKET";
     for (const std::string body :
          {"s:load 'ahead.lua' s:always('x', function() return s.mouse.truth.pose.position.x < 9 end) s:run(1)",
           "s:load 'ahead.lua' s:never('x', function() return s.mouse.collided end) s:run(1)",
@@ -84,7 +84,7 @@ TEST_CASE("without a rig a scenario that asks for the truth, collisions or a han
     CHECK(fake.truth().position.x < 0.05);
 }
 
-TEST_CASE("without a rig a scenario that looks at ports alone runs, and then the robot stands",
+TEST_CASE("without a rig a scenario that uses only ports runs, and then the robot stands",
           "[hw][test][fakes][wallclock]") {
     Mouse fake;
     const Outcome run = fake.test(scenario("local world = s:load 'ahead.lua'\n"
@@ -100,7 +100,7 @@ TEST_CASE("without a rig a scenario that looks at ports alone runs, and then the
     CHECK_FALSE(fake.motion().power);
 }
 
-TEST_CASE("what fails on the robot is told with the command that repeats it, and is not run again by itself",
+TEST_CASE("a failure on the robot is reported with the command that repeats it, and is not repeated automatically",
           "[hw][test][fakes][wallclock]") {
     Mouse fake;
     const Outcome run =
@@ -113,12 +113,12 @@ TEST_CASE("what fails on the robot is told with the command that repeats it, and
     CHECK(has(run.out, "always 'stays' held until"));
     CHECK(has(run.out, "--seed 124 --hw --rig mouse=" + fake.socket_path()));
     CHECK(has(run.out, "trace.csv"));
-    CHECK(fake.truth().position.x < 0.12);  // a second run would have begun at 0 and come as far
+    CHECK(fake.truth().position.x < 0.12);  // a second run would have started at 0 and come as far
     CHECK(std::count_if(std::filesystem::recursive_directory_iterator(fake.folder.path("failures")), {},
                         [](const auto& entry) { return entry.path().filename() == "trace.csv"; }) == 1);
 }
 
-TEST_CASE("a rig puts the robot back before each run, pushes it, presses its buttons and sees what it touches",
+TEST_CASE("a rig moves the robot back before each run, pushes it, presses its buttons and reports its contacts",
           "[hw][test][fakes][wallclock]") {
     Mouse fake({"0.3"});
     const Outcome run = fake.test(
@@ -154,7 +154,7 @@ TEST_CASE("a rig puts the robot back before each run, pushes it, presses its but
     CHECK(has(run.out, "3 passed"));
 }
 
-TEST_CASE("what real robots can't do is refused before anything moves", "[hw][test][fakes][wallclock]") {
+TEST_CASE("requests impossible for real robots are refused before anything moves", "[hw][test][fakes][wallclock]") {
     Mouse fake;
     const std::string two = "scenario('a', { sweep = { x = { 1, 2 } } }, function(s) s:load 'ahead.lua' s:run(1) end)";
     const Outcome sweep = fake.test(two, {}, false);
@@ -178,7 +178,7 @@ TEST_CASE("what real robots can't do is refused before anything moves", "[hw][te
     CHECK(fake.truth().position.x < 0.01);
 }
 
-TEST_CASE("a rig that is not there, or does not answer, is told and ends the run", "[hw][test][fakes][wallclock]") {
+TEST_CASE("a missing or silent rig is reported and ends the run", "[hw][test][fakes][wallclock]") {
     Mouse fake;
     const std::string looks = scenario(
         "local world = s:load 'ahead.lua' s:always('x', function() return world.mouse.truth.pose.position.x < 9 end) "
@@ -204,7 +204,7 @@ TEST_CASE("a rig that is not there, or does not answer, is told and ends the run
 
 TEST_CASE("the seminar's scenarios of the mouse pass on the fake mouse", "[.seminar][hw][fakes]") {
     Mouse fake({front_of_wall});
-    // Slower it comes to stand where the sensor says 30 or 31, and rocks between the two.
+    // At a lower speed it stops where the sensor gives 30 or 31, and moves to and fro between the two.
     const std::string stops = "stops in front of the wall at every speed ";
     for (const std::string& filter :
          {stops + "[speed=0.1]", stops + "[speed=0.2]", stops + "[speed=0.3]", stops + "[speed=0.5]",

@@ -53,7 +53,7 @@ TEST_CASE("a real mouse and its twin drive the same way", "[hw][twin][fakes][wal
     CHECK(fake.truth().position.x > 0.25);
 }
 
-TEST_CASE("a wall that only the twin has stops the twin alone, and the error tells", "[hw][twin][fakes][wallclock]") {
+TEST_CASE("a wall that only the twin has stops only the twin, and the error shows it", "[hw][twin][fakes][wallclock]") {
     FakeMouse fake;
     const double ahead = error_x(fake, "arena { box { at = { 0.2, 0, 0.15 }, size = { 0.1, 1, 0.3 } } }\n");
     CHECK(fake.truth().position.x > 0.25);

@@ -1,4 +1,4 @@
-// Devices' threads: woken, left behind when they hang, and what the loop gets from them.
+// Threads of devices: waking, abandoning, and the samples for the loop.
 #include "hw/device/worker.hpp"
 
 #include <atomic>
@@ -19,7 +19,7 @@ bool soon(const std::function<bool()>& is_so) {
     return is_so();
 }
 
-// Counts how often it was called, and hangs when it is told to.
+// Counts its calls, and hangs on request.
 struct CountingJob final : DeviceJob {
     struct Seen {
         std::atomic<int> runs = 0;
@@ -36,7 +36,7 @@ struct CountingJob final : DeviceJob {
     Seen& seen;
 };
 
-// Answers with a number that grows, or not.
+// Answers with a growing number, or not.
 struct Thermometer final : Sampler<int> {
     Thermometer() : Sampler("thermometer", 0.001) {}
     tl::expected<std::optional<int>, std::string> sample(double) override {
@@ -63,7 +63,7 @@ TEST_CASE("a device's thread works when it is woken, and once more at the end", 
     CHECK(seen.gone);
 }
 
-TEST_CASE("a device's thread that hangs is left behind with all that it uses", "[hw][device][threads][wallclock]") {
+TEST_CASE("a device's thread that hangs is abandoned with all that it uses", "[hw][device][threads][wallclock]") {
     CountingJob::Seen seen;
     seen.hang = true;
     const double before = clock_seconds();
@@ -82,7 +82,7 @@ TEST_CASE("a device's thread that hangs is left behind with all that it uses", "
     CHECK(seen.ended);
 }
 
-TEST_CASE("the loop gets a device's newest sample, and none that is old", "[hw][device][wallclock]") {
+TEST_CASE("the loop gets a device's newest sample, but not an old one", "[hw][device][wallclock]") {
     const RunningJob device(std::make_unique<Thermometer>());
     REQUIRE(soon([&] { return device->newest(clock_seconds()) && device->newest(clock_seconds())->value > 3; }));
     const auto sample = device->newest(clock_seconds());
@@ -92,7 +92,7 @@ TEST_CASE("the loop gets a device's newest sample, and none that is old", "[hw][
     CHECK(device->take_faults().empty());
 }
 
-TEST_CASE("a device that fails or hangs is told once, and taken up again", "[hw][device][threads][wallclock]") {
+TEST_CASE("a device that fails or hangs is reported once and used again", "[hw][device][threads][wallclock]") {
     const RunningJob device(std::make_unique<Thermometer>());
     device->broken = true;
     std::vector<std::string> told;
@@ -119,7 +119,7 @@ TEST_CASE("a device that fails or hangs is told once, and taken up again", "[hw]
     CHECK(told == std::vector<std::string>{"thermometer: back again"});
 }
 
-TEST_CASE("what a job holds is free when its worker has gone", "[hw][worker]") {
+TEST_CASE("a job's resources are free after the end of its worker", "[hw][worker]") {
     struct Holder final : DeviceJob {
         explicit Holder(bool& its_flag) : is_held(its_flag) { is_held = true; }
         ~Holder() override { is_held = false; }

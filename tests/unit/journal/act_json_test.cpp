@@ -22,17 +22,15 @@ T back(const T& act) {
     return std::get<T>(*read);
 }
 
-ParameterValue back(const ParameterValue& value) { return back(SetParameter{"c", "p", value}).value; }
+Value back(const Value& value) { return back(SetParameter{"c", "p", value}).value; }
 
 }  // namespace
 
 TEST_CASE("parameters come back with their types", "[journal]") {
-    for (const ParameterValue& value :
-         {ParameterValue(true), ParameterValue(std::int64_t{-7}), ParameterValue(3.0), ParameterValue(0.1),
-          ParameterValue(1e300), ParameterValue(INFINITY), ParameterValue(std::string("a\"\n\xff")),
-          ParameterValue(std::vector<bool>{true, false}), ParameterValue(std::vector<std::int64_t>{}),
-          ParameterValue(std::vector<double>{}), ParameterValue(std::vector<double>{1.0, 0.5}),
-          ParameterValue(std::vector<std::string>{"", "x"})}) {
+    for (const Value& value : {Value(true), Value(std::int64_t{-7}), Value(3.0), Value(0.1), Value(1e300),
+                               Value(INFINITY), Value(std::string("a\"\n\xff")), Value(std::vector<bool>{true, false}),
+                               Value(std::vector<std::int64_t>{}), Value(std::vector<double>{}),
+                               Value(std::vector<double>{1.0, 0.5}), Value(std::vector<std::string>{"", "x"})}) {
         CHECK(back(value) == value);
     }
 }
@@ -48,8 +46,8 @@ TEST_CASE("messages of every type come back", "[journal]") {
 
 TEST_CASE("plain data comes back with its shape", "[journal]") {
     PlainData data;
-    data.values = {{}, true, std::int64_t{1}, 1.0, std::string("\x80"), -INFINITY, PlainData::TableRef{1}};
-    data.tables = {{{std::string("self"), PlainData::TableRef{0}}}, {{2.5, false}}};
+    data.values = {{}, true, std::int64_t{1}, 1.0, std::string("\x80"), -INFINITY, TableRef{1}};
+    data.tables = {{{std::string("self"), TableRef{0}}}, {{2.5, false}}};
     CHECK(back(Command{"c", "f", data}).arguments == data);
 }
 

@@ -27,7 +27,7 @@ TEST_CASE("a journal says which line can't be replayed, and why", "[journal]") {
           "J:2: SetParameter went well then, not now: unknown parameter 'stop' (did you mean 'step'?)");
     CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Set","with":{}})") == "J:2: there is no act 'Set'");
     CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"somebody","do":"Stop","with":{}})")
-              .starts_with("J:2: 'somebody' is nobody who acts: expected one of run, console"));
+              .starts_with("J:2: 'somebody' is not a kind of actor: expected one of run, console"));
     CHECK(it.error_with(2, R"({"at":[2,3,0],"who":"console","do":"Stop","with":{}})") ==
           "J:3: tick 6 of start 1 comes after tick 3 of start 2");
     CHECK(it.error_with(2, R"({"at":[1,4,0],"hash":"0000000000000000"})")

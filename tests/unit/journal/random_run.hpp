@@ -160,8 +160,8 @@ function on_execute()
     Act make(std::in_place_type_t<Command>) {
         if (below(4) == 0) return Command{"controller", "fail", {}};
         PlainData data;
-        data.values = {static_cast<std::int64_t>(below(10)), PlainData::TableRef{0}};
-        data.tables = {{{std::int64_t{1}, number()}, {std::string("\xff text"), PlainData::TableRef{0}}}};
+        data.values = {static_cast<std::int64_t>(below(10)), TableRef{0}};
+        data.tables = {{{std::int64_t{1}, number()}, {std::string("\xff text"), TableRef{0}}}};
         return Command{"controller", "add", data};
     }
     Act make(std::in_place_type_t<Reload>) {

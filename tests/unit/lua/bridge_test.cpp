@@ -104,6 +104,10 @@ TEST_CASE("every word of a system file refuses an argument too many and one of a
     const std::string entry = ": expected at most 2 arguments, got 3: ";
     const std::string fields = ": expected at most 1 argument, got 2: ";
     std::map<std::string, Refusals> table{
+        {"argument",
+         {"argument('a', 1, {}, 4)",
+          "argument: expected at most 3 arguments, got 4: argument(name, default, { min =, max =, doc = })",
+          "argument(5, 1)", "argument: expected a name and a default, as in argument(\"n\", 5), got number"}},
         {"connect",
          {"connect('a.b', 'c.d', 3)", "connect" + entry + "connect(from, to)", "connect('a.b', 5)",
           "connect: expected \"name.port\", got number"}},

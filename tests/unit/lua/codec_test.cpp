@@ -45,7 +45,7 @@ void check_round_trip(const T& value) {
     CHECK((back->template get<T>() == value));
 }
 
-Expected<ParameterValue> parameter(const std::string& expression) {
+Expected<Value> parameter(const std::string& expression) {
     const Lua lua;
     return read_parameter(lua, lua.value(expression));
 }
@@ -71,6 +71,17 @@ TEST_CASE("every message type crosses to Lua and back", "[lua][codec]") {
     check_round_trip(
         RangeData{{0.5, 1.5}, {{{1, 2, 3}, {4, 5, 6}}, {7, 8, 9}, {{}, {{{1, 1, 1}, {}}, {}}}}, {.maxAngle = 3}});
     check_round_trip(CameraImage{2, 1, 8, "gray8", 1.0, {0, 255}});
+}
+
+TEST_CASE("ranges may be infinite or no number, and no other field", "[lua][codec]") {
+    const auto ranges = read<RangeData>("{ ranges = { math.huge, -math.huge, 0/0, 0.5 } }").value().ranges;
+    REQUIRE(ranges.size() == 4);
+    CHECK(ranges[0] == INFINITY);
+    CHECK(ranges[1] == -INFINITY);
+    CHECK(std::isnan(ranges[2]));
+    CHECK(mismatch<RangeData>("{ config = { maxRange = math.huge } }") ==
+          "field 'config.maxRange' expected a finite number, got inf");
+    CHECK(mismatch<std::vector<double>>("{ 1, 0/0 }") == "element 2 expected a finite number, got nan");
 }
 
 TEST_CASE("a single-valued type is the plain Lua value", "[lua][codec]") {
@@ -194,15 +205,15 @@ TEST_CASE("a table that contains itself does not fit", "[lua][codec]") {
 }
 
 TEST_CASE("a parameter's value is read as what it is in Lua", "[lua][codec]") {
-    CHECK(parameter("true").value() == ParameterValue(true));
-    CHECK(parameter("30").value() == ParameterValue(std::int64_t{30}));
-    CHECK(parameter("30.0").value() == ParameterValue(30.0));
-    CHECK(parameter("'30'").value() == ParameterValue(std::string("30")));
-    CHECK(parameter("{ true }").value() == ParameterValue(std::vector<bool>{true}));
-    CHECK(parameter("{ 1, 2 }").value() == ParameterValue(std::vector<std::int64_t>{1, 2}));
-    CHECK(parameter("{ 1, 0.5 }").value() == ParameterValue(std::vector<double>{1, 0.5}));
-    CHECK(parameter("{ 'a' }").value() == ParameterValue(std::vector<std::string>{"a"}));
-    CHECK(parameter("{}").value() == ParameterValue(std::vector<double>{}));
+    CHECK(parameter("true").value() == Value(true));
+    CHECK(parameter("30").value() == Value(std::int64_t{30}));
+    CHECK(parameter("30.0").value() == Value(30.0));
+    CHECK(parameter("'30'").value() == Value(std::string("30")));
+    CHECK(parameter("{ true }").value() == Value(std::vector<bool>{true}));
+    CHECK(parameter("{ 1, 2 }").value() == Value(std::vector<std::int64_t>{1, 2}));
+    CHECK(parameter("{ 1, 0.5 }").value() == Value(std::vector<double>{1, 0.5}));
+    CHECK(parameter("{ 'a' }").value() == Value(std::vector<std::string>{"a"}));
+    CHECK(parameter("{}").value() == Value(std::vector<double>{}));
 }
 
 TEST_CASE("what can't be a parameter is refused with the reason", "[lua][codec]") {
@@ -219,8 +230,8 @@ TEST_CASE("what can't be a parameter is refused with the reason", "[lua][codec]"
 
 TEST_CASE("a parameter's value is pushed as the script's own", "[lua][codec]") {
     const Lua lua;
-    push_parameter(lua, std::vector<double>{1.0, 0.5});
+    push_payload(lua, std::vector<double>{1.0, 0.5});
     CHECK(lua_rawlen(lua, -1) == 2);
-    push_parameter(lua, std::int64_t{3});
+    push_payload(lua, std::int64_t{3});
     CHECK(lua_isinteger(lua, -1));
 }

@@ -158,22 +158,3 @@ TEST_CASE("a table that is in itself is a copy wherever it is met", "[lua][objec
     CHECK(it.run("local state = controller.state return rawequal(state.me, state)") == "true");
     CHECK_THAT(it.run("controller.state.me.count = 1"), Catch::Contains("'controller.state' is a copy"));
 }
-
-TEST_CASE("what a command returns is the caller's own", "[lua][objects][copies]") {
-    Copies it;
-    CHECK(it.run("local _, list = controller:add(1, { 1, { 2 } }) list[1] = 5 list[2][1] = 6 return list[1]") == "5");
-}
-
-TEST_CASE("a field that a message or a truth does not have is an error that names the nearest", "[lua][objects]") {
-    Copies it;
-    CHECK(it.run("return mouse.truth.pose.positon.x") ==
-          "box.lua:1: 'mouse.truth.pose' has no field 'positon' (did you mean 'position'?)");
-    CHECK(it.run("return mouse.truth.pose.x") ==
-          "box.lua:1: 'mouse.truth.pose' has no field 'x' (its fields are heading, position)");
-    CHECK(it.run("return mouse.truth.pose.position.z") ==
-          "box.lua:1: 'mouse.truth.pose.position' has no field 'z' (its fields are x, y)");
-    CHECK(it.run("return controller.out.value.vz") ==
-          "box.lua:1: 'controller.out.value' has no field 'vz' (did you mean 'va'?)");
-    CHECK(it.run("return mouse.ir_sensor_out.value[9], mouse.ir_sensor_out.value.vx, controller.state.nothing, "
-                 "rawget(mouse.truth.pose, 'x')") == "nil nil nil nil");
-}

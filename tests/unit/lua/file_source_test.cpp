@@ -65,7 +65,7 @@ TEST_CASE("of several calls in a line the one is meant whose text can give what 
         "b { f() } b { 1, t = true } b { 1, 's', 0x10 }",
         "f.lua");
     const auto place = [&](int line, std::string name, FileTable table, const FieldPath& path) {
-        const FileValue value{std::move(table)};
+        const Value value{std::move(table)};
         const Place found = source.find("b", {"f.lua", line}, path, {std::move(name), &value});
         CHECK(found.line == line);
         return found.column;

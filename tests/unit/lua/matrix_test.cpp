@@ -75,5 +75,5 @@ TEST_CASE("a command returns a matrix as the table of its rows", "[lua][matrix]"
     const auto result = rig.component->call_command("p", {}, rig.now);
     REQUIRE(result);
     REQUIRE(result->tables.size() == 2);
-    CHECK(result->tables[1] == std::vector<std::pair<PlainData::Value, PlainData::Value>>{{std::int64_t{1}, 1.5}});
+    CHECK(result->tables[1] == PlainData::Table{{std::int64_t{1}, 1.5}});
 }

@@ -22,36 +22,6 @@ TEST_CASE("a system says which host it is", "[lua][system_file][network]") {
     CHECK_FALSE(system_of("seed(1)").network.has_value());
 }
 
-TEST_CASE("network refuses what no host can be", "[lua][system_file][network]") {
-    CHECK(system_error("network {}") ==
-          "s.lua:1: network: field 'name' is missing: expected a text: what other hosts call this one");
-    CHECK(system_error("network { name = 'a b' }") ==
-          "s.lua:1:11: network: field 'name' expected letters, digits and _, not beginning with a digit, got 'a b'");
-    CHECK(system_error("network { name = 'ros' }") ==
-          "s.lua:1:11: network: field 'name' may not be 'ros', a word of Lua or of the console");
-    CHECK(system_error("network { name = 'a', domian = 7 }") ==
-          "s.lua:1:23: network: unknown field 'domian' (did you mean 'domain'?)");
-    CHECK(system_error("network { name = 'a', domain = 233 }") ==
-          "s.lua:1:23: network: field 'domain' expected a whole number from 0 to 232, got 233");
-    CHECK(system_error("network { name = 'a', open = true, secret = 'k' }") ==
-          "s.lua:1:23: network: field 'open': with a `secret` only those who have it may write: leave one of them out");
-    CHECK(system_error("network { name = 'a', hosts = 'b' }") ==
-          "s.lua:1:23: network: field 'hosts': only lockstep waits for hosts: say `lockstep = true` as well");
-    CHECK(system_error("network { name = 'a', lockstep = true, hosts = { 'b c' } }") ==
-          "s.lua:1:40: network: field 'hosts' expected names of hosts, got 'b c'");
-    CHECK(system_error("network { name = 'a', lockstep = true, hosts = 'a' }") ==
-          "s.lua:1:40: network: field 'hosts' may not name 'a': it is this host");
-    CHECK(system_error(
-              "network { name = 'a', peers = { '10.0.0.2:7410', 'pi.local', 'fe80::1%wlan0', 'not an address' } }") ==
-          "s.lua:1:23: network: field 'peers' expected addresses or names of hosts, got 'not an address'");
-    CHECK(system_error("network { name = 'a', peers = '192.168.1.300' }") ==
-          "s.lua:1:23: network: field 'peers' expected addresses or names of hosts, got '192.168.1.300'");
-    CHECK(system_error("ros { node = 'a', peers = { 'pi', '' } }") ==
-          "s.lua:1:19: ros: field 'peers' expected addresses or names of hosts, got ''");
-    CHECK(system_error("network { name = 'a' }\nnetwork { name = 'a' }") ==
-          "s.lua:2: network: is set already, at behaviors/systems/s.lua:1");
-}
-
 TEST_CASE("a port of another host is host/name.port", "[lua][system_file][network]") {
     const auto spec =
         system_of("network { name = 'a' } connect('ev3/vehicle.current_vel', 'mouse.target_velocity_in')");
@@ -86,25 +56,6 @@ TEST_CASE("a system says which topics of ROS it has", "[lua][system_file][networ
     CHECK(spec.ros->subscribe[0].port == "mouse.target_velocity_in");
     CHECK(spec.ros->subscribe[0].topic == "/cmd_vel");
     CHECK(spec.ros->subscribe[0].type == "geometry_msgs/msg/TwistStamped");
-}
-
-TEST_CASE("ros refuses what is no topic", "[lua][system_file][network]") {
-    CHECK(system_error("ros {}") == "s.lua:1: ros: field 'node' is missing: expected a text: the node's name");
-    for (const char* topic : {"odom", "/", "/a/", "/a//b", "/1a", "/a b"}) {
-        CAPTURE(topic);
-        CHECK(system_error("ros { node = 'n', publish = { ['a.b'] = '" + std::string(topic) + "' } }")
-                  .find("names no topic '" + std::string(topic) + "'") != std::string::npos);
-    }
-    CHECK(system_error("ros { node = 'n', subscribe = { [''] = 'a.b' } }").find("names no topic ''") !=
-          std::string::npos);
-    CHECK(system_error("ros { node = 'n', publish = { ['a.b'] = { topc = '/a' } } }").find("did you mean 'topic'?") !=
-          std::string::npos);
-    CHECK(system_error("ros { node = 'n', subscribe = { ['/a'] = { type = 'x' } } }")
-              .find("field 'subscribe./a.port' is missing") != std::string::npos);
-    CHECK(system_error("ros { node = 'n', subscribe = { ['/a'] = { topic = '/b', port = 'c.d' } } }")
-              .find("is said already") != std::string::npos);
-    CHECK(system_error("network { name = 'a', interface = 'lo' }\nros { node = 'n' }") ==
-          "s.lua:2: ros: is in domain 0 as network is: 'interface' and 'peers' must be the same in both");
 }
 
 TEST_CASE("network and ros are written as they were read", "[lua][system_text][network]") {

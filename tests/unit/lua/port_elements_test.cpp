@@ -39,15 +39,6 @@ TEST_CASE("an element that is not there is told with its number, and of how many
     CHECK(fails("assert(select('#', table.unpack(d:read(), 1, 9)) == 9)").empty());
 }
 
-TEST_CASE("a script can't reach what the tables of its ports have in common", "[lua][port]") {
-    CHECK(failure_of("local d = input('d', 'TimedShortSeq')",
-                     "assert(getmetatable(d:read()) == nil)\n"
-                     "local mine = setmetatable(d:read(), { __index = function(_, i) return i < 4 and i or nil end })\n"
-                     "local count = 0 for _ in ipairs(mine) do count = count + 1 end assert(count == 3)\n"
-                     "assert(getmetatable(mine).__index and getmetatable(d:read()) == nil and d:read()[1] == nil)") ==
-          "");
-}
-
 TEST_CASE("what a port gave is plain data", "[lua][port]") {
     ScriptRig rig(
         "local d = input('d', 'TimedShortSeq') command('c', function() return d:read() end)\n"

@@ -58,22 +58,6 @@ TEST_CASE("a long file name is not shortened in an error's place", "[lua][call]"
     CHECK(compile("\nlocal x = = 1", name).error().message == "unexpected symbol near '='");
 }
 
-TEST_CASE("an error without a message is told all the same", "[lua][call]") {
-    Box box;
-    CHECK(box.run("error()") == "box.lua:1: an error of value nil");
-    CHECK(box.run("error(nil)") == "box.lua:1: an error of value nil");
-    CHECK(box.run("error({})") == "box.lua:1: an error of type table");
-    CHECK(box.run("error(print)") == "box.lua:1: an error of type function");
-    CHECK(box.run("error(true)") == "box.lua:1: an error of type boolean");
-    CHECK(box.run("error(42)") == "box.lua:1: 42");
-    CHECK(box.run("error('')") == "box.lua:1: ");
-    CHECK(box.run("error(setmetatable({}, { __tostring = function() return 'mine' end }))") == "box.lua:1: mine");
-    CHECK(box.run("error(setmetatable({}, { __tostring = function() error('again') end }))") == "box.lua:1: again");
-    CHECK(box.run("error(setmetatable({}, { __tostring = function() return {} end }))") ==
-          "box.lua:1: an error of type table");
-    CHECK(box.run("error(('x'):rep(1e7), 0)").size() < 3000);
-}
-
 TEST_CASE("a hint is added to what it concerns", "[lua][call]") {
     Box box;
     box.state->set_hint([](const Error& error) -> std::string {
@@ -82,14 +66,6 @@ TEST_CASE("a hint is added to what it concerns", "[lua][call]") {
     CHECK(box.run("local u local function f() return u.x end f()") ==
           "box.lua:1: attempt to index a nil value (upvalue 'u') (a hint)");
     CHECK(box.run("local l return l.x") == "box.lua:1: attempt to index a nil value (local 'l')");
-}
-
-TEST_CASE("deep recursion is an error", "[lua][call]") {
-    Box box;
-    CHECK(box.run("local function f() return 1 + f() end f()", Budget{2.0}) ==
-          "box.lua:1: stack overflow: the recursion is too deep for the script's limit of 64 MB");
-    CHECK(box.run("local function f(...) return 1 + f(1, 2, 3, 4, 5, 6, 7, 8, ...) end f()", Budget{2.0}) ==
-          "box.lua:1: stack overflow");
 }
 
 TEST_CASE("deep recursion through C is an error, however it is done", "[lua][call]") {

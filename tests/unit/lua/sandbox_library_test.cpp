@@ -139,68 +139,6 @@ TEST_CASE("no text shows an address", "[lua][library]") {
     CHECK(shown.find("0x") == std::string::npos);
 }
 
-TEST_CASE("format is Lua's own apart from addresses", "[lua][library]") {
-    Box box;
-    CHECK(box.run("return ('%5.2f|%-5d|%05d|%x|%g|%s|%q|%c|%i|%a|%%|%.3s'):format(3.14159, 42, 42, 255, 0.1, nil, "
-                  "'a\\n', 65, 7, 1, 'abcdef')") == " 3.14|42   |00042|ff|0.1|nil|\"a\\\n\"|A|7|0x1p+0|%|abc");
-    CHECK(box.run("return ('%d'):format('10'), ('%s'):format(1.0), ('%s %s'):format(true, 2)") == "10 1.0 true 2");
-    CHECK(box.run("return ('%d'):format(1.5)") ==
-          "box.lua:1: bad argument #1 to 'format' (number has no integer representation)");
-    CHECK(box.run("return ('%y'):format(1)") == "box.lua:1: invalid conversion '%y' to 'format'");
-    CHECK(box.run("return ('%s'):format()") == "box.lua:1: bad argument #1 to 'format' (no value)");
-    CHECK(box.run("return ('%'):format()").find("box.lua:1: ") == 0);
-    CHECK(box.run("return #('%s'):format(('x'):rep(1000))") == "1000");
-}
-
-TEST_CASE("the library's tables can't be changed", "[lua][library]") {
-    Box box;
-    const char* const text =
-        GENERATE(as<const char*>{}, "string.rep = nil", "math.pi = 3", "table.extra = 1", "rawset(string, 'rep', 1)",
-                 "setmetatable(math, {})", "setmetatable(math, nil)", "getmetatable('').__index = nil",
-                 "getmetatable('').__index.rep = nil", "getmetatable(math).__index.pi = 3",
-                 "getmetatable(string).__newindex = nil", "table.insert(math, 1)",
-                 "table.sort(setmetatable(math, nil))", "table.move({ 1 }, 1, 1, 1, math)", "setmetatable('', {})",
-                 "local f, s = pairs(math) s.pi = 3", "local f, s = pairs(math) rawset(s, 'pi', 3)",
-                 "for k in pairs(math) do math[k] = nil end", "('x').y = 1", "coroutine.wrap = nil", "utf8.x = 1");
-    CAPTURE(text);
-    CHECK(box.run(text).find("box.lua:1: ") == 0);
-    CHECK(box.run("return ('ab'):rep(2), string.rep('ab', 2), math.pi, rawget(math, 'pi'), table.extra, #table, "
-                  "getmetatable(''), "
-                  "getmetatable(math), rawlen(table)") ==
-          "abab abab 3.1415926535898 3.1415926535898 nil 0 false false 0");
-    CHECK(box.run("string.rep = nil") == "box.lua:1: can't set 'string.rep': 'string' is read-only");
-    CHECK(box.run("rawset(string, 'rep', nil)") == "box.lua:1: rawset: the table is read-only");
-}
-
-TEST_CASE("what calls a table is a function", "[lua][library]") {
-    Box box;
-    CHECK(box.run("return setmetatable({}, { __call = function(_, x) return x + 1 end })(1)") == "2");
-    CHECK(box.run("local k = {} setmetatable(k, { __call = k })") ==
-          "box.lua:1: setmetatable: '__call' expected a function, got table");
-    CHECK(box.run("setmetatable({}, { __call = 'x' })").find("'__call' expected a function, got string") !=
-          std::string::npos);
-}
-
-TEST_CASE("finalizers and weak tables are refused, and added later they do nothing", "[lua][library]") {
-    Box box;
-    CHECK(box.run("setmetatable({}, { __gc = function() end })") ==
-          "box.lua:1: setmetatable: '__gc' is refused: nothing could stop a finalizer that does not end");
-    CHECK(box.run("setmetatable({}, { __gc = false })").find("'__gc' is refused") != std::string::npos);
-    CHECK(box.run("setmetatable({}, { __mode = 'k' })") ==
-          "box.lua:1: setmetatable: '__mode' is refused: what a weak table holds would differ from run to run");
-    CHECK(box.run("ran = 'no'\nfor i = 1, 1000 do\n  local m = {}\n  local t = setmetatable({}, m)\n"
-                  "  m.__gc = function() ran = 'yes' while true do end end\nend") == "");
-    lua_settop(box.lua(), 0);
-    lua_gc(box.lua(), LUA_GCCOLLECT);
-    CHECK(box.run("return ran") == "no");
-    CHECK(box.run("local t = setmetatable({}, { __metatable = 'locked' }) return getmetatable(t), pcall(setmetatable, "
-                  "t, {})") == "locked false cannot change a protected metatable");
-    CHECK(box.run("return setmetatable({}, nil) ~= nil, pcall(setmetatable, {}, 1)") ==
-          "true false bad argument #2 to 'setmetatable' (nil or table expected, got number)");
-    CHECK(box.run("local mt = setmetatable({}, { __index = { __gc = 1 } }) return type(setmetatable({}, mt))") ==
-          "table");
-}
-
 TEST_CASE("counts beyond sense are refused at once", "[lua][library]") {
     Box box;
     const std::int64_t began = thread_time();
@@ -266,72 +204,6 @@ TEST_CASE("loops in C over a lying table end by their time", "[lua][watchdog]") 
               .find("ran for more than 0.1 s") != std::string::npos);
 }
 
-TEST_CASE("the functions of table do what Lua's do", "[lua][library]") {
-    Box box;
-    CHECK(box.run("local t = { 1, 2, 3 } table.insert(t, 4) table.insert(t, 1, 0) return table.concat(t, ',')") ==
-          "0,1,2,3,4");
-    CHECK(box.run("local t = { 1, 2, 3 } return table.remove(t), table.remove(t, 1), #t, table.remove({}), "
-                  "table.remove({}, 0)") == "3 1 1 nil nil");
-    CHECK(box.run("local t = { 1, 2, 3 } return table.remove(t, 4), pcall(table.remove, t, 6)") ==
-          "nil false bad argument #2 to 'table.remove' (position out of bounds)");
-    CHECK(box.run("return pcall(table.insert, { 1 }, 3, 1)") ==
-          "false bad argument #2 to 'table.insert' (position out of bounds)");
-    CHECK(box.run("return pcall(table.insert, { 1 })") == "false wrong number of arguments to 'insert'");
-    CHECK(box.run("return table.concat(table.move({ 1, 2, 3 }, 1, 3, 2), ','), table.concat(table.move({ 1, 2, 3 }, 2, "
-                  "3, 1), ','), "
-                  "table.concat(table.move({ 1, 2, 3 }, 1, 3, 1, {}), ',')") == "1,1,2,3 2,3,3 1,2,3");
-    CHECK(box.run("return table.concat({ 1, 2.5, 'x' }, '-', 2, 3), table.concat({}), table.concat({ 1 }, ',', 2)") ==
-          "2.5-x  ");
-    CHECK(box.run("return table.concat({ 1, {}, 3 })") ==
-          "box.lua:1: invalid value (at index 2) in table for 'concat'");
-    CHECK(box.run("return table.concat({ [math.maxinteger] = 'x' }, '', math.maxinteger, math.maxinteger)") == "x");
-    CHECK(box.run("return table.unpack({ 1, 2, 3 }, 2), table.unpack({ 1, 2 }, 1, 3)") == "2 1 2 nil");
-    CHECK(box.run("return table.pack(1, nil, 3).n") == "3");
-    CHECK(box.run("return table.insert('x', 1)") ==
-          "box.lua:1: bad argument #1 to 'insert' (table expected, got string)");
-    CHECK(box.run("local log = {} local t = setmetatable({}, { __index = function(_, k) return k * 10 end, __newindex "
-                  "= function(_, k, v) "
-                  "log[#log + 1] = k .. '=' .. v end, __len = function() return 2 end }) table.insert(t, 1, 5) return "
-                  "table.concat(log, ' ')") == "3=20 2=10 1=5");
-}
-
-TEST_CASE("sort is stable, and any comparison is safe", "[lua][library]") {
-    Box box;
-    CHECK(box.run("local t = {} for i = 1, 100 do t[i] = { i % 3, i } end table.sort(t, function(a, b) return a[1] < "
-                  "b[1] end) "
-                  "for i = 2, 100 do if t[i - 1][1] == t[i][1] and t[i - 1][2] > t[i][2] then return 'not stable' end "
-                  "if t[i - 1][1] > t[i][1] then return 'not sorted' end end return 'stable'") == "stable");
-    CHECK(box.run("local t = { 3, 1.5, -2, 2^53, 0 } table.sort(t) return table.concat(t, ' ')") ==
-          "-2 0 1.5 3 9.007199254741e+15");
-    CHECK(box.run("local t = { math.maxinteger, math.maxinteger - 1, 2^62, math.mininteger } table.sort(t) return t[3] "
-                  "- t[4], t[1] == math.mininteger") == "-1 true");
-    CHECK(box.run("local t = { 'b', 'a\\0c', 'a', 'B', '' } table.sort(t) return table.concat(t, '|')") ==
-          std::string("|B|a|a\0c|b", 10));
-    CHECK(box.run("local t = { 3, 'x' } table.sort(t)") == "box.lua:1: attempt to compare string with number");
-    CHECK(box.run("local t = { 2, nil, 1 } table.sort(t)").find("attempt to compare") != std::string::npos);
-    CHECK(box.run("local t = { 0/0, 1, 0/0, -1 } table.sort(t) return #t") == "4");
-    for (const char* less : {"return true", "return false", "return math.random() < 0.5", "return a ~= b"}) {
-        CHECK(box.run(std::string("local t = {} for i = 1, 1000 do t[i] = i end local calls = 0 table.sort(t, "
-                                  "function(a, b) calls = calls + 1 ") +
-                      less +
-                      " end) local sum = 0 for _, v in ipairs(t) do sum = sum + v end return #t, sum, calls < 11000") ==
-              "1000 500500 true");
-    }
-    CHECK(box.run("local t = { 3, 2, 1 } return pcall(table.sort, t, function() error('stop', 0) end), table.concat(t, "
-                  "' ')") == "false 3 2 1");
-    CHECK(box.run("local t = { 5, 4, 3, 2, 1 } table.sort(t, function(a, b) for i = 1, 10 do t[i] = nil end return a < "
-                  "b end) return table.concat(t, ' ')") == "1 2 3 4 5");
-    CHECK(box.run("local M = { __lt = function(a, b) return a.v < b.v end } local t = {} for i = 1, 5 do t[i] = "
-                  "setmetatable({ v = -i }, M) end "
-                  "table.sort(t) return t[1].v, t[5].v") == "-5 -1");
-    CHECK(box.run("table.sort({ 1, 2 }, 5)") == "box.lua:1: bad argument #2 to 'sort' (function expected, got number)");
-    CHECK(box.run("table.sort({ 1 }, 5) table.sort({}) return 'short ones are sorted'") == "short ones are sorted");
-    CHECK(box.run("local t = {} for i = 1, 200000 do t[i] = (i * 7919) % 200003 end table.sort(t) for i = 2, #t do if "
-                  "t[i - 1] > t[i] then return 'not sorted' end end "
-                  "return 'sorted'",
-                  Budget{2.0}) == "sorted");
-}
-
 TEST_CASE("random numbers follow the state's seed", "[lua][library]") {
     const char* const text =
         "return math.random(1000000), math.random(1000000), math.random() < 1, math.random(0) ~= 0";
@@ -369,32 +241,6 @@ TEST_CASE("the generator is xoshiro256**, seeded through splitmix64", "[lua][lib
     Random bounded(3);
     for (int i = 0; i < 1000; ++i) CHECK(bounded.next_up_to(5) <= 5);
     CHECK(bounded.next_up_to(0) == 0);
-}
-
-TEST_CASE("strings count as numbers where Lua lets them", "[lua][library]") {
-    Box box;
-    CHECK(box.run("return '10' + 1, '3' * '4', -'2', '7' // 2, '2' ^ 2, '7' % 4, '1' / 2, 10 - '1'") ==
-          "11 12 -2 3 4.0 3 0.5 9");
-    CHECK(box.run("return 'x' + 1") == "box.lua:1: attempt to add a 'string' with a 'number'");
-}
-
-TEST_CASE("pcall and xpcall do what Lua's do", "[lua][library]") {
-    Box box;
-    CHECK(box.run("return pcall(function(...) return select('#', ...), ... end, 1, nil, 3)") == "true 3 1 nil 3");
-    CHECK(box.run("return pcall(error)") == "false nil");
-    CHECK(box.run("return pcall(error, 'x', 0)") == "false x");
-    CHECK(box.run("return pcall()") == "box.lua:1: bad argument #1 to 'pcall' (value expected)");
-    CHECK(box.run("return pcall(1)") == "false attempt to call a number value");
-    CHECK(box.run("return xpcall(function(...) return ... end, print, 1, 2)") == "true 1 2");
-    CHECK(box.run("return xpcall(error, function(m) return '<' .. m .. '>' end, 'x', 0)") == "false <x>");
-    CHECK(box.run("return xpcall(error, function(m) return m, 2 end, 'x', 0)") == "false x");
-    CHECK(box.run("return xpcall(error)") ==
-          "box.lua:1: bad argument #2 to 'xpcall' (function expected, got no value)");
-    CHECK(box.run("return xpcall(error, function() error('again') end)").substr(0, 5) == "false");
-    CHECK(box.run("local c = coroutine.wrap(function() return pcall(function() return coroutine.yield(1) end) end) "
-                  "return c(), c(2)") == "1 true 2");
-    CHECK(box.run("local c = coroutine.wrap(function() return xpcall(function() coroutine.yield(1) error('x', 0) end, "
-                  "string.upper) end) return c(), c()") == "1 false X");
 }
 
 }  // namespace

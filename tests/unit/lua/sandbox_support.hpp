@@ -24,12 +24,18 @@ public:
 
     /// What the text returns, its values as text with blanks between, or "file:line: message".
     std::string run(std::string_view text, Budget budget = Budget{10.0}) {
+        const auto returned = try_run(text, budget);
+        return returned ? *returned : describe(returned.error());
+    }
+
+    /// The same, with its error.
+    Expected<std::string> try_run(std::string_view text, Budget budget = Budget{10.0}) {
         over_budget = false;
         lua_settop(lua(), 0);
         const auto chunk = compile(text, "box.lua");
-        if (!chunk) return describe(chunk.error());
-        if (const auto loaded = load_chunk(lua(), *chunk); !loaded) return describe(loaded.error());
-        return call(budget);
+        if (!chunk) return Unexpected(chunk.error());
+        if (const auto loaded = load_chunk(lua(), *chunk); !loaded) return Unexpected(loaded.error());
+        return try_call(budget);
     }
 
     /// The same within 0.1 s, for what does not end by itself.
@@ -37,10 +43,15 @@ public:
 
     /// Calls the function that lies alone on the stack.
     std::string call(Budget budget = Budget{10.0}) {
+        const auto returned = try_call(budget);
+        return returned ? *returned : describe(returned.error());
+    }
+
+    Expected<std::string> try_call(Budget budget) {
         const auto called = protected_call(lua(), 0, LUA_MULTRET, budget);
         if (!called) {
             over_budget = called.error().over_budget;
-            return describe(called.error());
+            return Unexpected(called.error());
         }
         std::string shown;
         for (int i = 1; i <= lua_gettop(lua()); ++i) {

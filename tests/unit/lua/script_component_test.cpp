@@ -9,22 +9,6 @@ namespace {
 
 using Text = std::string;
 
-// A list of what ran, kept by the script.
-const Text life = R"(
-local out = output("out", "TimedString")
-local ran = ""
-local function note(name) ran = ran .. name .. " " end
-function on_activated() note("activated") end
-function on_execute() note("execute") out:write(ran) if ran:find("fail") then error("failed") end end
-function on_deactivated() note("deactivated") end
-function on_aborting() note("aborting") out:write(ran) end
-function on_error() note("error") out:write(ran) end
-function on_reset() note("reset") end
-command("fail", function() note("fail") end)
-)";
-
-PlainData::Value number(std::int64_t value) { return value; }
-
 }  // namespace
 
 TEST_CASE("a file is a component type that is named after it", "[lua][component]") {
@@ -35,171 +19,11 @@ TEST_CASE("a file is a component type that is named after it", "[lua][component]
     CHECK(ScriptRig("param('x', 1)").component->version() == 1);
 }
 
-TEST_CASE("a component of a script goes through OpenRTM's states", "[lua][component]") {
-    ScriptRig rig(life);
-    auto& out = rig.out<Text>("out");
-    CHECK(rig.status() == "INACTIVE");
-    rig.tick();
-    CHECK(out.read() == "");  // nothing runs while INACTIVE
-    rig.activate().tick();
-    CHECK(out.read() == "activated execute ");
-    REQUIRE(rig.component->deactivate(rig.now));
-    rig.activate().tick();
-    CHECK(out.read() == "activated execute deactivated activated execute ");
-    REQUIRE(rig.component->call_command("fail", {}, rig.now));
-    rig.tick();
-    CHECK(rig.status() == "ERROR");
-    CHECK(out.read() == "activated execute deactivated activated execute fail execute aborting ");
-    rig.tick(2);
-    CHECK(out.read() == "activated execute deactivated activated execute fail execute aborting error error ");
-    REQUIRE(rig.component->reset(rig.now));
-    CHECK(rig.status() == "INACTIVE");
-}
-
-TEST_CASE("callbacks are optional", "[lua][component]") {
-    ScriptRig rig("input('in', 'TimedLong')");
-    rig.activate().tick(3);
-    CHECK(rig.status() == "ACTIVE");
-    REQUIRE(rig.component->deactivate(rig.now));
-    CHECK(rig.log.empty());
-}
-
-TEST_CASE("locals and state are kept from one activation to the next, unread values are not", "[lua][component]") {
-    ScriptRig rig(R"(
-local from = input("from", "TimedLong", "", { queue = 9 })
-local out = output("out", "TimedLongSeq")
-local runs = 0
-function on_execute()
-  runs = runs + 1
-  state.runs = (state.runs or 0) + 1
-  out:write { runs, state.runs, from.is_new and 1 or 0 }
-end)");
-    rig.activate();
-    rig.feed("from", std::int32_t{1});
-    rig.tick();
-    REQUIRE(rig.component->deactivate(rig.now));
-    rig.activate().tick();
-    CHECK(rig.out<std::vector<std::int32_t>>("out").read() == std::vector<std::int32_t>{2, 2, 0});
-}
-
-TEST_CASE("an error keeps locals, state and parameters, and empties the in-ports at the reset", "[lua][component]") {
-    ScriptRig rig(R"(
-local from = input("from", "TimedLong", "", { queue = 9 })
-local out = output("out", "TimedLongSeq")
-param("bad", true)
-local runs = 0
-function on_execute()
-  runs = runs + 1
-  state.runs = runs
-  if config.bad then error("bad") end
-  out:write { runs, state.runs, from.is_new and 1 or 0 }
-end)");
-    rig.activate().tick();
-    rig.feed("from", std::int32_t{1});
-    rig.tick();
-    REQUIRE(rig.component->parameters().set("bad", false));
-    REQUIRE(rig.component->reset(rig.now));
-    rig.activate().tick();
-    CHECK(rig.out<std::vector<std::int32_t>>("out").read() == std::vector<std::int32_t>{2, 2, 0});
-}
-
-TEST_CASE("now and dt are simulated time", "[lua][component]") {
-    ScriptRig rig(R"(
-local out = output("out", "TimedDoubleSeq")
-local at_load = dt
-function on_execute() out:write { now(), dt, at_load } end)");
-    rig.now = {50, 0.5};
-    rig.activate().tick();
-    CHECK(rig.out<std::vector<double>>("out").read() == std::vector<double>{0.5, 0.01, 0.01});
-    rig.now.tick += 9;
-    rig.now.seconds = 0.6;
-    rig.tick();
-    CHECK(rig.out<std::vector<double>>("out").read()[1] == Approx(0.1));
-}
-
-TEST_CASE("print is log.info, and log has four levels", "[lua][component]") {
-    ScriptRig rig(
-        "function on_execute() print('a', 1, nil) log.debug('d') log.info(1.5, true) log.warn('w') log.error('e') end");
-    rig.activate().tick();
-    CHECK(rig.log == std::vector<Text>{"info: a\t1\tnil", "debug: d", "info: 1.5\ttrue", "warn: w", "error: e"});
-    CHECK(failure_of("", "log.warning('x')") == "robot_controller.lua:3: log has no 'warning' (did you mean 'warn'?)");
-    CHECK(failure_of("", "log.wran('x')") == "robot_controller.lua:3: log has no 'wran' (did you mean 'warn'?)");
-    CHECK(failure_of("", "log.warn = print") == "robot_controller.lua:3: can't set 'log.warn': 'log' is read-only");
-}
-
-TEST_CASE("print and log show tables, ports and parameters as people read them", "[lua][component]") {
-    ScriptRig rig(
-        "local range = input('range', 'TimedShortSeq') param('gains', { 1.0, 0.5 })\n"
-        "function on_execute() print(range:read(), range, config.gains, config) log.warn({ x = 1 }, 'then', { 2 }) "
-        "end");
-    rig.activate().feed<std::vector<std::int16_t>>("range", {3, 1});
-    rig.tick();
-    CHECK(rig.log ==
-          std::vector<Text>{"info: { 3, 1 }\tinput 'range' (TimedShortSeq)\t{ 1.0, 0.5 }\t{ gains = { 1.0, 0.5 } }",
-                            "warn: { x = 1 }\tthen\t{ 2 }"});
-}
-
-TEST_CASE("what a file prints while it loads is not lost, at the start and in a reload", "[lua][component]") {
-    ScriptRig rig("param('x', 1) print('first')");
-    CHECK(rig.log == std::vector<Text>{"info: first"});
-    rig.log.clear();
-    std::vector<ScriptFile> required;
-    ScriptComponent::Loading loading = rig.component->next_loading();
-    loading.source = source("param('x', 1) print('loaded') log.warn('careful')");
-    auto loaded = ScriptComponent::load_beside(loading, required);
-    REQUIRE(loaded);
-    auto next = rig.component->prepare(loading, std::move(*loaded), rig.now, required);
-    REQUIRE(next);
-    REQUIRE(rig.component->adopt(*next, rig.now));
-    rig.component->commit(std::move(*next), 1);
-    CHECK(rig.log == std::vector<Text>{"info: loaded", "warn: careful"});
-}
-
 TEST_CASE("about tells of the file", "[lua][component]") {
     ScriptRig rig("about { version = '1.2', vendor = 'me', category = 'test' } param('x', 1)");
     CHECK(rig.component->script().about().version == "1.2");
     CHECK(rig.component->script().about().vendor == "me");
     CHECK(rig.component->script().about().category == "test");
-    CHECK(refusal("about { vresion = '1' }") ==
-          "robot_controller.lua:1: about: unknown option 'vresion' (did you mean 'version'?)");
-    CHECK(refusal("about { version = 1 }") ==
-          "robot_controller.lua:1: about: option 'version' expected a text, got number");
-    CHECK(refusal("about 'me'") == "robot_controller.lua:1: about expected a table, got string");
-    CHECK(refusal("about {} about {}") == "robot_controller.lua:1: about is given twice");
-}
-
-TEST_CASE("a command runs in the component's own state with copies of its arguments", "[lua][component][command]") {
-    ScriptRig rig(R"(
-local out = output("out", "TimedString")
-local total = 0
-command("add", function(n, list) total = total + n + #(list or {}) return total, { total = total } end, "adds")
-command("say", function(text) out:write(text) end)
-command("odd", function() return print end)
-command("bad", function() out:write("lost") error("no") end)
-function on_execute() end)");
-    const PlainData arguments{.values = {number(2), PlainData::TableRef{0}},
-                              .tables = {{{number(1), Text("a")}, {number(2), Text("b")}}}};
-    auto results = rig.component->call_command("add", arguments, rig.now);
-    REQUIRE(results);
-    CHECK(results->values == std::vector<PlainData::Value>{number(4), PlainData::TableRef{0}});
-    CHECK(results->tables == std::vector<PlainData::Table>{{{Text("total"), number(4)}}});
-    CHECK(rig.component->commands()[0].doc == "adds");
-
-    CHECK(describe(rig.component->call_command("say", {.values = {Text("hi")}, .tables = {}}, rig.now).error()) ==
-          "robot_controller.lua:5: output 'out': controller is INACTIVE and can't write: activate it first");
-    rig.activate();
-    REQUIRE(rig.component->call_command("say", {.values = {Text("hi")}, .tables = {}}, rig.now));
-    CHECK(describe(rig.component->call_command("bad", {}, rig.now).error()) == "robot_controller.lua:7: no");
-    rig.tick();
-    CHECK(rig.out<Text>("out").read() == "hi");
-    CHECK(rig.status() == "ACTIVE");  // a command that fails is no failed execution
-
-    CHECK(describe(rig.component->call_command("ad", {}, rig.now).error()) ==
-          "unknown command 'ad' (did you mean 'add'?)");
-    CHECK(describe(rig.component->call_command("odd", {}, rig.now).error()) ==
-          "robot_controller.lua:6: command 'odd': result 1 is a function, and only plain data can be returned");
-    CHECK(describe(rig.component->call_command("add", {}, rig.now).error()) ==
-          "robot_controller.lua:4: attempt to perform arithmetic on a nil value (local 'n')");
 }
 
 TEST_CASE("an endless command ends by its budget and the component goes on", "[lua][component][command][watchdog]") {
@@ -273,61 +97,7 @@ function on_execute() out:write(a.double(21)) assert(require "b".twice(2) == 4) 
     REQUIRE(rig.component->script().modules().size() == 3);
     CHECK(rig.component->script().modules()[1].path == "behaviors/b.lua");
 
-    CHECK(refusal("require 'c'", context) == "robot_controller.lua:1: require 'c': there is no module 'c'");
-    CHECK(refusal("\nrequire 'bad'", context).substr(0, 13) == "bad.lua:2: un");
-    CHECK(refusal("require 'slip'", context) == "slip.lua:2:25: unknown global 'xx' (did you mean 'x'?)");
-    CHECK(refusal("require 'hook'", context) ==
-          "hook.lua:1:10: 'on_execute' can't be used in a module: callbacks belong into the component's own file");
-    CHECK(refusal("require 'fails'", context) ==
-          "fails.lua:2: attempt to index a nil value (local 't') (called from robot_controller.lua:1)");
-    CHECK(refusal("require(3)", context) == "robot_controller.lua:1: require expected a module's name, got number");
-    CHECK(refusal("require 'cycle1'", context) ==
-          "cycle2.lua:1: require 'cycle1': the modules require each other: cycle1 requires cycle2 requires cycle1 "
-          "(called from robot_controller.lua:1)");
-    CHECK(refusal("pcall(require, 'fails') pcall(require, 'fails') param('x', 1)", context) == "");
-    for (const std::string name : {"fails", "bad", "c", "cycle1"}) {
-        CAPTURE(name);
-        const std::string after = " function on_execute() end";
-        CHECK(refusal("pcall(require, '" + name + "')" + after, context) == "");
-        CHECK(refusal("coroutine.resume(coroutine.create(require), '" + name + "')" + after, context) == "");
-    }
     CHECK(refusal("require 'a'") == "robot_controller.lua:1: require 'a': there are no modules here");
-    ScriptRig late("function on_execute() require 'a' end", context);
-    late.activate().tick();
-    CHECK(late.error() ==
-          "robot_controller.lua:1: require 'a': modules are loaded while the file loads; require it at its top");
-}
-
-TEST_CASE("an error in a module names the line of the behaviour that called it", "[lua][component][modules]") {
-    const ModuleFinder find = [&](std::string_view name, std::string_view) -> Expected<SourceText> {
-        if (name == "inner") return source("return { index = function(t)\n return t.x.y end }", "inner.lua");
-        return source(
-            "local inner = require 'inner'\nlocal M = {}\nfunction M.index(t)\n local y = inner.index(t)\n return y "
-            "end\n"
-            "function M.refuse(t)\n error('expected a table', 2) end\nfunction M.call(f)\n f() end\n"
-            "function M.deep(n)\n if n == 0 then error('the end') end M.deep(n - 1) return 1 end\n"
-            "function M.raise(value)\n error(value) end\nreturn M",
-            "outer.lua");
-    };
-    const auto error_of = [&](const Text& body) {
-        ScriptRig rig("local outer = require 'outer'\nlocal out = output('out', 'TimedLong')\nfunction on_execute()\n" +
-                          body + "\nend",
-                      {.find_module = find});
-        rig.activate().tick();
-        return rig.error();
-    };
-    CHECK(error_of("outer.index({})") ==
-          "inner.lua:2: attempt to index a nil value (field 'x') (called from robot_controller.lua:4)");
-    CHECK(error_of("local function f()\n outer.index({}) end\n f()") ==
-          "inner.lua:2: attempt to index a nil value (field 'x') (called from robot_controller.lua:5)");
-    // Whose mistake it is, its line is told alone.
-    CHECK(error_of("outer.refuse(1)") == "robot_controller.lua:4: expected a table");
-    CHECK(error_of("outer.call(function()\n error('mine') end)") == "robot_controller.lua:5: mine");
-    CHECK(error_of("outer.deep(5000)") == "outer.lua:11: the end (called from robot_controller.lua:4)");
-    CHECK(error_of("outer.raise(nil)") == "outer.lua:13: an error of value nil");
-    // A coroutine has a stack of its own; who resumed it is not on it.
-    CHECK(error_of("local co = coroutine.wrap(function()\n outer.index({}) end)\n co()")
-              .find("inner.lua:2: attempt to index a nil value (field 'x')") != Text::npos);
 }
 
 TEST_CASE("math.random follows the run's seed, the component's name and the version", "[lua][component]") {

@@ -28,9 +28,7 @@ struct ValueRig {
         if (auto ok = apply(values, *spec, project); !ok) return Unexpected(ok.error());
         return std::get<BehaviorEntry>(spec->entries.front());
     }
-    ParameterValue value(const std::string& text) const {
-        return with({.set = {"it.name=" + text}}).value().config.at("name");
-    }
+    Value value(const std::string& text) const { return with({.set = {"it.name=" + text}}).value().config.at("name"); }
 
     Scratch folder;
     std::filesystem::path file;
@@ -40,23 +38,23 @@ struct ValueRig {
 
 TEST_CASE("a value is what Lua would read, and any other word a text", "[lua][files]") {
     const ValueRig rig;
-    CHECK(rig.value("30") == ParameterValue{std::int64_t{30}});
-    CHECK(rig.value("-0.5") == ParameterValue{-0.5});
-    CHECK(rig.value("true") == ParameterValue{true});
-    CHECK(rig.value("fast") == ParameterValue{"fast"s});
-    CHECK(rig.value("\"5\"") == ParameterValue{"5"s});
-    CHECK(rig.value("a=b") == ParameterValue{"a=b"s});
-    CHECK(rig.value("{ 1.0, 0.5 }") == ParameterValue{std::vector<double>{1.0, 0.5}});
-    CHECK(rig.value("inf") == ParameterValue{"inf"s});
+    CHECK(rig.value("30") == Value{std::int64_t{30}});
+    CHECK(rig.value("-0.5") == Value{-0.5});
+    CHECK(rig.value("true") == Value{true});
+    CHECK(rig.value("fast") == Value{"fast"s});
+    CHECK(rig.value("\"5\"") == Value{"5"s});
+    CHECK(rig.value("a=b") == Value{"a=b"s});
+    CHECK(rig.value("{ 1.0, 0.5 }") == Value{std::vector<double>{1.0, 0.5}});
+    CHECK(rig.value("inf") == Value{"inf"s});
 }
 
 TEST_CASE("the last value counts, over the file's and over the set in use", "[lua][files]") {
     const ValueRig rig;
     const auto entry = rig.with({.set = {"it.speed=0.3", "it.speed=0.4"}});
     REQUIRE(entry);
-    CHECK(entry->config.at("speed") == ParameterValue{0.4});
-    CHECK(entry->sets.at("fast").at("speed") == ParameterValue{0.4});
-    CHECK(entry->sets.at("slow").at("speed") == ParameterValue{0.01});
+    CHECK(entry->config.at("speed") == Value{0.4});
+    CHECK(entry->sets.at("fast").at("speed") == Value{0.4});
+    CHECK(entry->sets.at("slow").at("speed") == Value{0.01});
     CHECK(entry->places.at("config.speed").file == "--set it.speed=0.4");
 }
 
@@ -100,8 +98,8 @@ TEST_CASE("a saved system's parameters and sets hold, and a value set by hand ov
                                   .string();
     const auto entry = rig.with({.file = saved, .set = {"it.name=c"}});
     REQUIRE(entry);
-    CHECK(entry->config.at("speed") == ParameterValue{0.6});
-    CHECK(entry->config.at("name") == ParameterValue{"c"s});
+    CHECK(entry->config.at("speed") == Value{0.6});
+    CHECK(entry->config.at("name") == Value{"c"s});
     CHECK(entry->set.empty());
     CHECK(entry->sets.empty());
 

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
+#include "engine/values/value_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/lua/system_reader.hpp"
 
@@ -67,15 +68,15 @@ TEST_CASE("a behaviour takes values of every type, sets and a rate", "[lua][syst
     CHECK(c.rate == 50);
     CHECK_FALSE(c.active);
     CHECK(c.path == "behaviors/robot_controller.lua");
-    CHECK(c.config.at("a") == ParameterValue{std::int64_t{1}});
-    CHECK(c.config.at("b") == ParameterValue{1.0});
-    CHECK(c.config.at("c") == ParameterValue{true});
-    CHECK(c.config.at("d") == ParameterValue{std::string("text")});
-    CHECK(c.config.at("e") == ParameterValue{std::vector<std::int64_t>{1, 2}});
-    CHECK(c.config.at("f") == ParameterValue{std::vector<double>{1, 2.5}});
-    CHECK(c.config.at("g") == ParameterValue{std::vector<std::string>{"x"}});
-    CHECK(c.config.at("h") == ParameterValue{std::vector<bool>{true, false}});
-    CHECK(to_text(c.config.at("i")) == "{}");
+    CHECK(c.config.at("a") == Value{std::int64_t{1}});
+    CHECK(c.config.at("b") == Value{1.0});
+    CHECK(c.config.at("c") == Value{true});
+    CHECK(c.config.at("d") == Value{std::string("text")});
+    CHECK(c.config.at("e") == Value{std::vector<std::int64_t>{1, 2}});
+    CHECK(c.config.at("f") == Value{std::vector<double>{1, 2.5}});
+    CHECK(c.config.at("g") == Value{std::vector<std::string>{"x"}});
+    CHECK(c.config.at("h") == Value{std::vector<bool>{true, false}});
+    CHECK(lua_text(c.config.at("i")) == "{}");
     CHECK(c.sets.at("careful") == ParameterValues{{"a", std::int64_t{2}}});
     CHECK(c.sets.at("fast") == ParameterValues{{"b", 3.5}});
     CHECK(c.set == "careful");
@@ -207,8 +208,8 @@ TEST_CASE("classrooms of robots are made by loops", "[lua][system_file]") {
         end)");
     CHECK(spec.entries.size() == 40);
     CHECK(spec.connections.size() == 20);
-    CHECK(entry<BehaviorEntry>(spec, 1).config.at("speed_x") == ParameterValue{0.01});
-    CHECK(entry<BehaviorEntry>(spec, 39).config.at("speed_x") == ParameterValue{0.2});
+    CHECK(entry<BehaviorEntry>(spec, 1).config.at("speed_x") == Value{0.01});
+    CHECK(entry<BehaviorEntry>(spec, 39).config.at("speed_x") == Value{0.2});
     CHECK(entry<BehaviorEntry>(spec, 39).place.line == 6);
 }
 
@@ -284,24 +285,6 @@ TEST_CASE("a line is painted from point to point", "[lua][system_file]") {
     CHECK(spec.arena.lines[1].place.line == 2);
 }
 
-TEST_CASE("a line needs points, and a floor to be painted on", "[lua][system_file]") {
-    const auto said = [](const std::string& line) {
-        return system_error("arena { size = { 2, 2 }, line { " + line + " } }");
-    };
-    CHECK(said("width = 0.1").find("line: field 'points' is missing: expected { { x, y }, ... } in m") !=
-          std::string::npos);
-    CHECK(said("points = { { 0, 0 } }").find("line: field 'points' expected two points or more, got 1") !=
-          std::string::npos);
-    CHECK(said("points = { { 0, 0 }, { 1 } }").find("line: field 'points[2]' expected { x, y }, two numbers in m") !=
-          std::string::npos);
-    CHECK(said("points = { { 0, 0 }, { 0, 1 } }, width = 0").find("'width' expected a positive number, got 0") !=
-          std::string::npos);
-    CHECK(said("points = { { 0, 0 }, { 0, 1.1 } }") ==
-          "s.lua:1: line: the point { 0, 1.1 } lies outside of the arena, 2 x 2 m");
-    CHECK(system_error("arena { line { points = { { 0, 0 }, { 0, 1 } } } }") ==
-          "s.lua:1: line: there is nothing that it could be painted on: give the arena a size or a floor");
-}
-
 TEST_CASE("what a map of ROS has occupied stands in the arena", "[lua][system_file]") {
     const Scratch scratch;
     scratch.write("behaviors/rooms/map.yaml", "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
@@ -321,6 +304,13 @@ TEST_CASE("what a map of ROS has occupied stands in the arena", "[lua][system_fi
           "arena: unknown field 'map': write map \"map.yaml\", without =");
     scratch.write("behaviors/rooms/map.yaml", "image: gone.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
     CHECK(read("arena { map 'rooms/map.yaml' }").error().message.find("gone.pgm") != std::string::npos);
+    CHECK(read("arena { map 'rooms/map.yaml' }").error().place ==
+          Place{scratch.path("behaviors/rooms/map.yaml").string(), 1});
+    scratch.write("behaviors/rooms/map.yaml", "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
+    const auto high = read("arena { map { 'rooms/map.yaml', height = 0.4 } }");
+    REQUIRE(high.has_value());
+    CHECK(high->arena.boxes.at(0).size.z == 0.4);
+    CHECK(high->arena.boxes.at(0).at.z == 0.2);
 }
 
 TEST_CASE("the bounds of a box hold for those of maps as well", "[lua][system_file]") {

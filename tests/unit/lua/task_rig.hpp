@@ -26,7 +26,7 @@ struct TaskRig : ScriptRig {
         arguments.values.emplace_back(name);
         auto results = component->call_command(command, arguments, now);
         if (!results) return describe(results.error());
-        return results->values.empty() ? "" : std::get<bool>(results->values.front()) ? "true" : "false";
+        return results->values.empty() ? "" : results->values.front().get<bool>() ? "true" : "false";
     }
     // A field of a task as seen from outside; "nil" when it is not there.
     Text seen(const Text& task, const Text& field) {

@@ -28,8 +28,8 @@ TEST_CASE("a connection waits for its RTC, and is made again when that was kille
     CHECK(gets(rig, *out, seven));
     rig.told = "\n";
     out->kill();
-    CHECK(
-        rig.tells("not connected: rtm:Out0.out to relay.in: what the name service has is stale: the RTC is not there"));
+    CHECK(rig.tells(
+        "not connected: rtm:Out0.out to relay.in: its entry in the name service is stale: the RTC is not there"));
     out = rig.rtc("Out0", "out", "TimedLong", "out");
     REQUIRE(rig.hears(*out, "joined ") == "joined Out0.out_relay.in");
     CHECK(gets(rig, *out, seven + 1));
@@ -45,7 +45,7 @@ TEST_CASE("a connection to an RTC carries what a port publishes", "[openrtm][awa
     CHECK(payload_of(rig.hears(*in, "got "), type_index<std::int32_t>(), std::endian::little) == Value(seven));
 }
 
-TEST_CASE("an RTC whose port does not fit is told, and not connected", "[openrtm][away][wallclock]") {
+TEST_CASE("an RTC whose port does not fit is reported and not connected", "[openrtm][away][wallclock]") {
     WireRig rig("TimedLong",
                 "connect(\"rtm:Other0.out\", \"relay.in\")\nconnect(\"rtm:In0.in\", \"relay.in\")\n"
                 "connect(\"rtm:In0.inn\", \"relay.in\")");
@@ -56,7 +56,7 @@ TEST_CASE("an RTC whose port does not fit is told, and not connected", "[openrtm
     CHECK(rig.tells("not connected: rtm:In0.inn to relay.in: the RTC has no port 'inn'"));
 }
 
-TEST_CASE("a name service that comes back is told of the RTCs again, and connections live meanwhile",
+TEST_CASE("RTCs are registered again when the name service is back, and connections live meanwhile",
           "[openrtm][away][wallclock]") {
     WireRig rig("TimedLong", "connect(\"rtm:Out0.out\", \"relay.in\")");
     const auto out = rig.rtc("Out0", "out", "TimedLong", "out");
@@ -75,7 +75,7 @@ TEST_CASE("a name service that comes back is told of the RTCs again, and connect
     }));
 }
 
-TEST_CASE("an RTC that hangs costs no tick, and the others nothing", "[openrtm][away][wallclock]") {
+TEST_CASE("an RTC that hangs delays no tick and no other RTC", "[openrtm][away][wallclock]") {
     WireRig rig;
     const auto hangs = rig.rtc("In0", "in", "TimedLong", "in");
     const auto works = rig.rtc("In1", "in", "TimedLong", "in");
@@ -114,7 +114,7 @@ TEST_CASE("a robot whose driver is killed stops", "[openrtm][away][wallclock]") 
     CHECK(rig.until([&] { return mouse.guard().current() == Velocity2D{}; }));
 }
 
-TEST_CASE("a second system on a computer is another instance, and one that has gone frees its name",
+TEST_CASE("a second system on a computer is another instance, and an ended one frees its name",
           "[openrtm][away][wallclock]") {
     WireRig rig;
     REQUIRE(rig.tells("relay is "));

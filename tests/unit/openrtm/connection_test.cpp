@@ -66,7 +66,7 @@ bool soon(const std::function<bool()>& condition) {
 
 }  // namespace
 
-TEST_CASE("nothing of a connection comes after its end", "[openrtm][connection][wallclock]") {
+TEST_CASE("no message of a connection arrives after its end", "[openrtm][connection][wallclock]") {
     const Names names;
     SlowSite site;
     const auto orb = open_orb({.nameserver = names.address()}, site);

@@ -124,7 +124,7 @@ std::size_t own_files() {
 
 }  // namespace
 
-TEST_CASE("connections that say nothing are few, and short", "[openrtm][gate][wallclock]") {
+TEST_CASE("silent connections are limited in number and time", "[openrtm][gate][wallclock]") {
     WireRig rig;
     REQUIRE(rig.tells("relay is "));
     const std::size_t before = own_files();
@@ -140,7 +140,7 @@ TEST_CASE("connections that say nothing are few, and short", "[openrtm][gate][wa
     CHECK(rig.answer(*out, "send " + hex_of(std::int32_t{8}, std::endian::little), "sent ") == "sent 0");
 }
 
-TEST_CASE("an RTC connects while others open connections without end", "[openrtm][gate][wallclock]") {
+TEST_CASE("an RTC can connect while others open endless connections", "[openrtm][gate][wallclock]") {
     WireRig rig;
     REQUIRE(rig.tells("relay is "));
     std::size_t most = 0;
@@ -162,7 +162,7 @@ TEST_CASE("an RTC connects while others open connections without end", "[openrtm
     CHECK(most < 400);
 }
 
-TEST_CASE("a message that is begun and not ended ends its connection", "[openrtm][gate][wallclock]") {
+TEST_CASE("an incomplete message closes its connection", "[openrtm][gate][wallclock]") {
     WireRig rig;
     REQUIRE(rig.tells("relay is "));
     // A request of GIOP 1.2 that is said to have 100 bytes more.
@@ -172,7 +172,7 @@ TEST_CASE("a message that is begun and not ended ends its connection", "[openrtm
     CHECK(rig.until([&] { return opener.open() == 0; }, 30));
 }
 
-TEST_CASE("a connection that is used stays while others come", "[openrtm][gate][wallclock]") {
+TEST_CASE("a used connection stays open while others come", "[openrtm][gate][wallclock]") {
     WireRig rig;
     const auto out = rig.rtc("Out0", "out", "TimedLong", "out");
     REQUIRE(rig.answer(*out, "connect relay0 in", "connected ") == "connected 0");

@@ -72,7 +72,7 @@ TEST_CASE("a malformed message is refused and counted", "[openrtm][inbox]") {
     CHECK(rig.problem == "expected finite numbers");
 }
 
-TEST_CASE("of a port that does not read, the latest messages wait, and the oldest are dropped", "[openrtm][inbox]") {
+TEST_CASE("messages of a port that is not read wait, and the oldest are dropped", "[openrtm][inbox]") {
     InboxRig rig(type_index<std::int32_t>());
     const int sent = static_cast<int>(Inbox::most_waiting) + 10;
     for (int i = 0; i < sent; ++i) CHECK(rig.put(bytes_of(std::int32_t{i})) == PutAnswer::taken);
@@ -83,7 +83,7 @@ TEST_CASE("of a port that does not read, the latest messages wait, and the oldes
     CHECK(rig.inbox.dropped() == 10);
 }
 
-TEST_CASE("pictures that wait are no more than some bytes", "[openrtm][inbox]") {
+TEST_CASE("the size of waiting pictures is limited", "[openrtm][inbox]") {
     InboxRig rig(type_index<CameraImage>());
     const CameraImage picture{.width = 1000, .height = 1000, .bpp = 24, .format = "rgb8", .pixels = Octets(3'000'000)};
     const auto bytes = bytes_of(picture);
@@ -93,7 +93,7 @@ TEST_CASE("pictures that wait are no more than some bytes", "[openrtm][inbox]") 
     CHECK(rig.inbox.dropped() == 20 - arrivals.size());
 }
 
-TEST_CASE("names of connections count among the bytes that wait", "[openrtm][inbox]") {
+TEST_CASE("names of connections count as waiting bytes", "[openrtm][inbox]") {
     InboxRig rig(type_index<std::int32_t>());
     const std::string name(Inbox::most_bytes / 4, 'x');
     for (int i = 0; i < 8; ++i)
@@ -102,7 +102,7 @@ TEST_CASE("names of connections count among the bytes that wait", "[openrtm][inb
     CHECK(rig.inbox.take().size() == 3);
 }
 
-TEST_CASE("what is not open takes nothing, and loses what waited", "[openrtm][inbox]") {
+TEST_CASE("a port that is not open accepts nothing and loses waiting messages", "[openrtm][inbox]") {
     InboxRig rig(type_index<bool>());
     CHECK(rig.inbox.put("c.other", "peer", bytes_of(true), std::endian::little, rig.problem) == PutAnswer::unknown);
     CHECK(rig.put(bytes_of(true)) == PutAnswer::taken);
@@ -113,7 +113,7 @@ TEST_CASE("what is not open takes nothing, and loses what waited", "[openrtm][in
     CHECK(rig.inbox.take().empty());
 }
 
-TEST_CASE("who commanded a velocity and is gone leaves a zero behind", "[openrtm][inbox]") {
+TEST_CASE("a sender of velocities that disconnects leaves a zero", "[openrtm][inbox]") {
     InboxRig velocity(type_index<Velocity2D>());
     CHECK(velocity.put(bytes_of(Velocity2D{.vx = 0.2})) == PutAnswer::taken);
     velocity.inbox.put_zero("c.in", "peer");
@@ -125,7 +125,7 @@ TEST_CASE("who commanded a velocity and is gone leaves a zero behind", "[openrtm
     CHECK(other.inbox.take().empty());
 }
 
-TEST_CASE("of velocities that wait the latest moves the robot, unless it has grown old", "[openrtm][inbox]") {
+TEST_CASE("of waiting velocities the latest moves the robot, unless it is old", "[openrtm][inbox]") {
     InboxRig rig(type_index<Velocity2D>());
     const auto put_two = [&] {
         for (const double speed : {0.1, 0.2}) CHECK(rig.put(bytes_of(Velocity2D{.vx = speed})) == PutAnswer::taken);
@@ -161,7 +161,7 @@ TEST_CASE("a request gets its answer from the thread that ticks", "[openrtm][inb
     CHECK(answer == RtcAnswer::refused);
 }
 
-TEST_CASE("a request whose time is over is not done any more", "[openrtm][inbox]") {
+TEST_CASE("a request whose time is over is not executed", "[openrtm][inbox]") {
     Inbox inbox;
     CHECK(inbox.ask({.component = "c"}, 1ms) == RtcAnswer::busy);
     bool done = false;

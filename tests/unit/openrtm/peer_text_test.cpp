@@ -33,31 +33,31 @@ TEST_CASE("an RTC is shown with state, ports and the set in use", "[openrtm][pee
           "  other sets: default");
 }
 
-TEST_CASE("RTCs that are gone or hang are told as such", "[openrtm][peers]") {
+TEST_CASE("RTCs that are gone or hang are listed as such", "[openrtm][peers]") {
     const auto snapshot = [](const std::string& name, PeerSnapshot::State state) {
         return PeerSnapshot{.name = name, .state = state};
     };
     CHECK(told({}, {.peers = {snapshot("a", PeerSnapshot::State::gone), snapshot("b", PeerSnapshot::State::silent),
                               snapshot("c", PeerSnapshot::State::unasked)}}) ==
-          "rtm:a  is not there: a program that has crashed left its name\n"
+          "rtm:a  is gone: its program has crashed and left its name\n"
           "rtm:b  does not answer\n"
           "rtm:c  was not asked: too many others do not answer");
     CHECK(told({}, {}) == "the name service has no RTCs");
 }
 
-TEST_CASE("what was done is told by the state that follows", "[openrtm][peers]") {
+TEST_CASE("a request's result is shown by the new state", "[openrtm][peers]") {
     CHECK(told({.name = "Out0", .request = RtcRequest{}}, {.peers = {out0()}}) ==
           "rtm:pc.host_cxt/Out0  ConsoleOut, ACTIVE, set fast");
 }
 
-TEST_CASE("what could not be done names the nearest", "[openrtm][peers]") {
+TEST_CASE("an unknown name is refused with the most similar one", "[openrtm][peers]") {
     CHECK(
         told({.name = "Out"},
              {.problem = "there is no RTC 'Out' in the name service", .missing = "Out", .known = {"Out0", "Mouse0"}}) ==
         "! there is no RTC 'Out' in the name service (did you mean 'Out0'?)");
 }
 
-TEST_CASE("names that somebody else chose can't look like lines of ours", "[openrtm][peers]") {
+TEST_CASE("names chosen by others can't look like lines of ours", "[openrtm][peers]") {
     PeerSnapshot snapshot = out0();
     snapshot.name = "a\nrtm:b  ACTIVE\x1b[2J";
     snapshot.ports.clear();

@@ -45,7 +45,7 @@ TEST_CASE("a console lists the RTCs of the name service, those that are gone and
     const std::string begin = "rtm:" + host() + ".host_cxt/";
     CHECK(text.find(begin + "Works0  Fake, INACTIVE\n  out out  TimedLong  not connected") != std::string::npos);
     CHECK(text.find(begin + "Hangs0  does not answer") != std::string::npos);
-    CHECK(text.find(begin + "Killed0  is not there: a program that has crashed left its name") != std::string::npos);
+    CHECK(text.find(begin + "Killed0  is gone: its program has crashed and left its name") != std::string::npos);
     CHECK(text.find(begin + "relay0  Relay, ACTIVE\n  in  in   TimedLong  not connected\n") != std::string::npos);
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("a console activates, deactivates and resets an RTC", "[openrtm][peers
           "! there is no RTC 'Pear0' in the name service (did you mean 'Peer0'?)");
 }
 
-TEST_CASE("a console reads and sets what an RTC is configured by", "[openrtm][peers][wallclock]") {
+TEST_CASE("a console reads and sets the configuration of an RTC", "[openrtm][peers][wallclock]") {
     WireRig rig;
     const auto peer = rig.rtc("Peer0", "out", "TimedLong", "out");
     const std::string begin = "rtm:" + host() + ".host_cxt/Peer0  Fake, ";
@@ -86,7 +86,7 @@ TEST_CASE("a console reads and sets what an RTC is configured by", "[openrtm][pe
     CHECK(done(rig, "Peer0", {.what = What::set, .values = {{"speed", "-1"}}}) == fault + "it refuses these values");
 }
 
-TEST_CASE("a console is told of an RTC that hangs or is gone, and of a name service that is away",
+TEST_CASE("a console shows that an RTC hangs or is gone, or that the name service is away",
           "[openrtm][peers][wallclock]") {
     WireRig rig;
     const auto hangs = rig.rtc("Hangs0", "out", "TimedLong", "out");
@@ -95,12 +95,12 @@ TEST_CASE("a console is told of an RTC that hangs or is gone, and of a name serv
     killed->kill();
     CHECK(done(rig, "Hangs0", {.what = What::activate}) == "! 'Hangs0' does not answer");
     CHECK(done(rig, "Killed0", {.what = What::activate}) ==
-          "! 'Killed0' is not there: what the name service has is stale");
+          "! 'Killed0' is not there: its entry in the name service is stale");
     static_cast<Names&>(rig).kill();
     CHECK(asked(rig, {}) == "! no name service answers at " + rig.address() + ": start one, as omniNames");
 }
 
-TEST_CASE("questions that wait at the end of a run are answered", "[openrtm][peers][wallclock]") {
+TEST_CASE("waiting questions are answered at the end of a run", "[openrtm][peers][wallclock]") {
     WireRig rig;
     const auto hangs = rig.rtc("Hangs0", "out", "TimedLong", "out");
     hangs->halt();
@@ -114,7 +114,7 @@ TEST_CASE("questions that wait at the end of a run are answered", "[openrtm][pee
     CHECK(answer.error().message == "the run ends");
 }
 
-TEST_CASE("a connection that an RTC ends and lives on is not made again", "[openrtm][peers][wallclock]") {
+TEST_CASE("a connection ended by a living RTC is not made again", "[openrtm][peers][wallclock]") {
     WireRig rig("TimedLong", "connect(\"rtm:Out0.out\", \"relay.in\")");
     const auto out = rig.rtc("Out0", "out", "TimedLong", "out");
     REQUIRE(rig.hears(*out, "joined ") == "joined Out0.out_relay.in");
@@ -133,7 +133,7 @@ TEST_CASE("a connection that an RTC ends and lives on is not made again", "[open
     CHECK(rig.hears(*out, "left ") == "left Out0.out_relay.in");
 }
 
-TEST_CASE("a name that two computers have is asked back", "[openrtm][peers][wallclock]") {
+TEST_CASE("an ambiguous name of two computers is refused with both", "[openrtm][peers][wallclock]") {
     WireRig rig;
     const auto first = std::make_unique<Peer>(
         std::vector<std::string>{fake_rtc(), rig.address(), "a.host_cxt/Twin0", "out", "TimedLong", "out"});

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "bindings/openrtm/rtc_profiles.hpp"
+#include "engine/values/value_text.hpp"
 #include "tests/unit/live_rig.hpp"
 
 using namespace nezumi;
@@ -108,7 +109,7 @@ TEST_CASE("named sets are configuration sets, and the one in use has the present
     CHECK(set_of(snapshot, "default")[0].second == "0.25");
 }
 
-TEST_CASE("a component says what its file says of it", "[openrtm][profiles]") {
+TEST_CASE("a component has the description of its file", "[openrtm][profiles]") {
     const LiveRig rig(
         "behavior \"c\" { script = \"all\" }\nrobot \"mouse\" { model = \"raspimouse\" }",
         {{"all",
@@ -121,7 +122,7 @@ TEST_CASE("a component says what its file says of it", "[openrtm][profiles]") {
     CHECK(look_at(*rig.live->system().find("mouse")).description.empty());
 }
 
-TEST_CASE("a state is that of the life cycle", "[openrtm][profiles]") {
+TEST_CASE("a state of an RTC is that of the life cycle", "[openrtm][profiles]") {
     LiveRig rig("behavior \"c\" { script = \"all\" }", {{"all", all_kinds + "function on_execute() error('x') end"}});
     REQUIRE(rig.live->act(Deactivate{"c"}, {Actor::Kind::console}));
     CHECK(look_at(*rig.live->system().find("c")).state == RtcState::inactive);
@@ -130,26 +131,26 @@ TEST_CASE("a state is that of the life cycle", "[openrtm][profiles]") {
     CHECK(look_at(*rig.live->system().find("c")).state == RtcState::error);
 }
 
-TEST_CASE("a value of every type is the text that stands for it", "[openrtm][profiles]") {
-    const std::vector<ParameterValue> values{true,
-                                             std::int64_t{-30},
-                                             0.1,
-                                             std::string("a, b"),
-                                             std::vector<bool>{true, false},
-                                             std::vector<std::int64_t>{1, -2},
-                                             std::vector<double>{0.5, 1e-9},
-                                             std::vector<std::string>{"a", "b c"}};
-    for (const ParameterValue& value : values) {
-        CAPTURE(to_text(value));
+TEST_CASE("values of every type are converted to text and back", "[openrtm][profiles]") {
+    const std::vector<Value> values{true,
+                                    std::int64_t{-30},
+                                    0.1,
+                                    std::string("a, b"),
+                                    std::vector<bool>{true, false},
+                                    std::vector<std::int64_t>{1, -2},
+                                    std::vector<double>{0.5, 1e-9},
+                                    std::vector<std::string>{"a", "b c"}};
+    for (const Value& value : values) {
+        CAPTURE(lua_text(value));
         CHECK(from_rtc_text(to_rtc_text(value), value) == value);
     }
-    CHECK(from_rtc_text(" 0.5 ", 1.0) == ParameterValue(0.5));
-    CHECK(from_rtc_text("1", false) == ParameterValue(true));
-    CHECK(from_rtc_text("1, 2", std::vector<double>{}) == ParameterValue(std::vector<double>{1, 2}));
-    CHECK(from_rtc_text("", std::vector<double>{1}) == ParameterValue(std::vector<double>{}));
+    CHECK(from_rtc_text(" 0.5 ", 1.0) == Value(0.5));
+    CHECK(from_rtc_text("1", false) == Value(true));
+    CHECK(from_rtc_text("1, 2", std::vector<double>{}) == Value(std::vector<double>{1, 2}));
+    CHECK(from_rtc_text("", std::vector<double>{1}) == Value(std::vector<double>{}));
 }
 
-TEST_CASE("a text that stands for no value of the type is none", "[openrtm][profiles]") {
+TEST_CASE("a text that is not a value of the type is refused", "[openrtm][profiles]") {
     CHECK_FALSE(from_rtc_text("fast", 1.0));
     CHECK_FALSE(from_rtc_text("0.5x", 1.0));
     CHECK_FALSE(from_rtc_text("", 1.0));
@@ -159,7 +160,7 @@ TEST_CASE("a text that stands for no value of the type is none", "[openrtm][prof
     CHECK_FALSE(from_rtc_text("1,,2", std::vector<double>{}));
 }
 
-TEST_CASE("a connection to an RTC needs a port of ours that fits", "[openrtm][profiles]") {
+TEST_CASE("a connection to an RTC needs a fitting port of ours", "[openrtm][profiles]") {
     const std::string exported = "rtm { export = \"c\" }\n";
     CHECK(error_of(exported + "connect(\"rtm:Out0.out\", \"c.in\") connect(\"c.out\", \"rtm:In0.in\")") == "no error");
     CHECK(error_of(exported + "connect(\"rtm:Out0.out\", \"c.out\")") == "connect: c.out is an out-port");
@@ -170,7 +171,7 @@ TEST_CASE("a connection to an RTC needs a port of ours that fits", "[openrtm][pr
           std::string::npos);
 }
 
-TEST_CASE("another name is that of a port that is exported, and of one alone", "[openrtm][profiles]") {
+TEST_CASE("a new name must belong to an exported port and be unique", "[openrtm][profiles]") {
     CHECK(error_of("rtm { export = \"c\", rename = { [\"c.inn\"] = \"x\" } }") ==
           "rtm: field 'rename' names no port that is exported: there is none 'c.inn' (did you mean 'c.in'?)");
     CHECK(error_of("rtm { export = \"c\", rename = { [\"c.in\"] = \"out\" } }") ==

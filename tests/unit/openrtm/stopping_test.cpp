@@ -71,7 +71,7 @@ struct Driven {
 
 }  // namespace
 
-TEST_CASE("an RTC that is fetched from and stops executing stops the robot", "[openrtm][stopping][wallclock]") {
+TEST_CASE("a robot stops when the RTC that it fetches from stops executing", "[openrtm][stopping][wallclock]") {
     WireRig rig;
     SECTION("it stamps, and reads back") {
         const auto out = driver(rig, "dataflow_type=pull");
@@ -101,7 +101,7 @@ TEST_CASE("an RTC that is fetched from and stops executing stops the robot", "[o
     }
 }
 
-TEST_CASE("an RTC that fetches nothing else is asked to say when it has nothing", "[openrtm][stopping][wallclock]") {
+TEST_CASE("an RTC is asked to report an empty buffer", "[openrtm][stopping][wallclock]") {
     // Its choice stays where it was made.
     const auto [said, is_silent] =
         GENERATE(table<std::string, bool>({{"", true}, {" outport.buffer.read.empty_policy=readback", false}}));
@@ -113,7 +113,7 @@ TEST_CASE("an RTC that fetches nothing else is asked to say when it has nothing"
     CHECK(keeps_driving(rig) == is_silent);
 }
 
-TEST_CASE("an RTC whose publisher repeats the last velocity by the clock stops the robot",
+TEST_CASE("a robot stops when an RTC's periodic publisher repeats the last velocity",
           "[openrtm][stopping][wallclock]") {
     WireRig rig;
     const auto out = driver(rig, "subscription_type=periodic push_rate=100");
@@ -124,7 +124,7 @@ TEST_CASE("an RTC whose publisher repeats the last velocity by the clock stops t
     CHECK(stands(rig));
 }
 
-TEST_CASE("a velocity without a stamp that is pushed again and again drives on", "[openrtm][stopping][wallclock]") {
+TEST_CASE("a velocity without a stamp that is pushed repeatedly drives on", "[openrtm][stopping][wallclock]") {
     WireRig rig;
     const auto out = driver(rig, "subscription_type=new");
     out->say("execute 100 " + unstamped_forward);
@@ -132,7 +132,7 @@ TEST_CASE("a velocity without a stamp that is pushed again and again drives on",
     CHECK(keeps_driving(rig));
 }
 
-TEST_CASE("a value that is read again is not another message", "[openrtm][stopping][wallclock]") {
+TEST_CASE("a value that is read again is not a new message", "[openrtm][stopping][wallclock]") {
     WireRig rig;
     const auto out = rig.rtc("Out0", "out", "TimedLong", "out");
     out->say("readback");
@@ -143,7 +143,7 @@ TEST_CASE("a value that is read again is not another message", "[openrtm][stoppi
     CHECK_FALSE(rig.until([&] { return in.count() > 1; }, 0.5));
 }
 
-TEST_CASE("a robot that is an RTC reads zero before its connection ends", "[openrtm][stopping][wallclock]") {
+TEST_CASE("an RTC robot reads zero before its connection ends", "[openrtm][stopping][wallclock]") {
     const std::string terms = GENERATE("dataflow_type=push", "dataflow_type=pull", "subscription_type=new",
                                        "subscription_type=periodic push_rate=20");
     const auto [how, end] = GENERATE(table<std::string, std::function<void(Driven&)>>({
@@ -162,7 +162,7 @@ TEST_CASE("a robot that is an RTC reads zero before its connection ends", "[open
     CHECK(last_read_is_zero(*each.robot));
 }
 
-TEST_CASE("a robot that is an RTC reads zero when the console ends its connection", "[openrtm][stopping][wallclock]") {
+TEST_CASE("an RTC robot reads zero when the console ends its connection", "[openrtm][stopping][wallclock]") {
     WireRig rig("TimedVelocity2D", "connect(\"relay.out\", \"rtm:Robot0.in\")");
     const auto robot = rig.rtc("Robot0", "in", "TimedVelocity2D", "in");
     REQUIRE(rig.hears(*robot, "joined ") != "");
@@ -179,7 +179,8 @@ TEST_CASE("a robot that is an RTC reads zero when the console ends its connectio
     CHECK(last_read_is_zero(*robot));
 }
 
-TEST_CASE("an end does not wait long for a robot that reads nothing, or hangs", "[openrtm][stopping][wallclock]") {
+TEST_CASE("the end of a connection does not wait long for a robot that does not read, or hangs",
+          "[openrtm][stopping][wallclock]") {
     const auto [how, fail] = GENERATE(table<std::string, std::function<void(Driven&)>>({
         {"it does not execute", [](Driven& each) { each.robot->say("stall"); }},
         {"it hangs", [](Driven& each) { each.robot->halt(); }},
@@ -194,7 +195,7 @@ TEST_CASE("an end does not wait long for a robot that reads nothing, or hangs", 
     CHECK(std::chrono::steady_clock::now() - begin < 6s);
 }
 
-TEST_CASE("a robot that is an RTC reads zero when its port falls silent", "[openrtm][stopping][wallclock]") {
+TEST_CASE("an RTC robot reads zero when its port becomes silent", "[openrtm][stopping][wallclock]") {
     const std::string terms =
         GENERATE("dataflow_type=push", "dataflow_type=pull", "subscription_type=periodic push_rate=20");
     CAPTURE(terms);

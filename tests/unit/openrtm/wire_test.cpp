@@ -24,7 +24,7 @@ Value received(WireRig& rig, Peer& peer, const Value& value, std::endian order) 
 
 }  // namespace
 
-TEST_CASE("every type goes to an RTC and comes from one, in both byte orders, pushed", "[openrtm][wire][wallclock]") {
+TEST_CASE("every type is pushed to an RTC and from one, in both byte orders", "[openrtm][wire][wallclock]") {
     for (const Value& sample : samples()) {
         const std::string_view type = message_type_names[message_index(sample.type())];
         CAPTURE(type);
@@ -66,7 +66,7 @@ TEST_CASE("messages are fetched from both sides", "[openrtm][wire][wallclock]") 
     CHECK(rig.until([&] { return rig.arrived() == Value(std::int32_t{9}); }));
 }
 
-TEST_CASE("an out-port has several connections, and none twice", "[openrtm][wire][wallclock]") {
+TEST_CASE("an out-port can have several connections, but none twice", "[openrtm][wire][wallclock]") {
     WireRig rig;
     const auto first = rig.rtc("In0", "in", "TimedLong", "in");
     const auto second = rig.rtc("In1", "in", "TimedLong", "in");
@@ -80,14 +80,13 @@ TEST_CASE("an out-port has several connections, and none twice", "[openrtm][wire
               Value(std::int32_t{7}));
 }
 
-TEST_CASE("of two connections between the same ports that are made at once one is taken",
-          "[openrtm][wire][wallclock]") {
+TEST_CASE("of two simultaneous connections between the same ports one is accepted", "[openrtm][wire][wallclock]") {
     WireRig rig;
     const auto out = rig.rtc("Out0", "out", "TimedLong", "out");
     CHECK(rig.answer(*out, "race relay0 in 20", "wrong ") == "wrong 0");
 }
 
-TEST_CASE("what can't be connected is refused", "[openrtm][wire][wallclock]") {
+TEST_CASE("an impossible connection is refused", "[openrtm][wire][wallclock]") {
     WireRig rig;
     const auto in = rig.rtc("In0", "in", "TimedLong", "in");
     for (const std::string properties :
@@ -112,7 +111,7 @@ TEST_CASE("a connection with too long a name, id or list of properties is refuse
     CHECK(rig.answer(*in, "connect relay0 out comment=" + std::string(32'768, 'x'), "connected ") == "connected 0");
 }
 
-TEST_CASE("what an RTC answers with when it is connected is bounded as well", "[openrtm][wire][wallclock]") {
+TEST_CASE("the size of an RTC's answer to a connection is limited too", "[openrtm][wire][wallclock]") {
     WireRig rig;
     const auto in = rig.rtc("In0", "in", "TimedLong", "in");
     in->say("boast 65536");
@@ -121,7 +120,7 @@ TEST_CASE("what an RTC answers with when it is connected is bounded as well", "[
     CHECK(rig.tells("not connected: relay.out to rtm:In0.in: it does not take the connection's type or properties"));
 }
 
-TEST_CASE("properties are understood in any case, and the first byte order counts", "[openrtm][wire][wallclock]") {
+TEST_CASE("properties may be in upper or lower case, and the first byte order counts", "[openrtm][wire][wallclock]") {
     WireRig rig;
     const auto in = rig.rtc("In0", "in", "TimedLong", "in");
     REQUIRE(rig.answer(*in,
@@ -131,7 +130,7 @@ TEST_CASE("properties are understood in any case, and the first byte order count
     CHECK(received(rig, *in, std::int32_t{7}, std::endian::big) == Value(std::int32_t{7}));
 }
 
-TEST_CASE("a message that is none is refused, and the connection lives", "[openrtm][wire][wallclock]") {
+TEST_CASE("an invalid message is refused, and the connection stays", "[openrtm][wire][wallclock]") {
     WireRig rig;
     const auto out = rig.rtc("Out0", "out", "TimedLong", "out");
     REQUIRE(rig.answer(*out, "connect relay0 in", "connected ") == "connected 0");
@@ -142,7 +141,7 @@ TEST_CASE("a message that is none is refused, and the connection lives", "[openr
     CHECK(rig.server->malformed() == 1);
 }
 
-TEST_CASE("a periodic connection sends the latest message so often", "[openrtm][wire][wallclock]") {
+TEST_CASE("a periodic connection sends the latest message at its rate", "[openrtm][wire][wallclock]") {
     WireRig rig;
     const auto in = rig.rtc("In0", "in", "TimedLong", "in");
     REQUIRE(rig.answer(*in, "connect relay0 out subscription_type=periodic push_rate=5", "connected ") ==
@@ -176,8 +175,7 @@ TEST_CASE("an RTC sees profile, life cycle and configuration, and changes them",
     CHECK(rig.answer(*peer, "sets relay0", "sets ") ==
           "sets default | default speed=0.5 | __widget__ | __constraints__ speed=0<=x<=1 | __type__ speed=double");
     CHECK(rig.answer(*peer, "set relay0 default speed 0.75", "done ") == "done 1");
-    CHECK(
-        rig.until([&] { return std::get<double>(rig.component("relay").parameters().find("speed")->value) == 0.75; }));
+    CHECK(rig.until([&] { return rig.component("relay").parameters().find("speed")->value.get<double>() == 0.75; }));
     CHECK(rig.answer(*peer, "set relay0 default speed 7", "done ") == "done 0");
     CHECK(rig.answer(*peer, "set relay0 default sped 0.5", "invalid ") == "invalid there is no parameter of this name");
     CHECK(rig.answer(*peer, "use relay0 fast", "invalid ") == "invalid there is no configuration set of this name");

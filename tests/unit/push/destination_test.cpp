@@ -38,7 +38,7 @@ struct RobotWithFiles : TracedRobot {
 
 }  // namespace
 
-TEST_CASE("a home folder is refused, however it is named", "[push][destination]") {
+TEST_CASE("a home folder is refused by any of its paths", "[push][destination]") {
     const RobotWithFiles robot;
     const std::string whole = robot.home().string();
     for (const std::string& name :
@@ -51,7 +51,7 @@ TEST_CASE("a home folder is refused, however it is named", "[push][destination]"
     CHECK(tree_of(robot.home()) == robot.before);
 }
 
-TEST_CASE("the root folder, and a folder above a home, are refused however they are named", "[push][destination]") {
+TEST_CASE("the root folder and a folder above a home are refused by any of their paths", "[push][destination]") {
     const RobotWithFiles robot;
     for (const std::string name : {"/", "//", "slash", "slash/", "/.", "slash/tmp/.."}) {
         CAPTURE(name);
@@ -60,20 +60,21 @@ TEST_CASE("the root folder, and a folder above a home, are refused however they 
     for (const std::string& name : std::vector<std::string>{"..", "~/..", robot.scratch.path("").string()}) {
         CAPTURE(name);
         CHECK(refusal(robot, name) ==
-              shown(name) + " has the home folder " + shown(fs::canonical(robot.home()).string()) + " in it" + own);
+              shown(name) + " contains the home folder " + shown(fs::canonical(robot.home()).string()) + own);
     }
     CHECK(tree_of(robot.home()) == robot.before);
 }
 
-TEST_CASE("a folder that has files and was not pushed to before is refused, however it is named",
+TEST_CASE("a folder that has files and was not pushed to before is refused by any of its paths",
           "[push][destination]") {
     const RobotWithFiles robot;
     for (const std::string name :
          {"Documents", "Documents/", "./Documents", "papers", "~/Documents", "here/Documents"}) {
         CAPTURE(name);
-        CHECK(refusal(robot, name) == name +
-                                          " has files and was not pushed to before: choose another folder by --to, or "
-                                          "move it away there");
+        CHECK(refusal(robot, name) ==
+              name +
+                  " has files and was not pushed to before: choose another folder with --to, or "
+                  "move it away there");
     }
     CHECK(refusal(robot, "Documents/letter") == "Documents/letter: Not a directory");
     CHECK(refusal(robot, "~pi") ==
@@ -81,7 +82,7 @@ TEST_CASE("a folder that has files and was not pushed to before is refused, howe
     CHECK(tree_of(robot.home()) == robot.before);
 }
 
-TEST_CASE("a folder of the push's own name is no sign of a push before", "[push][destination]") {
+TEST_CASE("a folder with the name of the push's own does not prove an earlier push", "[push][destination]") {
     const RobotWithFiles robot;
     fs::create_directory(robot.home() / "Documents/.nezumi-push");
     CHECK(refusal(robot, "Documents").find("was not pushed to before") != std::string::npos);
@@ -91,7 +92,7 @@ TEST_CASE("a folder of the push's own name is no sign of a push before", "[push]
     CHECK(tree_of(robot.home() / "Documents") == std::map<std::string, std::string>{{"letter", "dear"}});
 }
 
-TEST_CASE("a folder that is new, empty or pushed to before is taken, however it is named", "[push][destination]") {
+TEST_CASE("a folder that is new, empty or pushed to before is accepted by any of its paths", "[push][destination]") {
     const RobotWithFiles robot;
     fs::create_directory(robot.home() / "empty");
     for (const char* name : {"demo", "demo/", "./demo/.", "~/demo", "here/demo//", "Documents/../demo", "empty/",
@@ -106,7 +107,7 @@ TEST_CASE("a folder that is new, empty or pushed to before is taken, however it 
     for (const auto& [name, content] : robot.before) CHECK(tree_of(robot.home()).at(name) == content);
 }
 
-TEST_CASE("a folder that an earlier nezumi has pushed to is known by that nezumi's copy", "[push][destination]") {
+TEST_CASE("a folder pushed to by an older nezumi is recognised by its copy", "[push][destination]") {
     const TracedRobot robot;
     for (const char* folder : {"home/robots/", "home/robots.coming/"}) {
         robot.scratch.write(std::string(folder) + "behaviors/drive.lua", "first");

@@ -15,7 +15,7 @@ FileList one_file(const std::string& name) { return {{name, {.kind = ListedFile:
 
 }  // namespace
 
-TEST_CASE("a list of files is read as it was written, whatever their names are", "[push]") {
+TEST_CASE("a list of files with any names is read as it was written", "[push]") {
     FileList list{{"behaviors", {.kind = ListedFile::Kind::folder}},
                   {"behaviors/way", {.kind = ListedFile::Kind::link, .hash = digits}},
                   {"tool", {.kind = ListedFile::Kind::program, .hash = digits}}};
@@ -27,7 +27,7 @@ TEST_CASE("a list of files is read as it was written, whatever their names are",
     CHECK(to_text(one_file("a \"b")) == "nezumi files 1\nfile " + digits + " \"a \\\"b\"\nend 1\n");
 }
 
-TEST_CASE("a list that is cut anywhere is refused", "[push]") {
+TEST_CASE("a list truncated anywhere is refused", "[push]") {
     const std::string text = to_text(one_file("behaviors/drive.lua"));
     for (std::size_t size = 0; size + 1 < text.size(); ++size) {
         CAPTURE(size);

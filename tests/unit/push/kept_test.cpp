@@ -41,7 +41,7 @@ struct RobotWithProject : TracedRobot {
 
 }  // namespace
 
-TEST_CASE("a file that is as pushed is replaced, or removed with its folder", "[push][kept]") {
+TEST_CASE("a file with the pushed content is replaced, or removed with its folder", "[push][kept]") {
     const RobotWithProject robot;
     robot.write_here("behaviors/drive.lua", "second");
     robot.remove_here("lib");
@@ -50,8 +50,7 @@ TEST_CASE("a file that is as pushed is replaced, or removed with its folder", "[
     CHECK(robot.push_changes().empty());
 }
 
-TEST_CASE("a file that was edited on the robot is kept and told at each push, until both are the same",
-          "[push][kept]") {
+TEST_CASE("a file edited on the robot is kept and reported at each push, until both are equal", "[push][kept]") {
     const RobotWithProject robot;
     robot.write_there("behaviors/drive.lua", "edited");
     for (const std::string here : {"first", "second", "third"}) {
@@ -64,7 +63,7 @@ TEST_CASE("a file that was edited on the robot is kept and told at each push, un
     CHECK(robot.push_changes() == Changes{{What::changed, "behaviors/drive.lua"}});
 }
 
-TEST_CASE("a file that was edited on the robot, and left the project, is the robot's own", "[push][kept]") {
+TEST_CASE("a file edited on the robot and removed from the project becomes the robot's own", "[push][kept]") {
     const RobotWithProject robot;
     robot.write_there("lib/old.lua", "edited");
     robot.remove_here("lib");
@@ -75,7 +74,7 @@ TEST_CASE("a file that was edited on the robot, and left the project, is the rob
     CHECK(tree_of(robot.there()).at("lib/old.lua") == "edited");
 }
 
-TEST_CASE("recordings, logs and calibrations that the robot wrote stay, also where their folder leaves the project",
+TEST_CASE("recordings, logs and calibrations of the robot stay, also if their folder is removed from the project",
           "[push][kept]") {
     const RobotWithProject robot;
     robot.write_there("lib/run.mcap", "recorded");
@@ -92,13 +91,13 @@ TEST_CASE("recordings, logs and calibrations that the robot wrote stay, also whe
                                           {"mouse.log", "log"}});
 }
 
-TEST_CASE("a file that was removed on the robot is brought again", "[push][kept]") {
+TEST_CASE("a file removed on the robot is pushed again", "[push][kept]") {
     const RobotWithProject robot;
     fs::remove_all(robot.there() / "lib");
     CHECK(robot.push_changes() == Changes{{What::added, "lib"}, {What::added, "lib/old.lua"}});
 }
 
-TEST_CASE("a folder that a link or a file took the place of on the robot is kept, and nothing is written through it",
+TEST_CASE("a link or file in place of a folder on the robot is kept, and nothing is written through it",
           "[push][kept]") {
     const RobotWithProject robot;
     robot.scratch.write("home/elsewhere/old.lua", "first");
@@ -114,8 +113,7 @@ TEST_CASE("a folder that a link or a file took the place of on the robot is kept
     CHECK(tree_of(robot.there()).at("lib") == "-> ../elsewhere");
 }
 
-TEST_CASE("a folder and a file of the project take each other's name, unless the robot has files of its own there",
-          "[push][kept]") {
+TEST_CASE("a file may replace a folder and a folder a file, unless the robot has its own files there", "[push][kept]") {
     const RobotWithProject robot;
     robot.remove_here("lib");
     robot.write_here("lib", "a file now");
@@ -130,7 +128,7 @@ TEST_CASE("a folder and a file of the project take each other's name, unless the
     CHECK(tree_of(robot.there()) == tree_of(robot.project()));
 }
 
-TEST_CASE("what may be executed here may be executed there", "[push][kept]") {
+TEST_CASE("executable files are executable on the robot", "[push][kept]") {
     const RobotWithProject robot;
     fs::permissions(robot.project() / "lib/old.lua", fs::perms::owner_all);
     CHECK(robot.push_changes() == Changes{{What::changed, "lib/old.lua"}});
@@ -152,7 +150,7 @@ TEST_CASE("FIFOs, git's files and editors' copies are not pushed", "[push][kept]
           Changes{{What::added, "deep"}, {What::added, "deep/build"}, {What::added, "deep/build/x"}});
 }
 
-TEST_CASE("a file that changes while it is sent leaves the robot as it was", "[push][kept]") {
+TEST_CASE("if a file changes while it is sent, the robot is unchanged", "[push][kept]") {
     const RobotWithProject robot;
     const auto before = tree_of(robot.there());
     robot.write_here("behaviors/drive.lua", "second");
@@ -186,5 +184,5 @@ TEST_CASE("of two pushes to one folder at a time the second is refused", "[push]
                            }})
             .sent;
     CHECK(sent);
-    CHECK(second.ends_with("another push to it is going on: wait for its end"));
+    CHECK(second.ends_with("another push to it is running: wait for its end"));
 }

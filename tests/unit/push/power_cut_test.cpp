@@ -97,7 +97,7 @@ private:
 
 }  // namespace
 
-TEST_CASE("a power cut at any step of a push leaves the old project or the new one", "[push][cut]") {
+TEST_CASE("a power cut at any step of a push leaves either the old project or the new one", "[push][cut]") {
     for (std::size_t at = 1;; ++at) {
         CAPTURE(at);
         const SecondPush push;

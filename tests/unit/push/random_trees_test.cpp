@@ -143,8 +143,7 @@ void push_at_random(unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("a push of any project to any folder keeps what the robot has, brings the rest, and may be cut",
-          "[push][random]") {
+TEST_CASE("a push to any folder keeps the robot's files, brings the rest, and may be interrupted", "[push][random]") {
     const char* count = std::getenv("NEZUMI_PUSHES");
     const unsigned pushes = count != nullptr ? static_cast<unsigned>(std::atoi(count)) : 12;
     for (unsigned seed = 1; seed <= pushes; ++seed) push_at_random(seed);

@@ -29,24 +29,6 @@ TEST_CASE("a run keeps a number under each name, without a world and when it fai
     CHECK(from_bytes(to_bytes(result)).value().measures == result.measures);
 }
 
-TEST_CASE("what is no measure is refused with what was expected", "[scenario][measures]") {
-    const std::string could_not = "could not run: ";
-    const auto refused = [&](const std::string& line) {
-        const std::string text = outcome_of(line);
-        const auto at = text.find("measure: ");
-        return text.starts_with(could_not) && at != std::string::npos ? text.substr(at) : text;
-    };
-    CHECK(refused("s:measure(3, 1)") == "measure: expected a name (what is measured), got number");
-    CHECK(refused("s:measure('', 1)") == "measure: '': expected a name of one line");
-    CHECK(refused("s:measure('passed', 1)") ==
-          "measure: 'passed': --measures has a column of this name: choose another");
-    CHECK(refused("s:measure('a')") == "measure: 'a': expected a number, got nothing");
-    CHECK(refused("s:measure('a', math.huge)") == "measure: 'a': expected a finite number, got inf");
-    CHECK(refused("s:measure('a', 1, 5)") == "measure: 'a': expected a unit as in \"s\", got number");
-    CHECK(refused("s:measure('a', 0.5) s:measure('a', 1)") ==
-          "measure: 'a': is measured already, as 0.5: a run keeps one number a name");
-}
-
 TEST_CASE("quantiles lie between values as R and NumPy have them", "[scenario][measures]") {
     CHECK(quantile({7}, 0.25) == 7);
     CHECK(quantile({1, 2, 3, 4}, 0.25) == 1.75);

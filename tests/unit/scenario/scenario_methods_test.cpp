@@ -42,6 +42,9 @@ TEST_CASE("every method of a scenario refuses an argument too many and one of a 
         {"near",
          {"s:near(1, 1, 0, 'a', 5)", "expected at most 4 arguments, got 5: near(actual, expected, tolerance, message)",
           "s:near(1, 'x', 0)", "expected the expected value (a number), got string"}},
+        {"equal",
+         {"s:equal(1, 1, 'a', 5)", "expected at most 3 arguments, got 4: equal(actual, expected, message)",
+          "s:equal(1)", "expected two values, the actual one and the expected one"}},
         {"measure",
          {"s:measure('a', 1, 's', 2)", "expected at most 3 arguments, got 4: measure(name, value, unit)",
           "s:measure('a', 'x')", "'a': expected a number, got string"}},
@@ -102,58 +105,6 @@ TEST_CASE("every method of a scenario refuses an argument too many and one of a 
         CHECK(with_world(refusals.surplus) == begin + refusals.surplus_says);
         if (!refusals.wrong.empty()) CHECK(with_world(refusals.wrong) == begin + refusals.wrong_says);
     }
-}
-
-TEST_CASE("what is wrong in the words of faults and reloads is told with what can be there",
-          "[scenario][diagnostics]") {
-    const std::string begin = "could not run: it_test.lua:3: ";
-    CHECK(with_world("s:disturb('mouse', { vxx = 0.1 })") ==
-          begin + "disturb: unknown field 'vxx' (did you mean 'vx'?)");
-    CHECK(with_world("s:disturb('mouse', { turn = 0.1 })") ==
-          begin + "disturb: unknown field 'turn': expected vx, vy, va, seconds");
-    CHECK(with_world("s:disturb('mouse', { va = 1, seconds = 0.1 }) s:run(0.2)") == "passed");
-    CHECK(with_world("s:behavior('idle', { script = 'none' }) s:restore('idle')") ==
-          begin + "restore: idle is no robot: expected a robot, or a port as in \"idle.NAME\"");
-    CHECK(with_world("s:restore('mose')") == begin + "restore: there is no component 'mose' (did you mean 'mouse'?)");
-    const std::map<std::string, std::string> reloads{
-        {"{ text = '', 5 }", "unknown option '[1]': expected file, text"},
-        {"{ [true] = 'x' }", "unknown option '[true]': expected file, text"},
-        {"{ txt = 'x' }", "unknown option 'txt' (did you mean 'text'?)"},
-        {"{ text = 5 }", "option 'text' expected a text, got number"},
-        {"'x'", "options expected a table, got string"},
-        {"{}", "expected { file = \"NAME\" } or { text = \"...\" }"},
-        {"{ file = 'a', text = 'b' }", "expected { file = \"NAME\" } or { text = \"...\" }"}};
-    for (const auto& [wrong, says] : reloads)
-        CHECK(with_world("s:reload('controller', " + wrong + ")") == begin + "reload: " + says);
-}
-
-TEST_CASE("a method that is called without its colon is an error of the scenario", "[scenario][diagnostics]") {
-    CHECK(with_world("s.measure('a', 1)") == "could not run: it_test.lua:3: write s:measure(...) with a colon");
-    CHECK(with_world("s.check(true)") == "could not run: it_test.lua:3: write s:check(...) with a colon");
-}
-
-TEST_CASE("a scenario that sets a field of s, or declares while it runs, could not be run", "[scenario][diagnostics]") {
-    CHECK(with_world("s.foo = 3") ==
-          "could not run: it_test.lua:3: s: nothing of it can be set: keep what you need in a local");
-    CHECK(with_world("range('a')") ==
-          "could not run: it_test.lua:3: range: expected range(lo, hi) or range(lo, hi, step) with numbers");
-    CHECK(with_world("range(1, 2, 3, 4)") ==
-          "could not run: it_test.lua:3: range: expected at most 3 arguments, got 4: range(lo, hi, step)");
-    CHECK(with_world("scenario('b', function() end)") ==
-          "could not run: it_test.lua:3: scenario: scenarios are declared by the file, not by one another");
-    CHECK(with_world("pcall(range, 'a') error('mine')") == "failed: it_test.lua:3: mine");
-}
-
-TEST_CASE("an error that the scenario catches, or that is none, decides nothing", "[scenario][diagnostics]") {
-    CHECK(with_world("s:check(not pcall(s.run, s, 'x'))") == "passed");
-    CHECK(with_world("pcall(s.run, s, 'x') error('mine')") == "failed: it_test.lua:3: mine");
-    CHECK(with_world("s:always('a', function() s:run('x', 2) return true end) s:run(1)") ==
-          "could not run: it_test.lua:3: always 'a': run: a condition only looks: time and expectations are the "
-          "scenario's");
-    CHECK(with_world("s:always('a', function(world) return world end)") ==
-          "could not run: it_test.lua:3: always: 'a': the function is called with nothing; its parameter 'world' is "
-          "never "
-          "given: leave it out");
 }
 
 TEST_CASE("words that a scenario does not have are found in its text", "[scenario][diagnostics]") {
@@ -230,27 +181,9 @@ TEST_CASE("what only looks like a scenario's word is left alone", "[scenario][di
     CHECK(slips("scenario 'a'").empty());
 }
 
-TEST_CASE("a file with such an error could not be run", "[scenario][diagnostics]") {
-    ScenarioRig rig("scenario('it', function(s)\n  s:rum(1)\nend)");
-    const SessionEnd end = rig.session();
-    CHECK(end.status() == 2);
-    CHECK(rig.said.find("it_test.lua:2:5: s has no 'rum' (did you mean 'run'?)") != std::string::npos);
-}
-
 TEST_CASE("a scenario's function declares what it is given", "[scenario][diagnostics]") {
     ScenarioRig rig("scenario('it', function(s, p, extra) end)");
     static_cast<void>(rig.session());
     CHECK(rig.said.find("scenario 'it': the function gets the scenario and its values; its parameter 'extra' is never "
                         "given: leave it out") != std::string::npos);
-}
-
-TEST_CASE("a condition only looks: it sets no parameter", "[lua][scenario][words]") {
-    const std::string begin = "local w = s:load 'systems/stop_at_wall.lua'\n";
-    const std::string set = "function() w.controller.config.speed_x = 0.3 return true end)\n";
-    CHECK(outcome_of(begin + "s:always('it', " + set + "s:run(0.1)") ==
-          "could not run: it_test.lua:3: always 'it': a condition only looks: parameters are set by the scenario");
-    CHECK(outcome_of(begin + "s:run(0.1) s:wait_until('it', { within = 1 }, " + set) ==
-          "could not run: it_test.lua:3: wait_until 'it': a condition only looks: parameters are set by the scenario");
-    CHECK(outcome_of(begin + "s:always('it', function() return w.controller.config.speed_x > 0 end)\n"
-                             "s:run(0.1) w.controller.config.speed_x = 0.3 s:run(0.1)") == "passed");
 }

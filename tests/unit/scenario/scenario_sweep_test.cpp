@@ -35,7 +35,7 @@ std::vector<SweepPoint> combinations_of(Sweep sweep) {
     return draws(sweep, 1);
 }
 
-double number(const SweepPoint& point) { return std::get<double>(point.front().second.data.values.front()); }
+double number(const SweepPoint& point) { return point.front().second.data.values.front().get<double>(); }
 
 }  // namespace
 
@@ -85,7 +85,7 @@ TEST_CASE("a range with a step draws its multiples, as integers when lo and step
     const Sweep sweep = one_range({.lo = 1, .hi = 9, .step = 4, .whole = true});
     bool seen[10]{};
     for (std::size_t i = 0; i < 50; ++i) {
-        const auto drawn = std::get<std::int64_t>(draw_point(sweep, 7, i).front().second.data.values.front());
+        const auto drawn = draw_point(sweep, 7, i).front().second.data.values.front().get<std::int64_t>();
         REQUIRE((drawn == 1 || drawn == 5 || drawn == 9));
         seen[drawn] = true;
     }

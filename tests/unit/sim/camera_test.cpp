@@ -42,7 +42,7 @@ BoxSpec block(double x, double y, const char* color, double size = 0.2) {
 
 }  // namespace
 
-TEST_CASE("a picture has the size, format and bytes that it says", "[sim][camera]") {
+TEST_CASE("a picture's bytes agree with its size and format", "[sim][camera]") {
     TryWorld w;
     const CameraImage color = shoot(*w.world, {.at = {0, 0, 0.1}}, {.width = 320, .height = 200});
     CHECK(color.width == 320);
@@ -65,7 +65,8 @@ TEST_CASE("the floor is below the horizon, and the sky above it", "[sim][camera]
     CHECK(pixel(image, 320, 245) == pixel(image, 320, 470));
 }
 
-TEST_CASE("what is left is seen on the left, and the nearer hides the farther whatever their order", "[sim][camera]") {
+TEST_CASE("objects on the left appear on the left, and nearer ones hide farther ones in any order of drawing",
+          "[sim][camera]") {
     ArenaSpec arena;
     arena.boxes = {block(1, 0.3, "#ff0000"), block(1, -0.3, "#0000ff"), block(0.6, 0, "#ff0000", 0.1),
                    block(1, 0, "#0000ff")};
@@ -77,7 +78,7 @@ TEST_CASE("what is left is seen on the left, and the nearer hides the farther wh
     CHECK(is_blue(pixel(image, 320, 170)));  // looks out behind the smaller one
 }
 
-TEST_CASE("a picture is the same wherever in the world it is taken", "[sim][camera]") {
+TEST_CASE("a picture does not depend on the camera's place in the world", "[sim][camera]") {
     const auto seen_at = [](double x, double y) {
         ArenaSpec arena;
         arena.boxes = {block(1 + x, 0.3 + y, "#ff0000"), block(0.8 + x, -0.3 + y, "#0000ff")};
@@ -92,11 +93,11 @@ TEST_CASE("a picture is the same wherever in the world it is taken", "[sim][came
         std::size_t others = 0;
         for (std::size_t i = 0; i < here.pixels.size(); ++i) others += here.pixels[i] != there.pixels[i] ? 1 : 0;
         CAPTURE(x, y);
-        CHECK(others < 200);  // of 230 400: where an edge is rounded otherwise
+        CHECK(others < 200);  // of 230 400 pixels: an edge may be rounded differently
     }
 }
 
-TEST_CASE("an edge falls where the pinhole says", "[sim][camera]") {
+TEST_CASE("an edge is at the pixel that the pinhole model computes", "[sim][camera]") {
     ArenaSpec arena;
     arena.boxes = {{.at = {1.05, 0.05, 0.5}, .size = {0.1, 0.1, 1.0}, .color = "#ff0000"}};  // from y = 0 to 0.1
     TryWorld w(arena);
@@ -109,7 +110,7 @@ TEST_CASE("an edge falls where the pinhole says", "[sim][camera]") {
     CHECK_FALSE(is_red(pixel(image, 320, 240)));
 }
 
-TEST_CASE("a camera sits on its robot, turns with it and does not see it", "[sim][camera]") {
+TEST_CASE("a camera moves with its robot and does not see it", "[sim][camera]") {
     ArenaSpec arena;
     arena.boxes = {block(0, 1, "#ff0000")};
     TryWorld w(arena);
@@ -129,7 +130,7 @@ TEST_CASE("a camera sits on its robot, turns with it and does not see it", "[sim
     CHECK(pixel(shoot(*w.world, down), 320, 240)[0] > pixel(shoot(*w.world, down), 320, 240)[2]);  // the floor
 }
 
-TEST_CASE("no camera on a robot that is not there, no marker moved that is not there", "[sim][camera]") {
+TEST_CASE("a camera on an unknown robot and the move of an unknown marker are refused", "[sim][camera]") {
     ArenaSpec arena;
     arena.markers.push_back({.name = "target", .id = 1, .at = {1, 0, 0.1}});
     TryWorld w(arena);
@@ -181,7 +182,7 @@ TEST_CASE("a floor's picture lies on the floor: its top where y is largest", "[s
     std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("blur and noise of a camera are those of its settings, noise that of the tick", "[sim][camera]") {
+TEST_CASE("a camera applies the blur and noise of its settings, and the noise depends on the tick", "[sim][camera]") {
     ArenaSpec arena;
     arena.boxes = {block(1, 0.3, "#ff0000"), block(0.8, -0.2, "#0000ff")};
     TryWorld w(arena);
@@ -207,7 +208,7 @@ TEST_CASE("blur and noise of a camera are those of its settings, noise that of t
     }
 }
 
-TEST_CASE("whatever stands where, painting writes every pixel and none else", "[sim][camera]") {
+TEST_CASE("painting writes every pixel and nothing beyond, for any scene", "[sim][camera]") {
     ArenaSpec arena;
     for (int i = 0; i < 12; ++i) {
         const double angle = 0.5 * i;
@@ -225,7 +226,7 @@ TEST_CASE("whatever stands where, painting writes every pixel and none else", "[
     }
 }
 
-TEST_CASE("a camera asks for a world, a robot that is there and a rate that the tick can keep", "[sim][camera]") {
+TEST_CASE("a camera needs a world, an existing robot and a rate possible with the tick", "[sim][camera]") {
     System bare({.rate = 100}, {});
     CHECK(make_simulated_camera({.name = "eye", .type = "Camera"}, bare).error().message ==
           "component 'eye': a Camera needs a world to look at");

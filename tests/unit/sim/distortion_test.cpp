@@ -1,4 +1,4 @@
-// Where a lens shows what a pinhole would see elsewhere.
+// Lens distortion: where a lens shows a point of the pinhole's picture.
 #include "sim/distortion.hpp"
 
 #include <catch2/catch.hpp>
@@ -16,7 +16,7 @@ struct Pixel {
     double column, row;
 };
 
-// As the message says; written out again, so that it is tried.
+// Written again from the formula in the message, to check it.
 Pixel seen_at(const CameraIntrinsics& c, double a, double b) {
     const double r2 = a * a + b * b, radial = 1 + c.k1 * r2 + c.k2 * r2 * r2 + c.k3 * r2 * r2 * r2;
     const double u = a * radial + 2 * c.p1 * a * b + c.p2 * (r2 + 2 * a * a);
@@ -54,7 +54,7 @@ TEST_CASE("each coefficient moves a point as the formula says", "[sim][distortio
         CHECK(p.k1 == 0);
         for (const auto& [a, b] : {std::pair{0.0, 0.0}, {0.4, 0.0}, {0.0, 0.25}, {-0.42, 0.2}, {0.35, -0.25}}) {
             std::vector<std::uint8_t> painted(std::size_t{p.width} * p.height * 3), distorted;
-            // A soft spot, whose middle lies between pixels.
+            // A soft spot whose middle is between pixels.
             const double column = p.cx + p.fx * a, row = p.cy + p.fy * b;
             for (int y = 0; y < p.height; ++y) {
                 for (int x = 0; x < p.width; ++x) {
@@ -73,14 +73,14 @@ TEST_CASE("each coefficient moves a point as the formula says", "[sim][distortio
     }
 }
 
-TEST_CASE("a barrel shows more than a pinhole, to its corners, a pincushion less", "[sim][distortion]") {
+TEST_CASE("barrel distortion shows more than a pinhole, pincushion distortion less", "[sim][distortion]") {
     const auto barrel = Distortion::make(distorted(-0.25)), pincushion = Distortion::make(distorted(0.25));
     REQUIRE(barrel);
     REQUIRE(pincushion);
     CHECK(barrel->pinhole().width > 340);
     CHECK(barrel->pinhole().height > 210);
     CHECK(pincushion->pinhole().width < 310);
-    // White all over, so that whatever is drawn from beside the painted picture would be dark.
+    // All white, so anything taken from outside the painted picture would be dark.
     for (const auto* distortion : {&*barrel, &*pincushion}) {
         std::vector<std::uint8_t> white(std::size_t{distortion->pinhole().width} * distortion->pinhole().height, 255),
             distorted;
@@ -89,7 +89,7 @@ TEST_CASE("a barrel shows more than a pinhole, to its corners, a pincushion less
     }
 }
 
-TEST_CASE("a distortion that folds the picture over is refused", "[sim][distortion]") {
+TEST_CASE("a distortion that folds the picture is refused", "[sim][distortion]") {
     for (const CameraIntrinsics& c : {distorted(-2), distorted(-1.2), distorted(0, -2), distorted(0, 0, 0, 0, -2)}) {
         const auto refused = Distortion::make(c);
         REQUIRE_FALSE(refused);

@@ -1,4 +1,4 @@
-// The EV3's body in the simulator: touch, ultrasonic beam, servo, eyes for the floor, a hand that rolls it.
+// The EV3's body in the simulator: touch, ultrasonic beam, servo, colour sensor, and pushing.
 #include <png.h>
 #include <unistd.h>
 
@@ -64,7 +64,7 @@ struct FloorFile {
 
 }  // namespace
 
-TEST_CASE("the EV3's touch sensors close where it drives against something, and open again", "[sim][ev3]") {
+TEST_CASE("the EV3's touch sensors close when it drives against an obstacle, and open again", "[sim][ev3]") {
     const RobotSpec spec = ev3();
     const std::size_t right = sensor(spec, "right"), left = sensor(spec, "left");
     for (const auto& [y, hits_right, hits_left] :
@@ -95,7 +95,7 @@ TEST_CASE("the EV3's touch sensors close where it drives against something, and 
     }
 }
 
-TEST_CASE("the EV3's touch sensors close within their 4 mm of travel, and not before", "[sim][ev3]") {
+TEST_CASE("the EV3's touch sensors close within their 4 mm of travel", "[sim][ev3]") {
     const RobotSpec spec = ev3();
     const std::size_t right = sensor(spec, "right");
     for (const auto& [gap, closed] : {std::pair{0.005, false}, {0.0035, false}, {0.0005, true}}) {
@@ -140,7 +140,7 @@ TEST_CASE("the EV3's medium motor turns the ultrasonic sensor", "[sim][ev3]") {
     CHECK_FALSE(distance(w) < 2.5);
 }
 
-TEST_CASE("the EV3 sees the floor's picture, and nothing beside it", "[sim][ev3][floor]") {
+TEST_CASE("the EV3 sees the floor's picture, and nothing outside it", "[sim][ev3][floor]") {
     const RobotSpec spec = ev3();
     const std::size_t color = sensor(spec, "color"), reflect = sensor(spec, "light_reflect");
     const FloorFile file({0, 0, 0, 255, 0, 0, 255, 255, 255});
@@ -163,7 +163,7 @@ TEST_CASE("the EV3 sees the floor's picture, and nothing beside it", "[sim][ev3]
     look(-5, FloorColor::none, 0);
 }
 
-TEST_CASE("the EV3 sees the floor's colour from 18 mm, and no farther", "[sim][ev3][floor]") {
+TEST_CASE("the EV3 sees the floor's colour up to 18 mm", "[sim][ev3][floor]") {
     const FloorFile file({255, 0, 0});
     ArenaSpec arena;
     arena.floor = FloorSpec{.image = file.path.string(), .size = {3, 3}};
@@ -186,7 +186,7 @@ TEST_CASE("without a picture on the floor the EV3 sees no colour", "[sim][ev3][f
     CHECK(w.bodies[0]->reflected_light(sensor(spec, "light_reflect")) == 0);
 }
 
-TEST_CASE("a corrupt or missing picture of the floor is one plain error", "[sim][floor]") {
+TEST_CASE("a damaged or missing picture of the floor gives one clear error", "[sim][floor]") {
     const FloorFile file({0, 0, 0, 255, 0, 0});
     ArenaSpec arena;
     arena.floor = FloorSpec{.image = file.path.string(), .size = {3, 1}, .place = {"system.lua", 7}};
@@ -196,7 +196,7 @@ TEST_CASE("a corrupt or missing picture of the floor is one plain error", "[sim]
     };
     CHECK(refusal() == "none");
     const std::string start = "system.lua:7: floor: '" + file.path.string() + "' can't be read as a PNG: ";
-    fs::resize_file(file.path, fs::file_size(file.path) / 2);  // torn
+    fs::resize_file(file.path, fs::file_size(file.path) / 2);  // truncated
     CHECK(refusal().substr(0, start.size()) == start);
     std::ofstream(file.path) << "no picture";
     CHECK(refusal().substr(0, start.size()) == start);
@@ -206,7 +206,7 @@ TEST_CASE("a corrupt or missing picture of the floor is one plain error", "[sim]
     CHECK(refusal().substr(0, start.size()) == start);
 }
 
-TEST_CASE("a hand rolls an EV3 that coasts, and drags one that holds", "[sim][ev3][disturb]") {
+TEST_CASE("a velocity constraint rolls an EV3 that coasts, and drags one whose motors hold", "[sim][ev3][disturb]") {
     const RobotSpec spec = ev3();
     for (const bool coasts : {true, false}) {
         TryWorld w;

@@ -1,4 +1,4 @@
-// What a sensor that looks down sees: places on the picture, colours, brightness.
+// Downward-looking sensors: places on the picture, colours, brightness.
 #include <catch2/catch.hpp>
 
 #include <limits>
@@ -23,16 +23,16 @@ TEST_CASE("the floor's picture lies with its top where y is largest", "[sim][flo
     CHECK(floor_spot_color(four, size, {0.5, -0.25}) == 0xffffffu);
 }
 
-TEST_CASE("beside the floor's picture there is nothing to see", "[sim][floor]") {
+TEST_CASE("outside the floor's picture no colour is seen", "[sim][floor]") {
     const Point2D size{2, 1};
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (const Point2D& at : {Point2D{1.01, 0}, {-1.01, 0}, {0, 0.51}, {0, -0.51}, {1e300, 0}, {nan, 0}, {0, nan}}) {
         CHECK_FALSE(floor_spot_color(four, size, at).has_value());
     }
-    CHECK(floor_spot_color(four, size, {0.999, 0.499}) == 0x00ff00u);  // half of the spot is beside it
+    CHECK(floor_spot_color(four, size, {0.999, 0.499}) == 0x00ff00u);  // half of the spot is outside
 }
 
-TEST_CASE("a spot on an edge has the mean of both sides", "[sim][floor]") {
+TEST_CASE("a spot on an edge has the mean colour of both sides", "[sim][floor]") {
     const Picture line{2, 1, {0x000000, 0xffffff}};
     const double light = brightness(*floor_spot_color(line, {1, 1}, {0.0001, 0}));
     CHECK(light > 40);
@@ -67,7 +67,7 @@ TEST_CASE("colours have the names that a colour sensor gives them", "[sim][floor
     }
 }
 
-TEST_CASE("between two colours there is a limit, on either side of which each has its name", "[sim][floor]") {
+TEST_CASE("a fixed limit separates the names of two colours", "[sim][floor]") {
     using enum FloorColor;
     struct Limit {
         Rgb color;
@@ -75,9 +75,9 @@ TEST_CASE("between two colours there is a limit, on either side of which each ha
         Rgb beyond;
         FloorColor expected_beyond;
     };
-    for (const Limit& limit : {Limit{0x2c0000, black, 0x2d0000, red},   // how bright a colour is at least
-                               {0x6d6d6d, black, 0x6e6e6e, white},      // how bright white is at least
-                               {0xc8a1a1, white, 0xc8a0a0, red},        // how colourful a colour is at least
+    for (const Limit& limit : {Limit{0x2c0000, black, 0x2d0000, red},   // least brightness of a colour
+                               {0x6d6d6d, black, 0x6e6e6e, white},      // least brightness of white
+                               {0xc8a1a1, white, 0xc8a0a0, red},        // least saturation of a colour
                                {0xff3200, red, 0xff3500, red},          // 12 degrees: bright, no limit
                                {0xb32300, red, 0xb32500, brown},        // dark, it is one
                                {0xff6800, red, 0xff6d00, yellow},       // 25

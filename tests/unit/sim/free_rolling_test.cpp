@@ -1,4 +1,4 @@
-// Robots that roll freely move as ODE's solver would move them.
+// Robots that roll freely move as with ODE's solver.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -26,7 +26,7 @@ RobotSpec odd_spec() {
     return spec;
 }
 
-// One robot that rolls as it may, and one that ODE alone moves, each in a world of its own.
+// One robot that may roll freely, and one that only ODE moves, each in its own world.
 struct Pair {
     explicit Pair(RobotSpec robot, double length = step, const ArenaSpec& arena = {})
         : spec(std::move(robot)),
@@ -40,7 +40,7 @@ struct Pair {
     void drive(Wheels speeds) {
         for (const auto& body : bodies) body->set_wheel_speeds(speeds);
     }
-    // Of the next step. Whether the first robot has rolled freely in it.
+    // Takes the next step. Returns true if the first robot has rolled freely.
     bool take_step() {
         rolled.step(1);
         solved.step(1);
@@ -60,7 +60,7 @@ struct Pair {
     std::vector<std::unique_ptr<RobotBody>> bodies;
 };
 
-// Somewhere, nodding and rolling a little, moving about as its wheels turn.
+// A random pose with some pitch and roll, moving as its wheels turn.
 struct RandomState {
     std::mt19937_64 random{17};
     double height = 0;  // [m] of the centre at rest
@@ -86,7 +86,7 @@ struct RandomState {
     }
 };
 
-// Speeds that somebody might drive at, now and then changed at once: [m/s].
+// Random driving speeds [m/s], now and then changed at once.
 struct RandomDriver {
     std::mt19937_64 random{5};
     Wheels speeds{}, wanted{};
@@ -94,7 +94,7 @@ struct RandomDriver {
     Wheels next() {
         std::uniform_real_distribution<double> any(-0.4, 0.4);
         if (random() % 200 == 0) wanted = {any(random), any(random)};
-        if (random() % 2000 == 0) speeds = wanted;  // a jolt
+        if (random() % 2000 == 0) speeds = wanted;  // a sudden change
         const auto follow = [](double& speed, double to) { speed += std::clamp(to - speed, -0.01, 0.01); };
         follow(speeds.left, wanted.left);
         follow(speeds.right, wanted.right);
@@ -102,7 +102,7 @@ struct RandomDriver {
     }
 };
 
-// Robots that drive about at random, bump into each other and into boxes, and are pushed now and then.
+// Robots that drive at random, collide with each other and with boxes, and are sometimes pushed.
 struct Crowd {
     explicit Crowd(std::size_t count, WorkerPool* threads = nullptr)
         : world(arena(count), {.step = 0.01, .seed = 1}, nullptr), spec(swarm_spec()) {
@@ -151,11 +151,11 @@ struct Crowd {
     std::mt19937_64 random{7};
 };
 
-// What twenty robots do in ten seconds that drive on until they bump into something, and then turn away.
+// Twenty robots for ten seconds: each drives until it collides with something, then turns away.
 struct Bustle {
-    double speed = 0;       // [m/s] in the mean
-    double collisions = 0;  // a robot-minute
-    double spread = 0;      // [m] from the middle, root of the mean square, at the end
+    double speed = 0;       // [m/s] mean
+    double collisions = 0;  // per robot and minute
+    double spread = 0;      // [m] root mean square distance from the middle at the end
 };
 
 Bustle bustle(std::uint64_t seed, bool by_ode) {
@@ -199,7 +199,7 @@ Bustle bustle(std::uint64_t seed, bool by_ode) {
 
 }  // namespace
 
-TEST_CASE("from a hundred thousand states a step in closed form is ODE's to 1e-12", "[sim][rolling]") {
+TEST_CASE("a step in closed form equals ODE's to 1e-12 from a hundred thousand states", "[sim][rolling]") {
     RandomState state;
     double most = 0;
     for (const RobotSpec& spec : {mouse_spec(), swarm_spec(), odd_spec()}) {
@@ -259,7 +259,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("after ten minutes of driving at random the closed form is where ODE is", "[sim][rolling]") {
+TEST_CASE("after ten minutes of random driving the closed form and ODE agree", "[sim][rolling]") {
     for (const RobotSpec& spec : {mouse_spec(), swarm_spec(), odd_spec()}) {
         Pair pair(spec);
         RandomDriver driver;
@@ -280,7 +280,7 @@ TEST_CASE("after ten minutes of driving at random the closed form is where ODE i
     }
 }
 
-TEST_CASE("a robot that is handed to and fro between the two at random takes the same path", "[sim][rolling]") {
+TEST_CASE("a robot that switches at random between closed form and ODE takes the same path", "[sim][rolling]") {
     Pair pair(mouse_spec(), 0.01);
     RandomDriver driver;
     std::mt19937_64 random{3};
@@ -293,7 +293,7 @@ TEST_CASE("a robot that is handed to and fro between the two at random takes the
     CHECK(pair.rolled.robot(0).angles == pair.solved.robot(0).angles);
 }
 
-TEST_CASE("wheels that slip, coasting wheels, a pushing hand, a wall and a ramp are ODE's", "[sim][rolling]") {
+TEST_CASE("ODE computes slipping wheels, coasting wheels, pushed robots, walls and ramps", "[sim][rolling]") {
     ArenaSpec arena;
     arena.boxes.push_back({.at = {1, 0, 0.1}, .size = {0.1, 1, 0.2}});
     arena.boxes.push_back({.at = {-1, 0, 0}, .size = {0.5, 1, 0.1}, .pitch = 0.1});
@@ -327,7 +327,7 @@ TEST_CASE("wheels that slip, coasting wheels, a pushing hand, a wall and a ramp 
     }
 }
 
-TEST_CASE("a robot that rolled is taken away, and nobody sees it any more", "[sim][rolling]") {
+TEST_CASE("a robot that rolled freely is not seen after its removal", "[sim][rolling]") {
     OdeWorld world({}, {.step = step, .seed = 1}, nullptr);
     const RobotSpec spec = mouse_spec();
     auto body = world.add_robot("it", spec, {}).value();
@@ -341,8 +341,8 @@ TEST_CASE("a robot that rolled is taken away, and nobody sees it any more", "[si
     CHECK(world.robot(0).body.p[0] == there);
 }
 
-TEST_CASE("a crowd that bumps into each other does the same in the mean of twenty seeds", "[sim][rolling]") {
-    // Collisions are chaotic: rounding decides who meets whom a minute later.
+TEST_CASE("colliding robots move the same on average over twenty seeds", "[sim][rolling]") {
+    // Collisions are chaotic: rounding decides which robots meet a minute later.
     constexpr double seeds = 20;
     const auto compare = [](const char* what, double Bustle::*figure, const std::vector<Bustle>& a,
                             const std::vector<Bustle>& b) {
@@ -371,8 +371,7 @@ TEST_CASE("a crowd that bumps into each other does the same in the mean of twent
     compare("spread", &Bustle::spread, rolled, solved);
 }
 
-TEST_CASE("robots that are ahead of others within a tick get where they would have got step by step, to the last bit",
-          "[sim][rolling]") {
+TEST_CASE("robots that are ahead within a tick have the same bits as step by step", "[sim][rolling]") {
     Crowd at_once(60), one_by_one(60);
     std::size_t ahead = 0;
     for (int tick = 0; tick < 300; ++tick) {
@@ -384,7 +383,7 @@ TEST_CASE("robots that are ahead of others within a tick get where they would ha
     CHECK(ahead > 300 * 60 / 4);
 }
 
-TEST_CASE("threads that share out what rolls freely change no bit of where it gets", "[sim][rolling]") {
+TEST_CASE("the number of threads changes no bit of freely rolling robots", "[sim][rolling]") {
     WorkerPool two(2), five(5);
     Crowd alone(300), with_two(300, &two), with_five(300, &five);
     for (Crowd* crowd : {&alone, &with_two, &with_five}) {

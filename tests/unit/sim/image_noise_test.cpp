@@ -20,7 +20,7 @@ Bytes noisy(double sigma, std::uint64_t seed, std::uint64_t frame, std::size_t r
 
 }  // namespace
 
-TEST_CASE("noise has its deviation and its mean, in a row as in all", "[sim][noise]") {
+TEST_CASE("noise has its deviation and mean 0, in each row and in the whole picture", "[sim][noise]") {
     for (const double sigma : {0.5, 2.0, 10.0}) {
         const Bytes pixels = noisy(sigma, 1, 1);
         double sum = 0, squares = 0;
@@ -36,7 +36,7 @@ TEST_CASE("noise has its deviation and its mean, in a row as in all", "[sim][noi
     CHECK(noisy(0, 1, 1) == Bytes(300 * 400, 128));
 }
 
-TEST_CASE("noise is that of its seed and frame, whatever came before", "[sim][noise]") {
+TEST_CASE("noise depends only on seed and frame", "[sim][noise]") {
     CHECK(noisy(10, 1, 5) == noisy(10, 1, 5));
     CHECK(noisy(10, 1, 5) != noisy(10, 2, 5));
     CHECK(noisy(10, 1, 5) != noisy(10, 1, 6));
@@ -62,7 +62,7 @@ TEST_CASE("noise keeps values from 0 to 255", "[sim][noise]") {
     CHECK(std::count(white.begin(), white.end(), 255) == Approx(60'000).margin(2000));
 }
 
-TEST_CASE("blur spreads a point as a Gaussian, alike along rows and columns", "[sim][noise]") {
+TEST_CASE("blur spreads a point as a Gaussian, equally along rows and columns", "[sim][noise]") {
     Bytes point(31 * 21, 0);
     const auto at = [&](int column, int row) -> std::uint8_t& { return point[row * 31 + column]; };
     at(15, 10) = 250;
@@ -80,7 +80,7 @@ TEST_CASE("blur spreads a point as a Gaussian, alike along rows and columns", "[
     CHECK(at(22, 10) == 0);
 }
 
-TEST_CASE("blur leaves each colour to itself", "[sim][noise]") {
+TEST_CASE("blur does not mix colour channels", "[sim][noise]") {
     Bytes picture(30 * 20 * 3, 0);
     for (std::size_t row = 0; row < 20; ++row) {
         for (std::size_t column = 0; column < 30; ++column) {
@@ -103,7 +103,7 @@ TEST_CASE("blur leaves each colour to itself", "[sim][noise]") {
     }
 }
 
-TEST_CASE("no blur leaves a picture as it is, and what lies beyond the edge is as the edge", "[sim][noise]") {
+TEST_CASE("zero blur changes nothing, and edge pixels are repeated beyond the edge", "[sim][noise]") {
     Bytes picture(30 * 20, 200);
     for (std::size_t i = 0; i < picture.size(); i += 7) picture[i] = 10;
     Bytes same = picture;

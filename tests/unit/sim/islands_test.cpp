@@ -1,4 +1,4 @@
-// Which movers are solved together, and when there are too many of them.
+// Which movers are solved together, and when an island is too large.
 #include "sim/islands.hpp"
 
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@ using nezumi::sim::Islands;
 
 namespace {
 
-// So many movers, each linked to the next.
+// A chain of movers, each linked to the next.
 Islands chain(unsigned length, unsigned beside = 0) {
     Islands islands;
     for (unsigned i = 0; i < length + beside; ++i) islands.add_mover();
@@ -17,7 +17,8 @@ Islands chain(unsigned length, unsigned beside = 0) {
 
 }  // namespace
 
-TEST_CASE("an island is large when it has more than 45 equations, 8 of them for each mover's floor", "[sim][islands]") {
+TEST_CASE("an island is large if it has more than 45 equations, 8 of them for each mover on the floor",
+          "[sim][islands]") {
     Islands islands = chain(5);  // 40
     islands.add_equations(4, 5);
     CHECK_FALSE(islands.find_large());
@@ -26,7 +27,7 @@ TEST_CASE("an island is large when it has more than 45 equations, 8 of them for 
     for (const unsigned i : {0u, 1u, 2u, 3u, 4u}) CHECK(islands.is_large(i));
 }
 
-TEST_CASE("islands are apart, and who touches nobody is in none", "[sim][islands]") {
+TEST_CASE("islands are separate, and a mover without contact is in no island", "[sim][islands]") {
     Islands islands = chain(6, 4);  // 48 equations, and beside them:
     islands.link(8, 6);
     islands.add_equations(9, 300);
@@ -35,7 +36,7 @@ TEST_CASE("islands are apart, and who touches nobody is in none", "[sim][islands
     for (const unsigned i : {6u, 7u, 8u, 9u}) CHECK_FALSE(islands.is_large(i));
 }
 
-TEST_CASE("who touches very much is an island that is large, also alone", "[sim][islands]") {
+TEST_CASE("one mover with very many contacts is a large island", "[sim][islands]") {
     Islands islands = chain(2, 2);
     islands.add_equations(3, 300);
     CHECK_FALSE(islands.find_large());
@@ -47,7 +48,7 @@ TEST_CASE("who touches very much is an island that is large, also alone", "[sim]
     CHECK_FALSE(islands.find_large());
 }
 
-TEST_CASE("two islands become one when their movers touch, in whatever order", "[sim][islands]") {
+TEST_CASE("two islands become one when their movers touch, in any order", "[sim][islands]") {
     Islands islands = chain(3, 3);
     islands.link(5, 4);
     islands.link(4, 3);

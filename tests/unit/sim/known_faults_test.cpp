@@ -1,4 +1,4 @@
-// Faults that other simulators of these robots have, tried on ours from the system file to the wheels.
+// Faults known from other simulators of these robots, tested with ours from the system file to the wheels.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -17,7 +17,7 @@ using namespace nezumi;
 
 namespace {
 
-// A system of this text (or of a shipped file), ACTIVE, without clock and window.
+// An ACTIVE system made from this text (or a shipped file), without clock and window.
 struct Run {
     explicit Run(const std::string& text, const std::string& file = "behaviors/systems/any.lua") {
         const Project project = Project::of(::root / file, {::root});
@@ -72,12 +72,12 @@ const std::string mouse = "robot 'mouse' { model = 'raspimouse' }\n";
 
 }  // namespace
 
-TEST_CASE("with nothing in sight the infrared sensors say 0 and 0.60 m, and never less", "[sim][fault]") {
+TEST_CASE("without an obstacle the infrared sensors give 0 and 0.60 m, and never less", "[sim][fault]") {
     Run run(mouse);
     run.seconds(0.1);
     CHECK(run.value<std::vector<std::int16_t>>("mouse.ir_sensor_out") == std::vector<std::int16_t>{0, 0, 0, 0});
     CHECK(run.value<std::vector<double>>("mouse.ir_sensor_metre_out") == std::vector<double>{0.6, 0.6, 0.6, 0.6});
-    // Up to a wall and away from it again, past the end of the table.
+    // Towards a wall and away from it again, beyond the end of the table.
     Run wall("arena { box { at = { 0.75, 0, 0.15 }, size = { 0.1, 1, 0.3 } } }\n" + mouse);
     std::int16_t most = 0;
     const auto look = [&] {
@@ -135,7 +135,7 @@ TEST_CASE("the velocity that a mouse publishes is in its own frame", "[sim][faul
 }
 
 TEST_CASE("odometry follows the wheels, not the truth", "[sim][fault]") {
-    // It begins at zero wherever the robot stands, and agrees with the truth while the wheels grip.
+    // It starts at zero at any pose, and agrees with the truth while the wheels grip.
     Run free("robot 'mouse' { model = 'raspimouse', pose = { x = 1, y = 2, heading = 1 } }");
     free.seconds(0.1);
     CHECK(free.value<Pose2D>("mouse.current_pose_out") == Pose2D{});
@@ -146,7 +146,7 @@ TEST_CASE("odometry follows the wheels, not the truth", "[sim][fault]") {
     CHECK(odometry.position.x == Approx(x * std::cos(1) + y * std::sin(1)).margin(0.01));
     CHECK(odometry.position.y == Approx(y * std::cos(1) - x * std::sin(1)).margin(0.01));
     CHECK(odometry.heading == Approx(truth.heading - 1).margin(0.02));
-    // Wheels that spin against a wall, and a hand that carries the robot away, tell the two apart.
+    // Wheels that spin at a wall, and a teleport, make the two different.
     Run wall("arena { box { at = { 0.2, 0, 0.15 }, size = { 0.1, 1, 0.3 } } }\n" + mouse);
     wall.drive(5, {.vx = 0.2});
     CHECK(wall.value<Pose2D>("mouse.current_pose_out").position.x == Approx(0.2 * 5).epsilon(0.03));
@@ -171,7 +171,7 @@ TEST_CASE("a pose update sets the odometry", "[sim][fault]") {
     CHECK(run.truth().pose.position.x == Approx(0.38).margin(0.03));  // the truth is not moved
 }
 
-TEST_CASE("a command does not outlive its controller", "[sim][fault][safety]") {
+TEST_CASE("a command ends with its controller", "[sim][fault][safety]") {
     const std::string driven = mouse +
                                "behavior 'controller' { script = 'robot_controller', config = { speed_x = 0.3 } }\n"
                                "connect('controller.out', 'mouse.target_velocity_in')";
@@ -231,7 +231,7 @@ TEST_CASE("simulated time does not run slow: no step comes from a rate", "[sim][
         Run run("rate(" + std::string(rate) + ")\n" + mouse);
         run.drive(10, {.vx = 0.2});
         CHECK(run.system->now().seconds == 10);
-        // Half the time to speed up, and at most a tick until the first command arrives.
+        // Half the time for acceleration, and at most one tick until the first command arrives.
         const double expected = 0.2 * (10 - 0.05);
         CHECK(run.truth().pose.position.x == Approx(expected).margin(0.2 / run.spec.rate + 0.004));
     }

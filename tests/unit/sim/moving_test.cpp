@@ -1,4 +1,4 @@
-// Boxes, walls and cylinders that a hand carries elsewhere, and whole poses of robots.
+// Boxes, walls and cylinders that are moved, and poses of robots.
 #include <algorithm>
 #include <cmath>
 
@@ -37,8 +37,8 @@ std::string refusal(TryWorld& w, const std::string& name, Pose2D pose) {
 
 }  // namespace
 
-TEST_CASE("a wall that is carried elsewhere is seen and met there, and no longer where it was", "[sim][moving]") {
-    for (const int others : {0, 12}) {  // few are looked at one by one, many are found in a grid
+TEST_CASE("a moved wall is seen and touched at its new place only", "[sim][moving]") {
+    for (const int others : {0, 12}) {  // few are tested one by one, many are found in a grid
         ArenaSpec arena = furnished();
         for (int i = 0; i < others; ++i) arena.boxes.push_back({.at = {-1.5, 0.1 * i, 0.1}, .size = {0.05, 0.05, 0.2}});
         TryWorld w(arena);
@@ -60,7 +60,7 @@ TEST_CASE("a wall that is carried elsewhere is seen and met there, and no longer
     }
 }
 
-TEST_CASE("a thing that can move is put down at rest, and what stood on it falls", "[sim][moving]") {
+TEST_CASE("a moved thing is at rest, and what stood on it falls", "[sim][moving]") {
     ArenaSpec arena = furnished();
     arena.boxes.push_back({.at = {-1, 0, 0.125}, .size = {0.05, 0.05, 0.05}, .mass = 0.1});
     TryWorld w(arena);
@@ -73,7 +73,7 @@ TEST_CASE("a thing that can move is put down at rest, and what stood on it falls
     CHECK(thing(things, "box 3").pose.position.z == Approx(0.025).margin(2e-3));
 }
 
-TEST_CASE("things are carried to no place where they can't be, and nothing has changed then", "[sim][moving]") {
+TEST_CASE("a move to an impossible place is refused and changes nothing", "[sim][moving]") {
     TryWorld w(furnished());
     w.add(mouse_spec(), 0, 0, 0, "mouse");
     const auto before = w.world->things();
@@ -92,13 +92,13 @@ TEST_CASE("things are carried to no place where they can't be, and nothing has c
     for (std::size_t i = 0; i < before.size(); ++i) CHECK(after[i].pose == before[i].pose);
 }
 
-TEST_CASE("walls may be put across each other, as in a maze", "[sim][moving]") {
+TEST_CASE("walls may overlap each other, as in a maze", "[sim][moving]") {
     TryWorld w(furnished());
     CHECK(w.world->move_thing("cylinder 1", {{1, 0}, 0}));
     CHECK(w.world->move_thing("box 1", {{2, 0}, 0}));
 }
 
-TEST_CASE("the same hands at the same steps give the same bits", "[sim][moving]") {
+TEST_CASE("the same interventions at the same steps give the same bits", "[sim][moving]") {
     std::vector<double> first;
     for (int time = 0; time < 2; ++time) {
         TryWorld w(furnished());
@@ -127,7 +127,7 @@ TEST_CASE("the pose of a robot on a ramp is pitched up", "[sim][moving]") {
     CHECK(w.truth().tilt == Approx(0.1).margin(0.02));
 }
 
-TEST_CASE("a ray says whose distance it measures", "[sim][moving]") {
+TEST_CASE("a ray has the index of its distance", "[sim][moving]") {
     TryWorld w(furnished());
     w.add(mouse_spec(), 0.5, 0);
     const auto rays = w.world->rays(0);

@@ -1,4 +1,4 @@
-// Where two shapes touch, and what a wheel rolls over.
+// Where two shapes touch, and what a wheel can roll over.
 #include "sim/narrow_phase.hpp"
 
 #include <catch2/catch.hpp>
@@ -33,7 +33,7 @@ struct Narrow {
 
 }  // namespace
 
-TEST_CASE("half the height of a shape is that of how it stands", "[sim][narrow]") {
+TEST_CASE("half the height of a shape depends on its rotation", "[sim][narrow]") {
     const double c = std::cos(0.5), s = std::sin(0.5);
     CHECK(box({0, 0, 0}, {0.1, 0.2, 0.3}, 0.7).half_height() == Approx(0.3));
     CHECK(box({0, 0, 0}, {0.1, 0.2, 0.3}, 0, 0.5).half_height() == Approx(0.3 * c + 0.1 * s));
@@ -46,7 +46,7 @@ TEST_CASE("half the height of a shape is that of how it stands", "[sim][narrow]"
     CHECK(tilted.half_height() == Approx(0.3 * c + 0.1 * s));
 }
 
-TEST_CASE("shapes that only meet do not touch", "[sim][narrow]") {
+TEST_CASE("shapes whose surfaces only meet do not touch", "[sim][narrow]") {
     Narrow n;
     const Shape square = box({0, 0, 0}, {0.5, 0.5, 0.5}), round = disc({0, 0, 0}, 0.25);
     CHECK(n.phase.collide(round, disc({0.5, 0, 0}, 0.25)).empty());
@@ -56,13 +56,13 @@ TEST_CASE("shapes that only meet do not touch", "[sim][narrow]") {
     CHECK(n.phase.collide(square, box({0, 0, 1}, {0.5, 0.5, 0.5})).empty());
     CHECK(n.phase.collide(round, disc({0, 0, 1}, 0.25)).empty());
     CHECK(n.phase.collide(square, disc({2, 0, 0}, 0.25)).empty());
-    // And a hair nearer they do.
+    // Slightly nearer they do.
     CHECK(n.phase.collide(round, disc({0.4999, 0, 0}, 0.25)).size() == 1);
     CHECK(n.phase.collide(square, disc({0.7499, 0, 0}, 0.25)).size() == 1);
     CHECK_FALSE(n.phase.collide(square, box({0.9999, 0, 0}, {0.5, 0.5, 0.5})).empty());
 }
 
-TEST_CASE("moved along the normal by the depth, the first is free of the second", "[sim][narrow]") {
+TEST_CASE("moving the first shape along the normal by the depth separates the two", "[sim][narrow]") {
     Narrow n;
     const std::vector<std::pair<Shape, Shape>> pairs{
         {disc({0, 0, 0}, 0.25), disc({0.3, 0.2, 0.1}, 0.2)},
@@ -116,7 +116,7 @@ TEST_CASE("a disc whose centre is inside a box is pushed out by the nearest face
     }
 }
 
-TEST_CASE("a wheel rests on the edge of a kerb, and a wall is none", "[sim][narrow]") {
+TEST_CASE("a wheel rests on the edge of a kerb, but not on a wall", "[sim][narrow]") {
     const double radius = 0.024;
     const Vec3 axle{0, 0, radius}, axis = Vec3::UnitY();
     // The kerb's edge is 10 mm ahead and 5 mm high.

@@ -1,4 +1,4 @@
-// Things that lie in each other, and robots that leave the arena.
+// Overlapping things, and robots that leave the arena.
 #include "tests/unit/sim/try_world.hpp"
 
 #include <ctime>
@@ -8,7 +8,7 @@
 using namespace nezumi;
 using namespace nezumi::sim;
 
-TEST_CASE("movable things that lie in something are refused, with place and both names", "[sim][world]") {
+TEST_CASE("movable things that overlap something are refused, with place and both names", "[sim][world]") {
     const auto refusal = [](const ArenaSpec& arena) {
         const auto made = make_world(arena, {}, {});
         return made ? std::string("made") : describe(made.error());
@@ -36,7 +36,7 @@ TEST_CASE("movable things that lie in something are refused, with place and both
     arena.cylinders.push_back({.at = {0.99, 0, 0.1}, .radius = 0.05, .height = 0.2, .mass = 1, .place = {"a.lua", 2}});
     CHECK(refusal(arena) ==
           "a.lua:2: cylinder 1 at x = 0.99, y = 0 overlaps the arena's wall by 40 mm: move one of them");
-    arena.cylinders[0].mass = 0;  // what stands still may stand where it likes
+    arena.cylinders[0].mass = 0;  // fixed things may overlap
     CHECK(refusal(arena) == "made");
 
     arena = {};
@@ -44,15 +44,15 @@ TEST_CASE("movable things that lie in something are refused, with place and both
     CHECK(refusal(arena).find("arena.lua:7: box 2000 at x = 0.3, y = 0 overlaps box ") == 0);
 }
 
-TEST_CASE("however much lies in each other, a step ends, and it is told once", "[sim][world]") {
+TEST_CASE("a step ends with any number of overlaps, and one warning is given", "[sim][world]") {
     ArenaSpec arena;
-    // So thin that they may all lie in one place.
+    // So thin that they may all be in one place.
     const BoxSpec plate{.at = {0, 0, 0.0004}, .size = {0.2, 0.2, 0.0008}, .mass = 0.01};
     arena.boxes.assign(300, plate);
     TryWorld heap(arena);
     heap.run(0.02);
     CHECK(heap.world->breakdown() == nullptr);
-    CHECK(*heap.warnings == std::vector<std::string>{"physics: so much lies in each other that a step has no room for "
+    CHECK(*heap.warnings == std::vector<std::string>{"physics: too many shapes overlap: a step has no room for "
                                                      "all contacts: some are left out"});
 
     // Touches nothing that moves, but 400 pillars.
@@ -69,7 +69,7 @@ TEST_CASE("however much lies in each other, a step ends, and it is told once", "
     CHECK(table.world->things().back().pose.position.z == Approx(0.11).margin(2e-3));
 }
 
-TEST_CASE("a robot that leaves the arena is told once", "[sim][world]") {
+TEST_CASE("a robot that leaves the arena is reported once", "[sim][world]") {
     ArenaSpec arena;
     arena.size = Point2D{1, 1};
     arena.border->height = 0.003;
@@ -81,7 +81,7 @@ TEST_CASE("a robot that leaves the arena is told once", "[sim][world]") {
     CHECK(w.warnings->empty());
     w.run(1.2);
     CHECK(w.truth().pose.position.x > 0.6);
-    const std::string left = "physics: 'mouse' has left the arena of 1 x 1 m, over its border (told once)";
+    const std::string left = "physics: 'mouse' has left the arena of 1 x 1 m, over its border (reported once)";
     CHECK(*w.warnings == std::vector<std::string>{left});
     REQUIRE(w.world->teleport(0, {{0, 0}, 0}));
     w.run(2);

@@ -22,7 +22,7 @@ Rgb at(const Picture& floor, const Point2D& size, double x, double y) {
 
 }  // namespace
 
-TEST_CASE("a line has its width, its colour and round ends, and touches nothing else", "[sim][floor]") {
+TEST_CASE("a line has its width, its colour and round ends, and changes nothing else", "[sim][floor]") {
     const Point2D size{1, 0.5};
     Picture floor = plain_floor(size);
     CHECK(floor.width == 1000);
@@ -54,7 +54,7 @@ TEST_CASE("a line keeps its width on a picture whose pixels are not square", "[s
     CHECK(at(floor, size, 0.075, 0.2) == 0xffffff);
 }
 
-TEST_CASE("a large floor is painted coarser", "[sim][floor]") {
+TEST_CASE("a large floor has larger pixels", "[sim][floor]") {
     const Picture floor = plain_floor({20, 10});
     CHECK(floor.pixels.size() < 4'100'000);
     CHECK(floor.width == 2 * floor.height);

@@ -66,13 +66,13 @@ TEST_CASE("a floor's picture may have any common format, whatever its file is ca
     }
 }
 
-TEST_CASE("what is no picture is told so, with its name", "[sim][floor]") {
+TEST_CASE("a file that is not a picture is refused with its name", "[sim][floor]") {
     const Scratch scratch;
     const std::string text = scratch.write("floor.jpg", "no picture").string();
     CHECK(refusal(text) ==
           "'" + text +
-              "' can't be read as a picture: it is none that OpenCV can read (PNG, JPEG, BMP, TIFF, WebP, "
-              "PPM and others)");
+              "' can't be read as a picture: OpenCV can't read its format (PNG, JPEG, BMP, TIFF, WebP, "
+              "PPM and others are possible)");
     const std::string torn = scratch.write("floor.bmp", bitmap().substr(0, 30)).string();
     CHECK(refusal(torn).find("'" + torn + "' can't be read as a picture: ") == 0);
     const std::string empty = scratch.write("empty.jpg", "").string();
@@ -80,7 +80,7 @@ TEST_CASE("what is no picture is told so, with its name", "[sim][floor]") {
     std::string wide = bitmap();
     wide.replace(18, 4, "\xff\xff\xff\x7f", 4);  // its width
     const std::string too_wide = scratch.write("wide.bmp", wide).string();
-    CHECK(refusal(too_wide).find("'" + too_wide + "' can't be read as a picture: OpenCV gives up: ") == 0);
+    CHECK(refusal(too_wide).find("'" + too_wide + "' can't be read as a picture: OpenCV reports: ") == 0);
     CHECK(refusal(too_wide).find('\n') == std::string::npos);
     const std::string gone = scratch.path("gone.jpg").string();
     CHECK(refusal(gone).find("'" + gone + "' can't be read as a picture: ") == 0);

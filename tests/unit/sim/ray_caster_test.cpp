@@ -18,7 +18,7 @@ Shape cylinder(Vec3 centre, double radius, double height) {
     return {Shape::Kind::cylinder, centre, Rotation::Identity(), {radius, radius, height / 2}};
 }
 
-// The first place along the ray where `inside` holds, in steps of 0.5 mm: slow, and independent of the formulas.
+// The first place along the ray where `inside` is true, in steps of 0.5 mm: slow, but independent of the formulas.
 double march(const Shape& shape, Vec3 from, Vec3 direction, double range) {
     for (double t = 0; t <= range; t += 5e-4) {
         const Vec3 p = rotate_back(shape.rotation, from + direction * t - shape.centre);
@@ -55,12 +55,12 @@ TEST_CASE("a ray meets a cylinder at its side and its cap", "[sim][ray]") {
     CHECK(normal.z() == Approx(1));
 }
 
-TEST_CASE("a ray that starts inside a thing sees it at once", "[sim][ray]") {
+TEST_CASE("a ray that starts inside a thing has distance 0", "[sim][ray]") {
     CHECK(cast_ray(box({0, 0, 0}, {1, 1, 1}), {0.1, 0, 0}, {1, 0, 0}, 1) == 0);
     CHECK(cast_ray(cylinder({0, 0, 0}, 1, 1), {0.1, 0, 0}, {1, 0, 0}, 1) == 0);
 }
 
-TEST_CASE("rays agree with marching along them", "[sim][ray]") {
+TEST_CASE("ray distances agree with stepping along the rays", "[sim][ray]") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> u(-1, 1);
     int hits = 0;
@@ -73,7 +73,7 @@ TEST_CASE("rays agree with marching along them", "[sim][ray]") {
         const Vec3 direction = (shape.centre + Vec3{u(random), u(random), u(random)} * 0.4 - from).normalized();
         const double expected = march(shape, from, direction, 1.5);
         const double actual = cast_ray(shape, from, direction, 1.5);
-        // A ray that only grazes an edge may slip between two steps of the march.
+        // A ray that grazes an edge may pass between two steps.
         if (expected == nothing) {
             if (actual < nothing)
                 CHECK(march(shape, from + direction * (actual - 1e-3), direction * 0.01, 0.4) < nothing);
@@ -85,7 +85,7 @@ TEST_CASE("rays agree with marching along them", "[sim][ray]") {
     CHECK(hits > 150);
 }
 
-TEST_CASE("a fan sees through the grid what it sees by looking at every shape", "[sim][ray][grid]") {
+TEST_CASE("a fan gives the same with the grid as with a test of every shape", "[sim][ray][grid]") {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> u(-1, 1);
     Scene scene;

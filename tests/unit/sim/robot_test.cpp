@@ -1,4 +1,4 @@
-// One robot on the floor: how it drives, stands, slips and turns.
+// One robot on the floor: driving, standing, slipping and turning.
 #include "tests/unit/sim/try_world.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ TEST_CASE("a robot does not flip over at 1.5 m/s with the limit lifted", "[sim][
             w.add(spec, 0, 0);
             double tilt = 0;
             const auto look = [&] { tilt = std::max(tilt, w.truth().tilt); };
-            // From standstill to full speed at once, on into full reverse, and a stop: the hardest that can be asked.
+            // From standstill to full speed at once, to full reverse, and a stop: the hardest commands.
             w.bodies[0]->set_wheel_speeds({1.5, 1.5});
             w.run(1, look);
             CHECK(w.truth().velocity.vx == Approx(1.5).epsilon(0.01));
@@ -39,7 +39,7 @@ TEST_CASE("a robot reaches 98 % of 1.5 m/s within 0.35 s", "[sim][robot]") {
     }
 }
 
-TEST_CASE("a robot does not hover: it stands on its wheels and drives", "[sim][robot][fault]") {
+TEST_CASE("a robot stands on its wheels and drives", "[sim][robot][fault]") {
     for (const double step : {0.001, 0.005, 0.01}) {
         TryWorld w({}, step);
         w.add(mouse_spec(), 0, 0);
@@ -140,7 +140,7 @@ TEST_CASE("paths at the default step of 5 ms agree with those at 1 ms within 1 %
     CHECK(std::abs(std::remainder(a.pose.heading - b.pose.heading, 2 * M_PI)) < 0.01 * turned);
 }
 
-TEST_CASE("simulated time and path do not depend on how the steps are bundled", "[sim][robot]") {
+TEST_CASE("simulated time and path do not depend on how many steps a call takes", "[sim][robot]") {
     TryWorld one, ten;
     for (TryWorld* w : {&one, &ten}) {
         w->add(mouse_spec(), 0, 0);
@@ -258,7 +258,7 @@ TEST_CASE("a mouse drives up a ramp of 10 degrees", "[sim][robot]") {
         w.run(0.9 / speed);
         CHECK(w.truth().height > 0.09);
         CHECK(w.truth().tilt == Approx(slope).margin(0.04));
-        // Where it stops there it stays: a loaded wheel creeps no faster than this.
+        // It stays where it stops: a loaded wheel creeps no faster than this.
         w.bodies[0]->set_wheel_speeds({0, 0});
         w.run(0.5);
         CHECK(std::abs(w.truth().velocity.vx) < 0.003);
@@ -280,7 +280,7 @@ TEST_CASE("a robot dropped on the floor comes to rest upright", "[sim][robot]") 
     CHECK(w.truth().tilt < 1e-3);
 }
 
-TEST_CASE("a robot may be put elsewhere, at rest, and its wheels are not told", "[sim][robot]") {
+TEST_CASE("a teleported robot is at rest, and its wheel angles do not change", "[sim][robot]") {
     ArenaSpec arena;
     arena.size = Point2D{4, 4};
     TryWorld w(arena);
@@ -305,7 +305,7 @@ TEST_CASE("a robot may be put elsewhere, at rest, and its wheels are not told", 
     CHECK_FALSE(w.world->teleport(0, {{NAN, 0}, 0}));
 }
 
-TEST_CASE("nobody starts or is put outside of an arena with a border", "[sim][robot]") {
+TEST_CASE("no robot starts or is placed outside an arena with a border", "[sim][robot]") {
     for (const bool border : {true, false}) {
         ArenaSpec arena;
         arena.size = Point2D{2, 2};

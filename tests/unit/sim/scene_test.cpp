@@ -1,4 +1,4 @@
-// Who is found near a place: fixed shapes and movers, few of them and many.
+// Searches by place: fixed shapes and movers, few of them and many.
 #include "sim/scene.hpp"
 
 #include <catch2/catch.hpp>
@@ -20,7 +20,7 @@ std::vector<Scene::Index> movers_near(const Scene& scene, double x, double y, do
     return found;
 }
 
-// A row of discs 1 m apart: 4 are looked at one by one, 40 are found in a grid.
+// A row of discs 1 m apart: 4 are tested one by one, 40 are found in a grid.
 Scene row(int count) {
     Scene scene;
     for (int i = 0; i < count; ++i) scene.add_mover(disc(i, 0), 0.1);
@@ -32,7 +32,7 @@ using Found = std::vector<Scene::Index>;
 
 }  // namespace
 
-TEST_CASE("movers are found within reach of a place, but for the one that looks", "[sim][scene]") {
+TEST_CASE("a search finds movers within reach, except the searching one", "[sim][scene]") {
     for (const int count : {4, 40}) {
         INFO(count << " movers");
         const Scene scene = row(count);
@@ -44,7 +44,7 @@ TEST_CASE("movers are found within reach of a place, but for the one that looks"
     }
 }
 
-TEST_CASE("a mover is found whatever its size, that of a cell of the grid included", "[sim][scene]") {
+TEST_CASE("a search finds movers of any size, also of that of a grid cell", "[sim][scene]") {
     for (const int count : {4, 40}) {
         for (const double reach : {0.3, 0.5, 0.51, 2.0}) {
             CAPTURE(count, reach);
@@ -56,7 +56,7 @@ TEST_CASE("a mover is found whatever its size, that of a cell of the grid includ
     }
 }
 
-TEST_CASE("a mover is found where it was at the last refresh", "[sim][scene]") {
+TEST_CASE("a search finds a mover at its place of the last refresh", "[sim][scene]") {
     for (const int count : {4, 40}) {
         INFO(count << " movers");
         Scene scene = row(count);
@@ -68,7 +68,7 @@ TEST_CASE("a mover is found where it was at the last refresh", "[sim][scene]") {
     }
 }
 
-TEST_CASE("a mover that is removed is found by no search, before and after a refresh", "[sim][scene]") {
+TEST_CASE("no search finds a removed mover, before and after a refresh", "[sim][scene]") {
     for (const int count : {4, 40}) {
         INFO(count << " movers");
         Scene scene = row(count);
@@ -82,7 +82,7 @@ TEST_CASE("a mover that is removed is found by no search, before and after a ref
     }
 }
 
-TEST_CASE("a mover too large for the grid is found by its whole reach", "[sim][scene]") {
+TEST_CASE("a search finds a mover too large for the grid by its whole reach", "[sim][scene]") {
     for (const int count : {4, 40}) {
         INFO(count << " movers");
         Scene scene = row(count);

@@ -6,7 +6,7 @@
 using namespace nezumi;
 using namespace nezumi::sim;
 
-TEST_CASE("a scan measures the walls all around, each ray for itself", "[sim][robot]") {
+TEST_CASE("each ray of a scan measures the walls around the robot", "[sim][robot]") {
     RobotSpec spec = mouse_spec();
     SensorSpec scan;
     scan.name = "scan";
@@ -33,7 +33,7 @@ TEST_CASE("a scan measures the walls all around, each ray for itself", "[sim][ro
     CHECK(values[6] == Approx(2).margin(0.01));  // left
 }
 
-TEST_CASE("an imu feels gravity, how the robot speeds up and how it turns", "[sim][robot]") {
+TEST_CASE("an imu measures gravity, acceleration and rotation of the robot", "[sim][robot]") {
     RobotSpec spec = mouse_spec();
     SensorSpec imu;
     imu.name = "imu";
@@ -48,7 +48,7 @@ TEST_CASE("an imu feels gravity, how the robot speeds up and how it turns", "[si
         const auto values = world.bodies[id]->sensor_values(spec.sensors.size() - 1);
         return std::vector<double>(values.begin(), values.end());
     };
-    // The mean of what it feels in a second, while its wheels' speeds grow by these [m/s2].
+    // The mean reading over one second, while the wheels' speeds increase by these [m/s2].
     const auto mean = [&](double left, double right) {
         std::vector<double> sum(6);
         for (int i = 1; i <= 100; ++i) {
@@ -65,7 +65,7 @@ TEST_CASE("an imu feels gravity, how the robot speeds up and how it turns", "[si
     CHECK(rest[5] == Approx(9.81).margin(0.02));
     CHECK(std::abs(rest[3]) < 0.05);
     const auto faster = mean(0.4, 0.4);
-    CHECK(faster[3] == Approx(0.4).margin(0.12));  // it nods a little, and feels gravity by that
+    CHECK(faster[3] == Approx(0.4).margin(0.12));  // it pitches slightly, so gravity is measured too
     CHECK(std::abs(faster[4]) < 0.05);
     world.bodies[id]->set_wheel_speeds({});
     world.run(1);

@@ -1,4 +1,4 @@
-// The robots that nezumi ships, and odd ones that a user may describe, in the simulator.
+// The shipped robots, and unusual ones, in the simulator.
 #include <algorithm>
 #include <filesystem>
 
@@ -28,7 +28,7 @@ std::vector<fs::path> shipped() {
     return files;
 }
 
-// What any robot must stand: rest, full speed at once, a stop, a turn.
+// Tests for any robot: rest, full speed at once, a stop, a turn.
 void check_manners(const RobotSpec& spec, double speed) {
     TryWorld w;
     w.add(spec, 0, 0);
@@ -64,7 +64,7 @@ TEST_CASE("every shipped robot stands, drives at 1.5 m/s, stops and turns", "[si
     }
 }
 
-TEST_CASE("robots of odd shapes and weights keep their manners", "[sim][robot]") {
+TEST_CASE("robots of unusual shapes and weights stay stable", "[sim][robot]") {
     for (const double mass : {0.01, 50.0}) {
         RobotSpec spec = mouse_spec();
         spec.mass = mass;

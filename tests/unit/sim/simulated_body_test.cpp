@@ -1,4 +1,4 @@
-// What a simulated robot's devices make of what is the case: responses, limits, noise, drift, pulses.
+// A simulated robot's readings from true values: response curves, limits, noise, drift, pulses.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -11,7 +11,7 @@ using namespace nezumi;
 
 namespace {
 
-// Feels what it is told. Its spec is that of the fake mouse: a distance, a response, a gyro, a button.
+// Returns given values. Its spec is that of the fake mouse: a distance, a response, a gyro, a button.
 struct Felt final : sim::SimulatedBody {
     explicit Felt(RobotSpec made = fake_mouse(), std::uint64_t seed = 1, double rate = 100)
         : Felt(std::make_unique<RobotSpec>(std::move(made)), seed, 1 / rate) {}
@@ -20,7 +20,9 @@ struct Felt final : sim::SimulatedBody {
 
     RobotId id() const override { return 0; }
     Wheels wheel_angles() const override { return angles; }
-    void read_ranges(std::span<double> distances) const override {
+    void read_ranges(std::span<double> distances, std::span<const std::uint8_t> due) const override {
+        ++casts;
+        asked.assign(due.begin(), due.end());
         for (std::size_t i = 0; i < distances.size(); ++i)
             distances[i] = i < ranges.size() ? ranges[i] : std::numeric_limits<double>::infinity();
     }
@@ -51,13 +53,15 @@ struct Felt final : sim::SimulatedBody {
     double turns = 0, light = 0;
     sim::PlaceMotion moves;
     std::vector<double> servo_angles;
+    mutable int casts = 0;  // of rays
+    mutable std::vector<std::uint8_t> asked;
 };
 
 constexpr std::size_t metre = 0, response = 1, gyro = 2, button = 3;
 
 }  // namespace
 
-TEST_CASE("with nothing in sight a value is what its table says and a distance its maximum", "[sim][sensor][fault]") {
+TEST_CASE("without an obstacle a value is that of its table and a distance its maximum", "[sim][sensor][fault]") {
     Felt body;
     const auto all = body.tick();
     CHECK(all[response].value == 0);  // and not -1978
@@ -79,7 +83,7 @@ TEST_CASE("distances stay within what the sensor can measure", "[sim][sensor]") 
     CHECK(seen(0.6, 0.001) == std::vector<double>{0.6, 0.03, 4095});
 }
 
-TEST_CASE("noise never leaves a sensor's range, averages to nothing and follows the seed", "[sim][sensor]") {
+TEST_CASE("noise stays within a sensor's range, has mean 0 and depends on the seed", "[sim][sensor]") {
     RobotSpec spec = fake_mouse();
     for (SensorSpec& sensor : spec.sensors) {
         if (sensor.kind == SensorSpec::Kind::range) sensor.noise = sensor.has_response ? 50 : 0.05;
@@ -113,7 +117,7 @@ TEST_CASE("noise never leaves a sensor's range, averages to nothing and follows 
     values(7, {});
 }
 
-TEST_CASE("the noise of a robot is a part of each value that its sensors measure", "[sim][sensor]") {
+TEST_CASE("the noise of a robot is relative to each value of its sensors", "[sim][sensor]") {
     RobotSpec spec = fake_mouse();
     spec.noise = 0.05;
     Felt body(spec);
@@ -127,7 +131,7 @@ TEST_CASE("the noise of a robot is a part of each value that its sensors measure
         distances += std::pow(all[metre].value / 0.3 - 1, 2);
         values += std::pow(all[response].value / table(0.2) - 1, 2);
         rates += std::pow(all[gyro].physical - 1, 2);
-        // The distance is what the noisy value says, as of a real sensor.
+        // The distance follows from the noisy value, as with a real sensor.
         REQUIRE(all[response].physical == distance_at(table, all[response].value));
         REQUIRE(all[button].value == 1);
     }
@@ -138,7 +142,7 @@ TEST_CASE("the noise of a robot is a part of each value that its sensors measure
     for (int i = 0; i < 100; ++i) REQUIRE(body.tick()[metre].value == 0.6);
 }
 
-TEST_CASE("the noise of a robot comes to that of its sensors", "[sim][sensor]") {
+TEST_CASE("the noise of a robot is added to that of its sensors", "[sim][sensor]") {
     RobotSpec spec = fake_mouse();
     spec.noise = 0.1;  // of 0.3 m: 0.03 m
     spec.sensors[metre].noise = 0.04;
@@ -149,14 +153,14 @@ TEST_CASE("the noise of a robot comes to that of its sensors", "[sim][sensor]") 
     CHECK(std::sqrt(squares / 2000) == Approx(0.05).epsilon(0.1));
 }
 
-TEST_CASE("a distance beyond the range is told exactly, however noisy the sensor", "[sim][sensor]") {
+TEST_CASE("a distance beyond the range has no noise", "[sim][sensor]") {
     RobotSpec spec = fake_mouse();
     spec.sensors[metre].noise = 0.05;
     Felt body(spec);
     for (int i = 0; i < 100; ++i) REQUIRE(body.tick()[metre].physical == 0.6);
 }
 
-TEST_CASE("a gyro adds up the yaw rate as far as it can follow", "[sim][sensor]") {
+TEST_CASE("a gyro integrates the yaw rate up to its limit", "[sim][sensor]") {
     for (const double rate : {100.0, 50.0}) {
         Felt body(fake_mouse(), 1, rate);
         const auto after_a_second = [&](double turns) {
@@ -178,7 +182,7 @@ TEST_CASE("a gyro adds up the yaw rate as far as it can follow", "[sim][sensor]"
     CHECK(drifted.physical == 0.01);
 }
 
-TEST_CASE("light stays between 0 and 100 whatever its noise", "[sim][sensor]") {
+TEST_CASE("light stays between 0 and 100 with any noise", "[sim][sensor]") {
     for (const auto kind : {SensorSpec::Kind::reflect, SensorSpec::Kind::ambient}) {
         RobotSpec spec = fake_mouse();
         for (const double light : {0.0, 100.0}) {
@@ -199,7 +203,7 @@ TEST_CASE("light stays between 0 and 100 whatever its noise", "[sim][sensor]") {
     }
 }
 
-TEST_CASE("encoders count whole pulses, and lose none", "[sim][sensor]") {
+TEST_CASE("encoders count whole pulses without losing any", "[sim][sensor]") {
     RobotSpec spec = fake_mouse();
     spec.drive.pulses_per_turn = 400;
     Felt body(spec);
@@ -213,13 +217,13 @@ TEST_CASE("encoders count whole pulses, and lose none", "[sim][sensor]") {
     CHECK(counted(0.8, -0.8) == WheelPulses{1, -1});
     for (int i = 0; i <= 4000; ++i) counted(0.1 * i, 0.1 * i);
     CHECK(body.wheels.pulses == WheelPulses{400, 400});
-    // How fast the rims are is known better than that.
+    // The speed of the rims is known more exactly.
     counted(400.5, 400.25);
     CHECK(body.wheels.speeds.left == Approx(0.5 * pulse * 0.02 * 100));
     CHECK(body.wheels.speeds.right == Approx(0.25 * pulse * 0.02 * 100));
 }
 
-TEST_CASE("a servo goes to its angle no faster than it is told and than it can", "[sim][robot]") {
+TEST_CASE("a servo moves no faster than its command and its limit", "[sim][robot]") {
     RobotSpec spec = fake_mouse();
     spec.actuators[2].max_rate = 2;
     for (const auto& [speed, expected] : {std::pair{0.0, 0.02}, {1.0, 0.01}, {50.0, 0.02}}) {
@@ -262,7 +266,7 @@ TEST_CASE("each ray of a scan has a distance and noise of its own", "[sim][senso
     CHECK(std::abs(products[0] / 2000) < 1e-5);  // independent
 }
 
-TEST_CASE("an imu tells rates and what holds it in its own frame", "[sim][sensor]") {
+TEST_CASE("an imu measures rates and the supporting acceleration in its own frame", "[sim][sensor]") {
     RobotSpec spec = fake_mouse();
     spec.sensors[button].kind = SensorSpec::Kind::imu;
     spec.sensors[button].max_rate = 2;
@@ -293,4 +297,24 @@ TEST_CASE("rates and accelerations of an imu have noise of their own size", "[si
         for (std::size_t k = 0; k < 6; ++k) squares[k] += std::pow(values[k] - (k == 5 ? 9.81 : 0), 2);
     }
     for (std::size_t k = 0; k < 6; ++k) CHECK(std::sqrt(squares[k] / 2000) == Approx(k < 3 ? 0.01 : 0.2).epsilon(0.1));
+}
+
+TEST_CASE("the rays of a scan that nobody asks for are not cast", "[sim][sensor]") {
+    RobotSpec spec = fake_mouse();
+    SensorSpec& scan = spec.sensors[metre];
+    scan.kind = SensorSpec::Kind::scan;
+    scan.cone = 1;
+    scan.rays = 3;
+    Felt body(spec);
+    body.ranges = {0.2, 0.4, 0.5, 0.3};
+    body.tick();
+    CHECK(body.asked.empty());  // all
+    body.set_due(metre, false);
+    body.ranges = {0.1, 0.1, 0.1, 0.25};
+    CHECK(body.tick()[response].physical == 0.25);
+    CHECK(body.asked == std::vector<std::uint8_t>{0, 0, 0, 1});
+    CHECK(body.sensor_values(metre)[1] == 0.4);  // as it was
+    body.set_due(metre, true);
+    body.tick();
+    CHECK(body.sensor_values(metre)[1] == 0.1);
 }

@@ -1,4 +1,4 @@
-// Robots that stand on a slope: wheels that are held hold, to the angle of friction.
+// Robots that stand on a slope: held wheels hold up to the friction angle.
 #include "sim/ode_world.hpp"
 #include "tests/unit/sim/try_world.hpp"
 
@@ -66,7 +66,7 @@ TEST_CASE("a standing robot holds up to the angle of friction and slides beyond 
     for (const double friction : {0.1, 0.3, 0.6}) {
         for (const double heading : {0.0, M_PI, M_PI / 2, -M_PI / 2}) {
             CAPTURE(friction, heading);
-            if (friction > 0.5 && std::abs(std::cos(heading)) > 0.5) continue;  // along, it tips over first
+            if (friction > 0.5 && std::abs(std::cos(heading)) > 0.5) continue;  // along the slope it tips over first
             OnSlope holds(mouse_spec(), 0.93 * std::atan(friction), heading, friction);
             CHECK(holds.way_in(10) < 1e-4);
             OnSlope slides(mouse_spec(), 1.07 * std::atan(friction), heading, friction);
@@ -75,7 +75,7 @@ TEST_CASE("a standing robot holds up to the angle of friction and slides beyond 
     }
 }
 
-TEST_CASE("a robot that stops on a slope stays there, and rolls down when nothing holds its wheels", "[sim][slope]") {
+TEST_CASE("a robot that stops on a slope stays there, and rolls down when its wheels are released", "[sim][slope]") {
     OnSlope robot(mouse_spec(), 0.1, M_PI);  // looks up
     robot.body->set_wheel_speeds({0.1, 0.1});
     CHECK(robot.way_in(2) == Approx(0.2).epsilon(0.03));

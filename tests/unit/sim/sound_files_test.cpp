@@ -1,4 +1,4 @@
-// What simulated robots say, as files.
+// Sounds of simulated robots as files.
 #include <catch2/catch.hpp>
 
 #include <sys/stat.h>
@@ -22,7 +22,7 @@ namespace {
 
 struct Folder : Scratch {
     std::string read(const std::string& name) const { return text_of_file(path(name)); }
-    // A program that takes the place of espeak-ng.
+    // A program that replaces espeak-ng.
     std::string program(const std::string& script) const {
         const fs::path file = write("speaker", "#!/bin/sh\n" + script + "\n");
         fs::permissions(file, fs::perms::owner_all);
@@ -67,7 +67,7 @@ TEST_CASE("a tone is a WAV of its length and its frequency", "[sim][sound]") {
     for (std::size_t i = 0; i < (pause.size() - 44) / 2; ++i) REQUIRE(sample(pause, i) == 0);
 }
 
-TEST_CASE("sounds are numbered for each robot, and texts lie beside them as they are", "[sim][sound]") {
+TEST_CASE("sounds are numbered for each robot, and texts are stored beside them unchanged", "[sim][sound]") {
     const Folder folder;
     const std::string odd = "it's \"odd\"; $(touch pwned) `touch pwned`\n| & <b>-w /etc/passwd";
     const std::string program = folder.program("[ \"$1 $2 $3 $4\" = '-b 1 --stdin -w' ] && exec cat > \"$5\"");
@@ -107,7 +107,7 @@ TEST_CASE("without a speech program the texts are kept, with one warning", "[sim
     CHECK_FALSE(fs::exists(folder.path("ev3-0002.wav")));
 }
 
-TEST_CASE("a speech program that fails costs its sound and no more", "[sim][sound]") {
+TEST_CASE("a speech program that fails loses only its sound", "[sim][sound]") {
     const Folder folder;
     std::vector<std::string> warnings;
     {
@@ -121,7 +121,7 @@ TEST_CASE("a speech program that fails costs its sound and no more", "[sim][soun
     CHECK(fs::exists(folder.path("ev3-0002.wav")));
 }
 
-TEST_CASE("a sound never waits for the one before", "[sim][sound][wallclock]") {
+TEST_CASE("a sound does not wait for the one before", "[sim][sound][wallclock]") {
     const Folder folder;
     std::vector<std::string> warnings;
     {
@@ -130,7 +130,7 @@ TEST_CASE("a sound never waits for the one before", "[sim][sound][wallclock]") {
         const auto begin = std::chrono::steady_clock::now();
         for (int i = 0; i < 3; ++i) files.play("ev3", speech("slow"));
         CHECK(std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(400));
-        // Until the thread takes the first one, all but it wait.
+        // Until the thread takes the first one, all others wait.
         for (std::size_t i = 0; i < SoundFiles::most_waiting; ++i) files.play("ev3", {Sound::Kind::tone, 0, 0, {}});
         files.tell();
         CHECK(warnings.size() >= 1);

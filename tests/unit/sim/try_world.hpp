@@ -14,7 +14,7 @@
 
 namespace nezumi::sim {
 
-/// The Raspberry Pi Mouse, as far as physics cares.
+/// The Raspberry Pi Mouse, with the properties that matter for physics.
 inline RobotSpec mouse_spec() {
     RobotSpec spec;
     spec.model = "mouse";
@@ -74,7 +74,7 @@ struct TryWorld {
         return add_kept(*specs.back(), x, y, heading, std::move(name));
     }
 
-    /// Adds a robot whose description outlives this.
+    /// Adds a robot whose description outlives this object.
     RobotId add_kept(const RobotSpec& spec, double x, double y, double heading = 0, std::string name = "") {
         if (name.empty()) name = "robot" + std::to_string(bodies.size());
         auto body = world->add_robot(name, spec, {{x, y}, heading});
@@ -95,7 +95,7 @@ struct TryWorld {
         }
     }
 
-    /// Speeds up evenly to these wheel speeds within `seconds`.
+    /// Accelerates evenly to these wheel speeds within `seconds`.
     void ramp(RobotId id, Wheels to, double seconds) {
         const int steps = static_cast<int>(std::lround(seconds / step));
         for (int i = 1; i <= steps; ++i) {
@@ -107,7 +107,7 @@ struct TryWorld {
 
     Truth truth(RobotId id = 0) const { return world->truth(id); }
 
-    /// All that is known of all robots, bit by bit.
+    /// The whole state of all robots.
     std::vector<double> bits() const {
         std::vector<double> all;
         for (RobotId i = 0; i < bodies.size(); ++i) {
@@ -123,7 +123,7 @@ struct TryWorld {
     std::unique_ptr<std::vector<std::string>> warnings = std::make_unique<std::vector<std::string>>();
     std::vector<std::unique_ptr<RobotSpec>> specs;
     std::unique_ptr<World> world;
-    std::vector<std::unique_ptr<SimulatedBody>> bodies;  // die before their world
+    std::vector<std::unique_ptr<SimulatedBody>> bodies;  // destroyed before their world
 };
 
 }  // namespace nezumi::sim

@@ -1,4 +1,4 @@
-// A hand that pushes a robot: the velocities it forces, and what the wheels make of it.
+// A velocity constraint on a robot: the forced velocities and the effect on the wheels.
 #include <cmath>
 
 #include "tests/unit/sim/try_world.hpp"
@@ -15,7 +15,7 @@ TEST_CASE("a velocity constraint forces its velocities on a robot whose motors h
     CHECK(w.truth().velocity.vx == Approx(0.2).epsilon(0.02));
     CHECK(w.truth().pose.position.x == Approx(0.4).epsilon(0.03));
     CHECK(w.bodies[0]->wheel_angles() == Wheels{});  // stepping motors that hold: the wheels slip
-    CHECK(w.truth().tilt < 0.01);                    // and the hand holds it level
+    CHECK(w.truth().tilt < 0.01);                    // and the robot is held level
     w.world->disturb(0, {.vx = -0.1, .vy = 0.05, .va = 1.0});
     w.run(1);
     CHECK(w.truth().velocity.vx == Approx(-0.1).margin(0.005));
@@ -27,7 +27,7 @@ TEST_CASE("a velocity constraint forces its velocities on a robot whose motors h
     CHECK(std::abs(w.truth().velocity.va) < 1e-3);
 }
 
-TEST_CASE("a hand that pushes a robot into a wall does not push it through", "[sim][robot][disturb]") {
+TEST_CASE("a velocity constraint does not push a robot through a wall", "[sim][robot][disturb]") {
     ArenaSpec arena;
     arena.boxes.push_back({.at = {0.3, 0, 0.1}, .size = {0.02, 1, 0.2}});
     TryWorld w(arena);
@@ -38,7 +38,7 @@ TEST_CASE("a hand that pushes a robot into a wall does not push it through", "[s
     CHECK(w.world->collided_with(0) == "box 1");
 }
 
-TEST_CASE("wheels that coast turn as the ground under them when a hand rolls the robot", "[sim][robot][disturb]") {
+TEST_CASE("coasting wheels turn with the ground when the robot is pushed", "[sim][robot][disturb]") {
     TryWorld w;
     w.add(mouse_spec(), 0, 0);
     w.bodies[0]->coast();
@@ -52,7 +52,7 @@ TEST_CASE("wheels that coast turn as the ground under them when a hand rolls the
     w.run(1);
     CHECK((w.bodies[0]->wheel_angles().right - before.right) * 0.024 == Approx(0.0925 / 2).epsilon(0.03));
     CHECK((w.bodies[0]->wheel_angles().left - before.left) * 0.024 == Approx(-0.0925 / 2).epsilon(0.03));
-    // Let go, it rolls on for a while; a command takes the wheels again.
+    // After the release it rolls on for a while; a command controls the wheels again.
     w.world->disturb(0, {.vx = 0.3});
     w.run(1);
     w.world->disturb(0, {});
@@ -63,8 +63,7 @@ TEST_CASE("wheels that coast turn as the ground under them when a hand rolls the
     CHECK(std::abs(w.truth().velocity.vx) < 1e-3);
 }
 
-TEST_CASE("the velocities of a constraint are those of the robot's origin, wherever its hull is",
-          "[sim][robot][disturb]") {
+TEST_CASE("the velocities of a constraint are those of the robot's origin, not of its hull", "[sim][robot][disturb]") {
     for (const bool ahead : {true, false}) {
         RobotSpec spec = mouse_spec();
         spec.body.at.x = 0.03;

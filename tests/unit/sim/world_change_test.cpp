@@ -1,4 +1,4 @@
-// A world that loses a robot, and one that can't go on.
+// A world from which a robot is removed, and one that can't continue.
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +7,7 @@
 using namespace nezumi;
 using namespace nezumi::sim;
 
-TEST_CASE("a world that physics can't carry any further says so and stands still", "[sim][world]") {
+TEST_CASE("a world that the physics can't continue reports it and stands still", "[sim][world]") {
     ArenaSpec arena;
     arena.boxes.push_back({.at = {0, 0, 0.3}, .size = {0.1, 0.1, 0.1}, .mass = 1e6});
     TryWorld w(arena);
@@ -24,8 +24,8 @@ TEST_CASE("a world that physics can't carry any further says so and stands still
                         [](const auto& text) { return text.find("LCP") != std::string::npos; }) <= 1);
 }
 
-TEST_CASE("a robot that is removed is gone: nobody sees it, meets it or finds its place taken", "[sim][world]") {
-    for (const int others : {0, 12}) {  // few are looked at one by one, many are found in a grid
+TEST_CASE("a removed robot is not seen or touched, and its place is free", "[sim][world]") {
+    for (const int others : {0, 12}) {  // few are tested one by one, many are found in a grid
         ArenaSpec arena;
         arena.cylinders.push_back({.at = {0.3, 0, 0.2}, .radius = 0.02, .height = 0.02, .mass = 0.02});
         TryWorld w(arena);

@@ -11,7 +11,7 @@ using namespace nezumi::sim;
 
 namespace {
 
-// Twelve discs and mice that drive into each other, a wall and movable things: islands of every size.
+// Twelve discs and mice that collide with each other, a wall and movable things: islands of every size.
 TryWorld make_crowd(std::uint64_t seed) {
     ArenaSpec arena;
     arena.size = Point2D{1.6, 1.6};
@@ -49,7 +49,7 @@ TEST_CASE("robots that overlap anything at the start are refused, with both name
     CHECK(refusal(0.1001, 0.0) == "added");
 }
 
-TEST_CASE("what has no extent is refused, with its place", "[sim][world]") {
+TEST_CASE("an object without size is refused, with its place", "[sim][world]") {
     ArenaSpec arena;
     arena.boxes.push_back({.at = {}, .size = {1, 0, 1}, .place = {"arena.lua", 3}});
     auto made = make_world(arena, {}, {});
@@ -71,7 +71,7 @@ TEST_CASE("what has no extent is refused, with its place", "[sim][world]") {
     CHECK(describe(made.error()) == "arena: field 'border.thickness' expected at least 0.0001 m, got 1e-300");
 }
 
-TEST_CASE("robots that meet are both told, with whom", "[sim][world]") {
+TEST_CASE("when two robots touch, each one reports the other", "[sim][world]") {
     const RobotSpec mouse = mouse_spec(), disc = swarm_spec();
     for (const RobotSpec* spec : {&mouse, &disc}) {
         TryWorld w;
@@ -87,7 +87,7 @@ TEST_CASE("robots that meet are both told, with whom", "[sim][world]") {
         CHECK(w.world->collided_with(0) == "right");
         CHECK(w.world->collided_with(1) == "left");
         CHECK_FALSE(w.world->collided(2));
-        // Hulls touch, they don't sink into each other; pushing, they lean a little.
+        // Hulls touch without overlapping; while pushing, they lean slightly.
         CHECK(w.truth(1).pose.position.x - w.truth(0).pose.position.x == Approx(spec->body.size.x).margin(0.005));
     }
 }
@@ -113,7 +113,7 @@ TEST_CASE("a disc does not slip past another that it meets head-on", "[sim][worl
     }
 }
 
-TEST_CASE("a robot pushes a movable box, and not one that is too heavy", "[sim][world]") {
+TEST_CASE("a robot pushes a movable box, but not a too heavy one", "[sim][world]") {
     const RobotSpec mouse = mouse_spec();
     for (const double mass : {0.2, 20.0}) {
         ArenaSpec arena;
@@ -133,7 +133,7 @@ TEST_CASE("a robot pushes a movable box, and not one that is too heavy", "[sim][
             CHECK(box.pose.position.x == Approx(0.3).margin(1e-3));
         }
         CHECK(box.pose.position.z == Approx(0.05).margin(1e-3));
-        // Left alone it comes to rest and stays where it is.
+        // After the release it comes to rest and stays.
         w.ramp(0, {-0.2, -0.2}, 0.2);
         w.run(1);
         const double x = w.world->things()[0].pose.position.x;
@@ -174,7 +174,7 @@ TEST_CASE("movable boxes stack, sleep and wake", "[sim][world]") {
     }
     w.bodies[0]->set_wheel_speeds({0.5, 0.5});
     w.run(4);
-    for (const ThingPose& thing : w.world->things()) {  // the tower falls, nothing hangs in the air
+    for (const ThingPose& thing : w.world->things()) {  // the tower falls; nothing hangs in the air
         CHECK(thing.pose.position.z > 0.02);
         CHECK(thing.pose.position.z < 0.16);
     }
@@ -189,7 +189,7 @@ TEST_CASE("the same seed gives the same bits", "[sim][determinism]") {
     CHECK(a.bits().front() != 0);
 }
 
-TEST_CASE("bits do not depend on how the steps of a crowd are bundled", "[sim][determinism]") {
+TEST_CASE("bits do not depend on how many steps a call takes", "[sim][determinism]") {
     for (const std::uint64_t seed : {5, 6, 7}) {
         TryWorld once = make_crowd(seed), tens = make_crowd(seed), ones = make_crowd(seed);
         once.world->step(1000);
@@ -238,7 +238,7 @@ TEST_CASE("many robots in a pile stay finite, upright and within the walls", "[s
     for (int i = 0; i < 25; ++i) {
         w.add(i % 3 == 0 ? mouse : disc, 0.22 * (i % 5 - 2), 0.22 * (i / 5 - 2), i);
     }
-    // All to the middle, over and over, at speeds beyond any limit.
+    // All drive to the middle, repeatedly, at speeds beyond any limit.
     double tilt = 0;
     std::mt19937 random(1);
     for (int k = 0; k < 40; ++k) {
@@ -260,7 +260,7 @@ TEST_CASE("many robots in a pile stay finite, upright and within the walls", "[s
     CHECK(w.warnings->empty());
 }
 
-TEST_CASE("sensors see walls, boxes, cylinders and other robots, and not themselves", "[sim][sensor]") {
+TEST_CASE("sensors see walls, boxes, cylinders and other robots, but not their own robot", "[sim][sensor]") {
     const RobotSpec mouse = mouse_spec();
     ArenaSpec arena;
     arena.boxes.push_back({.at = {0.535 + 0.05, 0, 0.1}, .size = {0.1, 1, 0.2}});
@@ -290,7 +290,7 @@ TEST_CASE("sensors see walls, boxes, cylinders and other robots, and not themsel
     CHECK(seen[3] == Approx(0.5).margin(1e-5));
 }
 
-TEST_CASE("a sensor on a servo looks where the servo points", "[sim][sensor]") {
+TEST_CASE("a sensor on a servo turns with the servo", "[sim][sensor]") {
     RobotSpec spec = mouse_spec();
     ActuatorSpec servo;
     servo.name = "neck";
@@ -313,7 +313,7 @@ TEST_CASE("a sensor on a servo looks where the servo points", "[sim][sensor]") {
     CHECK(seen[0] == Approx(0.98).margin(1e-6));  // 0.02 m before the neck's axis
 }
 
-TEST_CASE("a touch sensor closes by contact and by a finger, a button by a finger only", "[sim][sensor]") {
+TEST_CASE("a touch sensor closes by contact and by a press, a button by a press only", "[sim][sensor]") {
     RobotSpec spec = mouse_spec();
     SensorSpec touch;
     touch.name = "bumper";
@@ -356,7 +356,7 @@ TEST_CASE("a gyro feels the yaw rate", "[sim][sensor]") {
     CHECK(w.bodies[0]->yaw_rate() == Approx(0.1 / 0.0925).epsilon(0.001));
 }
 
-TEST_CASE("ten thousand robots are added in time that grows with their number", "[sim][world][wallclock]") {
+TEST_CASE("the time to add ten thousand robots is proportional to their number", "[sim][world][wallclock]") {
     const auto seconds = [](int count) {
         const RobotSpec disc = swarm_spec();
         TryWorld w;

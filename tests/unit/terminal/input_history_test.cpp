@@ -24,7 +24,7 @@ TEST_CASE("inputs of several lines come back as they were typed", "[console][his
     CHECK(HistoryFile(folder.path("a/b/nezumi/history")).read() == inputs);
 }
 
-TEST_CASE("the history is for its user alone", "[console][history]") {
+TEST_CASE("only the user can read the history", "[console][history]") {
     const Scratch folder;
     REQUIRE(HistoryFile(folder.path("nezumi/history")).append("secret"));
     struct stat status {};
@@ -34,7 +34,7 @@ TEST_CASE("the history is for its user alone", "[console][history]") {
     CHECK((status.st_mode & 0777) == 0700);
 }
 
-TEST_CASE("a line that was cut off does not swallow the next", "[console][history]") {
+TEST_CASE("a truncated line does not damage the next one", "[console][history]") {
     const Scratch folder;
     std::ofstream(folder.path("history")) << "whole\ncut o";
     const HistoryFile history(folder.path("history"));
@@ -42,7 +42,7 @@ TEST_CASE("a line that was cut off does not swallow the next", "[console][histor
     CHECK(history.read() == std::vector<std::string>{"whole", "cut o", "next"});
 }
 
-TEST_CASE("consoles that write at once lose no line, even while the file is cut down", "[console][history]") {
+TEST_CASE("consoles that write at once lose no line, even while the file is shortened", "[console][history]") {
     const Scratch folder;
     {
         std::ofstream long_file(folder.path("history"));
@@ -74,7 +74,7 @@ TEST_CASE("consoles that write at once lose no line, even while the file is cut 
     CHECK(next == std::vector<int>(writers, each));
 }
 
-TEST_CASE("a history that has grown long is cut to its latest lines when it is read", "[console][history]") {
+TEST_CASE("a long history is shortened to its latest lines when it is read", "[console][history]") {
     const Scratch folder;
     const auto write = [&](std::size_t count) {
         std::ofstream file(folder.path("history"));
@@ -94,7 +94,7 @@ TEST_CASE("a history that has grown long is cut to its latest lines when it is r
     CHECK(history.read().front() == lines().front());
 }
 
-TEST_CASE("a history that can't be kept says so", "[console][history]") {
+TEST_CASE("a history that can't be written is an error", "[console][history]") {
     const Scratch folder;
     std::ofstream(folder.path("file")) << "";
     const auto kept = HistoryFile(folder.path("file/nezumi/history")).append("x");

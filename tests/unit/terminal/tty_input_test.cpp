@@ -18,7 +18,7 @@ constexpr int interrupt = -2;
 
 }  // namespace
 
-TEST_CASE("arrow keys are known in both modes of a terminal, with Shift too", "[console][tty]") {
+TEST_CASE("arrow keys are recognised in both modes of a terminal, also with Shift", "[console][tty]") {
     CHECK(key_of("\x1b[A") == took(Key::up, 3));
     CHECK(key_of("\x1bOB") == took(Key::down, 3));
     CHECK(key_of("\x1b[1;2Cx") == took(Key::right, 6));
@@ -39,7 +39,7 @@ TEST_CASE("an Escape is a key of its own only when nothing follows it", "[consol
     CHECK(key_of("\x1b\x1b[A") == took(Key::escape, 1));
 }
 
-TEST_CASE("characters are put together from bytes that come one by one", "[console][tty]") {
+TEST_CASE("characters are decoded from bytes that come one by one", "[console][tty]") {
     std::string typed = "\xE2\x86";
     CHECK_FALSE(take_character(typed));
     typed += "\x92z";
@@ -48,7 +48,7 @@ TEST_CASE("characters are put together from bytes that come one by one", "[conso
     CHECK_FALSE(take_character(typed));
 }
 
-TEST_CASE("bytes that are no UTF-8 become a sign, and cost nothing behind them", "[console][tty]") {
+TEST_CASE("invalid UTF-8 becomes a replacement character, and the following text is kept", "[console][tty]") {
     CHECK(to_wide("\xFF\xC3z") == L"\xFFFD\xFFFDz");
     CHECK(to_wide("\xC0\xAF") == L"\xFFFD\xFFFD");
     CHECK(to_wide("\xED\xA0\x80") == L"\xFFFD");

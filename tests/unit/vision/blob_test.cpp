@@ -1,4 +1,4 @@
-// The largest connected part of a mask: which one that is, and what is told of it.
+// The largest connected region of a mask, and its properties.
 #include "engine/vision/blob.hpp"
 
 #include <catch2/catch.hpp>
@@ -10,7 +10,7 @@ using namespace nezumi;
 
 namespace {
 
-// A mask as it is drawn: what is not a point is marked.
+// A mask as a drawing: every character other than a point is marked.
 GrayImage mask_of(const std::vector<std::string>& rows) {
     GrayImage mask{static_cast<int>(rows[0].size()), static_cast<int>(rows.size()), {}};
     for (const std::string& row : rows) {
@@ -21,7 +21,7 @@ GrayImage mask_of(const std::vector<std::string>& rows) {
 
 }  // namespace
 
-TEST_CASE("the largest part counts, and of two as large the one that begins higher", "[vision][blob]") {
+TEST_CASE("the largest region counts, and of two equal ones the higher one", "[vision][blob]") {
     const auto blob = largest_blob(mask_of({"#....##", "#....##", ".......", "..###.."}));
     REQUIRE(blob);
     CHECK(blob->x == Approx(5.5));
@@ -33,7 +33,7 @@ TEST_CASE("the largest part counts, and of two as large the one that begins high
     CHECK(largest_blob(mask_of({"#"}))->area == 1);
 }
 
-TEST_CASE("pixels that touch at a corner are one part", "[vision][blob]") {
+TEST_CASE("pixels that touch at a corner are one region", "[vision][blob]") {
     const auto blob = largest_blob(mask_of({"#..##", ".#...", "..#..", "...#."}));
     REQUIRE(blob);
     CHECK(blob->area == 4);
@@ -41,14 +41,14 @@ TEST_CASE("pixels that touch at a corner are one part", "[vision][blob]") {
     CHECK(blob->y == 1.5);
 }
 
-TEST_CASE("the long axis is told from the upright, positive to the left", "[vision][blob]") {
+TEST_CASE("the angle of the long axis is measured from the vertical, positive to the left", "[vision][blob]") {
     CHECK(largest_blob(mask_of({".#.", ".#.", ".#."}))->angle == Approx(0).margin(1e-9));
     CHECK(std::abs(largest_blob(mask_of({"...", "###", "..."}))->angle) == Approx(M_PI / 2));
     CHECK(largest_blob(mask_of({"#..", ".#.", "..#"}))->angle == Approx(M_PI / 4));
     CHECK(largest_blob(mask_of({"..#", ".#.", "#.."}))->angle == Approx(-M_PI / 4));
 }
 
-TEST_CASE("a place in a picture is told from its middle, 1 at the first edge", "[vision][blob]") {
+TEST_CASE("a position in a picture is relative to its middle, 1 at the first edge", "[vision][blob]") {
     CHECK(from_middle(0, 1) == 0);
     CHECK(from_middle(-0.5, 640) == 1);
     CHECK(from_middle(639.5, 640) == -1);

@@ -1,4 +1,4 @@
-// Pictures that are none, and what is said of them.
+// Invalid pictures and their errors.
 #include <catch2/catch.hpp>
 
 #include "engine/vision/checked_image.hpp"
@@ -44,9 +44,14 @@ TEST_CASE("a picture whose sizes do not agree is refused in plain words", "[visi
           "65535 x 65535 pixels of rgb8 need 12884508675 bytes, got 3");
     CHECK(complaint(image(2, 2, 16, "rgb8", 12)) == "format 'rgb8' has 24 bits a pixel, got bpp = 16");
     CHECK(complaint(image(2, 2, 16, "", 8)) == "no format, and a bpp of 16: expected 8 or 24");
+    const std::string known = "gray8, mono8, rgb8, bgr8, 8UC3, rgba8, bgra8, mono16, yuv422_yuy2, yuv422, jpeg, png";
     CHECK(complaint(image(2, 2, 24, "rgb", 12)) ==
-          "unknown format 'rgb': expected gray8, mono8, rgb8 or bgr8 (did you mean 'rgb8'?)");
-    CHECK(complaint(image(2, 2, 24, "jpeg", 12)) == "unknown format 'jpeg': expected gray8, mono8, rgb8 or bgr8");
+          "unknown format 'rgb': expected " + known + " (did you mean 'rgb8'?)");
+    CHECK(complaint(image(2, 2, 24, "h264", 12)) == "unknown format 'h264': expected " + known);
+    CHECK(complaint(image(3, 2, 16, "yuv422_yuy2", 12)) == "3 pixels in a row of yuv422_yuy2: expected an even number");
+    CHECK(complaint(image(2, 2, 24, "jpeg", 12)) ==
+          "a jpeg that can't be read: OpenCV can't read its format (PNG, JPEG, BMP, TIFF, WebP, PPM and others are "
+          "possible)");
 }
 
 TEST_CASE("coloured pictures come as red, green and blue", "[vision][image]") {
@@ -61,8 +66,40 @@ TEST_CASE("coloured pictures come as red, green and blue", "[vision][image]") {
     CHECK(to_rgb(two)->height == 1);
 }
 
-TEST_CASE("a picture without colours is refused where colours are wanted, as is one whose sizes do not agree",
-          "[vision][image]") {
+TEST_CASE("pictures as ROS's cameras send them are taken, by their colours and in grey", "[vision][image]") {
+    CameraImage one = image(1, 1, 32, "bgra8", 4);
+    one.pixels = {0, 0, 255, 9};  // red
+    CHECK(to_rgb(one)->pixels == Octets{255, 0, 0});
+    CHECK(to_gray(one)->pixels == Octets{76});
+    one.format = "rgba8";
+    CHECK(to_rgb(one)->pixels == Octets{0, 0, 255});
+    CameraImage blue = image(1, 1, 24, "8UC3", 3);
+    blue.pixels = {255, 0, 0};
+    CHECK(to_rgb(blue)->pixels == Octets{0, 0, 255});
+    CameraImage deep = image(2, 1, 16, "mono16", 4);
+    deep.pixels = {0, 0, 0xff, 0xff};
+    CHECK(to_gray(deep)->pixels == Octets{0, 255});
+    CameraImage yuv = image(2, 1, 16, "yuv422_yuy2", 4);
+    yuv.pixels = {235, 128, 16, 128};  // white, black
+    CHECK(to_rgb(yuv)->pixels == Octets{255, 255, 255, 0, 0, 0});
+    CHECK(to_gray(yuv)->pixels == Octets{235, 16});
+    yuv.format = "yuv422";
+    yuv.pixels = {128, 235, 128, 16};
+    CHECK(to_rgb(yuv)->pixels == Octets{255, 255, 255, 0, 0, 0});
+    // A PNG of one green pixel.
+    const CameraImage compressed{
+        .format = "png", .pixels = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
+                                    0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x02, 0x00, 0x00,
+                                    0x00, 0x90, 0x77, 0x53, 0xde, 0x00, 0x00, 0x00, 0x0c, 0x49, 0x44, 0x41, 0x54, 0x78,
+                                    0x9c, 0x63, 0x60, 0xf8, 0xcf, 0x00, 0x00, 0x02, 0x02, 0x01, 0x00, 0x7b, 0x09, 0x81,
+                                    0x78, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82}};
+    const auto decoded = to_rgb(compressed);
+    INFO((decoded ? std::string() : decoded.error().message));
+    REQUIRE(decoded.has_value());
+    CHECK(decoded->pixels == Octets{0, 255, 0});
+}
+
+TEST_CASE("a grey picture is refused if colours are needed, as is one whose sizes do not agree", "[vision][image]") {
     const auto refused = [](const CameraImage& wrong) {
         const auto colored = to_rgb(wrong);
         REQUIRE_FALSE(colored);

@@ -1,4 +1,4 @@
-// Colours in pictures: which pixels count, which thing, where it is; then the component around that.
+// Colours in pictures: pixels, objects and positions; then the component.
 #include "engine/vision/color_detector.hpp"
 
 #include <chrono>
@@ -13,12 +13,12 @@ namespace {
 
 constexpr Color ground{200, 200, 200}, red{255, 0, 0}, green{0, 255, 0}, blue{0, 0, 255};
 
-// Of saturated, bright colours.
+// Saturated, bright colours.
 ColorRange hues(double from, double to) {
     return {.hue_from = from, .hue_to = to, .saturation_from = 0.5, .value_from = 0.5};
 }
 
-// Whether anything of a picture of this colour alone is in the range.
+// True if a picture with only this colour has pixels in the range.
 bool has(Color color, const ColorRange& range) { return find_color(Canvas(8, 8, color).colors(), range).has_value(); }
 
 struct ColorWatch : Watched<ColorDetector> {
@@ -36,7 +36,7 @@ ArenaSpec one_box(Point3D at = {0.5, 0, 0.1}, const char* color = "#d6453d") {
 
 }  // namespace
 
-TEST_CASE("a thing of a colour has its centre and its area", "[vision][color]") {
+TEST_CASE("a coloured object has a centre and an area", "[vision][color]") {
     const auto blob = find_color(Canvas(100, 80, ground).paint(20, 10, 20, 30, red).colors(), hues(340, 20));
     REQUIRE(blob);
     CHECK(blob->x == Approx(29.5).margin(0.01));
@@ -44,7 +44,7 @@ TEST_CASE("a thing of a colour has its centre and its area", "[vision][color]") 
     CHECK(blob->area == Approx(600).margin(4));
 }
 
-TEST_CASE("each hue is where the circle of colours has it", "[vision][color]") {
+TEST_CASE("each hue is in its place on the colour circle", "[vision][color]") {
     const std::pair<Color, double> circle[] = {{red, 0},    {{255, 255, 0}, 60}, {green, 120}, {{0, 255, 255}, 180},
                                                {blue, 240}, {{255, 0, 255}, 300}};
     for (const auto& [color, hue] : circle) {
@@ -68,14 +68,14 @@ TEST_CASE("a range of hues whose end is below its beginning goes through red", "
     CHECK_FALSE(has(crimson, hues(5, 20)));
     CHECK_FALSE(has(green, hues(340, 20)));
     CHECK(has(green, hues(20, 340)));
-    // 0 and 360 are one hue, whichever way it is written.
+    // 0 and 360 are the same hue.
     CHECK(has(red, hues(340, 360)));
     CHECK(has(red, hues(0, 20)));
     CHECK(has(red, hues(360, 20)));
     CHECK(has(red, hues(360, 360)));
     CHECK(has(red, hues(0, 0)));
     CHECK_FALSE(has(green, hues(360, 20)));
-    // The two halves of a thing on both sides of red are one thing.
+    // Two halves of an object on both sides of red are one object.
     const auto both = find_color(
         Canvas(100, 80, ground).paint(20, 10, 20, 20, crimson).paint(40, 10, 20, 20, scarlet).colors(), hues(340, 20));
     REQUIRE(both);
@@ -83,7 +83,7 @@ TEST_CASE("a range of hues whose end is below its beginning goes through red", "
     CHECK(both->area == Approx(800).margin(12));
 }
 
-TEST_CASE("saturation and value count with both of their bounds", "[vision][color]") {
+TEST_CASE("saturation and value include both of their bounds", "[vision][color]") {
     constexpr Color pale{255, 153, 153}, dark{102, 0, 0};  // saturation 0.4; value 0.4
     CHECK(has(pale, {.saturation_from = 0.4}));
     CHECK(has(pale, {.saturation_to = 0.4}));
@@ -96,7 +96,7 @@ TEST_CASE("saturation and value count with both of their bounds", "[vision][colo
     CHECK(has(ground, {.saturation_to = 0, .value_to = 0.8}));
 }
 
-TEST_CASE("of two things the larger one counts, however many small ones there are", "[vision][color]") {
+TEST_CASE("the largest object counts, even among many small ones", "[vision][color]") {
     Canvas canvas(200, 100, ground);
     canvas.paint(20, 20, 20, 20, red).paint(120, 50, 24, 24, red).paint(60, 10, 40, 40, blue);
     for (int i = 0; i < 10; ++i) canvas.paint(10 + 18 * i, 90, 8, 8, red);
@@ -106,7 +106,7 @@ TEST_CASE("of two things the larger one counts, however many small ones there ar
     CHECK(blob->y == Approx(61.5).margin(0.01));
 }
 
-TEST_CASE("of a thing at the picture's edge what is in the picture counts", "[vision][color]") {
+TEST_CASE("of an object at the picture's edge only the visible part counts", "[vision][color]") {
     for (const auto& [left, top, x, y] : {std::tuple{-10, 40, 4.5, 49.5},
                                           {90, 40, 94.5, 49.5},
                                           {40, -10, 49.5, 4.5},
@@ -124,7 +124,7 @@ TEST_CASE("of a thing at the picture's edge what is in the picture counts", "[vi
     CHECK(all->area == 8000);
 }
 
-TEST_CASE("where nothing has the colour nothing is found", "[vision][color]") {
+TEST_CASE("nothing is found if no object has the colour", "[vision][color]") {
     CHECK_FALSE(find_color(Canvas(100, 80, ground).paint(20, 10, 20, 20, blue).colors(), hues(340, 20)));
     CHECK_FALSE(find_color(Canvas(1, 1, ground).colors(), hues(340, 20)));
     CHECK_FALSE(find_color(Canvas(100, 80, red).colors(), {.saturation_from = 1, .saturation_to = 0}));
@@ -156,7 +156,7 @@ TEST_CASE("left and up are positive, as in the robot's axes", "[vision][color]")
     CHECK(seen(0, -0.06).second < -0.2);
 }
 
-TEST_CASE("a noisy and blurred picture tells nearly the same as a clean one", "[vision][color]") {
+TEST_CASE("a noisy and blurred picture gives nearly the same result as a clean one", "[vision][color]") {
     const auto seen = [](const ParameterValues& camera) {
         ColorWatch watch(one_box({0.6, 0.1, 0.1}), {}, camera);
         watch.run(20);
@@ -170,14 +170,14 @@ TEST_CASE("a noisy and blurred picture tells nearly the same as a clean one", "[
     CHECK(noisy_area == Approx(area).epsilon(0.1));
 }
 
-TEST_CASE("noise alone is no thing", "[vision][color]") {
+TEST_CASE("noise alone is not an object", "[vision][color]") {
     ColorWatch watch({}, {}, {{"noise", 13.0}});
     watch.run(100);
     CHECK(watch.port("visible").count() > 20);
     CHECK(watch.port("centre").count() == 0);
 }
 
-TEST_CASE("while nothing is in sight only visible speaks, once for each picture", "[vision][color]") {
+TEST_CASE("without an object only visible is published, once per picture", "[vision][color]") {
     ColorWatch watch(one_box({0.5, 0, 0.1}, "#3568c4"));
     watch.run(50);
     CHECK_FALSE(watch.visible());
@@ -191,7 +191,7 @@ TEST_CASE("while nothing is in sight only visible speaks, once for each picture"
     CHECK(watch.said.empty());
 }
 
-TEST_CASE("what is smaller than the least area is not seen", "[vision][color]") {
+TEST_CASE("an object smaller than the least area is ignored", "[vision][color]") {
     ColorWatch watch({}, {{"least_area", 0.05}}, {}, false);
     watch.show(Canvas(100, 100, ground).paint(20, 20, 20, 20, red).image());
     watch.run(5);
@@ -204,7 +204,7 @@ TEST_CASE("what is smaller than the least area is not seen", "[vision][color]") 
     CHECK(watch.up() == Approx(0.3).margin(0.001));
 }
 
-TEST_CASE("a range without any colour is told once, until it has some", "[vision][color]") {
+TEST_CASE("a range that contains no colour is reported once until it contains one", "[vision][color]") {
     ColorWatch watch(one_box(), {{"saturation_from", 0.9}, {"saturation_to", 0.25}});
     watch.run(50);
     CHECK_FALSE(watch.visible());
@@ -223,7 +223,7 @@ TEST_CASE("a range without any colour is told once, until it has some", "[vision
                             "it"});
 }
 
-TEST_CASE("a grey picture is told once, and nothing is seen in it", "[vision][color]") {
+TEST_CASE("a grey picture is reported once and not used", "[vision][color]") {
     ColorWatch watch(one_box(), {}, {{"format", std::string("gray8")}});
     watch.run(50);
     CHECK_FALSE(watch.visible());
@@ -245,7 +245,7 @@ TEST_CASE("a colour is published after the detector's latency, of the newest pic
     watch.run(1);
     CHECK(watch.port("centre").count() == 1);
     CHECK(watch.left() == Approx(0.8).margin(0.01));
-    watch.run(10);  // the second one was passed over
+    watch.run(10);  // the second one was skipped
     CHECK(watch.port("centre").count() == 2);
     CHECK(watch.left() == Approx(0).margin(0.01));
 }

@@ -1,4 +1,4 @@
-// What detectors take memory for while they look at one picture after the other.
+// Memory that detectors allocate for a series of pictures.
 #include "engine/vision/color_detector.hpp"
 #include "engine/vision/line_detector.hpp"
 #include "engine/vision/marker_detector.hpp"
@@ -18,7 +18,7 @@ CameraImage picture(const std::string& format) {
             .pixels = Octets(static_cast<std::size_t>(320 * 240 * bytes), 100)};
 }
 
-// By the thread that ticks, for some pictures after the first.
+// Allocated by the ticking thread for some pictures after the first.
 template <class Detector>
 std::size_t allocations_for(const std::string& format) {
     Watched<Detector> watch({}, {}, {{"frame_rate", 0.01}}, false);
@@ -36,7 +36,7 @@ std::size_t allocations_for(const std::string& format) {
 
 }  // namespace
 
-TEST_CASE("pixels are put into memory that an earlier picture had", "[vision][image]") {
+TEST_CASE("pixels use the memory of an earlier picture", "[vision][image]") {
     for (const char* format : {"gray8", "rgb8", "bgr8"}) {
         INFO(format);
         const CameraImage image = picture(format);
@@ -53,7 +53,7 @@ TEST_CASE("pixels are put into memory that an earlier picture had", "[vision][im
     }
 }
 
-TEST_CASE("detectors take each picture into the same memory", "[vision][detector]") {
+TEST_CASE("detectors use the same memory for each picture", "[vision][detector]") {
     for (const char* format : {"rgb8", "bgr8"}) {
         INFO(format);
         CHECK(allocations_for<ColorDetector>(format) == 0);

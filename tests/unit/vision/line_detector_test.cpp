@@ -1,4 +1,4 @@
-// Lines in pictures: what counts as one, where it is and which way it runs; then the component around that.
+// Lines in pictures: detection, position and angle; then the component.
 #include "engine/vision/line_detector.hpp"
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr Color floor_of_room{210, 210, 210}, black{20, 20, 20}, white{250, 250, 250};
 
-// A line 9 px wide through (x, y) that runs this way [rad], 0 upright and positive to the left.
+// A line 9 px wide through (x, y) with this angle [rad], 0 vertical and positive to the left.
 Canvas with_line(double x, double y, double angle, Color line = black, Color ground = floor_of_room) {
     Canvas canvas(160, 120, ground);
     canvas.paint_where(line, [&](int column, int row) {
@@ -33,7 +33,7 @@ struct LineWatch : Watched<LineDetector> {
     double angle() { return value<double>("angle"); }
 };
 
-// A floor that the camera, 0.1 m above the origin, looks at from a height: the line that an EV3 follows.
+// A floor seen by a camera 0.1 m above the origin, with the line that an EV3 follows.
 ArenaSpec floor_with_line() {
     ArenaSpec arena;
     arena.floor = FloorSpec{.image = source_root() + "/behaviors/line.png", .size = {1.6, 1.2}};
@@ -42,7 +42,7 @@ ArenaSpec floor_with_line() {
 
 }  // namespace
 
-TEST_CASE("an upright line has an offset and runs straight ahead", "[vision][line]") {
+TEST_CASE("a vertical line has an offset and angle 0", "[vision][line]") {
     const auto line = line_in(with_line(50, 60, 0));
     REQUIRE(line);
     CHECK(line->x == Approx(50).margin(0.01));
@@ -51,7 +51,7 @@ TEST_CASE("an upright line has an offset and runs straight ahead", "[vision][lin
     CHECK(line->area == Approx(9 * 60).margin(0.1));
 }
 
-TEST_CASE("a line across the picture runs to the side", "[vision][line]") {
+TEST_CASE("a horizontal line has an angle to the side", "[vision][line]") {
     const auto line = line_in(with_line(80, 90, M_PI / 2));
     REQUIRE(line);
     CHECK(line->x == Approx(79.5).margin(0.01));
@@ -65,11 +65,11 @@ TEST_CASE("a line that leans to the left has a positive angle", "[vision][line]"
         const auto line = line_in(with_line(80, 90, angle));
         REQUIRE(line);
         CHECK(line->x == Approx(80).margin(1));
-        CHECK(line->angle == Approx(angle).margin(0.05));  // its ends are cut level
+        CHECK(line->angle == Approx(angle).margin(0.05));  // its ends are cut horizontally
     }
 }
 
-TEST_CASE("only the part of the picture below the top is looked at", "[vision][line]") {
+TEST_CASE("only the part of the picture below the parameter top is used", "[vision][line]") {
     Canvas canvas = with_line(50, 60, 0);
     canvas.paint(0, 0, 160, 55, white).paint(100, 0, 30, 55, black);
     CHECK(line_in(canvas)->x == Approx(50).margin(0.01));
@@ -78,7 +78,7 @@ TEST_CASE("only the part of the picture below the top is looked at", "[vision][l
     CHECK(line_in(canvas, {.top = 1})->y == Approx(119).margin(0.01));
 }
 
-TEST_CASE("a light line on a dark floor is one when it is looked for", "[vision][line]") {
+TEST_CASE("a light line on a dark floor is found if light lines are requested", "[vision][line]") {
     const Canvas canvas = with_line(50, 60, 0, white, {60, 60, 60});
     const auto line = line_in(canvas, {.dark = false});
     REQUIRE(line);
@@ -94,13 +94,13 @@ TEST_CASE("of two lines the larger one counts", "[vision][line]") {
     CHECK(line_in(canvas)->x == Approx(109.5).margin(0.01));
 }
 
-TEST_CASE("a line at the picture's edge is where it is seen", "[vision][line]") {
+TEST_CASE("a line at the picture's edge is found there", "[vision][line]") {
     CHECK(line_in(with_line(0, 60, 0))->x == Approx(2).margin(0.2));
     CHECK(line_in(with_line(159, 60, 0))->x == Approx(157).margin(0.2));
     CHECK_FALSE(line_in(with_line(170, 60, 0)));
 }
 
-TEST_CASE("a floor without a line has none, whatever its brightness", "[vision][line]") {
+TEST_CASE("no line is found on an empty floor of any brightness", "[vision][line]") {
     for (const int gray : {0, 1, 127, 254, 255}) {
         const auto shade = static_cast<std::uint8_t>(gray);
         const Canvas canvas(160, 120, {shade, shade, shade});
@@ -112,7 +112,7 @@ TEST_CASE("a floor without a line has none, whatever its brightness", "[vision][
     CHECK_FALSE(line_in(Canvas(1, 1, black)));
 }
 
-TEST_CASE("what differs less from the floor than the contrast is no line", "[vision][line]") {
+TEST_CASE("an area with less than the required contrast is not a line", "[vision][line]") {
     const Canvas canvas = with_line(50, 60, 0, {150, 150, 150});
     CHECK_FALSE(line_in(canvas));
     CHECK(line_in(canvas, {.contrast = 0.15}));
@@ -124,8 +124,8 @@ TEST_CASE("a camera that looks down sees the line of a floor, left of it or righ
         const auto world = world_with(floor_with_line());
         CameraSettings settings{.width = 320, .height = 240, .field_of_view = field_of_view};
         if (!optics.empty()) {
-            settings.noise = std::get<double>(optics.at("noise"));
-            settings.blur = std::get<double>(optics.at("blur"));
+            settings.noise = optics.at("noise").get<double>();
+            settings.blur = optics.at("blur").get<double>();
         }
         const auto line =
             find_line(*to_gray(picture_of(*world, settings, {.at = {0, y, 0.1}, .yaw = yaw, .pitch = 0.8})), {});
@@ -138,7 +138,7 @@ TEST_CASE("a camera that looks down sees the line of a floor, left of it or righ
     CHECK(ahead == Approx(0).margin(0.1));
     CHECK(seen(-0.37, 0).first > 0.15);
     CHECK(seen(-0.33, 0).first < -0.15);
-    // Looking to the right of where it runs, the line goes to the left.
+    // If the camera looks to the right of the line's direction, the line goes to the left.
     CHECK(seen(-0.35, -0.4).second > 0.2);
     CHECK(seen(-0.35, 0.4).second < -0.2);
     const auto [noisy, noisy_angle] = seen(-0.37, 0.1, {{"noise", 13.0}, {"blur", 1.5}});
@@ -147,14 +147,14 @@ TEST_CASE("a camera that looks down sees the line of a floor, left of it or righ
     CHECK(noisy_angle == Approx(clean_angle).margin(0.03));
 }
 
-TEST_CASE("noise alone is no line", "[vision][line]") {
+TEST_CASE("noise alone is not a line", "[vision][line]") {
     LineWatch watch(ArenaSpec{}, {}, {{"noise", 13.0}, {"pitch", 0.8}});
     watch.run(100);
     CHECK(watch.port("visible").count() > 20);
     CHECK(watch.port("offset").count() == 0);
 }
 
-TEST_CASE("a line is told once for each picture, and while there is none only visible speaks", "[vision][line]") {
+TEST_CASE("a line is published once per picture, and without a line only visible is published", "[vision][line]") {
     LineWatch watch(ArenaSpec{}, {}, {}, false);
     const auto look_at = [&](const Canvas& canvas) {
         watch.show(canvas.image());
@@ -180,7 +180,7 @@ TEST_CASE("a line is told once for each picture, and while there is none only vi
     CHECK(watch.said.empty());
 }
 
-TEST_CASE("a torn picture is told by a detector of lines as well", "[vision][line]") {
+TEST_CASE("a detector of lines reports a torn picture too", "[vision][line]") {
     LineWatch watch(ArenaSpec{}, {}, {}, false);
     CameraImage torn = with_line(50, 60, 0).image();
     torn.pixels.resize(1000);

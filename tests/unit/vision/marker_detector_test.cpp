@@ -1,4 +1,4 @@
-// The detector as a component: when it publishes what.
+// The detector as a component: when it publishes.
 #include "tests/unit/vision/seen.hpp"
 
 #include <string>
@@ -21,7 +21,7 @@ struct MarkerWatch : Watched<MarkerDetector> {
 
 TEST_CASE("what a picture shows is published after the camera's and the detector's latency", "[vision][detector]") {
     MarkerWatch watch(one_marker(), {{"latency", 0.03}}, {{"latency", 0.05}});
-    watch.run(8);  // ticks 0 to 7: exposed in tick 0, published in tick 5, looked at from then on
+    watch.run(8);  // ticks 0 to 7: exposed in tick 0, published in tick 5, processed from then on
     CHECK(watch.port("pos").count() == 0);
     CHECK(watch.port("visible").count() == 0);
     watch.run(1);
@@ -67,14 +67,14 @@ TEST_CASE("thirty pictures a second make thirty positions a second", "[vision][d
     CHECK(std::abs(static_cast<int>(watch.port("pos").count()) - 60) <= 1);
 }
 
-TEST_CASE("a detector that is slower than the camera passes pictures over", "[vision][detector]") {
+TEST_CASE("a detector that is slower than the camera skips pictures", "[vision][detector]") {
     MarkerWatch watch(one_marker(), {{"latency", 0.1}});
     watch.run(205);
     CHECK(watch.port("visible").count() >= 18);
     CHECK(watch.port("visible").count() <= 20);
 }
 
-TEST_CASE("when the marker disappears, positions stop and visible says so", "[vision][detector]") {
+TEST_CASE("when the marker disappears, positions stop and visible becomes false", "[vision][detector]") {
     MarkerWatch watch(one_marker());
     watch.run(50);
     CHECK(watch.visible());
@@ -88,7 +88,7 @@ TEST_CASE("when the marker disappears, positions stop and visible says so", "[vi
     CHECK(watch.port("visible").count() > looks);
 }
 
-TEST_CASE("a picture brings its camera's intrinsics along; otherwise the detector's own count", "[vision][detector]") {
+TEST_CASE("the intrinsics of a picture are used, or else those of the detector", "[vision][detector]") {
     MarkerWatch wide(one_marker({0.6, 0, 0.1}), {}, {{"field_of_view", 1.6}, {"width", std::int64_t{800}}});
     wide.run(20);
     CHECK(wide.pos().position.x == Approx(0.6).margin(0.01));
@@ -107,7 +107,7 @@ TEST_CASE("a picture brings its camera's intrinsics along; otherwise the detecto
     CHECK(apart.pos().position.x == Approx(0.6).margin(0.01));
 }
 
-TEST_CASE("each of the detector's own intrinsics counts, and those that are 0 follow fx and the middle",
+TEST_CASE("each of the detector's intrinsics is used, and those that are 0 follow fx and the middle",
           "[vision][detector]") {
     const CameraIntrinsics c = pinhole(640, 480, field_of_view);
     const auto seen = [&](ParameterValues values) {
@@ -122,7 +122,7 @@ TEST_CASE("each of the detector's own intrinsics counts, and those that are 0 fo
     CHECK(plain.y == Approx(0.1).margin(0.002));
     CHECK(plain.z == Approx(0.05).margin(0.002));
     CHECK(seen({{"fy", c.fx}, {"cx", c.cx}, {"cy", c.cy}}) == plain);
-    // 20 pixels farther to the right, or farther down, the middle makes it lie so much more to the left, or higher.
+    // If the middle is 20 pixels farther right or down, the marker is farther left or up by the same angle.
     CHECK(seen({{"cx", c.cx + 20}}).y - plain.y == Approx(20 / c.fx * 0.6).epsilon(0.1));
     CHECK(seen({{"cy", c.cy + 20}}).z - plain.z == Approx(20 / c.fx * 0.6).epsilon(0.1));
     CHECK(seen({{"fy", 1.2 * c.fx}}).z < 0.95 * plain.z);
@@ -158,7 +158,7 @@ TEST_CASE("intrinsics that change while it runs are those of the pictures from t
     CHECK(watch.said.empty());
 }
 
-TEST_CASE("what a lens distorts is found where it is", "[vision][detector]") {
+TEST_CASE("a distorted marker is found at its true place", "[vision][detector]") {
     const Point3D at{0.7, 0.25, 0.22};
     const ParameterValues barrel{{"k1", -0.3}, {"k2", 0.1}, {"p1", 0.005}, {"p2", -0.005}};
     MarkerWatch watch(one_marker(at), {}, barrel);
@@ -167,15 +167,14 @@ TEST_CASE("what a lens distorts is found where it is", "[vision][detector]") {
     CHECK(watch.pos().position.x == Approx(at.x).margin(0.007));
     CHECK(watch.pos().position.y == Approx(at.y).margin(0.003));
     CHECK(watch.pos().position.z == Approx(at.z - 0.1).margin(0.003));
-    // Taken for a pinhole's, the same picture tells another place.
+    // With a pinhole's intrinsics, the same picture gives another position.
     MarkerWatch blind(one_marker(at), {{"fx", pinhole(640, 480, field_of_view).fx}}, barrel);
     blind.run(20);
     REQUIRE(blind.visible());
     CHECK(std::abs(blind.pos().position.x - at.x) > 0.01);
 }
 
-TEST_CASE("a lens' distortion is taken out where that is asked for, and measured focal lengths are the camera's",
-          "[vision][camera]") {
+TEST_CASE("distortion is removed on request, and measured focal lengths are used", "[vision][camera]") {
     const Point3D at{0.7, 0.2, 0.2};
     MarkerWatch watch(one_marker(at), {},
                       {{"k1", -0.3}, {"k2", 0.1}, {"undistort", true}, {"fx", 500.0}, {"fy", 505.0}, {"cx", 330.0}});
@@ -188,7 +187,7 @@ TEST_CASE("a lens' distortion is taken out where that is asked for, and measured
     CHECK(watch.pos().position.y == Approx(at.y).margin(0.003));
 }
 
-TEST_CASE("a picture of another size than its intrinsics' is told, and nothing is seen in it", "[vision][detector]") {
+TEST_CASE("a picture whose size differs from its intrinsics is reported and not used", "[vision][detector]") {
     MarkerWatch watch(one_marker());
     watch.run(20);
     REQUIRE(watch.system.disconnect("eye.out", "detector.image"));
@@ -199,7 +198,7 @@ TEST_CASE("a picture of another size than its intrinsics' is told, and nothing i
           std::vector<std::string>{"image: 320 x 240 pixels, but intrinsics for 640 x 480: nothing can be seen in it"});
 }
 
-TEST_CASE("a camera whose distortion folds its picture over says so", "[vision][detector]") {
+TEST_CASE("a camera whose distortion folds its picture reports it", "[vision][detector]") {
     MarkerWatch watch(one_marker());
     REQUIRE(watch.system.find("eye")->parameters().set("k1", -1.5));
     watch.run(2);
@@ -219,7 +218,7 @@ TEST_CASE("a small marker has no orientation", "[vision][detector]") {
     CHECK(near_by.pos().orientation.y == Approx(0.5).margin(0.03));
 }
 
-TEST_CASE("a marker that is not the one looked for is not seen", "[vision][detector]") {
+TEST_CASE("only the requested marker is found", "[vision][detector]") {
     MarkerWatch watch(one_marker(), {{"id", std::int64_t{8}}});
     watch.run(20);
     CHECK_FALSE(watch.visible());
@@ -245,7 +244,7 @@ TEST_CASE("all markers in sight come at once, the nearest first", "[vision][dete
         CHECK(seen[i].pose.position.y == Approx(at.y).margin(0.01));
         CHECK(seen[i].pose.position.z == Approx(at.z - 0.1).margin(0.01));
     }
-    // The first of them is the one that pos and id tell.
+    // pos and id belong to the first of them.
     CHECK(watch.value<std::int32_t>("id") == 1);
     CHECK(watch.pos() == seen[0].pose);
 
@@ -255,7 +254,7 @@ TEST_CASE("all markers in sight come at once, the nearest first", "[vision][dete
     CHECK(watch.markers()[0].id == 2);
 }
 
-TEST_CASE("two markers of one number are two", "[vision][detector]") {
+TEST_CASE("two markers with the same number are both found", "[vision][detector]") {
     ArenaSpec arena = one_marker({1, 0.2, 0.1});
     arena.markers.push_back({.name = "its twin", .id = 7, .at = {0.9, -0.2, 0.1}, .facing = M_PI});
     MarkerWatch watch(arena, {{"id", std::int64_t{7}}});
@@ -265,7 +264,7 @@ TEST_CASE("two markers of one number are two", "[vision][detector]") {
     CHECK(watch.markers()[1].pose.position.y == Approx(0.2).margin(0.01));
 }
 
-TEST_CASE("while no marker is in sight there are none of them, once for each picture", "[vision][detector]") {
+TEST_CASE("without a marker an empty list is published once per picture", "[vision][detector]") {
     MarkerWatch watch(one_marker());
     watch.run(50);
     CHECK(watch.markers().size() == 1);
@@ -276,7 +275,7 @@ TEST_CASE("while no marker is in sight there are none of them, once for each pic
     CHECK(watch.port("markers").count() > watch.port("pos").count());
 }
 
-TEST_CASE("a broken picture is said once, and nothing is seen in it", "[vision][detector]") {
+TEST_CASE("a broken picture is reported once and not used", "[vision][detector]") {
     MarkerWatch watch(one_marker(), {}, {}, false);
     const CameraImage good = picture_of(*watch.system.world());
     CameraImage torn = good;
@@ -308,7 +307,7 @@ TEST_CASE("the same run has the same trace, also with noise", "[vision][detector
     CHECK(trace(3) != trace(4));
 }
 
-TEST_CASE("a detector that is stopped forgets the picture it was looking at", "[vision][detector]") {
+TEST_CASE("a stopped detector drops its present picture", "[vision][detector]") {
     MarkerWatch watch(one_marker());
     watch.run(3);  // the first picture has just arrived
     REQUIRE(watch.detector().deactivate(watch.system.now()));

@@ -20,7 +20,7 @@
 
 namespace nezumi {
 
-/// As detectors do; the thread sanitizer knows nothing of the locks of OpenCV's own threads.
+/// As in detectors; the thread sanitizer does not know the locks of OpenCV's threads.
 inline const bool has_one_thread = use_one_thread();
 
 inline constexpr double field_of_view = 1.0472;
@@ -38,7 +38,7 @@ inline ArenaSpec one_marker(Point3D at = {1, 0, 0.1}, double facing = M_PI, doub
     return arena;
 }
 
-/// What a camera at the height of 0.1 m over the origin sees, looking along x.
+/// The picture of a camera 0.1 m above the origin, looking along x.
 inline CameraImage picture_of(World& world, CameraSettings settings = {.field_of_view = field_of_view},
                               CameraMount mount = {.at = {0, 0, 0.1}}) {
     auto camera = world.open_camera(mount, settings);
@@ -65,7 +65,7 @@ struct Color {
     std::uint8_t red, green, blue;
 };
 
-/// A picture painted by hand: a ground, and rectangles on it, as far as they are within it.
+/// A picture painted by hand: a background with rectangles, as far as they are within it.
 class Canvas {
 public:
     Canvas(int width, int height, Color ground)
@@ -102,7 +102,7 @@ private:
     CameraImage image_;
 };
 
-/// A camera "eye" that stands in the arena, and a component "detector" that looks at its pictures.
+/// A camera "eye" that stands in the arena, and a component "detector" that processes its pictures.
 template <class Detector>
 struct Watched {
     explicit Watched(const ArenaSpec& arena, const ParameterValues& detector_values = {},
@@ -139,7 +139,7 @@ struct Watched {
     System system;
 };
 
-/// A parameter takes both of its bounds, and nothing beyond them.
+/// A parameter accepts both of its bounds and nothing beyond them.
 inline void check_bounds(Component& component, const char* name, double low, double high) {
     INFO(name);
     Parameters& parameters = component.parameters();

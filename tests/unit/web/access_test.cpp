@@ -1,4 +1,4 @@
-// Who is let in: nobody without the token, from another page, or by another name of this computer.
+// Access control: requests without the token, from another page or under another host name are refused.
 #include "bindings/web/access.hpp"
 
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@ std::string status_of(WebRig& rig, const std::string& host, const std::string& o
 
 }  // namespace
 
-TEST_CASE("a page of this host with the token becomes a WebSocket and is greeted", "[web][access]") {
+TEST_CASE("a page of this host with the token gets a WebSocket and a greeting", "[web][access]") {
     WebRig rig;
     RawBrowser browser = rig.connect();
     const std::string head =
@@ -34,7 +34,7 @@ TEST_CASE("a page of this host with the token becomes a WebSocket and is greeted
     CHECK(hello["version"] == "1.2.3");
 }
 
-TEST_CASE("without the token nobody becomes a WebSocket", "[web][access]") {
+TEST_CASE("without the token no WebSocket is opened", "[web][access]") {
     WebRig rig;
     const std::string origin = "http://" + rig.host();
     const auto status = [&](const std::string& protocols) { return status_of(rig, rig.host(), origin, protocols); };
@@ -68,7 +68,7 @@ TEST_CASE("a page of another origin, or of none, is refused with the right token
     CHECK(status("http://localhost:" + std::to_string(rig.port)) == refused);
 }
 
-TEST_CASE("whoever was led here by another name is refused, also files", "[web][access]") {
+TEST_CASE("requests under another host name are refused, also for files", "[web][access]") {
     WebRig rig;
     const std::string protocols = "nezumi, token." + rig.token, refused = "403";
     for (const std::string host : {"example.com", "127.0.0.1.example.com", "example.com:8765", "127.0.0.2", "[::2]:1",
@@ -79,7 +79,7 @@ TEST_CASE("whoever was led here by another name is refused, also files", "[web][
         CHECK(browser.ask("GET / HTTP/1.1\r\nHost: " + host + "\r\n").substr(9, 3) == refused);
     }
     CHECK(status_of(rig, "", "http://" + rig.host(), protocols) != "101");
-    // A tunnel has a port of its own.
+    // A tunnel has its own port.
     CHECK(status_of(rig, "localhost:9000", "http://localhost:9000", protocols) == "101");
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("tokens are long, random and hexadecimal, and compared whole", "[web][
     CHECK(access.token() != access.view_token());
 }
 
-TEST_CASE("whoever may only look is shown everything and does nothing", "[web][access]") {
+TEST_CASE("a view-only browser sees everything and can't act", "[web][access]") {
     WebRig rig;
     RawBrowser browser = rig.open(rig.view_token);
     CHECK(WebRig::Json::parse(browser.next_text("hello"))["view_only"] == true);
@@ -118,7 +118,7 @@ TEST_CASE("whoever may only look is shown everything and does nothing", "[web][a
                        {"value", {{"TimedVelocity2D", {{"vx", 1}, {"vy", 0}, {"va", 0}}}}}}}) {
         const auto answer = WebRig::answer(browser, message);
         CHECK(answer["ok"] == false);
-        CHECK(answer["text"] == "this link is for looking only");
+        CHECK(answer["text"] == "this link is view-only");
     }
     rig.serve();
     CHECK(rig.component("controller").state() == LifeState::active);

@@ -1,4 +1,4 @@
-// Browsers that say too much, listen too little or talk nonsense harm nobody but themselves.
+// Browsers that send too much, receive too little or send nonsense harm only themselves.
 #include <catch2/catch.hpp>
 #include <vector>
 
@@ -6,7 +6,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("nonsense is answered with what is wrong with it", "[web][bounds]") {
+TEST_CASE("an invalid message is answered with its error", "[web][bounds]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     const auto told = [&](const std::string& message) {
@@ -23,14 +23,14 @@ TEST_CASE("nonsense is answered with what is wrong with it", "[web][bounds]") {
           std::string::npos);
     CHECK(told(R"({"do":"time","id":1,"what":"fly"})").find("'what' must be one of pause, resume") !=
           std::string::npos);
-    CHECK(told(std::string(100'000, '[')).find("nests too deep") != std::string::npos);
+    CHECK(told(std::string(100'000, '[')).find("is nested too deeply") != std::string::npos);
     REQUIRE(browser.send_frame("\xff\xfe", 2));
     CHECK(browser.next_text("expected one JSON object") != "");
     CHECK(WebRig::answer(browser, {{"do", "rearm"}, {"id", 2}})["ok"] == false);
     CHECK(rig.component("controller").state() == LifeState::active);
 }
 
-TEST_CASE("a message that is too long ends its connection and no other", "[web][bounds]") {
+TEST_CASE("a message that is too long closes only its connection", "[web][bounds]") {
     WebRig rig;
     RawBrowser good = rig.open(), bad = rig.open();
     const std::string piece(std::size_t{1} << 18, 'x');
@@ -40,7 +40,7 @@ TEST_CASE("a message that is too long ends its connection and no other", "[web][
     CHECK(WebRig::answer(good, {{"do", "stop"}, {"id", 1}})["ok"] == true);
 }
 
-TEST_CASE("a browser that says too much too fast is closed", "[web][bounds]") {
+TEST_CASE("a browser that sends too many messages is closed", "[web][bounds]") {
     WebRig rig;
     RawBrowser good = rig.open(), bad = rig.open();
     bool more = true;
@@ -49,7 +49,7 @@ TEST_CASE("a browser that says too much too fast is closed", "[web][bounds]") {
     CHECK(WebRig::answer(good, {{"do", "stop"}, {"id", 1}})["ok"] == true);
 }
 
-TEST_CASE("so many browsers are let in and no more", "[web][bounds]") {
+TEST_CASE("the number of browsers is limited", "[web][bounds]") {
     WebRig rig;
     std::vector<RawBrowser> browsers;
     for (std::size_t i = 0; i < web::most_clients; ++i) browsers.push_back(rig.open());
@@ -61,7 +61,7 @@ TEST_CASE("so many browsers are let in and no more", "[web][bounds]") {
     CHECK(WebRig::answer(browsers.back(), {{"do", "stop"}, {"id", 1}})["ok"] == true);
 }
 
-TEST_CASE("a browser that does not listen costs neither the engine nor another browser anything", "[web][bounds]") {
+TEST_CASE("a browser that does not receive delays neither the engine nor another browser", "[web][bounds]") {
     WebRig rig;
     rig.paused = false;
     RawBrowser deaf = rig.open(rig.token, 4096);
@@ -76,7 +76,7 @@ TEST_CASE("a browser that does not listen costs neither the engine nor another b
     CHECK(WebRig::answer(good, {{"do", "stop"}, {"id", 1}})["ok"] == true);
 }
 
-TEST_CASE("a request that never ends keeps nobody out", "[web][bounds]") {
+TEST_CASE("a request that never ends does not exclude other browsers", "[web][bounds]") {
     WebRig rig;
     std::vector<RawBrowser> slow;
     for (int i = 0; i < 20; ++i) {
@@ -92,7 +92,7 @@ TEST_CASE("a request that never ends keeps nobody out", "[web][bounds]") {
     CHECK(WebRig::answer(browser, {{"do", "stop"}, {"id", 1}})["ok"] == true);
 }
 
-TEST_CASE("connections that show no token keep out none that do, however many they are", "[web][bounds]") {
+TEST_CASE("any number of connections without a token does not exclude one with a token", "[web][bounds]") {
     WebRig rig;
     std::vector<RawBrowser> idle;
     for (int i = 0; i < 120; ++i) idle.push_back(rig.connect());
@@ -107,7 +107,7 @@ TEST_CASE("connections that show no token keep out none that do, however many th
     CHECK(head.rfind("HTTP/1.1 200", 0) == 0);
 }
 
-TEST_CASE("a connection that shows no token is closed after 5 s, and one that has asked for a file",
+TEST_CASE("a connection without a token is closed after 5 s, also after a request for a file",
           "[web][bounds][wallclock]") {
     WebRig rig;
     const auto begin = std::chrono::steady_clock::now();
@@ -121,7 +121,7 @@ TEST_CASE("a connection that shows no token is closed after 5 s, and one that ha
     CHECK(WebRig::answer(browser, {{"do", "stop"}, {"id", 1}})["ok"] == true);
 }
 
-TEST_CASE("those that may only look keep out none that may stop the robots", "[web][bounds]") {
+TEST_CASE("view-only browsers do not exclude browsers that may stop the robots", "[web][bounds]") {
     WebRig rig;
     std::vector<RawBrowser> browsers;
     for (std::size_t i = 0; i < web::most_viewers; ++i) browsers.push_back(rig.open(rig.view_token));
@@ -134,7 +134,7 @@ TEST_CASE("those that may only look keep out none that may stop the robots", "[w
     CHECK(WebRig::answer(acts, {{"do", "stop"}, {"id", 1}})["ok"] == true);
 }
 
-TEST_CASE("when the run ends browsers are told, at once", "[web][bounds]") {
+TEST_CASE("browsers are told at once when the run ends", "[web][bounds]") {
     WebRig rig;
     RawBrowser browser(rig.port, [] {});
     REQUIRE(browser.ask(WebRig::upgrade(rig.host(), "http://" + rig.host(), "nezumi, token." + rig.token)) != "");

@@ -1,4 +1,4 @@
-// What a browser is shown of a running system, and what it does to it.
+// What a browser is shown of a running system, and its actions on it.
 #include <catch2/catch.hpp>
 
 #include "engine/values/cdr.hpp"
@@ -19,7 +19,7 @@ Json drive_message(bool take) {
     return {{"do", "drive"}, {"port", "mouse.target_velocity_in"}, {"value", velocity}, {"take", take}};
 }
 
-// The next frame, past all texts.
+// The next frame; skips texts.
 WebFrame next_frame(RawBrowser& browser) {
     for (;;) {
         const auto got = browser.next();
@@ -35,18 +35,18 @@ WebFrame next_frame(RawBrowser& browser) {
     }
 }
 
-// Whether the engine is told soon that the first browser has gone.
+// Whether the engine soon notices that the first browser has disconnected.
 bool has_gone(WebRig& rig) {
-    for (int rounds = 0; rounds < 5000 && !rig.said("browser 1: has gone"); ++rounds) {
+    for (int rounds = 0; rounds < 5000 && !rig.said("browser 1: has disconnected"); ++rounds) {
         rig.serve();
         usleep(1000);
     }
-    return rig.said("browser 1: has gone");
+    return rig.said("browser 1: has disconnected");
 }
 
 }  // namespace
 
-TEST_CASE("a browser is told the system, its types and where everything is", "[web]") {
+TEST_CASE("a browser gets the system, its types and all poses", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     const auto hello = Json::parse(browser.next_text("hello"));
@@ -89,7 +89,7 @@ TEST_CASE("a browser is told the system, its types and where everything is", "[w
     CHECK(frame.running);
 }
 
-TEST_CASE("an act of a browser is its own, is logged, and is answered", "[web]") {
+TEST_CASE("an act has the browser as its actor, is logged and is answered", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     const Json set{{"do", "act"},
@@ -98,7 +98,7 @@ TEST_CASE("an act of a browser is its own, is logged, and is answered", "[web]")
                    {"fields", {{"component", "controller"}, {"parameter", "speed_x"}, {"value", 0.5}}}};
     CHECK(WebRig::answer(browser, set)["ok"] == true);
     rig.tick();
-    CHECK(std::get<double>(rig.component("controller").parameters().find("speed_x")->value) == 0.5);
+    CHECK(rig.component("controller").parameters().find("speed_x")->value.get<double>() == 0.5);
     CHECK(rig.said("browser 1: SetParameter {\"component\":\"controller\",\"parameter\":\"speed_x\",\"value\":0.5}"));
     Json wrong = set;
     wrong["fields"]["value"] = 5.0;
@@ -117,7 +117,7 @@ TEST_CASE("an act of a browser is its own, is logged, and is answered", "[web]")
     CHECK(not_mine["text"].get<std::string>().find("browser 1") != std::string::npos);
 }
 
-TEST_CASE("what a browser held ends with its connection, a velocity by zero", "[web]") {
+TEST_CASE("a browser's holds end with its connection, velocities with zero", "[web]") {
     WebRig rig;
     {
         RawBrowser browser = rig.open();
@@ -135,8 +135,7 @@ TEST_CASE("what a browser held ends with its connection, a velocity by zero", "[
     CHECK(port.value()->override() == Override::none);
 }
 
-TEST_CASE("a browser that shows no sign of life is closed within ten seconds, and what it held ends",
-          "[web][wallclock]") {
+TEST_CASE("a silent browser is closed within ten seconds, and its holds end", "[web][wallclock]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     const Json hold{{"do", "act"},
@@ -150,7 +149,7 @@ TEST_CASE("a browser that shows no sign of life is closed within ten seconds, an
           Velocity2D{});
 }
 
-TEST_CASE("a drive ends by itself when its browser says no more", "[web][wallclock]") {
+TEST_CASE("a drive ends by itself without messages from its browser", "[web][wallclock]") {
     WebRig rig;
     rig.paused = false;
     RawBrowser browser = rig.open();
@@ -160,12 +159,12 @@ TEST_CASE("a drive ends by itself when its browser says no more", "[web][wallclo
     CHECK(rig.live->system().port("mouse.target_velocity_in").value()->override() == Override::none);
 }
 
-TEST_CASE("what another drives is refused, or taken over on purpose and both are told", "[web]") {
+TEST_CASE("driving a port of another user is refused, or taken over on request, and both are told", "[web]") {
     WebRig rig;
     rig.paused = false;
     RawBrowser browser = rig.open(), other = rig.open();
     const Actor first{Actor::Kind::browser, "1"};
-    // What holds without a word of its browser, so that no time is measured.
+    // A hold that does not depend on browser messages, so that no time matters.
     REQUIRE(rig.live->act(Hold{"mouse.target_velocity_in", Velocity2D{.vx = 0.1}}, first));
     REQUIRE(other.send_frame(drive_message(false).dump()));
     const auto refused = Json::parse(other.next_text("\"is\":\"drive\""));
@@ -180,7 +179,7 @@ TEST_CASE("what another drives is refused, or taken over on purpose and both are
     CHECK_FALSE(other.next_text(R"("drivers":{})").empty());
 }
 
-TEST_CASE("a drive that somebody takes over is told to who has lost it", "[web]") {
+TEST_CASE("a driver is told when another user takes over", "[web]") {
     LiveRig rig;
     std::string told;
     Drives drives(*rig.live, [&](ClientId client, const std::string& port, const std::string& why) {
@@ -193,10 +192,10 @@ TEST_CASE("a drive that somebody takes over is told to who has lost it", "[web]"
     CHECK(told.empty());
     REQUIRE(rig.live->act(Hold{message.port, Velocity2D{}, true}, {Actor::Kind::console}));
     drives.serve(now);
-    CHECK(told == "1 mouse.target_velocity_in: somebody else drives it, or it is gone");
+    CHECK(told == "1 mouse.target_velocity_in: another user drives it, or it was removed");
 }
 
-TEST_CASE("a drive rests for a tick after half a second of silence, and is let go then", "[web]") {
+TEST_CASE("after half a second of silence a drive is zero for a tick, then released", "[web]") {
     LiveRig rig;
     Drives drives(*rig.live, [](ClientId, const std::string&, const std::string&) {});
     const DriveMessage message{.port = "mouse.target_velocity_in", .value = Velocity2D{.vx = 0.1}};
@@ -213,7 +212,7 @@ TEST_CASE("a drive rests for a tick after half a second of silence, and is let g
     CHECK(port()->override() == Override::none);
 }
 
-TEST_CASE("a stop is taken before everything that waits", "[web]") {
+TEST_CASE("a stop is processed before all waiting messages", "[web]") {
     const WebRig rig;
     Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     hub.opened(1, false);
@@ -226,7 +225,7 @@ TEST_CASE("a stop is taken before everything that waits", "[web]") {
     CHECK(std::holds_alternative<Stop>(std::get<ActMessage>(waiting.front().message.body).act));
 }
 
-TEST_CASE("a browser stops all robots and lets them obey again", "[web]") {
+TEST_CASE("a browser stops all robots and re-arms them", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     CHECK(WebRig::answer(browser, {{"do", "stop"}, {"id", 2}})["ok"] == true);
@@ -236,7 +235,7 @@ TEST_CASE("a browser stops all robots and lets them obey again", "[web]") {
     CHECK_FALSE(rig.live->system().is_stopped());
 }
 
-TEST_CASE("time is a browser's as it is the console's", "[web]") {
+TEST_CASE("a browser controls time as the console does", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     const auto time = [&](const Json& what, const Json& value = nullptr) {
@@ -263,7 +262,7 @@ TEST_CASE("time is a browser's as it is the console's", "[web]") {
     CHECK(rig.quitting);
 }
 
-TEST_CASE("a browser has a console of its own", "[web]") {
+TEST_CASE("each browser has its own console", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     REQUIRE(browser.send_frame(

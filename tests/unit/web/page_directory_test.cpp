@@ -35,7 +35,7 @@ pid_t ended_process() {
 
 }  // namespace
 
-TEST_CASE("a page is told while its entry lives, to its user alone", "[web][pages]") {
+TEST_CASE("a page is listed while its entry exists, only for its user", "[web][pages]") {
     const Scratch scratch;
     {
         const auto entry = PageEntry::open(page_of("wall", getpid()), scratch.path());
@@ -49,7 +49,7 @@ TEST_CASE("a page is told while its entry lives, to its user alone", "[web][page
     CHECK(running_pages(scratch.path()).empty());
 }
 
-TEST_CASE("the page of a process that has ended is told no more, and its file is removed", "[web][pages]") {
+TEST_CASE("the page of an ended process is no longer listed, and its file is removed", "[web][pages]") {
     const Scratch scratch;
     const pid_t gone = ended_process();
     const auto entry = PageEntry::open(page_of("wall", gone), scratch.path());
@@ -58,7 +58,7 @@ TEST_CASE("the page of a process that has ended is told no more, and its file is
     CHECK_FALSE(std::filesystem::exists(entry->file()));
 }
 
-TEST_CASE("what is no page is told as none", "[web][pages]") {
+TEST_CASE("a file that is not a page is not listed", "[web][pages]") {
     const Scratch scratch;
     const std::string process = std::to_string(getpid());
     scratch.write("wall-" + process + ".sock", "");
@@ -75,7 +75,7 @@ TEST_CASE("what is no page is told as none", "[web][pages]") {
     CHECK(running_pages(scratch.path()).empty());  // others can enter
 }
 
-TEST_CASE("a browser is told the other systems, and leads to what its user may do here", "[web][pages]") {
+TEST_CASE("a browser gets a list of the other systems, with the same permission as here", "[web][pages]") {
     const Scratch scratch;
     setenv("XDG_RUNTIME_DIR", scratch.path().c_str(), 1);
     const auto folder = scratch.path("nezumi");
@@ -98,7 +98,7 @@ TEST_CASE("a browser is told the other systems, and leads to what its user may d
     unsetenv("XDG_RUNTIME_DIR");
 }
 
-TEST_CASE("a system's name is no path", "[web][pages]") {
+TEST_CASE("a system's name is not used as a path", "[web][pages]") {
     const Scratch scratch;
     const auto entry = PageEntry::open(page_of("../a b\"<", getpid()), scratch.path());
     REQUIRE(entry);

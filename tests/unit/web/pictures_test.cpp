@@ -1,4 +1,4 @@
-// What is taken of cameras' pictures while the system ticks, to be encoded beside it.
+// Memory for cameras' pictures that are copied in ticks and encoded outside them.
 #include <catch2/catch.hpp>
 
 #include <chrono>
@@ -28,7 +28,7 @@ private:
 
 }  // namespace
 
-TEST_CASE("pictures for browsers are put into memory that earlier ones had", "[web]") {
+TEST_CASE("pictures for browsers use the memory of earlier ones", "[web]") {
     System system({.rate = 100}, {});
     REQUIRE(system.add(std::make_unique<Eye>()));
     REQUIRE(system.connect("eye.out", "eye.seen"));

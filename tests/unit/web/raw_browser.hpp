@@ -1,4 +1,4 @@
-// A browser's end of a connection on plain sockets, with which a test can say whatever it wants.
+// A browser's connection on plain sockets, so that a test can send anything.
 #pragma once
 
 #include <arpa/inet.h>
@@ -21,13 +21,13 @@ namespace nezumi {
 
 class RawBrowser {
 public:
-    /// What came in one frame.
+    /// The content of one frame.
     struct Frame {
         int opcode = 0;  ///< 1 text, 2 binary, 8 close
         std::string bytes;
     };
 
-    /// `meanwhile` is done while it waits. A small `buffer` [bytes] fills sooner; 0: the usual one.
+    /// `meanwhile` is called while it waits. A small `buffer` [bytes] is full sooner; 0: the default.
     explicit RawBrowser(int port, std::function<void()> meanwhile, int buffer = 0)
         : meanwhile_(std::move(meanwhile)), file_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
         if (buffer > 0) setsockopt(file_, SOL_SOCKET, SO_RCVBUF, &buffer, sizeof buffer);
@@ -59,7 +59,7 @@ public:
         return true;
     }
 
-    /// Sends lines of a request and returns the head of the answer, "" when the connection ends without one.
+    /// Sends a request and returns the head of the answer, or "" if the connection ends without one.
     std::string ask(const std::string& lines) {
         if (!put(lines + "\r\n")) return "";
         std::size_t end = 0;
@@ -71,14 +71,14 @@ public:
         return head;
     }
 
-    /// The rest of what comes until the connection ends or `size` bytes are there.
+    /// The rest until the connection ends or `size` bytes were received.
     std::string body(std::size_t size) {
         while (came_.size() < size && read_more()) {
         }
         return came_.substr(0, size);
     }
 
-    /// Sends a frame as a browser does, masked; `opcode` 1 is text.
+    /// Sends a masked frame as a browser does; `opcode` 1 is text.
     bool send_frame(std::string_view bytes, int opcode = 1, bool last = true) {
         std::string frame(1, static_cast<char>((last ? 0x80 : 0) | opcode));
         if (bytes.size() < 126) {
@@ -96,7 +96,7 @@ public:
         return put(frame);
     }
 
-    /// The next frame but pings, which are answered; nothing when the connection ends or `seconds` pass.
+    /// The next frame other than a ping (pings are answered); nothing if the connection ends or `seconds` pass.
     std::optional<Frame> next(double seconds = 20) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
         for (;;) {
@@ -110,7 +110,7 @@ public:
         }
     }
 
-    /// The next text that says `what`, past all others; "" when none comes.
+    /// The next text that contains `what`; skips others; "" if none comes.
     std::string next_text(std::string_view what, double seconds = 20) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
         while (std::chrono::steady_clock::now() < end) {
@@ -121,7 +121,7 @@ public:
         return "";
     }
 
-    /// Whether the other end closes the connection soon, whatever it says before.
+    /// True if the other end closes the connection soon, perhaps after other messages.
     bool is_closed(double seconds = 20) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
         while (std::chrono::steady_clock::now() < end) {

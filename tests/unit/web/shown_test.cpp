@@ -1,4 +1,4 @@
-// What a browser is told besides numbers that change: the log before it came, the floor, markers, what is set by hand.
+// What a browser is shown besides changing numbers: earlier log lines, the floor, markers, changes by hand.
 #include <catch2/catch.hpp>
 
 #include <map>
@@ -23,7 +23,7 @@ Json next_system(RawBrowser& browser, std::string_view with = "") {
     }
 }
 
-// The next message of this kind, without the four bytes that say it.
+// The next message of this kind, without its four bytes for the kind.
 std::string next_binary(RawBrowser& browser, char kind) {
     for (;;) {
         const auto got = browser.next();
@@ -34,7 +34,7 @@ std::string next_binary(RawBrowser& browser, char kind) {
 
 }  // namespace
 
-TEST_CASE("who comes is shown the latest lines of the log, each once", "[web]") {
+TEST_CASE("a new browser gets the latest lines of the log, each once", "[web]") {
     const WebRig rig;
     Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     for (std::size_t i = 0; i < Hub::most_kept + 5; ++i) hub.log("line " + std::to_string(i));
@@ -46,7 +46,7 @@ TEST_CASE("who comes is shown the latest lines of the log, each once", "[web]") 
     CHECK_FALSE(hub.next(1));
 }
 
-TEST_CASE("lines of the log that are long are kept in bounds", "[web]") {
+TEST_CASE("the size of stored log lines is limited", "[web]") {
     const WebRig rig;
     Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     for (int i = 0; i < 10; ++i) hub.log(std::string(Hub::longest_kept / 2, 'x'));
@@ -57,7 +57,7 @@ TEST_CASE("lines of the log that are long are kept in bounds", "[web]") {
     CHECK(lines == 2);
 }
 
-TEST_CASE("who is let in while the run ends is told so, and closed", "[web]") {
+TEST_CASE("a browser that connects while the run ends is told so and closed", "[web]") {
     const WebRig rig;
     Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     hub.end("goodbye");
@@ -67,7 +67,7 @@ TEST_CASE("who is let in while the run ends is told so, and closed", "[web]") {
     CHECK(hub.next(1)->closes);
 }
 
-TEST_CASE("the picture on the floor comes as its file is, to who asks for it", "[web]") {
+TEST_CASE("the picture of the floor is sent as its file on request", "[web]") {
     WebRig rig(R"(
 arena { size = { 2, 1 }, floor { image = ")" +
                    source_root() + "/behaviors/line.png" + R"(", size = { 2, 1 } } }
@@ -83,7 +83,7 @@ robot "mouse" { model = "raspimouse" }
     CHECK(bytes == *read_whole(source_root() + "/behaviors/line.png", "", Hub::largest_floor));
 }
 
-TEST_CASE("who asks for a floor's picture where there is none gets none", "[web]") {
+TEST_CASE("a request for the floor's picture without one gets none", "[web]") {
     const WebRig rig;
     Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     hub.opened(1, false);
@@ -98,7 +98,7 @@ TEST_CASE("who asks for a floor's picture where there is none gets none", "[web]
     CHECK_FALSE(hub.next(1));
 }
 
-TEST_CASE("a marker is told with the cells of its tag", "[web]") {
+TEST_CASE("a marker is sent with the cells of its tag", "[web]") {
     WebRig rig(
         R"(arena { marker { name = "seven", id = 7, at = { 0, 0, 0.1 } }, marker { name = "eight", id = 8, at = { 1, 0, 0.1 } } })",
         {});
@@ -117,7 +117,7 @@ TEST_CASE("a marker is told with the cells of its tag", "[web]") {
     CHECK(markers[0]["modules"] != markers[1]["modules"]);
 }
 
-TEST_CASE("a parameter counts as changed when somebody changed it, and says what it goes back to", "[web]") {
+TEST_CASE("a parameter is marked as changed after a change by hand, with the value before", "[web]") {
     WebRig rig(R"(
 robot    "mouse"      { model = "raspimouse" }
 behavior "controller" { script = "counter", config = { speed_x = 1 }, sets = { fast = { stop_d = 40 } } }
@@ -146,7 +146,7 @@ behavior "controller" { script = "counter", config = { speed_x = 1 }, sets = { f
     CHECK(parameter(of_set, 1)["changed"] == false);
 }
 
-TEST_CASE("a browser is told the numbers of a robot's truth, a behaviour's probes and its state", "[web]") {
+TEST_CASE("a browser gets the numbers of a robot's truth, a behaviour's probes and its state", "[web]") {
     const std::string probing = R"lua(
 local out = output("out", "TimedVelocity2D", "")
 state.steps = 0
@@ -184,7 +184,7 @@ connect("probing.out", "mouse.target_velocity_in")
     CHECK(seen["probing.probes"]["error"] == 0.5 * seen["probing.state"]["steps"]);
 }
 
-TEST_CASE("an execution is explained to a browser, also to one that may only look", "[web][explain]") {
+TEST_CASE("an execution is explained to any browser, also a view-only one", "[web][explain]") {
     WebRig rig;
     rig.paused = false;
     RawBrowser browser = rig.open(rig.view_token);
@@ -205,7 +205,7 @@ TEST_CASE("an execution is explained to a browser, also to one that may only loo
     CHECK(browser.next_text("\"is\":\"explain\"").find("controller is gone: not explained") != std::string::npos);
 }
 
-TEST_CASE("who may act is told the token for those who may only look", "[web]") {
+TEST_CASE("a browser with full access gets the view-only token", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     CHECK(Json::parse(browser.next_text("hello"))["view_token"] == rig.view_token);

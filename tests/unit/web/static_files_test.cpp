@@ -1,4 +1,4 @@
-// What is given without a token: the page's files and Debian's libraries, and nothing else of the disk.
+// Files served without a token: the page's and Debian's libraries, no other file of the disk.
 #include "bindings/web/static_files.hpp"
 
 #include <catch2/catch.hpp>
@@ -34,7 +34,7 @@ TEST_CASE("a path that leads out of the folders is not found", "[web][files]") {
         CHECK(head.rfind("HTTP/1.1 200", 0) != 0);
         CHECK(browser.body(6) != "secret");
     }
-    // The same without what the sockets refuse by themselves.
+    // The same without the sockets' own refusals.
     const StaticFiles files(rig.file.parent_path() / "page");
     CHECK(files.get("/main.js").status == 200);
     for (const std::string_view path : {"/../secret.js", "", "main.js", "/./main.js", "/lib/three/../../x.js"})

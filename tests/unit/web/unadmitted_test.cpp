@@ -1,4 +1,4 @@
-// Connections that have shown no token: which of them goes when another one comes.
+// Connections without a token: which one is closed when another one comes.
 #include "bindings/web/unadmitted.hpp"
 
 #include <catch2/catch.hpp>
@@ -10,12 +10,12 @@ using web::Unadmitted;
 
 namespace {
 
-// A connection is known by where it is.
+// A connection is identified by its address.
 std::vector<char> connections(2 * Unadmitted::most);
 
 }  // namespace
 
-TEST_CASE("the oldest of an address that has more than its share goes", "[web][bounds]") {
+TEST_CASE("the oldest connection of an address with too many is closed", "[web][bounds]") {
     Unadmitted unadmitted;
     std::size_t next = 0;
     CHECK(unadmitted.add(&connections[next++], "192.168.1.9") == nullptr);
@@ -23,13 +23,13 @@ TEST_CASE("the oldest of an address that has more than its share goes", "[web][b
         CHECK(unadmitted.add(&connections[next++], "192.168.1.1") == nullptr);
     CHECK(unadmitted.add(&connections[next++], "192.168.1.1") == &connections[1]);
     CHECK(unadmitted.add(&connections[next++], "192.168.1.1") == &connections[2]);
-    // One that has shown a token makes room.
+    // A connection that shows its token makes room.
     unadmitted.remove(&connections[3]);
     CHECK(unadmitted.add(&connections[next++], "192.168.1.1") == nullptr);
     CHECK(unadmitted.add(&connections[next++], "192.168.1.1") == &connections[4]);
 }
 
-TEST_CASE("where there are too many in all, the oldest of the address that has most goes", "[web][bounds]") {
+TEST_CASE("with too many connections in all, the oldest of the address with most is closed", "[web][bounds]") {
     Unadmitted unadmitted;
     std::size_t next = 0;
     for (int i = 0; i < 10; ++i) CHECK(unadmitted.add(&connections[next++], "192.168.1.1") == nullptr);
@@ -39,6 +39,6 @@ TEST_CASE("where there are too many in all, the oldest of the address that has m
         CHECK(unadmitted.add(&connections[next], "10.0.0." + std::to_string(next)) == nullptr);
     CHECK(unadmitted.add(&connections[next++], "192.168.1.3") == &connections[first_of_most]);
     CHECK(unadmitted.add(&connections[next++], "192.168.1.4") == &connections[first_of_most + 1]);
-    unadmitted.remove(&connections[first_of_most]);  // is forgotten already
+    unadmitted.remove(&connections[first_of_most]);  // is already removed
     CHECK(unadmitted.add(&connections[next++], "192.168.1.5") == &connections[first_of_most + 2]);
 }

@@ -1,4 +1,4 @@
-// A live system that is served to browsers, in the test's own thread.
+// A live system served to browsers, in the test's own thread.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -45,7 +45,7 @@ struct WebRig : SessionRig {
     }
     std::string host() const { return "127.0.0.1:" + std::to_string(port); }
 
-    /// The lines that ask for a WebSocket; "" leaves a header out.
+    /// The lines that request a WebSocket; "" leaves a header out.
     static std::string upgrade(const std::string& host, const std::string& origin, const std::string& protocols,
                                const std::string& path = "/ws") {
         std::string lines = "GET " + path +
@@ -56,7 +56,7 @@ struct WebRig : SessionRig {
         if (!protocols.empty()) lines += "Sec-WebSocket-Protocol: " + protocols + "\r\n";
         return lines;
     }
-    /// A browser that has been let in.
+    /// Opens a browser that is admitted.
     RawBrowser open(const std::string& with_token, int buffer = 0) {
         RawBrowser browser = connect(buffer);
         const std::string head = browser.ask(upgrade(host(), "http://" + host(), "nezumi, token." + with_token));
@@ -65,7 +65,7 @@ struct WebRig : SessionRig {
         return browser;
     }
     RawBrowser open() { return open(token); }
-    /// The text that a browser is sent for a message with this id.
+    /// The answer to a message with this id.
     static Json answer(RawBrowser& browser, const Json& message) {
         REQUIRE(browser.send_frame(message.dump()));
         const std::string text = browser.next_text("\"is\":\"answer\",\"id\":" + message.at("id").dump() + ",");

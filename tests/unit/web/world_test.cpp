@@ -1,4 +1,4 @@
-// The world as a browser is shown it, and carried about by it.
+// The world as shown to a browser, and moved by it.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 using Json = WebRig::Json;
 
-// The first robot as it is told next.
+// The next state of the first robot.
 WebRobot next_robot(RawBrowser& browser) {
     for (;;) {
         const auto got = browser.next();
@@ -37,7 +37,7 @@ Json move(const std::string& thing, double x, int id) {
 
 }  // namespace
 
-TEST_CASE("a browser carries a wall elsewhere, and is told why not where it can't be", "[web]") {
+TEST_CASE("a browser moves a wall, and gets the reason if the place is not free", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     const auto system = Json::parse(browser.next_text("\"is\":\"system\""));
@@ -51,7 +51,7 @@ TEST_CASE("a browser carries a wall elsewhere, and is told why not where it can'
     CHECK(rig.live->system().world()->things().front().pose.position.x == 0.8);
 }
 
-TEST_CASE("a browser is told how a robot is tilted, what it touches and where", "[web]") {
+TEST_CASE("a browser gets a robot's tilt and the places and names of its contacts", "[web]") {
     WebRig rig(R"(
 arena { box { at = { 0.4, 0, -0.02 }, size = { 0.8, 1, 0.1 }, pitch = -0.1 },
         box { at = { 0.5, 0, 0.3 }, size = { 0.02, 1, 0.6 } } }
@@ -69,8 +69,7 @@ robot "mouse" { model = "raspimouse", pose = { x = -0.1, y = 0, heading = 0 } }
     WebRobot robot = next_robot(browser);
     CHECK(robot.contacts.empty());
     while (!is_at_the_wall(robot)) robot = next_robot(browser);
-    // It bounces as it arrives, and climbs a little as it pushes: which moment a browser is shown depends on the
-    // machine.
+    // It bounces on arrival and climbs slightly while it pushes; which moment a browser sees depends on the machine.
     const auto is_tilted_up = [](const WebRobot& shown) { return shown.pitch < -0.05 && shown.pitch > -0.25; };
     for (int i = 0; i < 300 && !(is_at_the_wall(robot) && is_tilted_up(robot)); ++i) robot = next_robot(browser);
     CHECK(robot.collided);
@@ -79,7 +78,7 @@ robot "mouse" { model = "raspimouse", pose = { x = -0.1, y = 0, heading = 0 } }
     CHECK(robot.z > 0.01);
 }
 
-TEST_CASE("a browser is told which port carries the value behind each ray", "[web]") {
+TEST_CASE("a browser gets the port with the value of each ray", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     const auto robot = Json::parse(browser.next_text("\"is\":\"system\""))["robots"][0];

@@ -1,0 +1,44 @@
+// Values as JSON, whatever bytes and numbers they hold.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "engine/base/error.hpp"
+#include "engine/values/plain_data.hpp"
+
+namespace nezumi {
+
+/// A text; one with invalid UTF-8 as its bytes: { "base64": "..." }.
+nlohmann::ordered_json text_to_json(const std::string& text);
+Expected<std::string> text_from_json(const nlohmann::ordered_json& json);
+/// The same for the name of a member, which must be a text: "base64:...".
+std::string text_to_key(const std::string& text);
+Expected<std::string> text_from_key(const std::string& key);
+
+/// A number, or { "number": "nan" }, "inf" or "-inf".
+nlohmann::ordered_json number_to_json(double value);
+/// Reads into `out`. Returns the error, or "".
+std::string read_number(const nlohmann::ordered_json& json, double& out);
+
+/// What values that describe themselves to nobody are in JSON.
+struct OtherForms {
+    std::function<nlohmann::ordered_json(const ValueView& value)> write{};
+    std::function<std::string(const nlohmann::ordered_json& json, const ValuePlace& out)> read{};
+};
+
+/// A value by its type's table: a structure as its fields, without those that hold nothing. A value of any type within
+/// it is a truth value, a number or a text as they are, null for nothing, { "table": 0 } for a table of plain data,
+/// else an object of its type's name and itself: { "numbers": [...] }, { "TimedVelocity2D": {...} }.
+nlohmann::ordered_json value_to_json(const ValueView& value, const OtherForms& others = {});
+/// As `read_number`.
+std::string read_value(const nlohmann::ordered_json& json, const ValuePlace& out, const OtherForms& others = {});
+/// The same of plain data. As in every value, it can then be looked through without a check.
+std::string read_plain(const nlohmann::ordered_json& json, PlainData& out);
+
+/// "expected a text, got 5": a long value is shortened.
+std::string expected_in_json(std::string_view what, const nlohmann::ordered_json& got);
+
+}  // namespace nezumi

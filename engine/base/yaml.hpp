@@ -1,0 +1,36 @@
+// YAML as other programs write it: values by their keys, and where they are.
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/error.hpp"
+
+namespace nezumi {
+
+/// What the text says. The error has the line; `file` is named in it.
+Expected<YAML::Node> read_yaml(std::string_view text, const std::string& file);
+
+/// The value of a mapping's key; one that is not defined where there is none.
+YAML::Node yaml_field(const YAML::Node& mapping, const std::string& key);
+
+/// Where a value is.
+Place yaml_place(const YAML::Node& value, const std::string& file);
+
+/// A value as it is written.
+std::string yaml_text(const YAML::Node& value);
+
+/// The value, if it is one finite number.
+std::optional<double> yaml_number(const YAML::Node& value);
+
+/// The elements of a list, if they are finite numbers.
+std::optional<std::vector<double>> yaml_numbers(const YAML::Node& value);
+
+/// The truth value: 0, 1, or one of YAML's words for it in any case.
+std::optional<bool> yaml_boolean(const YAML::Node& value);
+
+}  // namespace nezumi

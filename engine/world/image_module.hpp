@@ -1,0 +1,19 @@
+// The interface between the program and its module for pictures. Both are built together.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "engine/world/picture.hpp"
+
+namespace nezumi {
+
+inline constexpr const char* image_module = "nezumi_images.so";
+inline constexpr const char* decode_in_module = "nezumi_decode_image";
+
+/// The module's only function. Reads the picture in a file's bytes, in any format that OpenCV reads. Transparent parts
+/// become white; a photograph is turned upright. Returns false with the `problem`. Never throws.
+using DecodeInModule = bool(const std::uint8_t* bytes, std::size_t size, Picture& picture, std::string& problem);
+
+}  // namespace nezumi

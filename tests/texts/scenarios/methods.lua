@@ -1,0 +1,106 @@
+-- Methods of scenarios: what they refuse.
+
+--- Wrong arguments of faults and reloads are refused.
+s:load 'systems/stop_at_wall.lua'
+s:disturb('mouse', { vxx = 0.1 })  -- error: disturb: unknown field 'vxx' (did you mean 'vx'?)
+
+s:load 'systems/stop_at_wall.lua'
+s:disturb('mouse', { turn = 0.1 })  -- error: disturb: unknown field 'turn': expected vx, vy, va, seconds
+
+s:load 'systems/stop_at_wall.lua'
+s:disturb('mouse', { va = 1, seconds = 0.1 }) s:run(0.2)
+
+s:load 'systems/stop_at_wall.lua'
+s:behavior('idle', { script = 'none' }) s:restore('idle')
+-- error: restore: idle is no robot: expected a robot, or a port as in "idle.NAME"
+
+s:load 'systems/stop_at_wall.lua'
+s:restore('mose')  -- error: restore: there is no component 'mose' (did you mean 'mouse'?)
+
+s:load 'systems/stop_at_wall.lua'
+s:reload('controller', 'x')  -- error: reload: options expected a table, got string
+
+s:load 'systems/stop_at_wall.lua'
+s:reload('controller', { [true] = 'x' })  -- error: reload: unknown option '[true]': expected file, text
+
+s:load 'systems/stop_at_wall.lua'
+s:reload('controller', { file = 'a', text = 'b' })  -- error: reload: expected { file = "NAME" } or { text = "..." }
+
+s:load 'systems/stop_at_wall.lua'
+s:reload('controller', { text = '', 5 })  -- error: reload: unknown option '[1]': expected file, text
+
+s:load 'systems/stop_at_wall.lua'
+s:reload('controller', { text = 5 })  -- error: reload: option 'text' expected a text, got number
+
+s:load 'systems/stop_at_wall.lua'
+s:reload('controller', { txt = 'x' })  -- error: reload: unknown option 'txt' (did you mean 'text'?)
+
+s:load 'systems/stop_at_wall.lua'
+s:reload('controller', {})  -- error: reload: expected { file = "NAME" } or { text = "..." }
+
+--- A method that is called without its colon is an error.
+s:load 'systems/stop_at_wall.lua'
+s.measure('a', 1)  -- error: write s:measure(...) with a colon
+
+s:load 'systems/stop_at_wall.lua'
+s.check(true)  -- error: write s:check(...) with a colon
+
+--- A scenario can't set fields of s, and can't declare while it runs.
+s:load 'systems/stop_at_wall.lua'
+s.foo = 3  -- error: s: nothing of it can be set: keep what you need in a local
+
+s:load 'systems/stop_at_wall.lua'
+range('a')  -- error: range: expected range(lo, hi) or range(lo, hi, step) with numbers
+
+s:load 'systems/stop_at_wall.lua'
+range(1, 2, 3, 4)  -- error: range: expected at most 3 arguments, got 4: range(lo, hi, step)
+
+s:load 'systems/stop_at_wall.lua'
+scenario('b', function() end)  -- error: scenario: scenarios are declared by the file, not by one another
+
+s:load 'systems/stop_at_wall.lua'
+pcall(range, 'a') error('mine')  -- failed: mine
+
+--- A wrong call that the scenario catches with pcall is no error.
+s:load 'systems/stop_at_wall.lua'
+s:check(not pcall(s.run, s, 'x'))
+
+s:load 'systems/stop_at_wall.lua'
+pcall(s.run, s, 'x') error('mine')  -- failed: mine
+
+s:load 'systems/stop_at_wall.lua'
+s:always('a', function() s:run('x', 2) return true end) s:run(1)
+-- error: always 'a': run: a condition only looks: time and expectations are the scenario's
+
+s:load 'systems/stop_at_wall.lua'
+s:always('a', function(world) return world end)
+-- error: always: 'a': the function is called with nothing; its parameter 'world' is never given: leave it out
+
+--- A condition can't set parameters.
+local w = s:load 'systems/stop_at_wall.lua'
+s:always('it', function() w.controller.config.speed_x = 0.3 return true end)
+-- error: always 'it': a condition only looks: parameters are set by the scenario
+s:run(0.1)
+
+local w = s:load 'systems/stop_at_wall.lua'
+s:run(0.1) s:wait_until('it', { within = 1 }, function() w.controller.config.speed_x = 0.3 return true end)
+-- error: wait_until 'it': a condition only looks: parameters are set by the scenario
+
+local w = s:load 'systems/stop_at_wall.lua'
+s:always('it', function() return w.controller.config.speed_x > 0 end)
+s:run(0.1) w.controller.config.speed_x = 0.3 s:run(0.1)
+
+--- A wrong measure is refused.
+s:measure(3, 1)  -- error: measure: expected a name (what is measured), got number
+
+s:measure('', 1)  -- error: measure: '': expected a name of one line
+
+s:measure('passed', 1)  -- error: measure: 'passed': --measures has a column of this name: choose another
+
+s:measure('a')  -- error: measure: 'a': expected a number, got nothing
+
+s:measure('a', math.huge)  -- error: measure: 'a': expected a finite number, got inf
+
+s:measure('a', 1, 5)  -- error: measure: 'a': expected a unit as in "s", got number
+
+s:measure('a', 0.5) s:measure('a', 1)  -- error: measure: 'a': is measured already, as 0.5: a run keeps one number a name
