@@ -11,7 +11,6 @@
 #include "engine/base/names.hpp"
 #include "engine/system/act.hpp"
 #include "engine/tree/member.hpp"
-#include "engine/values/cdr.hpp"
 
 namespace nezumi {
 namespace {
@@ -50,16 +49,8 @@ const Type* type_below(const Type& type, std::string_view step) {
     return field != nullptr ? field->type : nullptr;
 }
 
-Value copy_of(const ValueView& value) {
-    Octets bytes;
-    write_cdr(bytes, {}, value);
-    Value copy(*value.type);
-    static_cast<void>(read_cdr(bytes, {}, ValuePlace(copy)));
-    return copy;
-}
-
 std::optional<Value> value_below(const ValueView& value, std::string_view part) {
-    if (part.empty()) return copy_of(value);
+    if (part.empty()) return Value(value);
     const std::string_view step = take_step(part);
     if (!is_list(*value.type)) {
         const Type::Field* field = find_field(*value.type, step);
