@@ -31,7 +31,7 @@ bool is_carried(const TreeNode& node) {
 
 // The part of a node that is carried: probes are carried without their times, so `probes.error.value` is "error".
 std::string carried_part(const TreeNode& node) {
-    const std::string part = node.part();
+    std::string part = node.part();
     if (node.member() == nullptr || node.member()->name != "probes") return part;
     std::string_view rest = part;
     std::string probe(take_step(rest));

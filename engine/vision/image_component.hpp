@@ -58,7 +58,7 @@ protected:
     }
     template <class T>
     const T& value(std::string_view parameter) const {
-        return parameters_.find(parameter)->value.get<T>();
+        return parameters_.find(parameter)->value.template get<T>();
     }
     InPortBase& image_port() { return image_; }
     /// Waits for the detection that is under way, if there is one, and forgets what it saw.
