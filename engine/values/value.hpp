@@ -105,7 +105,7 @@ private:
     // A scalar is held here, all else in memory of its own.
     union {
         alignas(8) std::byte scalar_[8]{};  // NOLINT(readability-identifier-naming): private, as all here
-        void* apart_;  // NOLINT(readability-identifier-naming)
+        void* apart_;                       // NOLINT(readability-identifier-naming)
     };
 };
 
