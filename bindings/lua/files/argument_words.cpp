@@ -1,4 +1,4 @@
-// `argument`: what whoever starts a system says to its file.
+// The word `argument` of system files: its value is given by `--set NAME=VALUE`, or is its default.
 #include <fmt/format.h>
 
 #include <algorithm>
