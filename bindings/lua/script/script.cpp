@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/script_config.hpp"
@@ -326,6 +328,21 @@ Expected<void> Script::take_state_over(const PlainData& state) {
     return set ? Expected<void>() : Unexpected(to_error(set.error()));
 }
 
+namespace {
+
+// What Lua reports about mistakes that are usual in a first script, and what to write instead.
+constexpr std::pair<std::string_view, std::string_view> cures[] = {
+    {"attempt to add a 'string' with", ".. joins texts in Lua"},
+    {"attempt to perform arithmetic on a string value", ".. joins texts in Lua"},
+    {"pairs' (table expected, got nil)", "was it ever set, under this name? `x or {}` stands for an empty table"},
+    {"attempt to call a table value (for iterator", "write `for i, value in ipairs(list) do`"},
+    {"attempt to compare number with table", "a list has elements: list[1] is the first"},
+    {"attempt to compare table with number", "a list has elements: list[1] is the first"},
+    {" a port value", "a port is not its value: read it first, with `:read()`"},
+};
+
+}  // namespace
+
 std::string Script::hint(const Error& error) const {
     const auto says = [&](std::string_view text) { return error.message.find(text) != std::string::npos; };
     // Lua knows no name of an element: what is nil is "field '?'", or nothing at all in a comparison or a loop.
@@ -335,9 +352,10 @@ std::string Script::hint(const Error& error) const {
         missing_.place.file == error.place.file) {
         return fmt::format(": element {} of {} of {}", missing_.index, missing_.count, port_title(*missing_.port));
     }
-    if (error.message.starts_with("attempt to add a 'string' with") ||
-        (error.message.starts_with("attempt to perform arithmetic on a string value") && says("constant")))
-        return ": .. joins texts in Lua";
+    if (says("attempt to perform arithmetic on a string value") && !says("constant")) return "";
+    for (const auto& [message, cure] : cures) {
+        if (says(message)) return fmt::format(": {}", cure);
+    }
     // Locals are new after a reload, and on_activated, which may have set them, does not run again.
     if (was_activated_ || context_.version == 1 || !says("nil value (upvalue '")) return "";
     return "; a reload makes the file's locals new and does not run on_activated again: set it at the top of the file "

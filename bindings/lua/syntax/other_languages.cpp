@@ -13,10 +13,20 @@ struct Foreign {
 
 constexpr std::string_view no_compound = "Lua has no such assignment: write x = x + 1";
 
+constexpr std::string_view comment = "a comment begins with -- in Lua";
+
 constexpr Foreign signs[] = {
-    {"!=", "it is ~= in Lua"}, {"&&", "it is `and` in Lua"}, {"||", "it is `or` in Lua"}, {"++", no_compound},
-    {"+=", no_compound},       {"-=", no_compound},          {"*=", no_compound},         {"/=", no_compound},
-    {"%=", no_compound},       {"..=", no_compound},
+    {"!=", "it is ~= in Lua"},
+    {"&&", "it is `and` in Lua"},
+    {"||", "it is `or` in Lua"},
+    {"++", no_compound},
+    {"+=", no_compound},
+    {"-=", no_compound},
+    {"*=", no_compound},
+    {"/=", no_compound},
+    {"%=", no_compound},
+    {"..=", no_compound},
+    {"/*", comment},
 };
 
 // The word before the mistake, in other languages.
@@ -29,6 +39,9 @@ constexpr Foreign words[] = {
     {"var", "it is `local` in Lua"},
     {"let", "it is `local` in Lua"},
     {"const", "it is `local` in Lua"},
+    {"import", "`local name = require \"name\"` loads a module in Lua"},
+    {"class", "Lua has no classes: a table has fields and functions"},
+    {"try", "pcall(f) calls f and catches its errors in Lua"},
     {"continue", "Lua has no continue: `goto continue` goes to ::continue:: at the loop's end"},
 };
 
@@ -66,7 +79,8 @@ std::string_view other_language_hint(const SyntaxTree& tree) {
         if (const std::string_view hint = hint_of(signs, both); !hint.empty()) return hint;
     }
     if (wrong->is("!")) return "it is `not` in Lua";
-    if (wrong->is("//")) return "a comment begins with -- in Lua";
+    if (wrong->is("//") || wrong->is("#")) return comment;
+    if (wrong->is("?")) return "it is `condition and a or b` in Lua";
     if (wrong->is("=") && is_condition_before(tree, wrong)) return "== compares in Lua, and = assigns";
     if (before != nullptr && before->kind == Token::Kind::name) {
         if (const std::string_view hint = hint_of(words, before->text); !hint.empty()) return hint;

@@ -115,11 +115,6 @@ function on_execute()
 assert(tostring(a) == "input 'a' (TimedLong)")
 end
 
-local a = input("a", "TimedLong")
-function on_execute()
-return a + 1  -- error: attempt to perform arithmetic on a port value (upvalue 'a')
-end
-
 --- Ports can't be used while the file loads.
 local a = input('a', 'TimedLong')
 print(a:read())  -- error: input 'a': ports can't be read while the file loads

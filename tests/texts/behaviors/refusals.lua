@@ -126,6 +126,18 @@ let x = 3  -- error: syntax error near 'x': it is `local` in Lua
 
 // first  -- error: unexpected symbol near '//': a comment begins with -- in Lua
 
+x = 1 # first  -- error: unexpected symbol near '#': a comment begins with -- in Lua
+
+/* first */  -- error: unexpected symbol near '/': a comment begins with -- in Lua
+
+x = a ? 1 : 2  -- error: unexpected symbol near '?': it is `condition and a or b` in Lua
+
+import math  -- error: syntax error near 'math': `local name = require "name"` loads a module in Lua
+
+class Wheel  -- error: syntax error near 'Wheel': Lua has no classes: a table has fields and functions
+
+try f() catch g() end  -- error: syntax error near 'f': pcall(f) calls f and catches its errors in Lua
+
 x = = 1  -- error: unexpected symbol near '='
 
 --- The message says if a system file is used as a behaviour.
