@@ -5,7 +5,6 @@
 #include <system_error>
 #include <utility>
 
-#include "bindings/web/jpeg.hpp"
 #include "bindings/web/web_frame.hpp"
 #include "engine/base/thread.hpp"
 #include "engine/values/cdr.hpp"
@@ -78,16 +77,16 @@ void Pictures::work() {
             std::swap(taken, next->second);
             next->second.is_new = false;
         }
-        auto jpeg = to_jpeg(taken.image);
+        auto jpeg = encode_(taken.image);
         if (!jpeg) {
             if (!std::exchange(has_failed, true)) fail_(jpeg.error().message);
             continue;
         }
         const WebPicture picture{.port = port,
                                  .tm = taken.tm,
-                                 .width = taken.image.width,
-                                 .height = taken.image.height,
-                                 .jpeg = std::move(*jpeg)};
+                                 .width = static_cast<std::uint32_t>(jpeg->width),
+                                 .height = static_cast<std::uint32_t>(jpeg->height),
+                                 .jpeg = std::move(jpeg->bytes)};
         Octets bytes;
         write_cdr(bytes, {}, picture);
         std::string message{static_cast<char>(BinaryKind::picture), 0, 0, 0};

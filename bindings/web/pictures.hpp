@@ -13,6 +13,7 @@
 #include "engine/base/mutex.hpp"
 #include "engine/ports/messages.hpp"
 #include "engine/system/system.hpp"
+#include "engine/world/picture.hpp"
 
 namespace nezumi::web {
 
@@ -22,11 +23,14 @@ public:
     /// Takes a complete message for browsers, or the reason why there is none. Called in the encoder's thread.
     using Show = std::function<void(const std::string& port, std::string message)>;
     using Fail = std::function<void(const std::string& why)>;
+    /// Encodes a picture. Called in a thread of its own.
+    using Encode = std::function<Expected<JpegPicture>(const CameraImage& picture)>;
 
     /// The largest rate per port [Hz].
     static constexpr double most = 10;
 
-    Pictures(Show show, Fail fail) : show_(std::move(show)), fail_(std::move(fail)) {}
+    Pictures(Encode encode, Show show, Fail fail)
+        : encode_(std::move(encode)), show_(std::move(show)), fail_(std::move(fail)) {}
     ~Pictures();
     Pictures(const Pictures&) = delete;
     Pictures& operator=(const Pictures&) = delete;
@@ -48,6 +52,7 @@ private:
 
     void work();
 
+    Encode encode_;
     Show show_;
     Fail fail_;
     std::map<std::string, Seen, std::less<>> seen_;  // used by the ticking thread

@@ -61,6 +61,7 @@ Expected<std::unique_ptr<WebServer>> WebServer::open(RunningSystem& live, ClockC
     if (!sockets) return Unexpected(sockets.error());
     server->sockets_ = std::move(*sockets);
     server->pictures_ = std::make_unique<Pictures>(
+        options.encode,
         [&hub = server->hub_, &wakes = *server->sockets_](const std::string& port, std::string message) {
             hub.show_picture(port, std::move(message));
             wakes.wake();

@@ -26,6 +26,7 @@ struct WebOptions {
     SocketOptions sockets{};
     std::filesystem::path page{};  ///< folder of the page's files
     std::string version{};         ///< of nezumi
+    Pictures::Encode encode{};     ///< pictures for browsers
 };
 
 /// Must be called from the ticking thread.

@@ -8,10 +8,10 @@
 
 namespace nezumi {
 
-/// A module of the program: a library of its own in the program's folder for libraries, with one function.
+/// A function of a module: a library of its own in the program's folder for libraries.
 struct Module {
     std::string_view file;      ///< "nezumi_camera.so"
-    std::string_view function;  ///< its one function, which throws nothing
+    std::string_view function;  ///< which throws nothing
     std::string_view part;      ///< what it is for, in errors: "cameras"
     std::string_view needs;     ///< the package without which it can't be loaded
 };

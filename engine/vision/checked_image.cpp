@@ -10,8 +10,6 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/world/picture.hpp"
-
 namespace nezumi {
 namespace {
 
@@ -36,7 +34,8 @@ constexpr Format formats[] = {{"gray8", 8, CV_8UC1, none, none, false},
                               {"mono16", 16, CV_16UC1, none, none, false},
                               {"yuv422_yuy2", 16, CV_8UC2, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2RGB_YUY2, true},
                               {"yuv422", 16, CV_8UC2, cv::COLOR_YUV2GRAY_UYVY, cv::COLOR_YUV2RGB_UYVY, true}};
-constexpr std::string_view compressed[] = {"jpeg", "png"};
+constexpr std::string_view jpeg = "jpeg";
+constexpr std::string_view compressed[] = {jpeg, "png"};
 
 Expected<Format> format_of(const CameraImage& image) {
     std::vector<std::string_view> names;
@@ -74,9 +73,12 @@ Expected<Format> checked_format(const CameraImage& image) {
     return format;
 }
 
+// Whether one of OpenCV's conversions to bytes leaves the pixels as they are.
+bool is_as_needed(const Format& format, int conversion) { return conversion == none && format.type != CV_16UC1; }
+
 // The pixels by one of OpenCV's conversions to so many channels.
 Octets converted(const CameraImage& image, const Format& format, int conversion, int channels, Octets pixels) {
-    if (conversion == none && format.type != CV_16UC1) {
+    if (is_as_needed(format, conversion)) {
         pixels = image.pixels;
         return pixels;
     }
@@ -136,6 +138,21 @@ Expected<ColorImage> to_rgb(const CameraImage& image, Octets memory) {
     if (!format) return Unexpected(format.error());
     if (!format->colored) return failure(fmt::format("{} has no colours: expected rgb8 or bgr8", format->name));
     return ColorImage{image.width, image.height, converted(image, *format, format->to_rgb, 3, std::move(memory))};
+}
+
+Expected<JpegPicture> to_jpeg(const CameraImage& image) {
+    if (is_compressed(image)) {
+        const auto rgb = decoded(image);
+        if (!rgb) return Unexpected(rgb.error());
+        if (image.format == jpeg) return JpegPicture{rgb->width, rgb->height, image.pixels};
+        return to_jpeg(*rgb);
+    }
+    const auto format = checked_format(image);
+    if (!format) return Unexpected(format.error());
+    const int channels = format->colored ? 3 : 1;
+    const int conversion = format->colored ? format->to_rgb : format->to_gray;
+    if (is_as_needed(*format, conversion)) return encode_jpeg(image.width, image.height, channels, image.pixels);
+    return encode_jpeg(image.width, image.height, channels, converted(image, *format, conversion, channels, {}));
 }
 
 }  // namespace nezumi

@@ -6,6 +6,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/ports/messages.hpp"
+#include "engine/world/picture.hpp"
 
 namespace nezumi {
 
@@ -30,5 +31,8 @@ Expected<GrayImage> to_gray(const CameraImage& image, Octets memory = {});
 
 /// The colours of a picture; errors as of `to_gray`, and when it is grey.
 Expected<ColorImage> to_rgb(const CameraImage& image, Octets memory = {});
+
+/// The picture as JPEG, grey or in colours; errors as of `to_gray`. One that is JPEG already stays as it is.
+Expected<JpegPicture> to_jpeg(const CameraImage& image);
 
 }  // namespace nezumi

@@ -1,4 +1,5 @@
-// The module for pictures: OpenCV's readers of JPEG, BMP, TIFF and others. The one place that needs its imgcodecs.
+// The module for pictures: OpenCV's readers of JPEG, BMP, TIFF and others, and its writer of JPEG. The one place that
+// needs imgcodecs.
 #include "engine/world/image_module.hpp"
 
 #include <exception>
@@ -67,18 +68,41 @@ bool decode(const std::uint8_t* bytes, std::size_t size, Picture& picture, std::
     return true;
 }
 
-}  // namespace
-}  // namespace nezumi
+bool encode(int width, int height, int channels, const std::uint8_t* pixels, Octets& jpeg, std::string& problem) {
+    constexpr int quality = 80;
+    // cv::Mat has no constructor for const data; this one is only read.
+    const cv::Mat given(height, width, CV_8UC(channels), const_cast<std::uint8_t*>(pixels));
+    cv::Mat picture = given;
+    if (channels == 3) cv::cvtColor(given, picture, cv::COLOR_RGB2BGR);
+    if (cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, quality})) return true;
+    problem = "OpenCV can't write JPEG";
+    return false;
+}
 
-extern "C" __attribute__((visibility("default"))) nezumi::DecodeInModule nezumi_decode_image;
-
-bool nezumi_decode_image(const std::uint8_t* bytes, std::size_t size, nezumi::Picture& picture, std::string& problem) {
+// Calls OpenCV, which throws, for those who must not see that.
+template <class Call>
+bool caught(const Call& call, std::string& problem) {
     try {
-        return nezumi::decode(bytes, size, picture, problem);
+        return call();
     } catch (const cv::Exception& thrown) {  // an assertion of its has several lines
         problem = "OpenCV reports: " + thrown.err.substr(0, thrown.err.find('\n'));
     } catch (const std::exception& thrown) {
         problem = thrown.what();
     }
     return false;
+}
+
+}  // namespace
+}  // namespace nezumi
+
+extern "C" __attribute__((visibility("default"))) nezumi::DecodeInModule nezumi_decode_image;
+extern "C" __attribute__((visibility("default"))) nezumi::EncodeInModule nezumi_encode_jpeg;
+
+bool nezumi_decode_image(const std::uint8_t* bytes, std::size_t size, nezumi::Picture& picture, std::string& problem) {
+    return nezumi::caught([&] { return nezumi::decode(bytes, size, picture, problem); }, problem);
+}
+
+bool nezumi_encode_jpeg(int width, int height, int channels, const std::uint8_t* pixels, nezumi::Octets& jpeg,
+                        std::string& problem) {
+    return nezumi::caught([&] { return nezumi::encode(width, height, channels, pixels, jpeg, problem); }, problem);
 }

@@ -5,15 +5,21 @@
 #include <cstdint>
 #include <string>
 
+#include "engine/values/type.hpp"
 #include "engine/world/picture.hpp"
 
 namespace nezumi {
 
 inline constexpr const char* image_module = "nezumi_images.so";
 inline constexpr const char* decode_in_module = "nezumi_decode_image";
+inline constexpr const char* encode_in_module = "nezumi_encode_jpeg";
 
-/// The module's only function. Reads the picture in a file's bytes, in any format that OpenCV reads. Transparent parts
+/// Reads the picture in a file's bytes, in any format that OpenCV reads. Transparent parts
 /// become white; a photograph is turned upright. Returns false with the `problem`. Never throws.
 using DecodeInModule = bool(const std::uint8_t* bytes, std::size_t size, Picture& picture, std::string& problem);
+
+/// Writes width * height pixels, grey or red, green and blue, as JPEG. Returns false with the `problem`. Never throws.
+using EncodeInModule = bool(int width, int height, int channels, const std::uint8_t* pixels, Octets& jpeg,
+                            std::string& problem);
 
 }  // namespace nezumi

@@ -1,7 +1,9 @@
-// Pictures are decoded in a module: readers of their formats cost more to load than all else of the program.
+// Pictures are decoded and encoded in a module: OpenCV's formats cost more to load than all else of the program.
 #include "engine/world/picture.hpp"
 
 #include <fmt/format.h>
+
+#include <cassert>
 
 #include "engine/base/module.hpp"
 #include "engine/world/image_module.hpp"
@@ -9,8 +11,9 @@
 namespace nezumi {
 namespace {
 
-constexpr Module pictures{
-    .file = image_module, .function = decode_in_module, .part = "pictures", .needs = "libopencv-imgcodecs406"};
+constexpr Module module_with(const char* function) {
+    return {.file = image_module, .function = function, .part = "pictures", .needs = "libopencv-imgcodecs406"};
+}
 
 }  // namespace
 
@@ -21,7 +24,7 @@ std::string too_many_pixels(std::int64_t width, std::int64_t height) {
 }
 
 Expected<Picture> decode_picture(std::string_view bytes) {
-    static const auto decodes = load_function(pictures);
+    static const auto decodes = load_function(module_with(decode_in_module));
     if (!decodes) return Unexpected(decodes.error());
     Picture picture;
     std::string problem;
@@ -32,6 +35,17 @@ Expected<Picture> decode_picture(std::string_view bytes) {
     return picture;
 }
 
-bool decodes_pictures() { return is_built_with(pictures); }
+Expected<JpegPicture> encode_jpeg(int width, int height, int channels, const Octets& pixels) {
+    static const auto encodes = load_function(module_with(encode_in_module));
+    if (!encodes) return Unexpected(encodes.error());
+    assert(pixels.size() == std::size_t(width) * std::size_t(height) * std::size_t(channels));
+    JpegPicture jpeg{.width = width, .height = height, .bytes = {}};
+    std::string problem;
+    if (!reinterpret_cast<EncodeInModule*>(*encodes)(width, height, channels, pixels.data(), jpeg.bytes, problem))
+        return failure(std::move(problem));
+    return jpeg;
+}
+
+bool decodes_pictures() { return is_built_with(module_with(decode_in_module)); }
 
 }  // namespace nezumi

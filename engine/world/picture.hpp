@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/error.hpp"
+#include "engine/values/type.hpp"
 #include "engine/world/floor_color.hpp"
 
 namespace nezumi {
@@ -18,13 +19,21 @@ struct Picture {
     std::vector<Rgb> pixels;  ///< row by row from the top left
 };
 
+struct JpegPicture {
+    int width = 0;   ///< [px]
+    int height = 0;  ///< [px]
+    Octets bytes;    ///< of a JPEG file
+};
+
 /// Reads a picture's file. An error says what the matter with the file is.
 using PictureReader = std::function<Expected<Picture>(const std::string& file)>;
 
 /// The picture in a file's bytes, of any format that OpenCV reads, by a module that is loaded then. Transparent parts
 /// are white. The error, without a place, says what the matter with them is.
 Expected<Picture> decode_picture(std::string_view bytes);
-/// Whether this program can do so: one without simulation needs no pictures.
+/// Pixels row by row from the top left, each one grey value (`channels` 1) or red, green and blue (3), as JPEG.
+Expected<JpegPicture> encode_jpeg(int width, int height, int channels, const Octets& pixels);
+/// Whether this program can decode pictures: one without simulation needs none.
 bool decodes_pictures();
 
 /// Why no picture has so many pixels, or "".

@@ -4,6 +4,7 @@
 #include "bindings/draw/picture.hpp"
 #include "bindings/draw/sweep_plot.hpp"
 #include "bindings/draw/wiring_graph.hpp"
+#include "engine/vision/checked_image.hpp"
 #include "hw/calibrate/camera.hpp"
 #include "sim/picture.hpp"
 
@@ -36,6 +37,11 @@ Expected<Picture> read_picture(const std::string& /*file*/) { return failure(std
 Picture paint_tag(int /*id*/) { return {}; }
 
 }  // namespace nezumi::sim
+namespace nezumi {
+
+Expected<JpegPicture> to_jpeg(const CameraImage& /*image*/) { return failure(std::string(cli::no_simulation)); }
+
+}  // namespace nezumi
 namespace nezumi::hw {
 
 Expected<IntrinsicsFit> calibrate_camera(const BoardCourse& /*course*/,

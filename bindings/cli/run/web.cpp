@@ -16,6 +16,7 @@
 #include "bindings/terminal/input_history.hpp"
 #include "bindings/web/certificate.hpp"
 #include "bindings/web/qr_code.hpp"
+#include "engine/vision/checked_image.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -61,7 +62,8 @@ RunWeb::~RunWeb() { console_.show_status_by({}); }
 Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& console, const Web& web) {
     const auto folders = installed_folders();
     web::WebOptions options{.page = folders.empty() ? std::filesystem::path() : folders.front() / "bindings/web/page",
-                            .version = version()};
+                            .version = version(),
+                            .encode = to_jpeg};
     options.sockets.first_port = web.port;
     options.sockets.ports = std::min(most_ports, 65536 - web.port);
     std::string fingerprint;

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "engine/vision/checked_image.hpp"
+#include "engine/world/picture.hpp"
 
 using namespace nezumi;
 
@@ -109,4 +110,34 @@ TEST_CASE("a grey picture is refused if colours are needed, as is one whose size
     CHECK(refused(image(3, 2, 8, "", 6)) == "gray8 has no colours: expected rgb8 or bgr8");
     CHECK(refused({}) == "an empty picture (0 x 0, 0 bytes)");
     CHECK(refused(image(2, 2, 24, "bgr8", 13)) == "2 x 2 pixels of bgr8 need 12 bytes, got 13");
+}
+
+TEST_CASE("pictures of all formats become JPEG, and one that is JPEG stays as it is", "[vision][image]") {
+    const auto color_of = [](const CameraImage& picture) {
+        const auto jpeg = to_jpeg(picture);
+        INFO((jpeg ? std::string() : jpeg.error().message));
+        REQUIRE(jpeg.has_value());
+        CHECK(jpeg->width == 8);
+        CHECK(jpeg->height == 8);
+        const auto shown = decode_picture({reinterpret_cast<const char*>(jpeg->bytes.data()), jpeg->bytes.size()});
+        REQUIRE(shown.has_value());
+        const Rgb middle = shown->pixels[4 * 8 + 4];
+        // JPEG changes colours a little.
+        return std::array{(middle >> 16 & 0xff) / 64, (middle >> 8 & 0xff) / 64, (middle & 0xff) / 64};
+    };
+    const auto filled = [](const char* format, const Octets& pixel) {
+        CameraImage all = image(8, 8, static_cast<int>(8 * pixel.size()), format, 0);
+        for (int i = 0; i < 64; ++i) all.pixels.insert(all.pixels.end(), pixel.begin(), pixel.end());
+        return all;
+    };
+    using Color = std::array<Rgb, 3>;
+    CHECK(color_of(filled("rgb8", {255, 0, 0})) == Color{3, 0, 0});
+    CHECK(color_of(filled("bgr8", {255, 0, 0})) == Color{0, 0, 3});
+    CHECK(color_of(filled("bgra8", {0, 255, 0, 9})) == Color{0, 3, 0});
+    CHECK(color_of(filled("mono16", {0, 160})) == Color{2, 2, 2});
+    CHECK(color_of(filled("yuv422_yuy2", {235, 128})) == Color{3, 3, 3});
+    const CameraImage compressed{.format = "jpeg", .pixels = to_jpeg(filled("mono8", {96}))->bytes};
+    CHECK(color_of(compressed) == Color{1, 1, 1});
+    CHECK(to_jpeg(compressed)->bytes == compressed.pixels);
+    CHECK(to_jpeg(image(2, 2, 24, "bgr8", 13)).error().message == "2 x 2 pixels of bgr8 need 12 bytes, got 13");
 }

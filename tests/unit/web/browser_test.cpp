@@ -281,7 +281,7 @@ TEST_CASE("a camera's picture comes as JPEG while it is watched", "[web]") {
     const std::string camera = R"lua(
 local out = output("out", "CameraImage", "a picture")
 function on_execute()
-  out:write { width = 64, height = 48, bpp = 24, format = "rgb8", pixels = ("\200\100\0"):rep(64 * 48) }
+  out:write { width = 64, height = 48, bpp = 16, format = "yuv422_yuy2", pixels = ("\200\100"):rep(64 * 48) }
 end
 )lua";
     WebRig rig(R"(behavior "eye" { script = "eye" })", {{"eye", camera}});

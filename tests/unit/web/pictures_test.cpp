@@ -6,6 +6,7 @@
 #include <semaphore>
 
 #include "bindings/web/pictures.hpp"
+#include "engine/vision/checked_image.hpp"
 #include "tests/unit/large_allocations.hpp"
 
 using namespace nezumi;
@@ -36,8 +37,8 @@ TEST_CASE("pictures for browsers use the memory of earlier ones", "[web]") {
     for (const std::string port : {"eye.out", "eye.seen"}) {
         INFO(port);
         std::counting_semaphore encoded{0};
-        web::Pictures pictures([&](const std::string&, const std::string&) { encoded.release(); },
-                               [](const std::string&) {});
+        web::Pictures pictures(
+            to_jpeg, [&](const std::string&, const std::string&) { encoded.release(); }, [](const std::string&) {});
         std::size_t count = 0;
         auto now = web::Pictures::Clock::now();
         for (int shown = 0; shown < 6; ++shown) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bindings/web/web_server.hpp"
+#include "engine/vision/checked_image.hpp"
 #include "tests/unit/console/session_rig.hpp"
 #include "tests/unit/web/raw_browser.hpp"
 
@@ -23,7 +24,7 @@ struct WebRig : SessionRig {
         folder.write("page/main.js", "export {};");
         folder.write("page/.secret.js", "secret");
         folder.write("secret.js", "secret");
-        web::WebOptions options{.page = file.parent_path() / "page", .version = "1.2.3"};
+        web::WebOptions options{.page = file.parent_path() / "page", .version = "1.2.3", .encode = to_jpeg};
         options.sockets.first_port = 0;
         auto opened = web::WebServer::open(*live, *this, consoles, options);
         if (!opened) FAIL(opened.error().message);
