@@ -14,7 +14,8 @@ import threading
 import time
 
 from console import Console, Ended, lua
-from tables import Linked, rows_of
+from growing import Log, Play, key_of
+from tables import LOG, PLAY, Linked, rows_of
 from values import Type
 
 NEEDS = (
@@ -32,17 +33,27 @@ class Link:
         self._seen = {}  # by path: what the system said last
         self._widths = {}  # by (sheet, row): columns that were written where no headings say how many
         self._time, self._stands_since = None, 0.0
+        self._now = None  # [s] when it said so
         self._rows, self._linked, self._links = [], [], []
+        self._growing = {}  # logs and plays, by the key of their row
 
     def refresh(self):
         """One refresh: cells to ports, then ports to cells."""
         data = self._sheets.read()
         self._find(data)
-        taken = {}
+        taken, plays, logs = {}, {}, {}
         for each in self._linked:
-            each.read(data[each.row.sheet][each.row.row], self._seen.get(each.row.path), self._types, taken)
+            sheet, seen = data[each.row.sheet], self._seen.get(each.row.path)
+            moving = self._growing.get(key_of(each.row)) if each.row.grows else None
+            if each.row.word == LOG and moving:
+                logs[each.row.path] = moving.look(sheet)
+            elif each.row.word == PLAY and moving:
+                if each.takes(seen, self._types, taken):
+                    plays[each.row.path] = moving.look(sheet, self._types[seen["type"]], self._now)
+            else:
+                each.read(sheet[each.row.row], seen, self._types, taken)
         try:
-            answer = self._ask()
+            answer = self._ask(plays, logs)
             state = "no answer from %s" % self._system
         except (RuntimeError, ValueError) as refused:
             answer = None
@@ -51,7 +62,7 @@ class Link:
             if answer is None:
                 each.state = each.state or "no answer"
             else:
-                each.show(self._seen.get(each.row.path, {}), self._types)
+                self._take(each, self._seen.get(each.row.path, {}))
         # Rows that moved since they were read have other cells beside them: next time.
         if [rows_of(sheet, content)[0] for sheet, content in enumerate(self._sheets.read())] == self._rows:
             self._show(state if answer is None else "%s, %s" % (self._system, self._clock(answer["now"])))
@@ -72,13 +83,36 @@ class Link:
         self._rows = [rows for rows, _ in found]
         self._links = [sheet for sheet, (_, tells) in enumerate(found) if tells]
         self._linked = [Linked(row) for rows in self._rows for row in rows]
+        growing = {}
+        for each in self._linked:
+            if each.row.grows and not each.row.problem:
+                key = key_of(each.row)
+                growing[key] = self._growing.get(key) or (Log if each.row.word == LOG else Play)(each.row)
+        self._growing = growing
 
-    def _ask(self):
+    def _take(self, each, seen):
+        moving = self._growing.get(key_of(each.row)) if each.row.grows else None
+        if not moving or each.state:
+            return each.show(seen, self._types)
+        if each.row.word == LOG:
+            moving.take(seen, self._types.get(seen.get("type")), self._now)
+        elif seen.get("direction", "in") != "in":
+            moving.state = "%s is an out-port: only in-ports are fed" % each.row.path
+        else:
+            moving.show(seen)
+        each.state = moving.state
+
+    def _ask(self, plays, logs):
         paths = sorted({each.row.path for each in self._linked if each.row.path})
         number = {path: i + 1 for i, path in enumerate(paths)}
         feeds = {number[each.row.path]: each.feeds for each in self._linked if each.feeds is not None}
-        text = "calc_refresh(%s)" % lua(feeds)
+        played = {number[path]: rows for path, rows in plays.items() if rows}
+        logged = {number[path]: want for path, want in logs.items() if want}
+        text = "calc_refresh(%s, %s, %s)" % (lua(feeds), lua(played), lua(logged))
         if not self._console.is_waiting:  # an answer that is late is to what was asked then
+            for moving in self._growing.values():
+                if isinstance(moving, Play):
+                    moving.sent()
             if paths != self._asked:
                 text = "calc_bind(%s) %s" % (lua(paths), text)
             self._asked = paths
@@ -87,6 +121,7 @@ class Link:
             return None
         answer = json.loads(printed)
         self._seen = dict(zip(self._asked, answer["ports"]))
+        self._now = answer["now"]
         return answer
 
     def _clock(self, seconds):
@@ -110,6 +145,9 @@ class Link:
                 for column in range(row.values_column, row.values_column + width):
                     line.append(values.get(column))
             changes.append((row.sheet, row.row, row.column + 1, line))
+        for moving in self._growing.values():
+            if isinstance(moving, Log):
+                changes += moving.changes()
         self._sheets.write(changes)
 
 

@@ -68,6 +68,24 @@ local function feed(port, value)
   return is_once
 end
 
+-- What a port carried after `since`, at most one message each `every` seconds, of these the last `most`; nothing where
+-- it begins now.
+local function logged(path, want)
+  if want.since == nil then return nil end
+  local all = samples(path, want.since, want.every and 6000 or want.most)
+  local rows, last = {}, want.since
+  for _, row in ipairs(all.rows) do
+    local is_due = not want.every or math.floor(row[1] / want.every + 1e-6) > math.floor(last / want.every + 1e-6)
+    if is_due then
+      for label, is_text in ipairs(all.are_texts) do
+        if is_text then row[label + 1] = all.texts[math.tointeger(row[label + 1])] end
+      end
+      rows[#rows + 1], last = row, row[1]
+    end
+  end
+  return { labels = all.labels, rows = table.move(rows, math.max(1, #rows - want.most + 1), #rows, 1, {}) }
+end
+
 --- All ports: path, type, direction, description, value.
 function calc_ports()
   local all = {}
@@ -92,20 +110,21 @@ end
 --- Sets the ports that the next refreshes read and write.
 function calc_bind(new_paths) paths = new_paths end
 
---- Sends `values[i]` to port i, then reads all ports. A port that does not exist, or refuses its value, has an error.
-function calc_refresh(values)
+--- Sends `values[i]` to port i, or each of `plays[i]`, then reads all ports, and of `logs[i]` what it carried. A port that
+--- does not exist, or refuses its value, has an error.
+function calc_refresh(values, plays, logs)
   local seen = {}
   for i, path in ipairs(paths) do
     local port, unknown = try(find_port, path)
     if port then
-      local value = values[i]
       local sent, refused
-      if value ~= nil then
+      for place, value in ipairs(plays[i] or { values[i] }) do
+        if place > 1 then fed[path] = nil end -- each row is a message, also if it is the same as the one before
         sent, refused = try(feed, port, value)
-      else
-        fed[path] = nil
       end
+      if values[i] == nil and not plays[i] then fed[path] = nil end
       seen[i] = try(describe, port) or { error = path .. " is gone" }
+      if logs[i] then seen[i].samples = try(logged, path, logs[i]) end
       seen[i].once, seen[i].error = sent, seen[i].error or refused
     else
       seen[i] = { error = unknown }

@@ -17,6 +17,14 @@ class Part:
     def __init__(self, name, unit, kind, steps):
         self.name, self.unit, self.kind, self.steps = name, unit, kind, steps
 
+    @property
+    def label(self):
+        """Its name among the samples of the system: "position.x", "ranges[1]", "[1]", "" for a single value."""
+        label = ""
+        for step in self.steps:
+            label += "[%d]" % (step + 1) if isinstance(step, int) else ("." if label else "") + step
+        return label
+
     def of(self, message):
         """Its value in a message as JSON; None where a sequence is shorter."""
         for step in self.steps:

@@ -1,6 +1,7 @@
 // One C function serves all commands; what it finds wrong becomes a Lua error once nothing is left to destroy.
 #include "bindings/console/console_commands.hpp"
 #include "bindings/lua/live/object_core.hpp"
+#include "bindings/lua/values/codec.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@
 namespace nezumi {
 namespace {
 
-enum class Outcome : unsigned char { done, number, table, failed };
+enum class Outcome : unsigned char { done, number, value, table, failed };
 
 // Lets the ticks pass that a command waits for, and nobody else decide how many they are.
 class Wait {
@@ -69,6 +70,7 @@ Outcome run_command(lua_State* L, Session::Parts& parts, const ConsoleCommand& c
         return Outcome::failed;
     }
     if (*end == CommandEnd::table) return Outcome::table;
+    if (*end == CommandEnd::value) return Outcome::value;
     return *end == CommandEnd::number ? Outcome::number : Outcome::done;
 }
 
@@ -81,6 +83,7 @@ int call_command(lua_State* L) {
     switch (run_command(L, parts, console_commands()[number])) {
         case Outcome::done: return 0;
         case Outcome::number: lua_pushnumber(L, parts.number); return 1;
+        case Outcome::value: detail::push_any(L, parts.value); return 1;
         case Outcome::table:
             lua_pushvalue(L, lua_upvalueindex(1));
             lua_pushvalue(L, lua_upvalueindex(2));
@@ -137,6 +140,13 @@ const std::vector<ConsoleCommand>& console_commands() {
          true,
          {Offer::port},
          {"plot_options", 2}},
+        {"samples",
+         "samples(port, since, most)",
+         "gives what was carried after `since` as a table: labels, and rows of a stamp and values",
+         3,
+         command_samples,
+         false,
+         {Offer::port}},
         {"explain",
          "explain(component)",
          "shows its next execution: what came in, the lines that ran, what went out and what robots made of it",

@@ -17,6 +17,7 @@ namespace nezumi {
 enum class CommandEnd : unsigned char {
     done,
     number,  ///< it returns `Parts::number`
+    value,   ///< it returns `Parts::value`
     table,   ///< it returns a function that takes the table to the name that it was given: `robot "mouse" { ... }`
     wait,    ///< `Parts::ticks` are to pass before the input goes on
 };
@@ -92,7 +93,8 @@ CommandFunction command_behavior, command_component, command_robot, command_mark
 CommandFunction command_activate, command_deactivate, command_log_level;                             // life
 CommandFunction command_ls, command_find, command_help, command_errors, command_now, command_print;  // looking
 CommandFunction command_watch, command_unwatch, command_plot, command_drive, command_explain;        // following
-CommandFunction command_inject, command_hold, command_release;                                       // acting
+CommandFunction command_samples;
+CommandFunction command_inject, command_hold, command_release;  // acting
 CommandFunction command_teleport, command_stop, command_rearm;
 CommandFunction command_pause, command_step, command_run, command_speed, command_restart, command_quit;  // time
 CommandFunction command_reload, command_rollback;                                                        // versions

@@ -122,6 +122,7 @@ struct Session::Parts {
     }
 
     double number = 0;       ///< what a command returns
+    Value value;             ///< the same of one that returns a table
     std::int64_t ticks = 0;  ///< that a command waits for
     std::unique_ptr<Objects> objects;
     std::unique_ptr<LuaState> state;

@@ -110,9 +110,9 @@ class CellsTest(unittest.TestCase):
         rows, tells = rows_of(3, data)
         self.assertTrue(tells)
         self.assertFalse(rows_of(0, data[1:])[1])
-        found = [(row.path, row.row, row.column, row.headings, row.limit, row.only_watched) for row in rows]
+        found = [(row.path, row.row, row.column, row.headings, row.limit, row.word) for row in rows]
         self.assertEqual(
-            found, [("a.out", 2, 0, ["vx"], 2, False), (None, 3, 0, ["vx"], 2, False), ("a.in", 2, 4, ["1"], 64, True)]
+            found, [("a.out", 2, 0, ["vx"], 2, None), (None, 3, 0, ["vx"], 2, None), ("a.in", 2, 4, ["1"], 64, "watch")]
         )
         self.assertEqual(rows[1].problem, "expected a port, such as mouse.ir_sensor_out")
 
