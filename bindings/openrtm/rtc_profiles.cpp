@@ -66,22 +66,6 @@ bool read_rtc(const std::string& text, const ValuePlace& out) {
     }
 }
 
-std::string type_of(const Value& value) {
-    const Type& single = value.type().single();
-    const std::string_view name = single.kind == Type::Kind::boolean ? "bool"
-                                  : single.is_integer()              ? "long"
-                                  : single.is_floating()             ? "double"
-                                                                     : "string";
-    return &single == &value.type() ? std::string(name) : fmt::format("vector<{}>", name);
-}
-
-// "slider.0.01", "radio", ...; "" where the tool may choose.
-std::string widget_of(const ParameterSpec& spec) {
-    if ((spec.widget == "slider" || spec.widget == "spin") && spec.step > 0)
-        return fmt::format("{}.{}", spec.widget, spec.step);
-    return spec.widget;
-}
-
 // "-1.5<=x<=1.5", "(low,high)"; "" for none.
 std::string constraint_of(const ParameterSpec& spec) {
     if (!spec.choices.empty()) {
@@ -175,11 +159,26 @@ RtcSnapshot look_at(const Component& component) {
     if (!component.set_in_use().empty()) snapshot.set = component.set_in_use();
     snapshot.sets.emplace_back(Component::no_set, values_of(component, ""));
     for (const auto& [name, values] : component.sets) snapshot.sets.emplace_back(name, values_of(component, name));
-    snapshot.sets.emplace_back("__widget__", told_of(component, widget_of));
+    snapshot.sets.emplace_back("__widget__", told_of(component, rtc_widget_of));
     snapshot.sets.emplace_back("__constraints__", told_of(component, constraint_of));
     snapshot.sets.emplace_back("__type__",
-                               told_of(component, [](const ParameterSpec& spec) { return type_of(spec.initial); }));
+                               told_of(component, [](const ParameterSpec& spec) { return rtc_type_of(spec.initial); }));
     return snapshot;
+}
+
+std::string rtc_type_of(const Value& value) {
+    const Type& single = value.type().single();
+    const std::string_view name = single.kind == Type::Kind::boolean ? "bool"
+                                  : single.is_integer()              ? "long"
+                                  : single.is_floating()             ? "double"
+                                                                     : "string";
+    return &single == &value.type() ? std::string(name) : fmt::format("vector<{}>", name);
+}
+
+std::string rtc_widget_of(const ParameterSpec& spec) {
+    if ((spec.widget == "slider" || spec.widget == "spin") && spec.step > 0)
+        return fmt::format("{}.{}", spec.widget, spec.step);
+    return spec.widget;
 }
 
 std::string to_rtc_text(const ValueView& value) {

@@ -23,6 +23,11 @@ Expected<std::vector<RtcLink>> links_of(const System& system, const std::vector<
 /// State and parameters, as they are now.
 RtcSnapshot look_at(const Component& component);
 
+/// A parameter's type as OpenRTM's tools know it: "double", "vector<long>".
+std::string rtc_type_of(const Value& value);
+/// Its widget likewise: "slider.0.01", "radio", ...; "" where the tool may choose.
+std::string rtc_widget_of(const ParameterSpec& spec);
+
 /// A parameter's value as a configuration set has it: "0.1", "true", "1,2,3", a text as it is.
 std::string to_rtc_text(const ValueView& value);
 /// The value that a text stands for, of the type of `like`; nothing where it stands for none.

@@ -20,6 +20,7 @@ SubCommand push_command();
 SubCommand receive_command();
 SubCommand marker_command();
 SubCommand network_command();
+SubCommand rtc_command();
 /// These two describe the whole program, which `program` gives.
 SubCommand completion_command(SubCommand (*program)());
 SubCommand manual_command(SubCommand (*program)());

@@ -15,10 +15,17 @@
 #include "bindings/cli/new/arguments.hpp"
 #include "bindings/cli/new/behavior.hpp"
 #include "bindings/cli/new/files.hpp"
+#include "bindings/cli/new/profile_behavior.hpp"
+#include "bindings/cli/new/profile_system.hpp"
 #include "bindings/cli/new/project.hpp"
 #include "bindings/cli/new/system.hpp"
+#include "bindings/lua/files/find_script.hpp"
 #include "bindings/lua/files/system_file.hpp"
+#include "bindings/lua/script/behavior_maker.hpp"
+#include "bindings/openrtm/component_profile.hpp"
+#include "bindings/openrtm/system_profile.hpp"
 #include "bindings/scenario/test_plan.hpp"
+#include "engine/base/whole_file.hpp"
 #include "engine/project/project.hpp"
 
 namespace nezumi::cli {
@@ -59,11 +66,21 @@ struct Here {
     }
 };
 
-int new_behavior(const NewBehavior& wanted) {
+// `rtc` is the file of a profile, or "".
+int new_behavior(NewBehavior wanted, const std::string& rtc) {
+    std::vector<std::string> remarks;
+    if (!rtc.empty()) {
+        const auto text = read_whole(rtc, rtc);
+        if (!text) return refuse(text.error());
+        const auto profile = openrtm::read_component_profile(*text, rtc);
+        if (!profile) return refuse(profile.error());
+        wanted.base = parts_of(*profile, remarks);
+    }
     const auto texts = write_behavior(wanted);
     if (!texts) return refuse("new behavior: " + texts.error().message);
     const Here here;
     const std::string scenario = here.scenario(texts->name);
+    for (const std::string& remark : remarks) fmt::print(stderr, "{}: kept as a comment: {}\n", rtc, remark);
     return write_files({{here.behavior(texts->name), texts->behavior}, {scenario, texts->scenario}},
                        "nezumi test " + scenario, texts->name);
 }
@@ -74,14 +91,50 @@ std::optional<Error> problem_of(const std::string& text, const std::string& file
     return errors.empty() ? std::nullopt : std::optional<Error>(std::move(errors.front()));
 }
 
-int new_system(NewSystem wanted) {
+// The behaviour of this name in the project; null if there is none that loads.
+std::unique_ptr<Script> load_behavior(const Project& project, const std::string& name) {
+    const auto file = find_script(project, name, "here");
+    const auto source = file ? project.read_source(file->string()) : Unexpected(file.error());
+    if (!source) return nullptr;
+    ScriptContext context{.component = name};
+    context.find_module = modules_of(project);
+    auto script = Script::load(*source, std::move(context));
+    return script ? std::move(*script) : nullptr;
+}
+
+// The system of a profile of RTSystemEditor; its name is the profile's if none is given.
+Expected<std::string> read_rts(const std::string& rts, std::string& name, std::vector<std::string>& remarks) {
+    const auto text = read_whole(rts, rts);
+    if (!text) return Unexpected(text.error());
+    const auto profile = openrtm::read_system_profile(*text, rts);
+    if (!profile) return Unexpected(profile.error());
+    if (name.empty()) name = profile->name;
+    const Here here;
+    auto system = system_text_of(
+        *profile, [&](const std::string& script) { return load_behavior(here.project, script); }, remarks);
+    if (system.find("\nbehavior ") == std::string::npos)
+        return failure(
+            "none of its components is a behaviour of this project: write one first, for example with nezumi new "
+            "behavior --rtc RTC.xml",
+            {rts});
+    return system;
+}
+
+// `rts` is the file of a profile, or "".
+int new_system(NewSystem wanted, const std::string& rts) {
+    std::vector<std::string> remarks;
+    if (!rts.empty() && !(wanted.robots.empty() && wanted.behaviors.empty() && wanted.connections.empty()))
+        return refuse("new system: --rts says what there is: leave out --robot, --behavior and --connect");
+    auto text = rts.empty() ? Expected<std::string>("") : read_rts(rts, wanted.name, remarks);
+    if (!text) return refuse(text.error());
     const auto name = new_file_name("system", wanted.name);
     if (!name) return refuse("new system: " + name.error().message);
     wanted.name = *name;
-    const auto text = system_text(wanted);
+    if (rts.empty()) text = system_text(wanted);
     if (!text) return refuse("new system: " + text.error().message);
     const std::string file = Here().system(*name);
     if (const auto problem = problem_of(*text, file)) return refuse(*problem);
+    for (const std::string& remark : remarks) fmt::print(stderr, "{}: kept as a comment: {}\n", rts, remark);
     return write_files({{file, *text}}, "nezumi run " + *name, *name);
 }
 
@@ -146,23 +199,29 @@ int new_project(const std::string& given) {
 
 SubCommand new_command() {
     auto wanted = std::make_shared<NewBehavior>();
+    auto rtc = std::make_shared<std::string>();
     auto folder = std::make_shared<std::string>();
     const SubCommand behavior{
         .name = "behavior",
         .help = "Write a behaviour and a scenario for it",
-        .options = {{"NAME", &wanted->name, "line_follower or LineFollower"},
-                    {"--in", &wanted->inputs, "an in-port, for example distance:TimedShortSeq; may be repeated",
-                     "name:Type[:doc]"},
-                    {"--out", &wanted->outputs, "an out-port, for example velocity:TimedVelocity2D; may be repeated",
-                     "name:Type[:doc]"},
-                    {"--param", &wanted->parameters,
-                     "a parameter, for example speed=0.1 or 'gain=0.01,min=0,max=1,unit=1/s,doc=of the error'; may be "
-                     "repeated",
-                     "name=default[,min=...]"},
-                    {"--callback", &wanted->callbacks,
-                     "a callback beside on_execute, for example on_activated; may be repeated", "on_..."},
-                    {"--doc", &wanted->doc, "what it does, in a sentence", "TEXT"}},
-        .run = [wanted] { return new_behavior(*wanted); },
+        .options =
+            {{"[NAME]", &wanted->name, "line_follower or LineFollower; with --rtc, the profile's"},
+             {"--in", &wanted->inputs, "an in-port, for example distance:TimedShortSeq; may be repeated",
+              "name:Type[:doc]"},
+             {"--out", &wanted->outputs, "an out-port, for example velocity:TimedVelocity2D; may be repeated",
+              "name:Type[:doc]"},
+             {"--param", &wanted->parameters,
+              "a parameter, for example speed=0.1 or 'gain=0.01,min=0,max=1,unit=1/s,doc=of the error'; may be "
+              "repeated",
+              "name=default[,min=...]"},
+             {"--callback", &wanted->callbacks,
+              "a callback beside on_execute, for example on_activated; may be repeated", "on_..."},
+             {"--doc", &wanted->doc, "what it does, in a sentence", "TEXT"},
+             {"--version", &wanted->about.version, "of the behaviour, for example 1.0.0", "TEXT"},
+             {"--vendor", &wanted->about.vendor, "who makes it", "TEXT"},
+             {"--category", &wanted->about.category, "what kind of component it is, for example navigation", "TEXT"},
+             {"--rtc", rtc.get(), "a profile of RTCBuilder, RTC.xml, to begin with", "FILE", {}, FileUse::source}},
+        .run = [wanted, rtc] { return new_behavior(*wanted, *rtc); },
         .footer =
             "Writes behaviors/NAME.lua and tests/NAME_test.lua (in tests/scenarios/ where there is such a "
             "folder), and never\noverwrites. A parameter's type is its default's: 30 integer, 30.0 number, "
@@ -173,17 +232,24 @@ SubCommand new_command() {
                              .options = {{"DIR", folder.get(), "a folder that is new or empty"}},
                              .run = [folder] { return new_project(*folder); }};
     auto system = std::make_shared<NewSystem>();
+    auto rts = std::make_shared<std::string>();
     const SubCommand systems{
         .name = "system",
         .help = "Write a system file",
-        .options = {{"NAME", &system->name, "of the file in behaviors/systems/"},
+        .options = {{"[NAME]", &system->name, "of the file in behaviors/systems/; with --rts, the profile's"},
                     {"--robot", &system->robots, "a robot, for example mouse=raspimouse (default); may be repeated",
                      "NAME=MODEL"},
                     {"--behavior", &system->behaviors,
                      "a behaviour, for example controller=robot_controller; may be repeated", "NAME=SCRIPT"},
                     {"--connect", &system->connections,
-                     "a connection, for example controller.out=mouse.target_velocity_in; may be repeated", "FROM=TO"}},
-        .run = [system] { return new_system(*system); },
+                     "a connection, for example controller.out=mouse.target_velocity_in; may be repeated", "FROM=TO"},
+                    {"--rts",
+                     rts.get(),
+                     "a profile of RTSystemEditor: its components that are behaviours here, and how they are connected",
+                     "FILE",
+                     {},
+                     FileUse::source}},
+        .run = [system, rts] { return new_system(*system, *rts); },
         .footer = "Nothing is written unless the system would load."};
     auto robot = std::make_shared<std::string>();
     const SubCommand robots{

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/cli/new/arguments.hpp"
+#include "bindings/cli/new/behavior_text.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi::cli {
@@ -17,6 +17,8 @@ struct NewBehavior {
     std::vector<std::string> parameters;   ///< as `read_new_parameter` reads them
     std::vector<std::string> callbacks{};  ///< besides on_execute: "on_activated", ...
     std::string doc{};                     ///< a sentence: what it does; "": a placeholder
+    ScriptAbout about{};
+    BehaviorParts base{};  ///< what all of the above is added to; a name above takes the place of its own
 };
 
 struct BehaviorTexts {

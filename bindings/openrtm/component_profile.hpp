@@ -1,0 +1,44 @@
+// What a component declares, as RTCBuilder keeps it in a file (RTC.xml, versions 0.1 to 0.3).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/components/parameter.hpp"
+#include "engine/ports/port_base.hpp"
+
+namespace nezumi::openrtm {
+
+struct ProfilePort {
+    Direction direction = Direction::in;
+    std::string name;
+    std::string type;      ///< of its messages, without OpenRTM's module: "TimedShortSeq"; "Img/CameraImage"
+    std::string idl_file;  ///< that defines the type; may be empty
+    std::string doc;
+    std::size_t queue = 0;  ///< of an in-port: 0 for the latest message only
+    std::string safe;       ///< of an out-port: its safe value in JSON; "" for none
+};
+
+struct ComponentProfile {
+    std::string name;
+    std::string doc;  ///< one line or several
+    std::string version, vendor, category;
+    double rate = 0;                     ///< [Hz] of executions; 0: not said
+    std::vector<std::string> callbacks;  ///< that are implemented, in the order of the profile: "on_activated", ...
+    std::vector<ProfilePort> ports;      ///< in the order of the profile
+    std::vector<ParameterSpec> parameters;
+    /// What has no counterpart here, one line each: "service port 'map': requires RTC::OGMapServer".
+    std::vector<std::string> remarks;
+};
+
+/// Reads the text of a profile. `shown` is the file's name in errors. What can't be used is a remark; an error is a
+/// text that is no profile, or one that no RTCBuilder writes: with a DOCTYPE, or nested more than 100 deep.
+Expected<ComponentProfile> read_component_profile(std::string_view text, const std::string& shown);
+
+/// Writes a profile of version 0.3 that was changed at `date` ("2026-01-31T12:00:00Z"). What is read from it is the
+/// same, except for remarks. An error names the text that XML can't hold.
+Expected<std::string> write_component_profile(const ComponentProfile& profile, const std::string& date);
+
+}  // namespace nezumi::openrtm

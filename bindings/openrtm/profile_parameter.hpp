@@ -1,0 +1,26 @@
+// A parameter in RTCBuilder's profile, in both directions.
+#pragma once
+
+#include <optional>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/components/parameter.hpp"
+
+namespace nezumi::openrtm {
+
+/// Reads a `Configuration` element. The result is a valid declaration, but for its name. What of it can't be used is
+/// added to `remarks`; nothing if no part of it can.
+std::optional<ParameterSpec> read_parameter(const pugi::xml_node& configuration, std::vector<std::string>& remarks);
+
+/// Adds a `Configuration` element.
+void write_parameter(const ParameterSpec& spec, pugi::xml_node configuration_set);
+
+/// A default or a choice as a profile has it: a text that has quotes around it gets others around them.
+std::string profile_text(const Value& value);
+
+/// Adds a property of OpenRTM's extensions to an element.
+void add_property(pugi::xml_node element, const char* name, const std::string& value);
+
+}  // namespace nezumi::openrtm

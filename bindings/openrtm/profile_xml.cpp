@@ -1,0 +1,120 @@
+// pugixml expands no entities of a DOCTYPE; a text that has one is refused all the same.
+#include "bindings/openrtm/profile_xml.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "engine/base/trimmed.hpp"
+#include "engine/base/utf8.hpp"
+
+namespace nezumi::openrtm {
+namespace {
+
+constexpr int deepest = 100;
+
+int line_of(std::string_view text, std::ptrdiff_t offset) {
+    const auto end = text.begin() + std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(text.size()));
+    return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
+}
+
+bool has_text_alone(const pugi::xml_node& node) {
+    if (!is_utf8(node.name()) || !is_utf8(node.value())) return false;
+    const auto attributes = node.attributes();
+    return std::all_of(attributes.begin(), attributes.end(),
+                       [](const pugi::xml_attribute& each) { return is_utf8(each.name()) && is_utf8(each.value()); });
+}
+
+// Why this document is no profile that a tool has written, or "".
+std::string wrong_with(const pugi::xml_document& document) {
+    int depth = 0;
+    pugi::xml_node node = document.first_child();
+    while (node) {
+        if (node.type() == pugi::node_doctype) return "has a DOCTYPE, and profiles have none: take it away";
+        if (!has_text_alone(node)) return "is no text in UTF-8: save it as UTF-8";
+        if (depth > deepest) return fmt::format("is nested more than {} elements deep, which no profile is", deepest);
+        if (node.first_child()) {
+            node = node.first_child();
+            ++depth;
+            continue;
+        }
+        while (node && !node.next_sibling()) {
+            node = node.parent();
+            --depth;
+        }
+        node = node.next_sibling();
+    }
+    return "";
+}
+
+}  // namespace
+
+Expected<pugi::xml_node> open_profile(std::string_view text, const std::string& shown_file, std::string_view root,
+                                      pugi::xml_document& document) {
+    const Place file{shown_file};
+    if (text.size() > largest_profile) {
+        return failure(fmt::format("has {} bytes, and a profile has at most {}", text.size(), largest_profile), file);
+    }
+    // Line breaks in attributes stay what they are.
+    constexpr unsigned flags =
+        pugi::parse_cdata | pugi::parse_escapes | pugi::parse_eol | pugi::parse_ws_pcdata_single | pugi::parse_doctype;
+    const auto read = document.load_buffer(text.data(), text.size(), flags);
+    if (!read) {
+        return failure(fmt::format("expected the XML of a profile: {}", read.description()),
+                       {shown_file, line_of(text, read.offset)});
+    }
+    if (const std::string wrong = wrong_with(document); !wrong.empty()) return failure(wrong, file);
+    const pugi::xml_node element = document.document_element();
+    if (local_name(element.name()) != root)
+        return failure(fmt::format("expected a profile with <{}>, got <{}>", root, shown(element.name())), file);
+    return element;
+}
+
+std::string_view local_name(std::string_view name) { return name.substr(name.find(':') + 1); }
+
+std::string_view attribute_of(const pugi::xml_node& node, std::string_view name) {
+    for (const pugi::xml_attribute& each : node.attributes()) {
+        const std::string_view whole = each.name();
+        if (local_name(whole) == name && !whole.starts_with("xsi:") && !whole.starts_with("xmlns:"))
+            return each.value();
+    }
+    return "";
+}
+
+std::string without_html_breaks(std::string_view text, std::string_view instead) {
+    std::string plain;
+    while (!text.empty()) {
+        const std::size_t at = std::min(text.find("<br"), text.size());
+        plain += text.substr(0, at);
+        text.remove_prefix(at);
+        if (text.empty()) break;
+        const std::size_t end = text.find('>');
+        const bool is_break = end != std::string_view::npos && trimmed(text.substr(3, end - 3), " /").empty();
+        plain += is_break ? instead : text.substr(0, 3);
+        text.remove_prefix(is_break ? end + 1 : 3);
+    }
+    return plain;
+}
+
+pugi::xml_node element_of(const pugi::xml_node& node, std::string_view name) {
+    return node.find_child([&](const pugi::xml_node& each) { return local_name(each.name()) == name; });
+}
+
+std::vector<pugi::xml_node> elements_of(const pugi::xml_node& node, std::string_view name) {
+    std::vector<pugi::xml_node> found;
+    for (const pugi::xml_node& each : node.children()) {
+        if (each.type() == pugi::node_element && (name.empty() || local_name(each.name()) == name))
+            found.push_back(each);
+    }
+    return found;
+}
+
+std::vector<ProfileProperty> properties_of(const pugi::xml_node& node) {
+    std::vector<ProfileProperty> properties;
+    for (const pugi::xml_node& each : elements_of(node, "Properties"))
+        properties.push_back({std::string(attribute_of(each, "name")), std::string(attribute_of(each, "value"))});
+    return properties;
+}
+
+}  // namespace nezumi::openrtm
