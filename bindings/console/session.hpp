@@ -43,12 +43,13 @@ struct SessionOutput {
     std::function<bool(LogLevel level)> log_level{};
 };
 
-/// What `picture` and `graph` draw.
+/// What `picture`, `graph` and `save "x.xml"` draw.
 enum class Drawn : unsigned char {
-    world,   ///< from above
-    wiring,  ///< components, ports and connections
+    world,    ///< from above
+    wiring,   ///< components, ports and connections
+    profile,  ///< the same as the file of RTSystemEditor
 };
-/// Draws the copied state to a file that ends in .png or .svg; any thread may call it.
+/// Draws the copied state to a file that ends in .png or .svg, a profile in .xml; any thread may call it.
 using Drawing = std::function<Expected<void>(const std::string& file)>;
 /// Copies the state of the system, between two ticks; the drawing is then made on another thread.
 using DrawingMaker = std::function<Drawing(Drawn what)>;

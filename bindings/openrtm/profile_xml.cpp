@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 
 #include "engine/base/trimmed.hpp"
@@ -44,6 +45,23 @@ std::string wrong_with(const pugi::xml_document& document) {
             --depth;
         }
         node = node.next_sibling();
+    }
+    return "";
+}
+
+// The first text of a document that XML 1.0 can't hold; "" if there is none.
+std::string unwritable_text(const pugi::xml_node& node) {
+    const auto is_bad = [](std::string_view text, std::string_view allowed) {
+        return !is_utf8(text) || std::any_of(text.begin(), text.end(), [&](char c) {
+            return c >= 0 && c < 0x20 && allowed.find(c) == std::string_view::npos;
+        });
+    };
+    for (const pugi::xml_attribute& each : node.attributes()) {
+        if (is_bad(each.value(), "\t\n\r")) return each.value();
+    }
+    if (is_bad(node.value(), "\t\n")) return node.value();
+    for (const pugi::xml_node& each : node.children()) {
+        if (std::string bad = unwritable_text(each); !bad.empty()) return bad;
     }
     return "";
 }
@@ -115,6 +133,22 @@ std::vector<ProfileProperty> properties_of(const pugi::xml_node& node) {
     for (const pugi::xml_node& each : elements_of(node, "Properties"))
         properties.push_back({std::string(attribute_of(each, "name")), std::string(attribute_of(each, "value"))});
     return properties;
+}
+
+pugi::xml_node begin_profile(pugi::xml_document& document, const char* root) {
+    pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+    declaration.append_attribute("version") = "1.0";
+    declaration.append_attribute("encoding") = "UTF-8";
+    declaration.append_attribute("standalone") = "yes";
+    return document.append_child(root);
+}
+
+Expected<std::string> save_profile(const pugi::xml_document& document) {
+    if (const std::string bad = unwritable_text(document.document_element()); !bad.empty())
+        return failure(fmt::format("'{}' has a character that XML can't hold", shown(bad)));
+    std::ostringstream text;
+    document.save(text, "    ", pugi::format_default, pugi::encoding_utf8);
+    return text.str();
 }
 
 }  // namespace nezumi::openrtm

@@ -1,5 +1,5 @@
-// Opens the XML of OpenRTM's tools: without entities, of limited size and depth, valid UTF-8. Names are looked up
-// without their prefixes.
+// Opens the XML of OpenRTM's tools, without entities, of limited size and depth, valid UTF-8; and saves it. Names are
+// looked up without their prefixes.
 #pragma once
 
 #include <cstddef>
@@ -19,6 +19,11 @@ inline constexpr std::size_t largest_profile = std::size_t{4} << 20;
 /// as its file, and a line where one is known.
 Expected<pugi::xml_node> open_profile(std::string_view text, const std::string& shown, std::string_view root,
                                       pugi::xml_document& document);
+
+/// The outermost element of a new document.
+pugi::xml_node begin_profile(pugi::xml_document& document, const char* root);
+/// The document as text. An error names a text that XML can't hold.
+Expected<std::string> save_profile(const pugi::xml_document& document);
 
 /// "rtc:DataPorts" is "DataPorts".
 std::string_view local_name(std::string_view name);

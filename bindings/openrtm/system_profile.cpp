@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "bindings/openrtm/profile_xml.hpp"
 #include "engine/base/trimmed.hpp"
@@ -12,12 +14,21 @@
 namespace nezumi::openrtm {
 namespace {
 
-// What is between the last two colons of "RTC:Vendor:Category:Type:1.0.0".
-std::string type_in_id(std::string_view id) {
-    const std::size_t end = id.rfind(':');
-    if (end == std::string_view::npos || end == 0) return "";
-    const std::size_t begin = id.rfind(':', end - 1);
-    return begin == std::string_view::npos ? "" : std::string(id.substr(begin + 1, end - begin - 1));
+// "RTC:Vendor:Category:Type:1.0.0"; the id of a system has no category.
+struct Id {
+    std::string vendor, category, type, version;
+};
+
+Id id_in(std::string_view text) {
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(':', begin), text.size());
+        parts.emplace_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    const std::size_t count = parts.size();
+    if (count < 3) return {};
+    return {parts[1], count > 4 ? parts[2] : "", parts[count - 2], parts[count - 1]};
 }
 
 ProfiledEnd end_in(const pugi::xml_node& node) {
@@ -26,10 +37,17 @@ ProfiledEnd end_in(const pugi::xml_node& node) {
 }
 
 ProfiledComponent component_in(const pugi::xml_node& node) {
-    ProfiledComponent component{.type = type_in_id(attribute_of(node, "id")),
+    Id id = id_in(attribute_of(node, "id"));
+    ProfiledComponent component{.type = std::move(id.type),
                                 .instance = std::string(attribute_of(node, "instanceName")),
                                 .set = std::string(attribute_of(node, "activeConfigurationSet")),
-                                .sets = {}};
+                                .vendor = std::move(id.vendor),
+                                .category = std::move(id.category),
+                                .version = std::move(id.version)};
+    for (const pugi::xml_node& port : elements_of(node, "DataPorts")) {
+        const std::string_view name = attribute_of(port, "name");  // "ConsoleIn0.out"
+        component.ports.emplace_back(name.substr(name.rfind('.') + 1));
+    }
     const std::string_view rate = attribute_of(element_of(node, "ExecutionContexts"), "rate");
     std::from_chars(rate.data(), rate.data() + rate.size(), component.rate);
     if (!std::isfinite(component.rate) || component.rate < 0) component.rate = 0;
@@ -47,7 +65,7 @@ Expected<SystemProfile> read_system_profile(std::string_view text, const std::st
     pugi::xml_document document;
     const auto root = open_profile(text, shown_file, "RtsProfile", document);
     if (!root) return Unexpected(root.error());
-    SystemProfile profile{.name = type_in_id(attribute_of(*root, "id")),
+    SystemProfile profile{.name = id_in(attribute_of(*root, "id")).type,
                           .doc = std::string(trimmed(without_html_breaks(attribute_of(*root, "abstract"), "\n")))};
     for (const pugi::xml_node& node : elements_of(*root)) {
         const std::string_view name = local_name(node.name());
@@ -57,8 +75,9 @@ Expected<SystemProfile> read_system_profile(std::string_view text, const std::st
                 profile.remarks.push_back(fmt::format("component '{}': it is composite ({})",
                                                       shown(profile.components.back().instance), shown(kind)));
         } else if (name == "DataPortConnectors") {
-            profile.connections.emplace_back(end_in(element_of(node, "sourceDataPort")),
-                                             end_in(element_of(node, "targetDataPort")));
+            profile.connections.push_back({end_in(element_of(node, "sourceDataPort")),
+                                           end_in(element_of(node, "targetDataPort")),
+                                           std::string(attribute_of(node, "dataType"))});
         } else if (name == "ServicePortConnectors") {
             profile.remarks.push_back(
                 fmt::format("connection of service ports '{}'", shown(attribute_of(node, "name"))));

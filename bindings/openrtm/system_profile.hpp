@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "engine/base/error.hpp"
+#include "engine/system/system.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi::openrtm {
 
@@ -15,24 +17,38 @@ struct ProfiledComponent {
     std::string instance;  ///< "RobotController0"
     std::string set;       ///< in use: "default"
     double rate = 0;       ///< [Hz] of its first execution context; 0: not said
+    std::string vendor{}, category{}, version{};
+    std::vector<std::string> ports{};  ///< of data, without the instance's name
     /// Configuration sets by name, with the texts of their values by parameter.
-    std::vector<std::pair<std::string, std::vector<std::pair<std::string, std::string>>>> sets;
+    std::vector<std::pair<std::string, std::vector<std::pair<std::string, std::string>>>> sets{};
 };
 
 struct ProfiledEnd {
     std::string instance, port;  ///< "RobotController0", "out"
 };
 
+struct ProfiledConnection {
+    ProfiledEnd from, to;
+    std::string type;  ///< "IDL:RTC/TimedShortSeq:1.0"; may be empty
+};
+
 struct SystemProfile {
     std::string name;  ///< of the system; may be empty
     std::string doc;   ///< lines; may be empty
     std::vector<ProfiledComponent> components;
-    std::vector<std::pair<ProfiledEnd, ProfiledEnd>> connections;  ///< of data ports, from and to
-    std::vector<std::string> remarks;                              ///< what has no counterpart here, one line each
+    std::vector<ProfiledConnection> connections;  ///< of data ports
+    std::vector<std::string> remarks;             ///< what has no counterpart here, one line each
 };
 
 /// Reads the text of a profile; `shown` is the file's name in errors. Hostile texts are refused as by
 /// `read_component_profile`.
 Expected<SystemProfile> read_system_profile(std::string_view text, const std::string& shown);
+
+/// A system that runs: its components as RTCs, and those of other programs to which it is connected.
+SystemProfile profile_of_system(const System& system, const SystemSpec& spec);
+
+/// Writes a profile of version 0.2 that was changed at `date` ("2026-01-31T12:00:00Z"). What is read from it is the
+/// same, except for remarks. An error names the text that XML can't hold.
+Expected<std::string> write_system_profile(const SystemProfile& profile, const std::string& date);
 
 }  // namespace nezumi::openrtm

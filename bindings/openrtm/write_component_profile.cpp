@@ -3,34 +3,16 @@
 
 #include <algorithm>
 #include <pugixml.hpp>
-#include <sstream>
 #include <utility>
 
 #include "bindings/openrtm/component_profile.hpp"
 #include "bindings/openrtm/profile_names.hpp"
 #include "bindings/openrtm/profile_parameter.hpp"
+#include "bindings/openrtm/profile_xml.hpp"
 #include "engine/base/trimmed.hpp"
-#include "engine/base/utf8.hpp"
 
 namespace nezumi::openrtm {
 namespace {
-
-// The first text of a document that XML 1.0 can't hold; "" if there is none.
-std::string unwritable_text(const pugi::xml_node& node) {
-    const auto is_bad = [](std::string_view text, std::string_view allowed) {
-        return !is_utf8(text) || std::any_of(text.begin(), text.end(), [&](char c) {
-            return c >= 0 && c < 0x20 && allowed.find(c) == std::string_view::npos;
-        });
-    };
-    for (const pugi::xml_attribute& each : node.attributes()) {
-        if (is_bad(each.value(), "\t\n\r")) return each.value();
-    }
-    if (is_bad(node.value(), "\t\n")) return node.value();
-    for (const pugi::xml_node& each : node.children()) {
-        if (std::string bad = unwritable_text(each); !bad.empty()) return bad;
-    }
-    return "";
-}
 
 void write_port(const ProfilePort& port, pugi::xml_node root) {
     const bool is_in = port.direction == Direction::in;
@@ -95,11 +77,7 @@ void write_actions(const ComponentProfile& profile, pugi::xml_node root) {
 
 Expected<std::string> write_component_profile(const ComponentProfile& profile, const std::string& date) {
     pugi::xml_document document;
-    pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-    declaration.append_attribute("version") = "1.0";
-    declaration.append_attribute("encoding") = "UTF-8";
-    declaration.append_attribute("standalone") = "yes";
-    pugi::xml_node root = document.append_child("rtc:RtcProfile");
+    pugi::xml_node root = begin_profile(document, "rtc:RtcProfile");
     root.append_attribute("rtc:version") = "0.3";
     root.append_attribute("rtc:id") =
         fmt::format("RTC:{}:{}:{}:{}", profile.vendor, profile.category, profile.name, profile.version).c_str();
@@ -114,11 +92,7 @@ Expected<std::string> write_component_profile(const ComponentProfile& profile, c
         for (const ParameterSpec& spec : profile.parameters) write_parameter(spec, set);
     }
     for (const ProfilePort& port : profile.ports) write_port(port, root);
-    if (const std::string bad = unwritable_text(root); !bad.empty())
-        return failure(fmt::format("'{}' has a character that XML can't hold", shown(bad)));
-    std::ostringstream text;
-    document.save(text, "    ", pugi::format_default, pugi::encoding_utf8);
-    return text.str();
+    return save_profile(document);
 }
 
 }  // namespace nezumi::openrtm

@@ -1,10 +1,12 @@
 // The prompt of the run is a client like attached ones, on its own thread, so reading a terminal delays no tick.
 #include "bindings/cli/run/console.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <chrono>
+#include <ctime>
 #include <utility>
 
 #include "bindings/cli/new/author.hpp"
@@ -12,10 +14,12 @@
 #include "bindings/console/put_text.hpp"
 #include "bindings/draw/picture.hpp"
 #include "bindings/draw/wiring_graph.hpp"
+#include "bindings/openrtm/system_profile.hpp"
 #include "bindings/terminal/batch.hpp"
 #include "bindings/terminal/input_history.hpp"
 #include "bindings/terminal/terminal.hpp"
 #include "engine/base/visible.hpp"
+#include "engine/base/whole_file.hpp"
 #include "sim/picture.hpp"
 
 namespace nezumi::cli {
@@ -36,6 +40,14 @@ RunConsole::RunConsole(RunLoop& loop, const std::string& name)
         if (what == Drawn::wiring) {
             return [wiring = draw::wiring_of(live, title)](const std::string& file) {
                 return draw::draw_wiring(wiring, file);
+            };
+        }
+        if (what == Drawn::profile) {
+            return [profile = openrtm::profile_of_system(live.system(), live.spec())](const std::string& file) {
+                const std::string date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+                return openrtm::write_system_profile(profile, date).and_then([&](const std::string& text) {
+                    return write_whole(file, text);
+                });
             };
         }
         return [seen = draw::look_at(live, {}, title)](const std::string& file) {

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "bindings/openrtm/component_profile.hpp"
+#include "bindings/openrtm/system_profile.hpp"
 #include "engine/values/value_text.hpp"
 #include "tests/unit/file_text.hpp"
+#include "tests/unit/live_rig.hpp"
 #include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
@@ -243,4 +245,31 @@ TEST_CASE("a text that XML can't hold is refused", "[openrtm][profile]") {
     REQUIRE_FALSE(control);
     CHECK(control.error().message == "'a\\x01z' has a character that XML can't hold");
     CHECK_FALSE(write_component_profile({.name = "A", .vendor = "\xff"}, date));
+}
+
+TEST_CASE("a system's profile reads back as it was written", "[openrtm][profile]") {
+    const LiveRig rig(
+        "robot \"mouse\" { model = \"raspimouse\" }\n"
+        "behavior \"c\" { script = \"c\", rate = 50, sets = { fast = { speed = 0.4 } }, set = \"fast\" }\n"
+        "connect(\"c.out\", \"mouse.target_velocity_in\")\n"
+        "rtm { export = \"c\" }\nconnect(\"rtm:pc.host_cxt/Viewer3.out\", \"c.in\")",
+        {{"c",
+          "input(\"in\", \"TimedLong\") output(\"out\", \"TimedVelocity2D\") param(\"speed\", 0.1)\n"
+          "about { version = \"1.0\", vendor = \"Lab\", category = \"test\" }"}});
+    const SystemProfile profile = profile_of_system(rig.live->system(), rig.live->spec());
+    REQUIRE(profile.components.size() == 3);
+    CHECK((profile.components[1].type == "C" && profile.components[1].instance == "c0"));
+    CHECK((profile.components[2].type == "Viewer" && profile.components[2].instance == "Viewer3"));
+    REQUIRE(profile.connections.size() == 2);
+    CHECK(profile.connections[0].type == "IDL:RTC/TimedVelocity2D:1.0");
+    CHECK((profile.connections[1].from.instance == "Viewer3" && profile.connections[1].to.port == "in"));
+    const auto written = write_system_profile(profile, date);
+    REQUIRE(written);
+    const auto read = read_system_profile(*written, "RTS.xml");
+    REQUIRE(read);
+    CHECK(read->remarks.empty());
+    CHECK((read->components[1].set == "fast" && read->components[1].rate == 50));
+    CHECK((read->components[1].vendor == "Lab" && read->components[1].version == "1.0"));
+    CHECK(read->components[1].sets == profile.components[1].sets);
+    CHECK(write_system_profile(*read, date) == *written);
 }
