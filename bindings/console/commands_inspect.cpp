@@ -97,7 +97,7 @@ Expected<CommandEnd> command_ls(Session::Parts& parts, const Arguments& argument
         const auto text = parts.at_system([&]() -> Expected<std::string> {
             const auto at = parts.objects->to_component(arguments.lua, 1);
             if (!at) return Unexpected(at.error());
-            return component_text(parts.live, *at->component);
+            return component_text(parts.live.system(), *at->component);
         });
         if (!text) return Unexpected(text.error());
         parts.show(*text);
@@ -113,7 +113,7 @@ Expected<CommandEnd> command_ls(Session::Parts& parts, const Arguments& argument
         }
         text += (text.empty() ? "" : "\n") + parts.at_system([&]() -> std::string {
             const Component* component = parts.live.system().find(name);
-            return component != nullptr ? component_text(parts.live, *component) : "";
+            return component != nullptr ? component_text(parts.live.system(), *component) : "";
         });
     }
     parts.show(text.empty() ? "the system is empty" : text);

@@ -125,6 +125,8 @@ Expected<PresentSystem> present_system(const RunningSystem& live) {
     std::erase_if(spec.connections, [&](const ConnectionSpec& connection) {
         return system.network() != nullptr && system.network()->brought(connection);
     });
+    const auto& foreign = system.foreign_connections();
+    spec.connections.insert(spec.connections.end(), foreign.begin(), foreign.end());
     leave_out_rtm(spec);
     leave_out_twins(spec);
     for (Entry& entry : spec.entries) {
@@ -165,7 +167,7 @@ Expected<std::string> save_system(PresentSystem present, const std::string& file
     const std::string before = path.string() + "~";
     if (auto ok = write_whole(path, text, before); !ok) return failure(describe(ok.error()));
     return fmt::format("saved {}: {}, {}{}", path.string(), counted(spec.entries.size(), "component"),
-                       counted(spec.connections.size() + spec.rtm_connections.size(), "connection"),
+                       counted(spec.connections.size(), "connection"),
                        existed ? fmt::format("; what was there is now {}", before) : "");
 }
 

@@ -50,11 +50,12 @@ struct RtcSnapshot {
 
 /// A request for a component of ours.
 struct RtcRequest {
-    enum class What { activate, deactivate, reset, use, set };
+    enum class What { activate, deactivate, reset, use, set, connect, disconnect };
     What what = What::activate;
     std::string component{};
-    std::string set{};  ///< for `use` and `set`
-    Texts values{};     ///< for `set`: parameters of the set
+    std::string set{};         ///< for `use` and `set`
+    Texts values{};            ///< for `set`: parameters of the set
+    std::string from{}, to{};  ///< for `connect` and `disconnect`: two ports of ours
 };
 
 enum class RtcAnswer { done, refused, unknown, busy };
@@ -66,6 +67,13 @@ struct RtcLink {
     std::string component{};  ///< "ConsoleOut0" or "pc.host_cxt/ConsoleOut0"
     std::string port{};       ///< "out"
     bool operator==(const RtcLink&) const = default;
+};
+
+/// A connection between two ports of our RTCs. The system carries its messages; RTCs and tools see it.
+struct RtcInside {
+    std::string from{};  ///< "controller.out"
+    std::string to{};    ///< "mouse.target_velocity_in"
+    bool operator==(const RtcInside&) const = default;
 };
 
 /// The system's functions for CORBA's threads. None waits longer than a second for a tick.
@@ -80,7 +88,9 @@ public:
                           std::endian order) = 0;
     /// A connection to an in-port has ended.
     virtual void left(std::string_view path, std::string_view from) = 0;
-    /// A requested connection was ended, but the RTC at its other end is alive.
+    /// An RTC or a tool has made a connection.
+    virtual void joined(const RtcLink& link) = 0;
+    /// A connection was ended on purpose, or the RTC of one that was `joined` is gone.
     virtual void ended(const RtcLink& link) = 0;
     /// Reports a message for people.
     virtual void tell(bool is_problem, std::string text) = 0;
@@ -142,6 +152,8 @@ public:
 
     /// Replaces the exported RTCs; unchanged ones keep their connections.
     virtual void show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links) = 0;
+    /// Replaces the connections between our RTCs.
+    virtual void show_inside(std::vector<RtcInside> connections) = 0;
     virtual WantedOrders wanted(std::string_view path) = 0;
     /// Asks RTCs of other programs on a separate thread. Every question is answered, at the latest when the ORB ends.
     virtual std::future<Expected<std::string>> ask(PeerQuestion question, TellPeers* tell) = 0;

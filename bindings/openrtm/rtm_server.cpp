@@ -21,6 +21,13 @@ std::string set_in_use(const Component& component) {
     return component.set_in_use().empty() ? std::string(Component::no_set) : component.set_in_use();
 }
 
+// The two ends of a connection, as a system file names them.
+ConnectionSpec connection_of(const RtcLink& link, bool ours_receives) {
+    ConnectionSpec ends{fmt::format("rtm:{}.{}", link.component, link.port), link.path, {}};
+    if (!ours_receives) std::swap(ends.from, ends.to);
+    return ends;
+}
+
 }  // namespace
 
 Expected<std::unique_ptr<RtmServer>> RtmServer::open(RtmHost host, const OrbMaker& make_orb) {
@@ -28,8 +35,6 @@ Expected<std::unique_ptr<RtmServer>> RtmServer::open(RtmHost host, const OrbMake
     const RtmSpec& rtm = *server->host_.spec().rtm;
     // Errors of the file are reported before anything starts.
     if (auto fits = profiles_of(server->host_.system(), rtm); !fits) return Unexpected(fits.error());
-    if (auto fits = links_of(server->host_.system(), server->host_.spec().rtm_connections); !fits)
-        return Unexpected(fits.error());
     auto orb = make_orb({.nameserver = rtm.nameserver, .interface = rtm.interface}, *server);
     if (!orb) return failure("rtm: " + orb.error().message, rtm.place);
     server->orb_ = std::move(*orb);
@@ -43,9 +48,10 @@ Expected<void> RtmServer::show() {
     const System& system = host_.system();
     layout_ = system.layout();
     starts_ = host_.starts();
-    wanted_ = host_.spec().rtm_connections;
+    wanted_ = host_.system().foreign_connections();
     outlets_.clear();
     exported_.clear();
+    paths_.clear();
     const auto& rtm = host_.spec().rtm;
     auto profiles = rtm ? profiles_of(system, *rtm) : Expected<std::vector<RtcProfile>>();
     std::vector<RtcLink> links;
@@ -55,6 +61,7 @@ Expected<void> RtmServer::show() {
             exported_.push_back(profile.component);
             const Component& component = *system.find(profile.component);
             for (const RtcPort& port : profile.ports) {
+                paths_.insert(port.path);
                 const std::string name = port.path.substr(profile.component.size() + 1);
                 if (port.is_in) {
                     in_ports.emplace(port.path, component.find_in_port(name));
@@ -92,7 +99,8 @@ std::vector<RtcLink> RtmServer::fitting_links() {
 }
 
 void RtmServer::follow_changes() {
-    if (starts_ == host_.starts() && layout_ == host_.system().layout() && wanted_ == host_.spec().rtm_connections)
+    if (starts_ == host_.starts() && layout_ == host_.system().layout() &&
+        wanted_ == host_.system().foreign_connections())
         return;
     if (auto shown = show(); !shown) host_.say(true, "rtm: nothing is exported now: " + describe(shown.error()));
 }
@@ -103,8 +111,20 @@ void RtmServer::take_snapshots() {
         if (const Component* component = host_.system().find(name)) snapshots.emplace(name, look_at(*component));
     }
     taken_at_ = std::chrono::steady_clock::now();
+    show_inside();
     const std::lock_guard lock(mutex_);
     snapshots_ = std::move(snapshots);
+}
+
+void RtmServer::show_inside() {
+    std::vector<RtcInside> inside;
+    for (ConnectionSpec& each : host_.system().connections()) {
+        if (paths_.contains(each.from) && paths_.contains(each.to))
+            inside.push_back({std::move(each.from), std::move(each.to)});
+    }
+    if (inside == inside_) return;
+    inside_ = std::move(inside);
+    orb_->show_inside(inside_);
 }
 
 void RtmServer::before_tick() {
@@ -121,13 +141,15 @@ void RtmServer::before_tick() {
 void RtmServer::after_tick() {
     follow_changes();
     follow_stop();
+    const System& system = host_.system();
+    const double ahead = system.settings().real_time ? host_.wall_clock() - system.now().seconds : 0;
     for (Outlet& outlet : outlets_) {
         outlet.published.take([&](const MessageView& message) {
             const WantedOrders wanted = orb_->wanted(outlet.path);
             for (const auto& [is_wanted, order] :
                  {std::pair{wanted.little, std::endian::little}, std::pair{wanted.big, std::endian::big}}) {
                 if (!is_wanted) continue;
-                write_cdr_message(buffer_, message.data, message.tm, {.order = order});
+                write_cdr_message(buffer_, message.data, message.tm + ahead, {.order = order});
                 orb_->publish(outlet.path, buffer_, order);
             }
         });
@@ -158,13 +180,15 @@ void RtmServer::follow_stop() {
 void RtmServer::serve() {
     follow_changes();
     std::vector<Line> lines;
-    std::vector<RtcLink> ended;
+    std::vector<RtcLink> joined, ended;
     {
         const std::lock_guard lock(mutex_);
         std::swap(lines, lines_);
+        std::swap(joined, joined_);
         std::swap(ended, ended_);
     }
     for (const Line& line : lines) host_.say(line.is_problem, line.text);
+    take_up(joined);
     take_away(ended);
     bool acted = false;
     inbox_.answer([&](const RtcRequest& request) {
@@ -176,12 +200,26 @@ void RtmServer::serve() {
     if (!acted && std::chrono::steady_clock::now() - taken_at_ >= snapshot_period) take_snapshots();
 }
 
+// A connection made by a tool is one of the system from now on, as after connect in a console.
+void RtmServer::take_up(const std::vector<RtcLink>& joined) {
+    for (const RtcLink& link : joined) {
+        const auto port = host_.system().port(link.path);
+        if (!port) continue;
+        const ConnectionSpec made = connection_of(link, (*port)->direction() == Direction::in);
+        if (std::find(wanted_.begin(), wanted_.end(), made) != wanted_.end()) continue;
+        const auto connected = act(Connect{made.from, made.to});
+        host_.say(!connected, connected ? fmt::format("connected by an RTC or a tool: {} to {}", made.from, made.to)
+                                        : fmt::format("an RTC or a tool has connected {} to {}, which is not shown: {}",
+                                                      shown(made.from), shown(made.to), connected.error().message));
+    }
+    follow_changes();
+}
+
 // A connection removed by a tool is no longer requested, as after disconnect in a console.
 void RtmServer::take_away(const std::vector<RtcLink>& ended) {
     for (const RtcLink& link : ended) {
-        const std::string theirs = fmt::format("rtm:{}.{}", link.component, link.port);
         const auto wanted = std::find_if(wanted_.begin(), wanted_.end(), [&](const ConnectionSpec& each) {
-            return (each.from == theirs && each.to == link.path) || (each.from == link.path && each.to == theirs);
+            return each == connection_of(link, true) || each == connection_of(link, false);
         });
         if (wanted == wanted_.end()) continue;
         const ConnectionSpec gone = *wanted;
@@ -193,9 +231,9 @@ void RtmServer::take_away(const std::vector<RtcLink>& ended) {
     follow_changes();
 }
 
-RtcAnswer RtmServer::done(const Act& act) {
-    return host_.act(act, {Actor::Kind::network, "rtm"}) ? RtcAnswer::done : RtcAnswer::refused;
-}
+Expected<ActResult> RtmServer::act(const Act& act) { return host_.act(act, {Actor::Kind::network, "rtm"}); }
+
+RtcAnswer RtmServer::done(const Act& wanted) { return act(wanted) ? RtcAnswer::done : RtcAnswer::refused; }
 
 RtcAnswer RtmServer::perform_now(const RtcRequest& request) {
     const Component* component = host_.system().find(request.component);
@@ -214,6 +252,8 @@ RtcAnswer RtmServer::perform_now(const RtcRequest& request) {
             if (request.set == set_in_use(*component)) return RtcAnswer::done;
             return done(Use{request.component, request.set});
         case RtcRequest::What::set: return set_values(*component, request);
+        case RtcRequest::What::connect: return done(Connect{request.from, request.to});
+        case RtcRequest::What::disconnect: return done(Disconnect{request.from, request.to});
     }
     return RtcAnswer::refused;
 }
@@ -264,6 +304,14 @@ void RtmServer::left(std::string_view path, std::string_view from) { inbox_.put_
 
 std::future<Expected<std::string>> RtmServer::ask(PeerQuestion question) {
     return orb_->ask(std::move(question), &told_of_peers);
+}
+
+void RtmServer::joined(const RtcLink& link) {
+    {
+        const std::lock_guard lock(mutex_);
+        joined_.push_back(link);
+    }
+    if (host_.wake) host_.wake();
 }
 
 void RtmServer::ended(const RtcLink& link) {

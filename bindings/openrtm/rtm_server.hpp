@@ -18,6 +18,7 @@
 #include "bindings/openrtm/orb.hpp"
 #include "bindings/openrtm/rtc_profiles.hpp"
 #include "engine/base/mutex.hpp"
+#include "engine/base/time_of_day.hpp"
 #include "engine/system/act.hpp"
 #include "engine/system/network.hpp"
 #include "engine/system/published.hpp"
@@ -37,6 +38,8 @@ struct RtmHost {
     std::function<void(bool is_problem, const std::string& line)> say;
     /// Wakes the ticking thread; any thread may call it. Optional.
     std::function<void()> wake{};
+    /// [s] since 1970: the stamps of real robots.
+    std::function<double()> wall_clock = time_of_day;
 };
 
 /// Except for the functions of `RtcSite`, it must be called from the ticking thread.
@@ -75,6 +78,7 @@ public:
     PutAnswer put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes,
                   std::endian order) override;
     void left(std::string_view path, std::string_view from) override;
+    void joined(const RtcLink& link) override;
     void ended(const RtcLink& link) override;
     void tell(bool is_problem, std::string text) override;
 
@@ -94,17 +98,22 @@ private:
     std::vector<RtcLink> fitting_links();
     void follow_changes();
     void follow_stop();
+    void take_up(const std::vector<RtcLink>& joined);
     void take_away(const std::vector<RtcLink>& ended);
     void take_snapshots();
+    void show_inside();
     RtcAnswer perform_now(const RtcRequest& request);
     RtcAnswer set_values(const Component& component, const RtcRequest& request);
-    RtcAnswer done(const Act& act);
+    Expected<ActResult> act(const Act& act);
+    RtcAnswer done(const Act& wanted);
 
     const RtmHost host_;
     std::vector<Outlet> outlets_;
     std::vector<std::string> exported_;
-    std::vector<ConnectionSpec> wanted_;  // connections, as exported
-    std::set<std::string> misfits_;       // the last errors of connections that can't be made
+    std::set<std::string, std::less<>> paths_;  // of the exported ports
+    std::vector<RtcInside> inside_;             // connections between them
+    std::vector<ConnectionSpec> wanted_;        // connections, as exported
+    std::set<std::string> misfits_;             // the last errors of connections that can't be made
     std::uint64_t layout_ = 0;
     int starts_ = 0;
     std::chrono::steady_clock::time_point taken_at_{};
@@ -113,10 +122,10 @@ private:
     std::vector<std::uint8_t> buffer_;
 
     Inbox inbox_;
-    Mutex mutex_;  // for the next four
+    Mutex mutex_;  // for the next five
     std::map<std::string, RtcSnapshot, std::less<>> snapshots_;
     std::vector<Line> lines_;
-    std::vector<RtcLink> ended_;
+    std::vector<RtcLink> joined_, ended_;
     std::map<std::string, std::string> malformed_;  // the last error, by connection
     std::unique_ptr<Orb> orb_;                      // destroyed first: its threads use the other members
 };

@@ -122,7 +122,8 @@ SystemProfile profile_of_system(const System& system, const SystemSpec& spec) {
         }
     }
     std::vector<ConnectionSpec> connections = system.connections();
-    connections.insert(connections.end(), spec.rtm_connections.begin(), spec.rtm_connections.end());
+    const std::vector<ConnectionSpec>& foreign = system.foreign_connections();
+    connections.insert(connections.end(), foreign.begin(), foreign.end());
     for (const ConnectionSpec& connection : connections) {
         ProfiledConnection written;
         bool is_known = true;

@@ -161,7 +161,7 @@ void ScenarioRun::tell_ports(const std::vector<PortAt>& ports) {
         }
         if (told.size() == most) return;
         told.push_back(&port);
-        result_.facts.push_back("  " + port_text(live, component, port));
+        result_.facts.push_back("  " + port_text(live.system(), component, port));
     };
     for (const PortAt& at : ports) tell(*at.live, *at.component, *at.port);
     if (!told.empty()) return;

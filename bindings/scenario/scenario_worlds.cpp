@@ -32,7 +32,6 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
 void merge(SystemSpec& spec, const SystemSpec& more) {
     append(spec.entries, more.entries);
     append(spec.connections, more.connections);
-    append(spec.rtm_connections, more.rtm_connections);
     if (more.rtm) spec.rtm = more.rtm;
     append(spec.arena.boxes, more.arena.boxes);
     append(spec.arena.cylinders, more.arena.cylinders);

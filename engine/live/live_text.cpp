@@ -6,17 +6,15 @@
 #include <algorithm>
 
 #include "engine/base/names.hpp"
-#include "engine/live/running_system.hpp"
-#include "engine/system/perform_on_spec.hpp"
 #include "engine/tree/member.hpp"
 
 namespace nezumi {
 namespace {
 
 // "-> controller.in, plotter.in" or "not connected".
-std::string peers_text(const RunningSystem& live, const Component& component, const Port& port) {
+std::string peers_text(const System& system, const Component& component, const Port& port) {
     constexpr std::size_t most = 4;
-    const std::vector<std::string> peers = peers_of(live.system(), live.spec(), component, port);
+    const std::vector<std::string> peers = system.peers(component, port);
     if (peers.empty()) return "not connected";
     const std::size_t count = std::min(most, peers.size());
     std::string text = fmt::format("{} {}", port.direction() == Direction::in ? "<-" : "->",
@@ -78,10 +76,9 @@ std::string probe_text(const PlainData& probe) { return plain_text(probe, probe.
 
 }  // namespace
 
-std::string port_text(const RunningSystem& live, const Component& component, const Port& port) {
-    const System& system = live.system();
+std::string port_text(const System& system, const Component& component, const Port& port) {
     return fmt::format("{}.{}  {}  {}  {}  {}{}{}", component.name(), port.name(), port.type_name(),
-                       short_text(port.value()), age_text(port_age(system, port)), peers_text(live, component, port),
+                       short_text(port.value()), age_text(port_age(system, port)), peers_text(system, component, port),
                        override_text(system, component, port), note_text(port));
 }
 
@@ -93,8 +90,7 @@ std::string component_title(const Component& component) {
     return text;
 }
 
-std::string component_text(const RunningSystem& live, const Component& component) {
-    const System& system = live.system();
+std::string component_text(const System& system, const Component& component) {
     std::string text = fmt::format("{}  {}", component.name(), component_title(component));
     if (component.state() == LifeState::error) text += "\n  " + first_line(describe(component.last_error()));
     text += about_text(component);
@@ -107,8 +103,8 @@ std::string component_text(const RunningSystem& live, const Component& component
     }
     for (const Port* port : ports) {
         text += fmt::format("\n  {:3} {:{}}  {:{}}  {}{}", port->direction() == Direction::in ? "in" : "out",
-                            port->name(), name_width, port->type_name(), type_width, peers_text(live, component, *port),
-                            override_text(system, component, *port));
+                            port->name(), name_width, port->type_name(), type_width,
+                            peers_text(system, component, *port), override_text(system, component, *port));
         if (port->override() == Override::held || port->override() == Override::frozen)
             text += " at " + short_text(port->override_value(), 60);
         text += note_text(*port);
@@ -157,16 +153,16 @@ std::string config_text(const Component& component) {
     return text.empty() ? component.name() + " has no parameters" : text;
 }
 
-std::string node_text(const RunningSystem& live, const TreeNode& node) {
+std::string node_text(const TreeNode& node) {
     using Kind = TreeNode::Kind;
     switch (node.kind()) {
         case Kind::system: return fmt::format("system of {}", fmt::join(node.children(), ", "));
-        case Kind::component: return component_text(live, *node.component());
-        case Kind::port: return port_text(live, *node.component(), *node.port());
+        case Kind::component: return component_text(node.system(), *node.component());
+        case Kind::port: return port_text(node.system(), *node.component(), *node.port());
         case Kind::config: return config_text(*node.component());
         case Kind::ports: {
             std::vector<std::string> lines;
-            for (const std::string& name : node.children()) lines.push_back(node_text(live, *node.child(name)));
+            for (const std::string& name : node.children()) lines.push_back(node_text(*node.child(name)));
             return lines.empty() ? node.component()->name() + " has no ports"
                                  : fmt::format("{}", fmt::join(lines, "\n"));
         }

@@ -8,7 +8,6 @@
 #include "engine/live/running_system.hpp"
 #include "engine/system/perform.hpp"
 #include "engine/system/perform_on_spec.hpp"
-#include "engine/system/rtm_wiring.hpp"
 
 namespace nezumi {
 

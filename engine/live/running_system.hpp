@@ -137,7 +137,7 @@ public:
     const System& system() const;
     const SystemSpec& spec() const;
     /// All of it by name, as it is now.
-    TreeNode tree() const { return TreeNode(system(), &spec()); }
+    TreeNode tree() const { return TreeNode(system()); }
     const Project& project() const { return project_; }
     const LiveOptions& options() const { return options_; }
     PartReader part_reader() const { return {project_, options_.scripts}; }

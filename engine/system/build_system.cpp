@@ -7,6 +7,7 @@
 
 #include "engine/base/schedule.hpp"
 #include "engine/system/robot_limits.hpp"
+#include "engine/system/rtm_wiring.hpp"
 
 namespace nezumi {
 namespace {
@@ -220,9 +221,13 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
         if (!network) return at(place, network.error());
         system->take_network(std::move(*network));
     }
+    system->take_foreign_check(rtm_check(spec.rtm));
     for (const ConnectionSpec& connection : spec.connections) {
         if (is_left_out(connection.from) || is_left_out(connection.to)) continue;
-        if (auto ok = system->connect(connection.from, connection.to); !ok) return at(connection.place, ok.error());
+        const auto made = system->connect(connection.from, connection.to);
+        if (made) continue;
+        if (!is_foreign(connection.from) && !is_foreign(connection.to)) return at(connection.place, made.error());
+        return failure("connect: " + made.error().message, connection.place);
     }
     return system;
 }

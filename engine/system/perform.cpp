@@ -205,9 +205,10 @@ Expected<ActResult> perform(System& system, const Connect& act, const Actor& /*w
 
 Expected<ActResult> perform(System& system, const Disconnect& act, const Actor& /*who*/) {
     if (!act.to.empty()) return result_of(system.disconnect(act.from, act.to));
-    const auto port = system.port(act.from);
-    if (!port) return Unexpected(port.error());
-    if (system.disconnect_all(**port).empty()) return failure(act.from + " is not connected");
+    const bool was_foreign = system.disconnect_foreign(act.from);
+    const auto port = is_foreign(act.from) ? failure(shown(act.from) + " is not connected") : system.port(act.from);
+    if (!port && !was_foreign) return Unexpected(port.error());
+    if (port && system.disconnect_all(**port).empty() && !was_foreign) return failure(act.from + " is not connected");
     return ActResult{};
 }
 

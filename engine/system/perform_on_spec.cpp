@@ -6,8 +6,6 @@
 #include <variant>
 
 #include "engine/robot/robot.hpp"
-#include "engine/system/perform.hpp"
-#include "engine/system/rtm_wiring.hpp"
 
 namespace nezumi {
 namespace {
@@ -15,23 +13,6 @@ namespace {
 Unexpected no_world() { return failure("there is no simulated world"); }
 
 }  // namespace
-
-Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const Connect& act, const Actor& who) {
-    if (!is_rtm_path(act.from) && !is_rtm_path(act.to)) return perform(system, act, who);
-    if (auto made = connect_rtm(spec, system, act.from, act.to); !made) return Unexpected(made.error());
-    return ActResult{};
-}
-
-Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const Disconnect& act, const Actor& who) {
-    const bool was_there = disconnect_rtm(spec, act.from, act.to) > 0;
-    if (is_rtm_path(act.from) || is_rtm_path(act.to)) {
-        if (was_there) return ActResult{};
-        const std::string missing = act.to.empty() ? "" : " to " + shown(act.to);
-        return failure(fmt::format("{} is not connected{}", shown(act.from), missing));
-    }
-    auto done = perform(system, act, who);
-    return was_there ? ActResult{} : done;
-}
 
 Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const MoveMarker& act, const Actor& /*who*/) {
     if (system.world() == nullptr) return no_world();
@@ -80,7 +61,7 @@ Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const Remo
     ActResult result;
     const auto note = [&](const auto& ports) {
         for (const auto& port : ports) {
-            const auto peers = peers_of(system, spec, **component, *port);
+            const auto peers = system.peers(**component, *port);
             if (!peers.empty())
                 result.notes.push_back(
                     fmt::format("{}.{} was connected to {}", act.component, port->name(), fmt::join(peers, ", ")));
@@ -90,15 +71,7 @@ Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const Remo
     note((*component)->out_ports());
     if (auto gone = system.remove(act.component); !gone) return Unexpected(gone.error());
     std::erase_if(spec.entries, [&](const Entry& entry) { return name_of(entry) == act.component; });
-    forget_rtm(spec, act.component);
     return result;
-}
-
-std::vector<std::string> peers_of(const System& system, const SystemSpec& spec, const Component& component,
-                                  const Port& port) {
-    std::vector<std::string> peers = system.peers(port);
-    for (std::string& peer : rtm_peers(spec, component.name() + "." + port.name())) peers.push_back(std::move(peer));
-    return peers;
 }
 
 }  // namespace nezumi

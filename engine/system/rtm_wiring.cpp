@@ -5,18 +5,12 @@
 
 #include <algorithm>
 #include <array>
-
-#include "engine/system/system.hpp"
+#include <vector>
 
 namespace nezumi {
 namespace {
 
 constexpr std::array<std::string_view, 2> own_types{"CameraIntrinsics", "SeenMarkerSeq"};
-
-bool is_exported(const SystemSpec& spec, std::string_view component) {
-    return spec.rtm &&
-           std::find(spec.rtm->exported.begin(), spec.rtm->exported.end(), component) != spec.rtm->exported.end();
-}
 
 }  // namespace
 
@@ -46,39 +40,15 @@ Expected<RtmEnds> rtm_ends(const System& system, const ConnectionSpec& connectio
     return RtmEnds{ours, std::move(*theirs)};
 }
 
-Expected<void> connect_rtm(SystemSpec& spec, const System& system, const std::string& from, const std::string& to) {
-    ConnectionSpec wanted{from, to, {}};
-    const auto ends = rtm_ends(system, wanted);
-    if (!ends) return Unexpected(ends.error());
-    const std::string component = ends->ours.substr(0, ends->ours.find('.'));
-    if (!is_exported(spec, component)) return failure(needs_export(ends->ours == from ? to : from, component));
-    auto& connections = spec.rtm_connections;
-    if (std::find(connections.begin(), connections.end(), wanted) != connections.end())
-        return failure(fmt::format("{} is connected to {} already", from, to));
-    connections.push_back(std::move(wanted));
-    return {};
-}
-
-std::size_t disconnect_rtm(SystemSpec& spec, std::string_view from, std::string_view to) {
-    return std::erase_if(spec.rtm_connections, [&](const ConnectionSpec& each) {
-        return to.empty() ? each.from == from || each.to == from : each.from == from && each.to == to;
-    });
-}
-
-std::vector<std::string> rtm_peers(const SystemSpec& spec, std::string_view end) {
-    std::vector<std::string> others;
-    for (const ConnectionSpec& each : spec.rtm_connections) {
-        if (each.from == end) others.push_back(each.to);
-        if (each.to == end) others.push_back(each.from);
-    }
-    return others;
-}
-
-void forget_rtm(SystemSpec& spec, std::string_view component) {
-    const std::string ports = std::string(component) + ".";
-    std::erase_if(spec.rtm_connections, [&](const ConnectionSpec& each) {
-        return each.from.starts_with(ports) || each.to.starts_with(ports);
-    });
+System::ForeignCheck rtm_check(const std::optional<RtmSpec>& rtm) {
+    return [exported = rtm ? rtm->exported : std::vector<std::string>{}](
+               const System& system, const ConnectionSpec& connection) -> Expected<void> {
+        const auto ends = rtm_ends(system, connection);
+        if (!ends) return Unexpected(ends.error());
+        const std::string component = ends->ours.substr(0, ends->ours.find('.'));
+        if (std::find(exported.begin(), exported.end(), component) != exported.end()) return {};
+        return failure(needs_export(ends->ours == connection.from ? connection.to : connection.from, component));
+    };
 }
 
 }  // namespace nezumi

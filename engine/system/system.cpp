@@ -123,6 +123,9 @@ Expected<void> System::remove(std::string_view name) {
     // Holds of removed ports end, so a later component with the same name starts without them.
     const std::string ports = gone->name() + ".";
     std::erase_if(holders_, [&](const auto& held) { return held.first.starts_with(ports); });
+    std::erase_if(foreign_, [&](const ConnectionSpec& each) {
+        return each.from.starts_with(ports) || each.to.starts_with(ports);
+    });
     grouped_ = false;
     change_layout();
     std::erase_if(robots_, [&](const Robot* robot) { return robot == gone; });
@@ -199,7 +202,32 @@ Expected<Connection> System::wire(std::string_view from, std::string_view to, st
     return wiring_.connect(*source->first, source->second, *sink->first, sink->second, number);
 }
 
+std::vector<std::string> System::peers(const Component& component, const Port& port) const {
+    std::vector<std::string> all = peers(port);
+    const std::string end = path(component, port);
+    for (const ConnectionSpec& each : foreign_) {
+        if (each.from == end) all.push_back(each.to);
+        if (each.to == end) all.push_back(each.from);
+    }
+    return all;
+}
+
+Expected<void> System::connect_foreign(ConnectionSpec wanted) {
+    if (!foreign_check_)
+        return failure(fmt::format("{} to {}: ports of other programs can't be reached here", wanted.from, wanted.to));
+    if (auto ok = foreign_check_(*this, wanted); !ok) return ok;
+    if (std::find(foreign_.begin(), foreign_.end(), wanted) != foreign_.end())
+        return failure(fmt::format("{} is connected to {} already", wanted.from, wanted.to));
+    foreign_.push_back(std::move(wanted));
+    return {};
+}
+
+bool System::disconnect_foreign(std::string_view end) {
+    return std::erase_if(foreign_, [&](const ConnectionSpec& each) { return each.from == end || each.to == end; }) > 0;
+}
+
 Expected<void> System::connect(std::string_view from, std::string_view to) {
+    if (is_foreign(from) || is_foreign(to)) return connect_foreign({std::string(from), std::string(to), {}});
     const auto made = wire(from, to, std::nullopt);
     if (!made) return Unexpected(made.error());
     if (made->to->sources().size() == 2 && dynamic_cast<Device*>(made->to_component) != nullptr) {
@@ -217,6 +245,10 @@ Expected<void> System::connect_again(const Dropped& dropped) {
 }
 
 Expected<void> System::disconnect(std::string_view from, std::string_view to) {
+    if (is_foreign(from) || is_foreign(to)) {
+        if (std::erase(foreign_, ConnectionSpec{std::string(from), std::string(to), {}}) > 0) return {};
+        return failure(fmt::format("{} is not connected to {}", shown(from), shown(to)));
+    }
     const auto source = port(from);
     if (!source) return Unexpected(source.error());
     const auto sink = port(to);

@@ -87,8 +87,14 @@ public:
     ConstView<Component> components() const { return ConstView(components_); }
     const std::vector<Robot*>& robots() { return robots_; }
     std::span<const Robot* const> robots() const { return robots_; }
-    /// As a system file says them, without places.
+    /// As a system file says them, without places: those between ports of this system.
     std::vector<ConnectionSpec> connections() const;
+    /// Those with a port of another program at one end, in the order in which they were asked for. They are made and
+    /// carried elsewhere, as long as that program is there.
+    const std::vector<ConnectionSpec>& foreign_connections() const { return foreign_; }
+    /// Says whether there can be such a connection.
+    using ForeignCheck = std::function<Expected<void>(const System& system, const ConnectionSpec& connection)>;
+    void take_foreign_check(ForeignCheck check) { foreign_check_ = std::move(check); }
     /// nullptr when there is none of this name.
     Component* find(std::string_view name) { return find_component(name); }
     const Component* find(std::string_view name) const { return find_component(name); }
@@ -100,11 +106,14 @@ public:
     Expected<Port*> port(std::string_view path) { return port_named(path); }
     Expected<const Port*> port(std::string_view path) const { return port_named(path); }
 
-    /// Connects "name.port" to "name.port", or says why not. One of them may be another host's, "host/name.port".
+    /// Connects "name.port" to "name.port", or says why not. One of them may be another host's, "host/name.port", or
+    /// another program's, "rtm:NAME.port".
     Expected<void> connect(std::string_view from, std::string_view to);
     Expected<void> disconnect(std::string_view from, std::string_view to);
     /// "name.port" of the ports at the other ends.
     std::vector<std::string> peers(const Port& port) const { return wiring_.peers(port); }
+    /// The same with those of other programs, "rtm:NAME.port".
+    std::vector<std::string> peers(const Component& component, const Port& port) const;
     /// A connection that has been dropped.
     struct Dropped {
         std::string from, to;      ///< "name.port"
@@ -112,6 +121,9 @@ public:
     };
     /// Drops every connection of a port, which is about to go.
     std::vector<Dropped> disconnect_all(const Port& port);
+    /// Ends all connections with other programs of one end, "name.port" or "rtm:NAME.port". Returns whether there were
+    /// any.
+    bool disconnect_foreign(std::string_view end);
     /// Makes it again, in its former place among the connections.
     Expected<void> connect_again(const Dropped& dropped);
 
@@ -163,6 +175,7 @@ private:
     void pass_left_out_ticks();
     bool is_due(const Component& component) const;
     Expected<void> reach(std::string_view from, std::string_view to);
+    Expected<void> connect_foreign(ConnectionSpec wanted);
     template <class ForEach>
     void run_phases(const Group& group, const ForEach& for_each);
     void run_groups();
@@ -191,6 +204,8 @@ private:
     std::unordered_map<std::string_view, Component*> by_name_;
     std::vector<Robot*> robots_;  // in the order of components_
     Wiring wiring_;
+    std::vector<ConnectionSpec> foreign_;
+    ForeignCheck foreign_check_;
     std::vector<Group> groups_;
     std::uint64_t layout_ = 0;
     bool grouped_ = false;                               // whether groups_ are those of components_ and wiring_

@@ -113,7 +113,8 @@ struct RosSpec {
     Place place{};
 };
 
-/// `connect(from, to)`, each "name.port", or "host/name.port" for a port of another host.
+/// `connect(from, to)`, each "name.port"; "host/name.port" for a port of another host, "rtm:NAME.port" for one of
+/// another program.
 struct ConnectionSpec {
     std::string from;
     std::string to;
@@ -122,8 +123,12 @@ struct ConnectionSpec {
     bool operator==(const ConnectionSpec& other) const { return from == other.from && to == other.to; }
 };
 
+/// Whether a port is another program's: "rtm:NAME.port".
+constexpr bool is_foreign(std::string_view path) { return path.find(':') != std::string_view::npos; }
 /// Whether a component or port is another host's: "host/name", "host/name.port".
-constexpr bool is_remote(std::string_view path) { return path.find('/') != std::string_view::npos; }
+constexpr bool is_remote(std::string_view path) {
+    return path.find('/') != std::string_view::npos && !is_foreign(path);
+}
 /// "host" of "host/name.port", and the rest.
 constexpr std::string_view host_of(std::string_view path) { return path.substr(0, path.find('/')); }
 constexpr std::string_view without_host(std::string_view path) { return path.substr(path.find('/') + 1); }
@@ -140,9 +145,8 @@ struct SystemSpec {
     std::vector<ConnectionSpec> connections;
     std::optional<NetworkSpec> network{};
     std::optional<RosSpec> ros{};
-    std::optional<RtmSpec> rtm;                   ///< none: no RTC sees the system
-    std::vector<ConnectionSpec> rtm_connections;  ///< those that have an RTC's port at one end
-    std::vector<std::string> files;               ///< every file it was read from: system, models, maps
+    std::optional<RtmSpec> rtm;      ///< none: no RTC sees the system
+    std::vector<std::string> files;  ///< every file it was read from: system, models, maps
 };
 
 }  // namespace nezumi

@@ -48,8 +48,8 @@ public:
         command,
     };
 
-    /// The whole system. Connections to OpenRTM are known by its description alone; without it they are left out.
-    explicit TreeNode(const System& system, const SystemSpec* spec = nullptr) : system_(&system), spec_(spec) {}
+    /// The whole system.
+    explicit TreeNode(const System& system) : system_(&system) {}
 
     Kind kind() const;
     /// "mouse.truth.pose": as a recording calls it. A part of a port's value is called as one of the port,
@@ -85,7 +85,6 @@ public:
     SetParameter set(Value value) const;
 
     const System& system() const { return *system_; }
-    const SystemSpec* spec() const { return spec_; }
     // nullptr where it is of none.
     const Component* component() const { return component_; }
     const Robot* robot() const { return dynamic_cast<const Robot*>(component_); }
@@ -104,7 +103,6 @@ private:
     std::vector<std::string> data_names() const;
 
     const System* system_;
-    const SystemSpec* spec_;
     const Component* component_ = nullptr;
     const Port* port_ = nullptr;
     const MemberInfo* member_ = nullptr;  // of the port, where there is one

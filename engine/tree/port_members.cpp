@@ -1,7 +1,6 @@
 // Every member of a port stands here, once.
 #include <limits>
 
-#include "engine/system/perform_on_spec.hpp"
 #include "engine/tree/read_member.hpp"
 
 namespace nezumi {
@@ -11,10 +10,7 @@ using namespace reads;
 
 std::string path_of_port(const TreeNode& node) { return path(*node.component(), *node.port()); }
 
-std::vector<std::string> peers_of(const TreeNode& node) {
-    if (node.spec() == nullptr) return node.system().peers(*node.port());
-    return peers_of(node.system(), *node.spec(), *node.component(), *node.port());
-}
+std::vector<std::string> peers_of(const TreeNode& node) { return node.system().peers(*node.component(), *node.port()); }
 
 const std::vector<MemberInfo>& all_port_members() {
     static const std::vector<MemberInfo> members{

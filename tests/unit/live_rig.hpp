@@ -48,7 +48,7 @@ connect("controller.out", "mouse.target_velocity_in")
 struct LiveRig {
     explicit LiveRig(const std::string& system = counter_system,
                      const std::map<std::string, std::string>& behaviors = {{"counter", counter_behavior}},
-                     const ProjectFiles& files = disk()) {
+                     const ProjectFiles& files = disk(), const BuildOptions& build = {}) {
         for (const auto& [name, text] : behaviors) folder.write("behaviors/" + name + ".lua", text);
         file = folder.write("system.lua", system);
         LiveOptions options;
@@ -57,6 +57,7 @@ struct LiveRig {
         options.installed = {source_root()};
         options.world = sim::make_world;
         options.components = {{"Joystick", {{"sim", make_joystick}}}};
+        options.build = build;
         options.build.log = [this](const LogLine& line) { log.push_back(line); };
         auto loaded = RunningSystem::load(file, std::move(options));
         if (!loaded) throw std::runtime_error(describe(loaded.error()));

@@ -114,9 +114,6 @@ void leave_out_bodies(SystemSpec& spec, Makers& makers) {
 void check_rtm(const System& system, const SystemSpec& spec, std::vector<Error>& errors) {
     if (!spec.rtm) return;
     if (const auto profiles = openrtm::profiles_of(system, *spec.rtm); !profiles) errors.push_back(profiles.error());
-    for (const ConnectionSpec& connection : spec.rtm_connections) {
-        if (const auto link = openrtm::links_of(system, {connection}); !link) errors.push_back(link.error());
-    }
 }
 
 std::vector<Error> check_system(const std::string& text, const std::string& shown, const Project& project,

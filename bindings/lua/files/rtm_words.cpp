@@ -67,8 +67,9 @@ Expected<void> SystemWords::check_rtm() const {
                            spec_.rtm->place);
         }
     }
-    for (const ConnectionSpec& connection : spec_.rtm_connections) {
+    for (const ConnectionSpec& connection : spec_.connections) {
         const bool is_from = is_rtm_path(connection.from);
+        if (!is_from && !is_rtm_path(connection.to)) continue;
         const std::string& ours = is_from ? connection.to : connection.from;
         const std::string component = component_of(ours);
         if (std::find(names.begin(), names.end(), component) == names.end()) {

@@ -122,11 +122,9 @@ std::string write_system_text(const SystemSpec& spec, const std::string& title) 
             each);
     }
     if (spec.rtm) text += "\n" + rtm(*spec.rtm);
-    text += spec.connections.empty() && spec.rtm_connections.empty() ? "" : "\n";
-    for (const auto* connections : {&spec.connections, &spec.rtm_connections}) {
-        for (const ConnectionSpec& connection : *connections)
-            text += fmt::format("connect({}, {})\n", lua_quoted(connection.from), lua_quoted(connection.to));
-    }
+    text += spec.connections.empty() ? "" : "\n";
+    for (const ConnectionSpec& connection : spec.connections)
+        text += fmt::format("connect({}, {})\n", lua_quoted(connection.from), lua_quoted(connection.to));
     return text;
 }
 

@@ -64,9 +64,7 @@ bool is_taken_name(std::string_view name) {
 
 SystemWords::SystemWords(const Project& project, SystemSpec start) : project_(project), spec_(std::move(start)) {
     for (const Entry& entry : spec_.entries) names_.emplace(name_of(entry), names_.size());
-    for (const auto* connections : {&spec_.connections, &spec_.rtm_connections}) {
-        for (const ConnectionSpec& connection : *connections) wired_.emplace(connection.from, connection.to);
-    }
+    for (const ConnectionSpec& connection : spec_.connections) wired_.emplace(connection.from, connection.to);
 }
 
 void SystemWords::note_file(const std::string& shown) {
@@ -210,7 +208,7 @@ Expected<void> SystemWords::connect(const WordCall& call, const Value& from, con
         return failure("connect: both ends are ports of other programs: one of them must be of this system",
                        call.place);
     }
-    auto& connections = is_rtm(from) || is_rtm(to) ? spec_.rtm_connections : spec_.connections;
+    auto& connections = spec_.connections;
     if (!wired_.emplace(connection.from, connection.to).second) {
         const auto other = std::find(connections.begin(), connections.end(), connection);
         return failure(fmt::format("connect: {} is connected to {} already, at {}:{}", connection.from, connection.to,

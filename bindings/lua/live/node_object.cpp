@@ -102,7 +102,7 @@ int component_pairs(lua_State* L) {
 int node_tostring(lua_State* L) {
     return answer(L, objects_of(L), [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
-        if (const auto node = node_of(ref)) return Answer{Value{node_text(*ref.live(), *node)}};
+        if (const auto node = node_of(ref)) return Answer{Value{node_text(*node)}};
         std::string gone = fmt::format("{} (there is no such component now)", ref.component());
         if (ref.kind == ObjectKind::port)
             gone = fmt::format("{}.{} (there is no such port now)", ref.component(), ref.port());

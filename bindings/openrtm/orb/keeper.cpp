@@ -19,6 +19,8 @@ constexpr int rounds_of_peers = 5;
 constexpr int rounds_of_links = 2;
 // An RTC that ends also ends its connections, so we ask after this time whether it is alive.
 constexpr std::chrono::seconds last_words{3};
+// Time that the system has to request what was reported to it; then it is reported again, if it is still there.
+constexpr std::chrono::seconds longest_request{10};
 // Limit for all calls that withdraw the exports when the run ends.
 constexpr std::chrono::milliseconds longest_end{1500};
 // Instances with one name on a computer.
@@ -52,6 +54,11 @@ void Keeper::show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links) 
         is_new_ = true;
     }
     changed_.notify_all();
+}
+
+void Keeper::show_inside(std::vector<RtcInside> connections) {
+    const std::lock_guard lock(mutex_);
+    inside_ = std::move(connections);
 }
 
 // Call with the lock held, or from the only thread that changes the list.
@@ -98,7 +105,11 @@ void Keeper::run() {
         const bool looks_around = is_new || rounds_ % rounds_of_peers == 0;
         if (looks_around) register_all();
         look_after_connections();
-        if (is_new || rounds_ % rounds_of_links == 0) make_links();
+        connect_inside();
+        if (is_new || rounds_ % rounds_of_links == 0) {
+            make_links();
+            look_for_joined();
+        }
         note_made();
         ++rounds_;
     }
@@ -137,7 +148,7 @@ void Keeper::take_wanted(const Exports& wanted) {
         }
     }
     for (const RtcProfile& profile : fresh) {
-        const Rtc rtc(new RtcObject(home_, profile, free_instance(profile.component)));
+        const Rtc rtc(new RtcObject(home_, profile, free_instance(profile.component), names_.own_context()));
         rtc->begin();
         const std::lock_guard lock(mutex_);
         rtcs_.push_back(rtc);
@@ -150,7 +161,14 @@ void Keeper::take_links(const std::vector<RtcLink>& wanted) {
     for (const RtcLink& each : wanted) {
         const auto same = [&](const Link& link) { return link.wanted == each && !link.is_ended; };
         const auto before = std::find_if(links_.begin(), links_.end(), same);
-        links.push_back(before != links_.end() ? *before : Link{each});
+        const auto joined = std::find_if(joined_.begin(), joined_.end(),
+                                         [&](const Joined& its) { return its.link && its.link->wanted == each; });
+        if (before == links_.end() && joined != joined_.end()) {
+            links.push_back(*joined->link);
+            joined_.erase(joined);
+        } else {
+            links.push_back(before != links_.end() ? *before : Link{each});
+        }
     }
     for (const Link& link : links_) {
         PortObject* port = find_port(link.wanted.path);
@@ -225,7 +243,12 @@ void Keeper::look_after_connections() {
             }
             // These were not ended by anyone else.
             for (Link& link : links_) {
-                if (std::find(lost.begin(), lost.end(), link.id) != lost.end()) link = {link.wanted};
+                if (std::find(lost.begin(), lost.end(), link.id) == lost.end()) continue;
+                if (link.is_joined) {
+                    end(link);
+                } else {
+                    link = {link.wanted};
+                }
             }
         }
     }
@@ -243,12 +266,64 @@ bool Keeper::is_to_be_made(Link& link, PortObject& port) {
     if (!link.ended_at) link.ended_at = Clock::now();
     if (Clock::now() - *link.ended_at < last_words) return false;
     const Life life = life_of(link.theirs);
-    if (life == Life::lives) {
-        told_.erase(about(link.wanted));  // a later loss is reported again
-        home_.site.ended(link.wanted);
+    if (life == Life::silent) return false;
+    const bool is_over = life == Life::lives || link.is_joined;
+    if (is_over) {
+        end(link);
+    } else {
+        link = {link.wanted};
     }
-    if (life != Life::silent) link = {.wanted = link.wanted, .is_ended = life == Life::lives};
-    return life == Life::gone;
+    return !is_over;
+}
+
+void Keeper::end(Link& link) {
+    told_.erase(about(link.wanted));  // a later loss is reported again
+    home_.site.ended(link.wanted);
+    link = {.wanted = link.wanted, .is_ended = true};
+}
+
+// What is there and was not requested, RTCs or tools have made.
+void Keeper::look_for_joined() {
+    std::erase_if(joined_, [](const Joined& each) { return Clock::now() - each.at > longest_request; });
+    for (const Rtc& rtc : rtcs_) {
+        for (const auto& port : rtc->ports()) {
+            const std::string& path = port->port().path;
+            for (const PortObject::Made& made : port->made()) {
+                const auto is_link = [&](const Link& link) {
+                    return link.wanted.path == path && !CORBA::is_nil(link.theirs) &&
+                           link.theirs->_is_equivalent(made.other);
+                };
+                const auto is_known = [&](const Joined& each) { return each.id == made.id; };
+                if (std::any_of(links_.begin(), links_.end(), is_link)) continue;
+                if (std::any_of(joined_.begin(), joined_.end(), is_known)) continue;
+                if (is_ending()) return;
+                Joined joined{.id = made.id, .at = Clock::now()};
+                if (auto wanted = link_with(names_, path, made.other)) {
+                    joined.link =
+                        Link{.wanted = std::move(*wanted), .theirs = made.other, .id = made.id, .is_joined = true};
+                    home_.site.joined(joined.link->wanted);
+                }
+                joined_.push_back(std::move(joined));
+            }
+        }
+    }
+}
+
+// Shows the system's own connections at the ports of both ends.
+void Keeper::connect_inside() {
+    const std::lock_guard lock(mutex_);
+    std::map<PortObject*, std::vector<std::string>> others;
+    for (const Rtc& rtc : rtcs_) {
+        for (const auto& port : rtc->ports()) others[port.in()];
+    }
+    for (const RtcInside& each : inside_) {
+        PortObject *from = find_port(each.from), *to = find_port(each.to);
+        if (from == nullptr || to == nullptr) continue;
+        PortObject::show_inside(*from, *to);
+        others[from].push_back(each.to);
+        others[to].push_back(each.from);
+    }
+    for (auto& [port, paths] : others) port->keep_inside(paths);
 }
 
 void Keeper::make_links() {

@@ -27,6 +27,7 @@ public:
 
     // For the ticking thread: does not wait for a peer.
     void show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links);
+    void show_inside(std::vector<RtcInside> connections);
     WantedOrders wanted(std::string_view path);
     bool is_made(const RtcLink& link);
     void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order);
@@ -45,6 +46,13 @@ private:
         std::string id{};                             ///< of the last connection
         std::optional<Clock::time_point> ended_at{};  ///< when its end by another side was noticed
         bool is_ended = false;                        ///< it was ended on purpose
+        bool is_joined = false;                       ///< an RTC or a tool has made it: it is not made again
+    };
+    /// A connection made by an RTC or a tool.
+    struct Joined {
+        std::string id{};
+        std::optional<Link> link{};  ///< none: the other port does not say whose it is
+        Clock::time_point at{};
     };
 
     bool is_ending();
@@ -56,6 +64,9 @@ private:
     void register_all();
     void look_after_connections();
     void make_links();
+    void look_for_joined();
+    void connect_inside();
+    void end(Link& link);
     void note_made();
     bool is_to_be_made(Link& link, PortObject& port);
     void tell_once(const std::string& about, bool is_problem, const std::string& text);
@@ -63,7 +74,8 @@ private:
 
     const Home home_;
     NameService names_;
-    std::vector<Link> links_;                  // used only by the thread, as the next two
+    std::vector<Link> links_;                  // used only by the thread, as the next three
+    std::vector<Joined> joined_;               // that are reported and not yet requested by the system
     std::map<std::string, std::string> told_;  // the last messages, by subject
     int rounds_ = 0;
 
@@ -72,6 +84,7 @@ private:
     std::vector<Rtc> rtcs_;
     std::vector<RtcLink> made_;
     Exports wanted_;
+    std::vector<RtcInside> inside_;
     bool is_new_ = false;
     bool ends_ = false;
     std::thread thread_;

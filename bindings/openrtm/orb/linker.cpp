@@ -2,6 +2,7 @@
 #include "bindings/openrtm/orb/linker.hpp"
 
 #include "bindings/openrtm/orb/properties.hpp"
+#include "bindings/openrtm/orb/terms.hpp"
 
 namespace nezumi::openrtm {
 namespace {
@@ -44,16 +45,37 @@ std::string connect(PortObject& ours, const RtcLink& wanted, RTC::PortService_pt
     profile.ports.length(2);
     profile.ports[0] = RTC::PortService::_duplicate(self);
     profile.ports[1] = RTC::PortService::_duplicate(theirs);
-    add_text(profile.properties, "dataport.data_type", "IDL:RTC/" + ours.port().type + ":1.0");
-    add_text(profile.properties, "dataport.interface_type", "corba_cdr");
-    add_text(profile.properties, "dataport.dataflow_type", "push");
-    add_text(profile.properties, "dataport.subscription_type", "flush");
-    add_text(profile.properties, "dataport.marshaling_type", "cdr");
-    add_text(profile.properties, "dataport.serializer.cdr.endian", "little,big");
+    add_own_terms(profile.properties, ours.port().type);
     return std::string(reason_for(ours.connect(profile)));
 }
 
+// The name that leads to an RTC, short if that is enough; the one that it gives itself if none does.
+std::string name_of(NameService& names, RTC::RTObject_ptr rtc, const std::string& instance, std::string registered) {
+    registered = registered.substr(0, registered.find(','));  // it may have several
+    if (const std::string_view kind = ".rtc"; registered.ends_with(kind))
+        registered.resize(registered.size() - kind.size());
+    for (const std::string& name : {instance, registered}) {
+        const auto found = name.empty() ? Expected<NameService::Named>(failure("")) : names.find(name);
+        if (found && found->rtc->_is_equivalent(rtc)) return name;
+    }
+    return registered.empty() ? instance : registered;
+}
+
 }  // namespace
+
+std::optional<RtcLink> link_with(NameService& names, const std::string& path, RTC::PortService_ptr theirs) {
+    try {
+        const RTC::PortProfile_var port = theirs->get_port_profile();
+        if (CORBA::is_nil(port->owner)) return std::nullopt;
+        const RTC::ComponentProfile_var rtc = port->owner->get_component_profile();
+        const std::string instance = rtc->instance_name.in();
+        std::string name = port->name.in();
+        if (name.starts_with(instance + ".")) name.erase(0, instance.size() + 1);
+        return RtcLink{path, name_of(names, port->owner, instance, text_of(rtc->properties, "naming.names")), name};
+    } catch (const CORBA::Exception&) {
+        return std::nullopt;
+    }
+}
 
 std::string link(NameService& names, PortObject& ours, const RtcLink& wanted, RTC::PortService_var& theirs) {
     Expected<NameService::Named> found;

@@ -1,6 +1,7 @@
-// Makes the connections requested by the system's file, when the other RTC is there.
+// The connections requested by the system's file, which are made when the other RTC is there; and those made by others.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <rtm.hh>
@@ -13,5 +14,9 @@ namespace nezumi::openrtm {
 /// Connects a port of ours with one of another program's RTC. Returns "" if they are connected now, otherwise the
 /// reason. May wait for the peer for some seconds. `theirs` gets the other port.
 std::string link(NameService& names, PortObject& ours, const RtcLink& wanted, RTC::PortService_var& theirs);
+
+/// A connection of our port `path` with another program's port, as a system file names it. Nothing if the port does not
+/// say whose it is. May wait for some seconds.
+std::optional<RtcLink> link_with(NameService& names, const std::string& path, RTC::PortService_ptr theirs);
 
 }  // namespace nezumi::openrtm

@@ -50,6 +50,7 @@ public:
     void show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links) override {
         keeper_->show(std::move(profiles), std::move(links));
     }
+    void show_inside(std::vector<RtcInside> connections) override { keeper_->show_inside(std::move(connections)); }
     std::future<Expected<std::string>> ask(PeerQuestion question, TellPeers* tell) override {
         return asker_->ask(std::move(question), tell);
     }

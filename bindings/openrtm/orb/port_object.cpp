@@ -15,20 +15,6 @@
 namespace nezumi::openrtm {
 namespace {
 
-// 128 random bits in the form of a UUID.
-std::string new_id() {
-    std::array<unsigned char, 16> bytes{};
-    if (getrandom(bytes.data(), bytes.size(), 0) < 0) return "";
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string id;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        if (i == 4 || i == 6 || i == 8 || i == 10) id += '-';
-        id += digits[bytes[i] >> 4];
-        id += digits[bytes[i] & 15U];
-    }
-    return id;
-}
-
 SDOPackage::NVList properties_of(const RtcPort& port) {
     SDOPackage::NVList list;
     add_text(list, "port.port_type", port.is_in ? "DataInPort" : "DataOutPort");
@@ -69,6 +55,19 @@ RTC::ReturnCode_t ask(const Call& call) {
 }
 
 }  // namespace
+
+std::string new_id() {
+    std::array<unsigned char, 16> bytes{};
+    if (getrandom(bytes.data(), bytes.size(), 0) < 0) return "";
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string id;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        if (i == 4 || i == 6 || i == 8 || i == 10) id += '-';
+        id += digits[bytes[i] >> 4];
+        id += digits[bytes[i] & 15U];
+    }
+    return id;
+}
 
 PortObject::PortObject(const Home& home, RtcPort port)
     : home_(home), port_(std::move(port)), properties_(properties_of(port_)) {}
@@ -149,6 +148,18 @@ void PortObject::end(Connection connection) {
     if (port_.is_in) home_.site.left(port_.path, inlet_of(connection.profile).from);
 }
 
+std::vector<PortObject::Made> PortObject::made() {
+    const std::lock_guard lock(mutex_);
+    std::vector<Made> all;
+    for (const auto& [id, connection] : connections_) {
+        const RTC::PortServiceList& ports = connection.profile.ports;
+        for (CORBA::ULong i = 0; i < ports.length() && connection.connector != nullptr; ++i) {
+            if (!is_self(ports[i])) all.push_back({id, RTC::PortService::_duplicate(ports[i])});
+        }
+    }
+    return all;
+}
+
 std::vector<std::string> PortObject::drop_lost() {
     std::vector<std::string> lost;
     {
@@ -212,6 +223,10 @@ RTC::ConnectorProfileList* PortObject::get_connector_profiles() {
         list->length(list->length() + 1);
         list[list->length() - 1] = connection.profile;
     }
+    for (const auto& [other, inside] : inside_) {
+        list->length(list->length() + 1);
+        list[list->length() - 1] = inside.profile;
+    }
     return list._retn();
 }
 
@@ -220,6 +235,10 @@ RTC::ConnectorProfile* PortObject::get_connector_profile(const char* id) {
     const std::lock_guard lock(mutex_);
     const auto found = connections_.find(id);
     if (found != connections_.end()) profile = new RTC::ConnectorProfile(found->second.profile);
+    for (const auto& [other, inside] : inside_) {
+        if (std::string_view(inside.profile.connector_id.in()) == id)
+            profile = new RTC::ConnectorProfile(inside.profile);
+    }
     return profile._retn();
 }
 
@@ -240,6 +259,7 @@ RTC::ReturnCode_t PortObject::disconnect(const char* id) {
 }
 
 RTC::ReturnCode_t PortObject::disconnect(const std::string& id, std::chrono::steady_clock::time_point deadline) {
+    if (const auto inside = disconnect_inside(id)) return *inside;
     settle(id, deadline);
     RTC::PortServiceList ports;
     {
@@ -260,7 +280,12 @@ RTC::ReturnCode_t PortObject::disconnect(const std::string& id, std::chrono::ste
 
 RTC::ReturnCode_t PortObject::disconnect_all() {
     RTC::ReturnCode_t all = RTC::RTC_OK;
-    for (const std::string& id : ids()) {
+    std::vector<std::string> every = ids();
+    {
+        const std::lock_guard lock(mutex_);
+        for (const auto& [other, inside] : inside_) every.emplace_back(inside.profile.connector_id.in());
+    }
+    for (const std::string& id : every) {
         if (const auto done = disconnect(id.c_str()); done != RTC::RTC_OK) all = done;
     }
     return all;
@@ -307,6 +332,8 @@ RTC::ReturnCode_t PortObject::notify_connect(RTC::ConnectorProfile& connector) {
     if (!type.empty() && type != port_.type && type != "IDL:RTC/" + port_.type + ":1.0") return RTC::BAD_PARAMETER;
     const auto terms = terms_of(connector.properties);
     if (!terms) return RTC::BAD_PARAMETER;
+    if (const auto other = port_of_ours(connector); other.in() != nullptr)
+        return connect_inside(connector, *other.in());
     if (const auto reserved = reserve(connector, *terms); reserved != RTC::RTC_OK) return reserved;
     const RTC::ReturnCode_t made = ask([&] { return make(connector, *terms); });
     if (made != RTC::RTC_OK) end(take_away(id));
@@ -351,6 +378,7 @@ RTC::ReturnCode_t PortObject::notify_next(RTC::ConnectorProfile& profile) {
 
 RTC::ReturnCode_t PortObject::notify_disconnect(const char* id) {
     const std::string own_copy = id;
+    if (const auto inside = disconnect_inside(own_copy)) return *inside;
     settle(own_copy, std::chrono::steady_clock::now() + longest_settling);
     return leave(own_copy);
 }

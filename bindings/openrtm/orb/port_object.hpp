@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ struct Home {
     CORBA::ORB_ptr orb;
     RtcSite& site;
 };
+
+/// The id of a new connection: 128 random bits in the form of a UUID.
+std::string new_id();
 
 class PortObject final : public POA_RTC::PortService {
 public:
@@ -55,6 +59,18 @@ public:
     std::vector<std::string> ask_peers(const std::function<bool()>& goes_on);
     /// The name of the connection with another port; "" if there is none.
     std::string connection_with(RTC::PortService_ptr other);
+    /// A connection with a port of another program.
+    struct Made {
+        std::string id;
+        RTC::PortService_var other;
+    };
+    std::vector<Made> made();
+
+    // Connections with ports of ours, which the system carries:
+    /// Shows those with the ports of these paths only, apart from what a tool has just made.
+    void keep_inside(const std::vector<std::string>& others);
+    /// Shows one between two ports, at both, unless it is shown.
+    static void show_inside(PortObject& from, PortObject& to);
 
     RTC::PortProfile* get_port_profile() override;
     RTC::ConnectorProfileList* get_connector_profiles() override;
@@ -73,6 +89,11 @@ private:
         std::unique_ptr<Connector> connector{};
     };
     using Connections = std::map<std::string, Connection>;
+    // A connection with a port of ours.
+    struct Inside {
+        RTC::ConnectorProfile profile{};
+        std::chrono::steady_clock::time_point made{};
+    };
 
     RTC::ReturnCode_t reserve(const RTC::ConnectorProfile& profile, const Terms& terms);
     RTC::ReturnCode_t make(RTC::ConnectorProfile& profile, const Terms& terms);
@@ -83,6 +104,11 @@ private:
     void settle(const std::string& id, std::chrono::steady_clock::time_point deadline);
     RTC::ReturnCode_t disconnect(const std::string& id, std::chrono::steady_clock::time_point deadline);
     RTC::ReturnCode_t leave(const std::string& id);
+    PortableServer::Servant_var<PortObject> port_of_ours(const RTC::ConnectorProfile& profile);
+    void add_inside(const std::string& other, const RTC::ConnectorProfile& profile);
+    RTC::ReturnCode_t request_inside(RtcRequest::What what, const std::string& other);
+    RTC::ReturnCode_t connect_inside(const RTC::ConnectorProfile& profile, PortObject& other);
+    std::optional<RTC::ReturnCode_t> disconnect_inside(const std::string& id);
     Connection take_away(const std::string& id);
     void end(Connection connection);
     std::vector<std::string> ids();
@@ -98,6 +124,7 @@ private:
     Mutex reserving_;  // held from the search for a connection until the new one is stored; ticks never wait for it
     Mutex mutex_;      // for the connections; never held while a peer is called
     Connections connections_;
+    std::map<std::string, Inside> inside_;  // by the path of the other port
 };
 
 }  // namespace nezumi::openrtm

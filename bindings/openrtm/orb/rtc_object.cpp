@@ -24,13 +24,7 @@ bool ContextObject::is_owner(RTC::LightweightRTObject_ptr rtc) const {
 
 RTC::ReturnCode_t ContextObject::perform(RtcRequest::What what, RTC::LightweightRTObject_ptr rtc) {
     if (!is_owner(rtc)) return RTC::BAD_PARAMETER;
-    switch (site_.perform({.what = what, .component = component_})) {
-        case RtcAnswer::done: return RTC::RTC_OK;
-        case RtcAnswer::refused: return RTC::PRECONDITION_NOT_MET;
-        case RtcAnswer::unknown: return RTC::BAD_PARAMETER;
-        case RtcAnswer::busy: break;
-    }
-    return RTC::RTC_ERROR;
+    return code_of(site_.perform({.what = what, .component = component_}));
 }
 
 RTC::ReturnCode_t ContextObject::activate_component(RTC::LightweightRTObject_ptr rtc) {
@@ -63,10 +57,11 @@ RTC::ExecutionContextProfile* ContextObject::get_profile() {
     return profile._retn();
 }
 
-RtcObject::RtcObject(const Home& home, RtcProfile profile, std::string instance)
+RtcObject::RtcObject(const Home& home, RtcProfile profile, std::string instance, std::string context)
     : site_(home.site),
       profile_(std::move(profile)),
       instance_(std::move(instance)),
+      name_(std::move(context) + "/" + instance_ + ".rtc"),
       context_(new ContextObject(home.site, profile_)),
       configuration_(new ConfigurationObject(home.site, profile_.component)) {
     for (const RtcPort& port : profile_.ports) ports_.emplace_back(new PortObject(home, port));
@@ -120,7 +115,7 @@ RTC::ComponentProfile* RtcObject::get_component_profile() {
     add_text(profile->properties, "type_name", profile_.type);
     add_text(profile->properties, "implementation_id", profile_.type);
     add_text(profile->properties, "language", "nezumi");
-    add_text(profile->properties, "naming.names", instance_ + ".rtc");
+    add_text(profile->properties, "naming.names", name_);
     return profile._retn();
 }
 

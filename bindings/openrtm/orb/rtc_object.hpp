@@ -45,7 +45,8 @@ private:
 
 class RtcObject final : public POA_OpenRTM::DataFlowComponent {
 public:
-    RtcObject(const Home& home, RtcProfile profile, std::string instance);
+    /// `context`: of this computer in the name service.
+    RtcObject(const Home& home, RtcProfile profile, std::string instance, std::string context);
 
     /// Activates the RTC.
     RTC::RTObject_ptr begin();
@@ -108,6 +109,7 @@ private:
     RtcSite& site_;
     const RtcProfile profile_;
     const std::string instance_;
+    const std::string name_;  // "pc.host_cxt/controller0.rtc"
     std::vector<PortableServer::Servant_var<PortObject>> ports_;
     PortableServer::Servant_var<ContextObject> context_;
     PortableServer::Servant_var<ConfigurationObject> configuration_;

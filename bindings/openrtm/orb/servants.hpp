@@ -1,9 +1,22 @@
-// Deactivation of objects that peers call.
+// What objects that peers call have in common: their end, and their answers.
 #pragma once
 
 #include <omniORB4/CORBA.h>
 
+#include <rtm.hh>
+#include "bindings/openrtm/orb.hpp"
+
 namespace nezumi::openrtm {
+
+inline RTC::ReturnCode_t code_of(RtcAnswer answer) {
+    switch (answer) {
+        case RtcAnswer::done: return RTC::RTC_OK;
+        case RtcAnswer::refused: return RTC::PRECONDITION_NOT_MET;
+        case RtcAnswer::unknown: return RTC::BAD_PARAMETER;
+        case RtcAnswer::busy: break;
+    }
+    return RTC::RTC_ERROR;
+}
 
 /// The object can't be reached any more; a running call still uses it.
 inline void deactivate(PortableServer::ServantBase& servant) {

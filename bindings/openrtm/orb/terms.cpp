@@ -72,4 +72,13 @@ std::optional<Terms> terms_of(const SDOPackage::NVList& properties) {
     return terms;
 }
 
+void add_own_terms(SDOPackage::NVList& properties, const std::string& type) {
+    add_text(properties, "dataport.data_type", "IDL:RTC/" + type + ":1.0");
+    add_text(properties, "dataport.interface_type", "corba_cdr");
+    add_text(properties, "dataport.dataflow_type", "push");
+    add_text(properties, "dataport.subscription_type", "flush");
+    add_text(properties, "dataport.marshaling_type", "cdr");
+    add_text(properties, "dataport.serializer.cdr.endian", "little,big");
+}
+
 }  // namespace nezumi::openrtm

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <optional>
+#include <string>
 
 #include <rtm.hh>
 
@@ -23,5 +24,7 @@ struct Terms {
 
 /// Returns nothing if they ask for an unsupported interface or serializer; only CORBA's CDR is supported.
 std::optional<Terms> terms_of(const SDOPackage::NVList& properties);
+/// Adds the terms of the connections that we make: each message at once, pushed. `type`: "TimedLong".
+void add_own_terms(SDOPackage::NVList& properties, const std::string& type);
 
 }  // namespace nezumi::openrtm

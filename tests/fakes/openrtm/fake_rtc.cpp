@@ -2,11 +2,11 @@
 // line each, and prints what happens; on the end of its input it leaves the name service.
 //   send HEX, fetch, hang SECONDS, fail: goes into ERROR
 //   execute RATE [HEX [stamped]]: its in-port reads, its out-port writes; stall: no longer; readback: its buffer does
-//   so connect RTC PORT [name=NAME] [id=ID] [last] [PROPERTY=VALUE ...], disconnect     a number of ReturnCode_t race
-//   RTC PORT ROUNDS: connects twice at once, so often; in how many rounds not just one came to be boast COUNT: tells
-//   who connects so many letters about RTC, ports RTC, state RTC, activate RTC, deactivate RTC, reset RTC, sets RTC,
-//   set RTC SET NAME VALUE, use RTC SET flood COUNT HEX: sends so often, prints how long it took in all, and one of
-//   them
+//   so connect RTC PORT [name=NAME] [id=ID] [last] [PROPERTY=VALUE ...], disconnect: a number of ReturnCode_t race RTC
+//   PORT ROUNDS: connects twice at once, so often; in how many rounds not just one came to be boast COUNT: tells who
+//   connects so many letters about RTC, ports RTC, state RTC, activate RTC, deactivate RTC, reset RTC, sets RTC, set
+//   RTC SET NAME VALUE, use RTC SET link RTC PORT RTC PORT, profiles RTC PORT, unlink RTC PORT: what tools do with
+//   connections flood COUNT HEX: sends so often, prints how long it took in all, and one of them
 #include <omniORB4/Naming.hh>
 #include <unistd.h>
 
@@ -185,6 +185,8 @@ private:
         const RTC::RTObject_var rtc = found;
         if (command == "connect") return connect(rtc, words);
         if (command == "race") return race(rtc, words);
+        if (command == "link") return link(rtc, words);
+        if (command == "profiles" || command == "unlink") return of_connections(command, rtc, words);
         if (command == "ports") return ports(rtc);
         if (command == "about") return about(rtc);
         if (command == "sets") return sets(rtc);
@@ -231,6 +233,30 @@ private:
         for (int i = 0; i < rounds; ++i) wrong += port_.connect_at_once(port) == 1 ? 0 : 1;
         print("wrong " + std::to_string(wrong));
     }
+    void link(RTC::RTObject_ptr rtc, std::istringstream& words) {
+        std::string port, other_rtc, other;
+        words >> port >> other_rtc >> other;
+        const RTC::RTObject_var there = find(other_rtc);
+        RTC::ConnectorProfile profile;
+        profile.name = "made by a tool";
+        profile.connector_id = "";
+        profile.ports.length(2);
+        profile.ports[0] = find_port(rtc, port);
+        profile.ports[1] = find_port(there, other);
+        add_property(profile.properties, "dataport.dataflow_type", "push");
+        print("linked " + std::to_string(profile.ports[0]->connect(profile)));
+    }
+    // The names of a port's connections; or ends the first.
+    static void of_connections(const std::string& command, RTC::RTObject_ptr rtc, std::istringstream& words) {
+        std::string wanted;
+        words >> wanted;
+        const RTC::PortService_var port = find_port(rtc, wanted);
+        RTC::ConnectorProfileList_var all = port->get_connector_profiles();
+        if (command == "unlink") return print("unlinked " + std::to_string(port->disconnect(all[0].connector_id)));
+        std::string line = "profiles";
+        for (CORBA::ULong i = 0; i < all->length(); ++i) line += " " + std::string(all[i].name.in());
+        print(line);
+    }
     static RTC::PortService_ptr find_port(RTC::RTObject_ptr rtc, const std::string& wanted) {
         RTC::PortServiceList_var list = rtc->get_ports();
         for (CORBA::ULong i = 0; i < list->length(); ++i) {
@@ -253,7 +279,8 @@ private:
     static void about(RTC::RTObject_ptr rtc) {
         const RTC::ComponentProfile_var profile = rtc->get_component_profile();
         print("about " + std::string(profile->type_name.in()) + ", " + profile->description.in() + ", " +
-              profile->version.in() + ", " + profile->vendor.in() + ", " + profile->category.in());
+              profile->version.in() + ", " + profile->vendor.in() + ", " + profile->category.in() + ", " +
+              property(profile->properties, "naming.names"));
     }
     static void sets(RTC::RTObject_ptr rtc) {
         const SDOPackage::Configuration_var configuration = rtc->get_configuration();

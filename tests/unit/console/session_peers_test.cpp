@@ -109,14 +109,15 @@ TEST_CASE("connections to RTCs are made at the console, shown and saved", "[cons
                                               Contains("rtm:pc.host_cxt/Mouse0.target_velocity_in"));
     CHECK(it.type("controller.out.peers[2]") == "\"rtm:pc.host_cxt/Mouse0.target_velocity_in\"");
     CHECK(it.type("connect('rtm:Out0.out', 'controller.out')") == "! connect: controller.out is an out-port");
-    const auto saved = present_system(*it.live)->spec.rtm_connections;
-    REQUIRE(saved.size() == 2);
-    CHECK(saved[0] == ConnectionSpec{"rtm:Out0.out", "controller.in", {}});
+    const auto saved = present_system(*it.live)->spec.connections;
+    REQUIRE(saved.size() == 4);
+    CHECK(saved[2] == ConnectionSpec{"rtm:Out0.out", "controller.in", {}});
     CHECK_THAT(it.type("save '" + it.folder.path("saved.lua").string() + "'"),
                Contains(": 2 components, 4 connections"));
     CHECK(it.type("disconnect('rtm:Out0.out', 'controller.in')") == "");
     CHECK(it.type("disconnect(controller.out)") == "");
-    CHECK(present_system(*it.live)->spec.rtm_connections.empty());
+    CHECK(present_system(*it.live)->spec.connections ==
+          std::vector<ConnectionSpec>{{"mouse.ir_sensor_out", "controller.in", {}}});
     CHECK(it.type("disconnect('rtm:Out0.out')") == "! disconnect: rtm:Out0.out is not connected");
 }
 
@@ -124,5 +125,5 @@ TEST_CASE("a component that is removed takes its connections to RTCs along", "[c
     SessionRig it(counter_system + "rtm { export = \"controller\" }\nconnect(\"rtm:Out0.out\", \"controller.in\")\n");
     CHECK_THAT(it.type("remove 'controller'"),
                Contains("controller.in was connected to mouse.ir_sensor_out, rtm:Out0.out"));
-    CHECK(present_system(*it.live)->spec.rtm_connections.empty());
+    CHECK(present_system(*it.live)->spec.connections.empty());
 }

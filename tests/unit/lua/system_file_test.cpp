@@ -342,10 +342,9 @@ TEST_CASE("a system says which RTCs see it, and where its ports lead", "[lua][sy
     CHECK(spec.rtm->exported == std::vector<std::string>{"c"});
     CHECK(spec.rtm->interface == "192.168.1.10");
     CHECK(spec.rtm->rename == ParameterValues{{"c.in", std::string("ir")}});
-    CHECK(spec.connections.empty());
-    REQUIRE(spec.rtm_connections.size() == 2);
-    CHECK(spec.rtm_connections[0].to == "c.in");
-    CHECK(rtm_path(spec.rtm_connections[1].to) == RtmPath{"pc.host_cxt/RaspberryPiMouse0", "target_velocity_in"});
+    REQUIRE(spec.connections.size() == 2);
+    CHECK(spec.connections[0].to == "c.in");
+    CHECK(rtm_path(spec.connections[1].to) == RtmPath{"pc.host_cxt/RaspberryPiMouse0", "target_velocity_in"});
 
     const auto plain = system_of("behavior 'c' { script = 'robot_controller' }");
     CHECK_FALSE(plain.rtm);

@@ -34,6 +34,7 @@ public:
         return PutAnswer::taken;
     }
     void left(std::string_view /*path*/, std::string_view /*from*/) override { add("left"); }
+    void joined(const RtcLink& /*link*/) override {}
     void ended(const RtcLink& /*link*/) override {}
     void tell(bool /*is_problem*/, std::string text) override { add(text); }
 

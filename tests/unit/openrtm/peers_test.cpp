@@ -122,7 +122,7 @@ TEST_CASE("a connection ended by a living RTC is not made again", "[openrtm][pee
     CHECK(asked(rig, {.name = "Out0"}).find("out out  TimedLong  1 connection") != std::string::npos);
     CHECK(rig.answer(*out, "disconnect", "disconnected ") == "disconnected 0");
     CHECK(rig.tells("disconnected by an RTC or a tool: rtm:Out0.out to relay.in"));
-    CHECK(rig.live->spec().rtm_connections.empty());
+    CHECK(rig.live->system().foreign_connections().empty());
     // What is said at a console brings it back.
     rig.told = "\n";
     REQUIRE(rig.live->act(Connect{"rtm:Out0.out", "relay.in"}, {Actor::Kind::console}));

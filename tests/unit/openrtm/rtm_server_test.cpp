@@ -21,10 +21,13 @@ rtm { export = { "mouse", "controller" } }
 connect("controller.out", "rtm:Mouse0.target_velocity_in")
 )";
 
+constexpr double time_of_test = 1.7e9;  // [s] since 1970
+
 // What is told to the other side.
 struct Told {
     std::vector<RtcProfile> profiles{};
     std::vector<RtcLink> links{};
+    std::vector<RtcInside> inside{};
     std::map<std::string, WantedOrders, std::less<>> wanted{};
     std::vector<RtcLink> made{};
     std::vector<std::pair<std::string, std::vector<std::uint8_t>>> sent{};
@@ -46,6 +49,7 @@ public:
         told_.links = std::move(links);
         ++told_.shown;
     }
+    void show_inside(std::vector<RtcInside> connections) override { told_.inside = std::move(connections); }
     std::future<Expected<std::string>> ask(PeerQuestion question, TellPeers* tell) override {
         told_.questions.push_back(question);
         std::promise<Expected<std::string>> answer;
@@ -81,7 +85,8 @@ struct Acts final : ActObserver {
 };
 
 struct ServerRig : LiveRig {
-    explicit ServerRig(const std::string& system = exported_system) : LiveRig(system, {{"counter", counter_behavior}}) {
+    explicit ServerRig(const std::string& system = exported_system, const BuildOptions& build = {})
+        : LiveRig(system, {{"counter", counter_behavior}}, disk(), build) {
         live->observe_acts(&acts);
         auto opened = RtmServer::open(host(), [this](const OrbOptions& options, RtcSite&) {
             told.options = options;
@@ -97,7 +102,8 @@ struct ServerRig : LiveRig {
                 .act = [this](const Act& act, const Actor& who) { return live->act(act, who); },
                 .deliver = [this](const Port& port, const Act& act,
                                   const Actor& who) { return live->deliver(port, act, who); },
-                .say = [this](bool, const std::string& line) { said_lines.push_back(line); }};
+                .say = [this](bool, const std::string& line) { said_lines.push_back(line); },
+                .wall_clock = [] { return time_of_test; }};
     }
     void turn(int ticks = 1) {
         for (; ticks > 0; --ticks) {
@@ -284,7 +290,7 @@ TEST_CASE("connections to RTCs are made and ended while the system runs", "[open
     CHECK(rig.live->system().connections().empty());
     REQUIRE(rig.live->act(Connect{"controller.out", "rtm:Mouse1.target_velocity_in"}, console));
     REQUIRE(rig.live->act(Disconnect{"rtm:Mouse1.target_velocity_in", ""}, console));
-    CHECK(rig.live->spec().rtm_connections.empty());
+    CHECK(rig.live->system().foreign_connections().empty());
     REQUIRE(rig.live->act(Restart{}, console));
     rig.turn();
     CHECK(rig.told.links == std::vector<RtcLink>{first});
@@ -326,6 +332,57 @@ TEST_CASE("a connection removed by a tool is not made again, as after disconnect
     rig.server->ended({"controller.out", "Mouse0", "target_velocity_in"});
     rig.turn();
     CHECK(rig.acts.lines.size() == 1);
+}
+
+TEST_CASE("a connection made by an RTC or a tool is an act", "[openrtm][server]") {
+    ServerRig rig;
+    const RtcLink first{"controller.out", "Mouse0", "target_velocity_in"},
+        made{"controller.in", "a.host_cxt/Out0", "out"};
+    rig.server->joined(made);
+    rig.server->joined(first);  // is there already
+    rig.turn();
+    CHECK(rig.acts.lines == std::vector<std::string>{"Connect by network rtm"});
+    CHECK(rig.told.links == std::vector<RtcLink>{first, made});
+    CHECK(rig.live->system().foreign_connections().back() ==
+          ConnectionSpec{"rtm:a.host_cxt/Out0.out", "controller.in", {}});
+    CHECK(rig.said_lines ==
+          std::vector<std::string>{"connected by an RTC or a tool: rtm:a.host_cxt/Out0.out to controller.in"});
+    rig.server->joined({"controller.in", "Out 0", "out"});
+    rig.turn();
+    CHECK(rig.told.links.size() == 2);
+    CHECK(rig.said_lines.back() ==
+          "an RTC or a tool has connected rtm:Out 0.out to controller.in, which is not shown: expected "
+          "\"rtm:NAME.port\" or \"rtm:HOST.host_cxt/NAME.port\", got 'rtm:Out 0.out'");
+}
+
+TEST_CASE("connections between exported components are shown, and RTCs may change them", "[openrtm][server]") {
+    ServerRig rig;
+    CHECK(rig.told.inside.empty());
+    RtcRequest request{.what = RtcRequest::What::connect,
+                       .component = "controller",
+                       .from = "controller.out",
+                       .to = "mouse.target_velocity_in"};
+    CHECK(rig.ask(request) == RtcAnswer::done);
+    CHECK(rig.ask(request) == RtcAnswer::refused);
+    CHECK(rig.told.inside == std::vector<RtcInside>{{"controller.out", "mouse.target_velocity_in"}});
+    request.what = RtcRequest::What::disconnect;
+    CHECK(rig.ask(request) == RtcAnswer::done);
+    CHECK(rig.told.inside.empty());
+    CHECK(rig.acts.lines.front() == "Connect by network rtm");
+    CHECK(rig.acts.lines.back() == "Disconnect by network rtm");
+}
+
+TEST_CASE("RTCs get the time of day if robots are real, and simulated time otherwise", "[openrtm][server]") {
+    const bool real_time = GENERATE(false, true);
+    CAPTURE(real_time);
+    ServerRig rig(exported_system, {.real_time = real_time});
+    rig.told.wanted["controller.out"] = {.little = true};
+    rig.turn(3);
+    REQUIRE_FALSE(rig.told.sent.empty());
+    Value value = Velocity2D{};
+    double tm = 0;
+    REQUIRE(read_cdr_message(rig.told.sent.back().second, value, tm));
+    CHECK(tm == Approx(real_time ? time_of_test : 0.02).margin(0.05).epsilon(0));
 }
 
 TEST_CASE("a port that a new version of its script lacks loses its connection to an RTC", "[openrtm][server]") {
