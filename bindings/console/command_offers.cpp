@@ -24,11 +24,11 @@ Names joined(Names all, const Names& more) {
     return all;
 }
 
-Names port_paths(const System& system, bool in, bool out, const Port* like = nullptr) {
+Names port_paths(const System& system, bool in, bool out, std::string_view type = "") {
     Names paths;
     for (const Component* component : system.components()) {
         for (const Port* port : ports_of(*component)) {
-            const bool fits = like == nullptr || like->type() == port->type();
+            const bool fits = type.empty() || port->type_name() == type;
             if (fits && (port->direction() == Direction::in ? in : out))
                 paths.push_back(component->name() + "." + port->name());
         }
@@ -39,9 +39,9 @@ Names port_paths(const System& system, bool in, bool out, const Port* like = nul
 // The in-ports that fit the first argument.
 Names fitting_ports(const System& system, const TextAtCursor& text, bool offered) {
     const auto source = system.port(text.first);
-    const Port* like = source ? *source : nullptr;
-    Names paths = port_paths(system, true, false, like);
-    return offered ? joined(std::move(paths), offered_ports(system, Direction::in, like)) : paths;
+    const std::string type = source ? std::string((*source)->type_name()) : offered_type(system, text.first);
+    Names paths = port_paths(system, true, false, type);
+    return offered ? joined(std::move(paths), offered_ports(system, true, false, type)) : paths;
 }
 
 }  // namespace
@@ -67,8 +67,8 @@ Names texts_at(const System& system, const TextAtCursor& text) {
         case Offer::value: return {};
         case Offer::component: return names_of(system);
         case Offer::port: return port_paths(system, true, true);
-        case Offer::source:
-            return joined(port_paths(system, false, true), offered_ports(system, Direction::out, nullptr));
+        case Offer::source: return joined(port_paths(system, false, true), offered_ports(system, false, true));
+        case Offer::any_port: return joined(port_paths(system, true, true), offered_ports(system, true, true));
         case Offer::target: return fitting_ports(system, text, true);
         case Offer::in_port: return fitting_ports(system, text, false);
         case Offer::carried: {

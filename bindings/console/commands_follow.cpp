@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bindings/console/console_commands.hpp"
+#include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
 
 namespace nezumi {
@@ -19,10 +20,14 @@ Expected<std::string> path(const Session::Parts& parts, const Arguments& argumen
 }  // namespace
 
 Expected<CommandEnd> command_watch(Session::Parts& parts, const Arguments& arguments) {
-    const auto port = path(parts, arguments);
+    auto port = path(parts, arguments);
+    if (auto theirs = port_of_host(arguments.lua, 1); !port && theirs) {
+        if (auto offered = check_offered(parts.live.system(), *theirs); !offered) return Unexpected(offered.error());
+        port = std::move(*theirs);
+    }
     if (!port) return Unexpected(port.error());
     const auto same = [&](const PortWatch& watch) { return watch.path == *port; };
-    if (std::none_of(parts.watches.begin(), parts.watches.end(), same)) parts.watches.push_back({*port, {}});
+    if (std::none_of(parts.watches.begin(), parts.watches.end(), same)) parts.watches.push_back({.path = *port});
     return CommandEnd::done;
 }
 
@@ -34,6 +39,7 @@ Expected<CommandEnd> command_unwatch(Session::Parts& parts, const Arguments& arg
     }
     // A port that is gone can be named by its text.
     auto port = path(parts, arguments);
+    if (auto theirs = port_of_host(arguments.lua, 1); !port && theirs) port = std::move(*theirs);
     if (!port) port = arguments.text(1, "a port");
     if (!port) return Unexpected(port.error());
     if (std::erase_if(parts.watches, [&](const PortWatch& watch) { return watch.path == *port; }) == 0)

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "bindings/console/console_commands.hpp"
+#include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "engine/base/visible.hpp"
@@ -74,8 +75,8 @@ Expected<std::string> help_asked(Session::Parts& parts, const Arguments& argumen
     };
     if (const ObjectRef* ref = to_object(arguments.lua, 1)) {
         if (ref->kind == ObjectKind::system) return failure("help() explains the words, ls() shows the system");
-        if (ref->kind >= ObjectKind::hosts)
-            return failure("what is of another host is explained there; its name alone shows it here");
+        if (ref->kind == ObjectKind::remote) return text_of_host(*parts.objects, *ref, Question::What::help);
+        if (ref->kind >= ObjectKind::hosts) return failure("hosts alone shows the other hosts and their components");
         return help_of([&] { return node_of(*ref); });
     }
     const auto name = arguments.text(1, "a word, a component, a port or a name, as in help \"mouse.status\"");

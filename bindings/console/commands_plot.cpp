@@ -10,6 +10,7 @@
 #include "bindings/console/console_commands.hpp"
 #include "bindings/console/console_fields.hpp"
 #include "bindings/lua/files/read_options.hpp"
+#include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/live/object_core.hpp"
 
 namespace nezumi {
@@ -37,10 +38,12 @@ Expected<std::string> read_path(const Objects& objects, lua_State* L, int index)
     lua_rawgeti(L, index, 1);
     lua_rawgeti(L, index, 2);
     const std::string path(text_at(L, -1));
+    auto theirs = path_of_host(L, -2, path);
     const auto component = objects.to_component(L, -2);
     const auto port = objects.to_port(L, -2);
     const std::string_view kind = luaL_typename(L, -2);
     lua_pop(L, 2);
+    if (theirs) return std::move(*theirs);
     if (component) return component->component->name() + path;
     if (port) return port->path() + path;
     return failure(fmt::format("expected a component or a port before {}, got {}", shown(path), kind));
@@ -73,6 +76,8 @@ Expected<PlotRequest> read(const Session::Parts& parts, const Arguments& argumen
             const auto path = read_path(*parts.objects, arguments.lua, index);
             if (!path) return Unexpected(path.error());
             plot.names.push_back(*path);
+        } else if (auto theirs = port_of_host(arguments.lua, index)) {
+            plot.names.push_back(std::move(*theirs));
         } else {
             const auto port = parts.objects->to_port(arguments.lua, index);
             if (!port) return Unexpected(port.error());
@@ -80,7 +85,31 @@ Expected<PlotRequest> read(const Session::Parts& parts, const Arguments& argumen
         }
     }
     if (plot.names.empty()) return failure("expected a port or \"name.port\", got nothing");
+    const TreeNode tree = parts.live.tree();
+    for (const std::string& name : plot.names) {
+        if (!is_remote(name) || tree.find(name)) continue;
+        if (const auto host = find_host(tree.system(), host_of(name)); !host) return Unexpected(host.error());
+        plot.elsewhere.try_emplace(name);
+    }
     return plot;
+}
+
+// To the host of "ev3/vehicle.current_vel.vx".
+Question question_of(std::string_view name, double seconds) {
+    std::string_view part = without_host(name);
+    const std::string_view component = take_step(part);
+    return {.host = std::string(host_of(name)),
+            .component = std::string(component),
+            .what = Question::What::curves,
+            .name = std::string(part),
+            .values = {.values = {seconds}, .tables = {}}};
+}
+
+Expected<void> take_answer(PlotRequest::Elsewhere& elsewhere, const Expected<PlainData>& answer) {
+    auto recent = answer ? read_curves(*answer) : Unexpected(answer.error());
+    if (!recent) return Unexpected(recent.error());
+    elsewhere.recent = std::move(*recent);
+    return {};
 }
 
 // "controller.out" with "vx", "[1]" or "value": what a leaf is called.
@@ -95,25 +124,28 @@ constexpr std::string_view marks = "*o+x#%@&";
 Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot) {
     PlotCurves looked{.plot = plot, .to = live.system().now().seconds};
     double first = looked.to;
-    std::vector<Trace::Remembered> all;
+    std::vector<RecentCurves> all;
     for (std::string& name : looked.plot.names) {
-        auto found = live.trace().remember_part(name);
-        if (!found) return Unexpected(found.error());
-        name = join_path(found->whole, found->part);
-        if (found->series->size() > 0) first = std::min(first, found->series->seconds(0));
-        const auto& labels = found->series->labels();
-        const auto has_part = [&](const std::string& label) { return is_within(label, found->part); };
-        if (!labels.empty() && std::none_of(labels.begin(), labels.end(), has_part))
-            return failure(fmt::format("{} has no '{}'{}", found->whole, shown(found->part),
-                                       did_you_mean(found->part, {labels.begin(), labels.end()})));
-        all.push_back(std::move(*found));
+        const auto elsewhere = plot.elsewhere.find(name);
+        auto recent = elsewhere != plot.elsewhere.end()
+                          ? Expected<RecentCurves>(elsewhere->second.recent.value_or(RecentCurves{}))
+                          : recent_curves(live.trace(), name, plot.seconds, looked.to);
+        if (!recent) return Unexpected(recent.error());
+        if (elsewhere == plot.elsewhere.end()) name = join_path(recent->whole, recent->part);
+        // Another host has a time of its own.
+        const double ahead = looked.to - recent->now;
+        for (Curve& curve : recent->curves) {
+            for (auto& point : curve.points) point.first += ahead;
+        }
+        first = std::min(first, recent->first + ahead);
+        all.push_back(std::move(*recent));
     }
     looked.from = std::max(first, looked.to - plot.seconds);
-    for (const auto& each : all) {
-        auto curves = curves_of(*each.series, each.part, looked.from, looked.to, each.holds);
-        if (curves.empty()) looked.silent.push_back(full_name(each.whole, each.part));
-        for (Curve& curve : curves) {
-            if (plot.names.size() > 1) curve.name = full_name(each.whole, curve.name);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string& name = looked.plot.names[i];
+        if (all[i].curves.empty()) looked.silent.push_back(name);
+        for (Curve& curve : all[i].curves) {
+            if (all.size() > 1) curve.name = full_name(all[i].whole, curve.name);
             looked.curves.push_back(std::move(curve));
         }
     }
@@ -141,15 +173,42 @@ std::string to_text(PlotCurves looked) {
     return text + (text.empty() || texts.empty() ? "" : "\n") + texts;
 }
 
+bool draw_again(Session::Parts& parts, PlotRequest& plot) {
+    const double now = parts.live.system().now().seconds;
+    if (now < plot.next - plot.every) plot.next = now;  // started anew
+    if (now < plot.next) return true;
+    Expected<void> answered{};
+    for (auto& [name, each] : plot.elsewhere) {
+        if (each.recent) continue;
+        const auto answer = go_on(parts.live.system(), question_of(name, plot.seconds), each.open);
+        if (!answer) return true;
+        if (answered = take_answer(each, *answer); !answered) break;
+    }
+    plot.next = now + plot.every;
+    auto looked = answered ? look_at_plot(parts.live, plot) : Unexpected(answered.error());
+    for (auto& [name, each] : plot.elsewhere) each.recent.reset();
+    if (looked) {
+        parts.show_in_place(to_text(std::move(*looked)));
+    } else {
+        parts.show(looked.error().message + ": no longer drawn");
+    }
+    return looked.has_value();
+}
+
 Expected<CommandEnd> command_plot(Session::Parts& parts, const Arguments& arguments) {
+    auto plot = parts.at_system([&] { return read(parts, arguments); });
+    if (!plot) return Unexpected(plot.error());
+    for (auto& [name, each] : plot->elsewhere) {
+        const auto answer = ask_host(*parts.objects, parts.live, question_of(name, plot->seconds));
+        if (auto taken = take_answer(each, answer); !taken) return Unexpected(taken.error());
+    }
     // What is drawn is a copy: drawing takes longer than a look.
     auto looked = parts.at_system([&]() -> Expected<PlotCurves> {
-        const auto plot = read(parts, arguments);
-        if (!plot) return Unexpected(plot.error());
         auto curves = look_at_plot(parts.live, *plot);
         if (curves && plot->every > 0) {
-            parts.plots.push_back(*plot);
-            parts.plots.back().next = curves->to + plot->every;
+            PlotRequest& again = parts.plots.emplace_back(std::move(*plot));
+            again.next = curves->to + again.every;
+            for (auto& [name, each] : again.elsewhere) each.recent.reset();
         }
         return curves;
     });

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "bindings/console/console_commands.hpp"
+#include "bindings/lua/live/hosts_object.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {
@@ -9,13 +10,30 @@ namespace {
 
 // "name.port" of a port of the system; of another program's "rtm:NAME.port", or another host's "host/name.port", as it
 // is: connecting finds it.
-Expected<std::string> port(const Session::Parts& parts, const Arguments& arguments, int index) {
+Expected<std::string> port(Session::Parts& parts, const Arguments& arguments, int index) {
     if (index > arguments.count()) return failure("expected a port or \"name.port\", got nothing");
     if (peer_named(arguments, index)) return arguments.text(index, "a port");
-    if (auto text = arguments.text(index, "a port"); text && is_remote(*text)) return text;
-    const auto at = parts.objects->to_port(arguments.lua, index);
-    if (!at) return Unexpected(at.error());
-    return at->path();
+    if (auto path = port_of_host(arguments.lua, arguments.index(index))) return *path;
+    return parts.at_system([&]() -> Expected<std::string> {
+        const auto at = parts.objects->to_port(arguments.lua, index);
+        if (!at) return Unexpected(at.error());
+        return at->path();
+    });
+}
+
+bool is_of_hosts(std::string_view from, std::string_view to) { return is_remote(from) && is_remote(to); }
+
+// Both ports are of other hosts: the one that receives is asked for the connection.
+Expected<CommandEnd> ask_there(const Session::Parts& parts, Question::What what, const std::string& from,
+                               const std::string& to) {
+    std::string_view port = without_host(to);
+    const std::string component(take_step(port));
+    return done(ask_host(*parts.objects, parts.live,
+                         {.host = std::string(host_of(to)),
+                          .component = component,
+                          .what = what,
+                          .name = std::string(port),
+                          .values = {.values = {from}, .tables = {}}}));
 }
 
 }  // namespace
@@ -25,16 +43,17 @@ Expected<CommandEnd> command_connect(Session::Parts& parts, const Arguments& arg
     if (!from) return Unexpected(from.error());
     const auto to = port(parts, arguments, 2);
     if (!to) return Unexpected(to.error());
-    return done(parts.act(Connect{*from, *to}));
+    if (is_of_hosts(*from, *to)) return ask_there(parts, Question::What::connect, *from, *to);
+    return done(parts.at_system([&] { return parts.act(Connect{*from, *to}); }));
 }
 
 Expected<CommandEnd> command_disconnect(Session::Parts& parts, const Arguments& arguments) {
     const auto first = port(parts, arguments, 1);
     if (!first) return Unexpected(first.error());
-    if (!arguments.has(2)) return done(parts.act(Disconnect{*first, ""}));
-    const auto second = port(parts, arguments, 2);
+    const auto second = arguments.has(2) ? port(parts, arguments, 2) : Expected<std::string>();
     if (!second) return Unexpected(second.error());
-    return done(parts.act(Disconnect{*first, *second}));
+    if (is_of_hosts(*first, *second)) return ask_there(parts, Question::What::disconnect, *first, *second);
+    return done(parts.at_system([&] { return parts.act(Disconnect{*first, *second}); }));
 }
 
 }  // namespace nezumi

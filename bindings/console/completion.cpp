@@ -53,9 +53,9 @@ public:
     /// the fields of a port's value, `plot(controller.out.vx)`.
     Names names(TreeNode::Called called, bool plotted = false) {
         if (found_ && lua_type(lua_, -1) == LUA_TTABLE) return table_keys(lua_, lua_gettop(lua_));
+        if (const ObjectRef* ref = object(); ref != nullptr && ref->kind >= ObjectKind::hosts)
+            return names_of_host(*ref, called, plotted);
         return parts_.at_system([&] {
-            if (const auto host = host_path())
-                return host_members(parts_.live.system(), *host, called == TreeNode::Called::yes);
             const auto node = this->node(plotted);
             if (!node) return Names{};
             if (node->kind() == TreeNode::Kind::system)
@@ -93,14 +93,29 @@ private:
         return ref != nullptr ? node_of(*ref) : failure("");
     }
 
-    // "" for all hosts, "ev3" for one, "ev3/vehicle" for a component of one.
-    std::optional<std::string> host_path() const {
-        const ObjectRef* ref = object();
-        if (ref == nullptr || ref->kind < ObjectKind::hosts || ref->kind == ObjectKind::remote_config)
-            return std::nullopt;
-        std::string path(ref->component());
-        for (std::size_t i = rest_; i < chain_.size(); ++i) path += (path.empty() ? "" : "/") + chain_[i];
-        return path;
+    // Hosts and components are known here; for what a component has its host is asked.
+    Names names_of_host(const ObjectRef& ref, TreeNode::Called called, bool plotted) const {
+        Names steps;
+        if (ref.kind == ObjectKind::host) steps = {std::string(ref.component())};
+        if (ref.kind == ObjectKind::remote)
+            steps = {std::string(host_of(ref.component())), std::string(without_host(ref.component()))};
+        if (!ref.port().empty()) steps.emplace_back(ref.port());
+        steps.insert(steps.end(), chain_.begin() + static_cast<std::ptrdiff_t>(rest_), chain_.end());
+        if (steps.size() < 2) {
+            if (called == TreeNode::Called::yes) return {};
+            return parts_.at_system([&] {
+                if (steps.empty()) return host_names(parts_.live.system());
+                const auto host = find_host(parts_.live.system(), steps[0]);
+                return host ? component_names(*host) : Names{};
+            });
+        }
+        Question question{.host = steps[0], .component = steps[1], .what = Question::What::names};
+        for (std::size_t i = 2; i < steps.size(); ++i) question.name = join_path(question.name, steps[i]);
+        if (plotted) question.values.values.emplace_back(true);
+        const auto answer = ask_host(*parts_.objects, parts_.live, question);
+        const std::size_t which = called == TreeNode::Called::yes ? 1 : 0;
+        const auto* names = answer && answer->values.size() == 2 ? answer->values[which].get_if<Names>() : nullptr;
+        return names != nullptr ? *names : Names{};
     }
 
     // Replaces the table on top of the stack by its field, if it has one; else takes it off.

@@ -27,6 +27,7 @@ enum class Offer : unsigned char {
     nothing,
     component,
     port,
+    any_port,   ///< a port, also one of another host
     source,     ///< an out-port, also one of another host
     target,     ///< an in-port of the type of the first argument, also one of another host
     in_port,    ///< the same of this system

@@ -22,6 +22,7 @@ struct Describe<PlotRequest> {
         Internal{&PlotRequest::names},
         Internal{&PlotRequest::seconds},
         Internal{&PlotRequest::next},
+        Internal{&PlotRequest::elsewhere},
     };
 };
 

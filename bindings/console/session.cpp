@@ -20,8 +20,6 @@ namespace nezumi {
 namespace {
 
 constexpr Budget input_budget{5.0};
-constexpr std::size_t watch_width = 100;        // [characters]
-constexpr double highest_watched_speed = 1000;  // "max" has no number
 // How long a session waits for the end of what can't be ended at once: Lua's own code is left after a second.
 constexpr std::chrono::seconds stuck_after{2};
 constexpr std::chrono::seconds session_farewell{1};
@@ -53,25 +51,6 @@ void show_results(Session::Parts& parts, lua_State* L, int base) {
 bool is_goodbye(std::string_view text) {
     text = trimmed(text);
     return text == "quit" || text == "exit";
-}
-
-// Shows what is new on a watched port. Returns false when the port is gone.
-bool look(Session::Parts& parts, PortWatch& watch) {
-    const System& system = parts.live.system();
-    const auto port = system.port(watch.path);
-    if (!port) return false;
-    if ((*port)->count() == 0) return true;
-    const double now = (*port)->tm();
-    // A batch leaves nothing out.
-    const double speed = std::clamp(parts.clock.speed(), 1.0, highest_watched_speed);
-    const double period = parts.options.batch ? 0 : parts.options.watch_period * speed;
-    if (watch.shown_at >= 0 && now >= watch.shown_at && now < watch.shown_at + period) return true;
-    std::string text = short_text((*port)->value(), watch_width);
-    if (watch.shown_at >= 0 && text == watch.shown) return true;
-    parts.show(fmt::format("[{:.3f}] {} = {}", now, watch.path, text));
-    watch.shown = std::move(text);
-    watch.shown_at = now;
-    return true;
 }
 
 // Ends what is not to be run.
@@ -305,7 +284,7 @@ bool Session::advance(std::chrono::microseconds slice) {
 void Session::after_tick() {
     Parts& parts = *parts_;
     std::erase_if(parts.watches, [&parts](PortWatch& watch) {
-        if (look(parts, watch)) return false;
+        if (show_news(parts, watch)) return false;
         parts.show(fmt::format("{} is gone: no longer watched", watch.path));
         return true;
     });
@@ -322,19 +301,7 @@ void Session::after_tick() {
         return true;
     });
     if (parts.awaits_explanation && !explains_soon()) finish(true);
-    std::erase_if(parts.plots, [&parts](PlotRequest& plot) {
-        const double now = parts.live.system().now().seconds;
-        if (now < plot.next - plot.every) plot.next = now;  // started anew
-        if (now < plot.next) return false;
-        plot.next = now + plot.every;
-        auto looked = look_at_plot(parts.live, plot);
-        if (looked) {
-            parts.show_in_place(to_text(std::move(*looked)));
-        } else {
-            parts.show(looked.error().message + ": no longer drawn");
-        }
-        return !looked;
-    });
+    std::erase_if(parts.plots, [&parts](PlotRequest& plot) { return !draw_again(parts, plot); });
     if (auto driving = parts.drive.after_tick(parts.live); !driving) {
         parts.show(driving.error().message);
         if (parts.options.output.take_keys) parts.options.output.take_keys(false);

@@ -4,6 +4,7 @@
 #include <deque>
 #include <functional>
 #include <lua.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,15 +16,26 @@
 #include "bindings/console/worker.hpp"
 #include "bindings/lua/live/objects.hpp"
 #include "bindings/lua/sandbox/state.hpp"
-#include "engine/trace/text_plot.hpp"
+#include "engine/system/questions.hpp"
+#include "engine/trace/recent_curves.hpp"
 
 namespace nezumi {
 
+/// A question to another host that may be open.
+struct HostQuestion {
+    std::optional<std::uint64_t> number{};
+    Worker::Clock::time_point asked{};
+};
+
+/// Goes on with a question: asks if it is not open, and gives the answer once it is there. Does not wait.
+std::optional<Expected<PlainData>> go_on(const System& system, const Question& question, HostQuestion& open);
+
 /// A port whose changes are shown.
 struct PortWatch {
-    std::string path;      ///< "name.port"
-    std::string shown;     ///< its value as it was shown last
-    double shown_at = -1;  ///< [s] simulated; -1: not yet
+    std::string path;          ///< "name.port", or "host/name.port"
+    std::string shown{};       ///< its value as it was shown last
+    double shown_at = -1;      ///< [s] simulated; -1: not yet
+    HostQuestion elsewhere{};  ///< to its host, where it is not connected here
 };
 
 /// An execution that is to be explained.
@@ -39,6 +51,12 @@ struct PlotRequest {
     double seconds = 0;                ///< that are drawn
     double every = 0;                  ///< [s] of simulated time: it is drawn again; 0: once
     double next = 0;                   ///< [s] when
+    /// Of those names that only another host knows, what it has answered.
+    struct Elsewhere {
+        HostQuestion open{};
+        std::optional<RecentCurves> recent{};
+    };
+    std::map<std::string, Elsewhere> elsewhere{};
 };
 
 /// A copy of what it draws.
@@ -50,9 +68,15 @@ struct PlotCurves {
     std::vector<std::string> silent{};  ///< names that have carried nothing
 };
 
-/// Looks at the system, between two ticks; what was not remembered is from now on.
+/// Looks at the system, between two ticks; what was not remembered is from now on. Other hosts have answered.
 Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot);
 std::string to_text(PlotCurves looked);
+
+// After each tick; both return false when it is over, which is told.
+/// Shows what is new on a watched port.
+bool show_news(Session::Parts& parts, PortWatch& watch);
+/// Draws what is to be drawn again and again.
+bool draw_again(Session::Parts& parts, PlotRequest& plot);
 
 /// An input, or a question what could stand before the cursor.
 struct Job {

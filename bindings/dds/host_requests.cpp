@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/dds/component_answer.hpp"
 #include "bindings/dds/wire.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/visible.hpp"
@@ -92,13 +91,13 @@ std::optional<Expected<PlainData>> HostRequests::answer(std::uint64_t number, do
     return got;
 }
 
-void HostRequests::serve(const HostTable& hosts, const System& system, bool writable, const ActDoor& act, double now) {
+void HostRequests::serve(const HostTable& hosts, const Answer& answer, double now) {
     if (requests_ == nullptr) {
         requests_ = transport_.read(request_topic(host_));
         replies_ = transport_.read(reply_topic(host_));
         if (requests_ == nullptr || replies_ == nullptr) return;
     }
-    take_requests(hosts, system, writable, act);
+    take_requests(hosts, answer);
     take_replies();
     for (auto each = asked_.begin(); each != asked_.end();) {
         Asked& asked = each->second;
@@ -114,7 +113,7 @@ void HostRequests::serve(const HostTable& hosts, const System& system, bool writ
     }
 }
 
-void HostRequests::take_requests(const HostTable& hosts, const System& system, bool writable, const ActDoor& act) {
+void HostRequests::take_requests(const HostTable& hosts, const Answer& answer) {
     std::vector<TopicSample> samples = requests_->take();
     if (samples.empty()) return;
     std::map<std::uint64_t, std::string> names;  // by run
@@ -152,12 +151,12 @@ void HostRequests::take_requests(const HostTable& hosts, const System& system, b
             if (++done > most_at_once) continue;  // it comes again
             const auto answered = [&]() -> Expected<PlainData> {
                 if (!is_sound(request.values)) return failure("malformed plain data");
-                return dds::answer({.host = host_,
-                                    .component = request.component,
-                                    .what = static_cast<Question::What>(request.what),
-                                    .name = request.name,
-                                    .values = std::move(request.values)},
-                                   system, writable, act, {Actor::Kind::network, from->second});
+                return answer({.host = host_,
+                               .component = request.component,
+                               .what = static_cast<Question::What>(request.what),
+                               .name = request.name,
+                               .values = std::move(request.values)},
+                              {Actor::Kind::network, from->second});
             }();
             known = replies.emplace(request.number, reply_to(request, answered)).first;
             asker.newest = std::max(asker.newest, request.number);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,7 +15,6 @@
 #include "bindings/dds/transport.hpp"
 #include "engine/system/network.hpp"
 #include "engine/system/questions.hpp"
-#include "engine/system/system.hpp"
 
 namespace nezumi::dds {
 
@@ -35,8 +35,9 @@ public:
     Expected<std::uint64_t> ask(const Question& question, const HostTable& hosts, double now);
     std::optional<Expected<PlainData>> answer(std::uint64_t number, double now);
 
-    /// Executes requests of others, takes answers, and repeats open requests.
-    void serve(const HostTable& hosts, const System& system, bool writable, const ActDoor& act, double now);
+    using Answer = std::function<Expected<PlainData>(const Question& question, const Actor& who)>;
+    /// Has requests of others answered, takes answers, and repeats open requests.
+    void serve(const HostTable& hosts, const Answer& answer, double now);
 
 private:
     struct Asked {
@@ -54,7 +55,7 @@ private:
             0;  // requests up to this one came before the host was away; a repetition of one is a replayed message
     };
 
-    void take_requests(const HostTable& hosts, const System& system, bool writable, const ActDoor& act);
+    void take_requests(const HostTable& hosts, const Answer& answer);
     void take_replies();
     Writer* writer_for(const Topic& topic);
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <optional>
 #include <random>
 #include <type_traits>
@@ -14,6 +13,7 @@
 #include "bindings/dds/silent_transport.hpp"
 #include "bindings/dds/system_network.hpp"
 #include "bindings/dds/user_secret.hpp"
+#include "engine/base/time_of_day.hpp"
 
 namespace nezumi::dds {
 namespace {
@@ -35,8 +35,8 @@ public:
         return failure(
             fmt::format("{} is on another host: that needs the word network in the system's file", shown(path)));
     }
-    void between_ticks(const ActDoor& act) override {
-        if (hosts_ != nullptr) hosts_->between_ticks(act);
+    void between_ticks(const ActDoor& act, const QuestionDoor& answer) override {
+        if (hosts_ != nullptr) hosts_->between_ticks(act, answer);
         if (RosNode* its = node()) its->between_ticks();
     }
     void before_tick(const MessageDoor& deliver) override {
@@ -73,11 +73,6 @@ private:
     std::unique_ptr<SystemNetwork> hosts_;
     std::string node_;  // name of the ROS component; "": none
 };
-
-double wall_clock() {
-    const auto now = std::chrono::system_clock::now();  // the wall clock: ROS stamps measurements of real robots by it
-    return std::chrono::duration<double>(now.time_since_epoch()).count();
-}
 
 // A different number at each start, on every host.
 std::uint64_t new_run() {
@@ -141,7 +136,7 @@ Expected<std::unique_ptr<Network>> make_both(const SystemSpec& spec, System& sys
         const Expected<DdsTransport*> transport = join(*spec.ros);
         if (!transport) return failure(fmt::format("ros: {}", transport.error().message), spec.ros->place);
         const auto node =
-            RosNode::add(system, *spec.ros, **transport, {.clock = system.settings().clock, .wall_clock = wall_clock});
+            RosNode::add(system, *spec.ros, **transport, {.clock = system.settings().clock, .wall_clock = time_of_day});
         if (!node) return Unexpected(node.error());
         its_node = (*node)->name();
     }

@@ -61,10 +61,12 @@ Expected<void> SystemNetwork::reach(std::string_view path, const Port& other) {
     return {};
 }
 
-void SystemNetwork::between_ticks(const ActDoor& act) {
+void SystemNetwork::between_ticks(const ActDoor& act, const QuestionDoor& answer) {
     const double now = settings_.clock();
     if (failed_ || !open()) return;
-    requests_.serve(hosts_, system_, settings_.writable, act, now);
+    requests_.serve(
+        hosts_, [&](const Question& question, const Actor& who) { return answer(question, settings_.writable, who); },
+        now);
     if (now >= next_) {
         next_ = now + period;
         look(act);

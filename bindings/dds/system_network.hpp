@@ -46,7 +46,7 @@ public:
     SystemNetwork(System& system, DdsTransport& transport, HostSettings settings);
 
     Expected<void> reach(std::string_view path, const Port& other) override;
-    void between_ticks(const ActDoor& act) override;
+    void between_ticks(const ActDoor& act, const QuestionDoor& answer) override;
     void before_tick(const MessageDoor& deliver) override;
     Expected<std::uint64_t> ask(const Question& question) const override;
     std::optional<Expected<PlainData>> answer(std::uint64_t number) const override;

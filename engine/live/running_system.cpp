@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/live/answer_question.hpp"
 #include "engine/live/prepare.hpp"
 #include "engine/live/running.hpp"
 
@@ -100,7 +101,11 @@ void RunningSystem::between_ticks() {
     } else {
         running_->reloads->after_tick();
     }
-    if (Network* network = running_->system->network()) network->between_ticks(door());
+    if (Network* network = running_->system->network()) {
+        network->between_ticks(door(), [this](const Question& question, bool writable, const Actor& who) {
+            return answer_question({tree(), trace_, door()}, question, writable, who);
+        });
+    }
 }
 
 bool RunningSystem::may_tick() {

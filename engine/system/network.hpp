@@ -42,6 +42,9 @@ using ActDoor = std::function<Expected<ActResult>(const Act& act, const Actor& w
 /// Has a port take a message, as `RunningSystem::deliver` does.
 using MessageDoor = std::function<Expected<ActResult>(const Port& port, const Act& act, const Actor& who)>;
 
+/// Answers what another host asks of this system; `writable`: it may also change something.
+using QuestionDoor = std::function<Expected<PlainData>(const Question& question, bool writable, const Actor& who)>;
+
 class Network {
 public:
     virtual ~Network() = default;
@@ -49,8 +52,8 @@ public:
     /// whether or not the host is there yet.
     virtual Expected<void> reach(std::string_view path, const Port& other) = 0;
     /// Between two ticks, again and again while time stands: takes note of hosts that came and went, makes and ends the
-    /// connections that they ask for.
-    virtual void between_ticks(const ActDoor& act) = 0;
+    /// connections that they ask for, and answers their questions.
+    virtual void between_ticks(const ActDoor& act, const QuestionDoor& answer) = 0;
     /// Once before each tick, after `between_ticks`: has what came for ports written, as acts of who sent it.
     virtual void before_tick(const MessageDoor& deliver) = 0;
     /// Hosts that are there or waited for, by name.

@@ -25,6 +25,8 @@ public:
 
     /// The channel of this name, followed from now on. It lives as long as this. An error says what is not there.
     Expected<const Channel*> follow(std::string_view name);
+    /// How many are followed.
+    std::size_t followed() const { return followed_.size(); }
     /// Keeps its numbers from now on as well. The series lives as long as the system has the channel.
     Expected<const Series*> remember(std::string_view name);
     /// What it has of this name, which may be a part of a port ("controller.out.vx") that is remembered as a whole.

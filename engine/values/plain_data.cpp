@@ -22,6 +22,57 @@ std::span<const PlainType> plain_types() {
     return all;
 }
 
+Value to_plain(const ValueView& value, PlainData& data) {
+    using Kind = Type::Kind;
+    PlainData::Table table;
+    std::int64_t place = 0;  // in a list, from 1
+    const auto add = [&](Value key, const ValueView& element) {
+        Value plain = to_plain(element, data);
+        if (!plain.is_nothing()) table.push_back({std::move(key), std::move(plain)});
+    };
+    switch (value.type->kind) {
+        case Kind::nothing:
+        case Kind::other: return {};
+        case Kind::boolean: return value.as<bool>();
+        case Kind::enumeration: return value.type->choices[value.choice()];
+        case Kind::text: return value.as<std::string>();
+        case Kind::octets: {
+            const auto& bytes = value.as<Octets>();
+            return std::string(bytes.begin(), bytes.end());
+        }
+        case Kind::any: return to_plain(value.as<Value>(), data);
+        case Kind::structure:
+            for (const Type::Field& field : value.type->fields) add(field.name, value.field(field));
+            std::sort(table.begin(), table.end(), [](const PlainData::Entry& a, const PlainData::Entry& b) {
+                return a[0].get<std::string>() < b[0].get<std::string>();
+            });
+            return data.add(std::move(table));
+        case Kind::map:
+            for_each_entry(value, [&](const std::string& name, const ValueView& element) { add(name, element); });
+            return data.add(std::move(table));
+        case Kind::optional: {
+            Value held;
+            for_each_element(value, [&](const ValueView& element) {
+                held = to_plain(element, data);
+                return true;
+            });
+            return held;
+        }
+        case Kind::array:
+        case Kind::sequence:
+            for_each_element(value, [&](const ValueView& element) {
+                add(++place, element);
+                return true;
+            });
+            return data.add(std::move(table));
+        default: break;
+    }
+    return visit_number(value, [&](auto number) -> Value {
+        if (value.type->is_floating()) return static_cast<double>(number);
+        return static_cast<std::int64_t>(number);
+    });
+}
+
 bool is_sound(const PlainData& data) {
     const auto is_there = [&](const Value& value) {
         const auto* table = value.get_if<TableRef>();

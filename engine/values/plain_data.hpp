@@ -51,6 +51,10 @@ struct PlainType {
 };
 std::span<const PlainType> plain_types();
 
+/// A value of any type as plain data has it, its tables in `data`: a structure or a map is a table of its fields, a
+/// list one of its elements, a choice a text. What describes itself to nobody is nothing.
+Value to_plain(const ValueView& value, PlainData& data);
+
 /// Whether data that came from elsewhere can be looked through without a check: its tables are there, and its keys are
 /// what a table of Lua can have.
 bool is_sound(const PlainData& data);

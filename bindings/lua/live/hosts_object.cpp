@@ -49,6 +49,19 @@ Expected<Host> find_host(const System& system, std::string_view name) {
     return failure(fmt::format("there is no host '{}'{}", shown(name), did_you_mean(name, names)));
 }
 
+Expected<void> check_offered(const System& system, std::string_view path) {
+    const auto host = find_host(system, host_of(path));
+    if (!host) return Unexpected(host.error());
+    if (!host->here) return failure(fmt::format("{} is not there", host->name));
+    const std::string_view port = without_host(path);
+    std::vector<std::string_view> names;
+    for (const OfferedPort& each : host->ports) {
+        if (each.name == port) return {};
+        names.push_back(each.name);
+    }
+    return failure(fmt::format("host {} has no port {}{}", host->name, shown(port), did_you_mean(port, names)));
+}
+
 namespace {
 
 int refuse_set_hosts(lua_State* L) {
@@ -130,32 +143,25 @@ Names host_names(const System& system) {
     return names;
 }
 
-Names host_members(const System& system, std::string_view path, bool called) {
-    Names names;
-    if (path.empty()) return called ? names : host_names(system);
-    if (path.find('/') == std::string_view::npos) {
-        const auto host = find_host(system, path);
-        return host && !called ? component_names(*host) : names;
-    }
-    if (called) {
-        for (const RemoteMethod& each : remote_methods) names.emplace_back(each.name);
-        return names;
-    }
-    for (const std::string_view member : remote_members) names.emplace_back(member);
-    names.insert(names.end(), {"config", "name", "ports"});
-    for (const OfferedPort& port : ports_of(system, path)) names.push_back(port.name);
-    return names;
-}
-
-Names offered_ports(const System& system, Direction direction, const Port* like) {
+Names offered_ports(const System& system, bool in, bool out, std::string_view type) {
     Names paths;
     for (const Host& host : hosts_of(system)) {
         for (const OfferedPort& port : host.ports) {
-            const bool fits = port.direction == direction && (like == nullptr || like->type_name() == port.type);
+            const bool fits = (port.direction == Direction::in ? in : out) && (type.empty() || type == port.type);
             if (fits) paths.push_back(fmt::format("{}/{}", host.name, port.name));
         }
     }
     return paths;
+}
+
+std::string offered_type(const System& system, std::string_view path) {
+    for (const Host& host : hosts_of(system)) {
+        if (host.name != host_of(path)) continue;
+        for (const OfferedPort& port : host.ports) {
+            if (port.name == without_host(path)) return port.type;
+        }
+    }
+    return "";
 }
 
 }  // namespace nezumi

@@ -1,7 +1,7 @@
 // What a system knows of other hosts, as `hosts` of the console shows it.
 #pragma once
 
-#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,18 +14,6 @@
 
 namespace nezumi {
 
-/// What a component of another host can be told to do, beside its commands.
-struct RemoteMethod {
-    std::string_view name;
-    Question::What what;
-};
-inline constexpr std::array remote_methods{
-    RemoteMethod{"activate", Question::What::activate}, RemoteMethod{"deactivate", Question::What::deactivate},
-    RemoteMethod{"reset", Question::What::reset}, RemoteMethod{"use", Question::What::use}};
-/// What reading one gives, beside its parameters.
-inline constexpr std::array<std::string_view, 7> remote_members{"error",  "rate", "set",    "sets",
-                                                                "status", "type", "version"};
-
 /// Those of a system that is on no network are none.
 std::vector<Host> hosts_of(const System& system);
 /// The error names the nearest.
@@ -34,6 +22,21 @@ Expected<Host> find_host(const System& system, std::string_view name);
 std::vector<std::string> component_names(const Host& host);
 /// The ports that "host/name" offers; their names are without that.
 std::vector<OfferedPort> ports_of(const System& system, std::string_view path);
+/// Checks that another host offers the port "host/name.port". The error names the nearest.
+Expected<void> check_offered(const System& system, std::string_view path);
+
+/// Asks another host, and waits for the answer beside the ticks: as long as the network does.
+Expected<PlainData> ask_host(const Objects& objects, const RunningSystem& live, const Question& question);
+
+struct ObjectRef;
+/// What a host answers about an object of it with a text, fit for a terminal: `show` or `help`.
+Expected<std::string> text_of_host(const Objects& objects, const ObjectRef& ref, Question::What what);
+
+/// "host/name.port" at `index`: such a text, or the object of a port. Nothing for anything else. Raises nothing.
+std::optional<std::string> port_of_host(lua_State* L, int index);
+/// What `path`, ".ev3.vehicle.current_vel.vx", leads to from an object of hosts at `index`:
+/// "ev3/vehicle.current_vel.vx".
+std::optional<std::string> path_of_host(lua_State* L, int index, std::string_view path);
 
 /// Pushes `hosts`. May raise a Lua error.
 void push_hosts(lua_State* L, Objects& objects, RunningSystem& live);
@@ -42,9 +45,9 @@ void push_hosts(lua_State* L, Objects& objects, RunningSystem& live);
 
 /// `hosts.`
 std::vector<std::string> host_names(const System& system);
-/// `hosts.ev3.` for "ev3", `hosts.ev3.vehicle.` for "ev3/vehicle".
-std::vector<std::string> host_members(const System& system, std::string_view path, bool called);
-/// The ports that other hosts offer in a direction, of the type of `like` if that is given: "ev3/vehicle.current_vel".
-std::vector<std::string> offered_ports(const System& system, Direction direction, const Port* like);
+/// The ports that other hosts offer, of this type if one is given: "ev3/vehicle.current_vel".
+std::vector<std::string> offered_ports(const System& system, bool in, bool out, std::string_view type = "");
+/// The type of one of these; "" if no host offers it.
+std::string offered_type(const System& system, std::string_view path);
 
 }  // namespace nezumi

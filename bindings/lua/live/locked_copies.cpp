@@ -37,13 +37,13 @@ std::string step_of(lua_State* L, int index) {
 
 // "controller.config", "controller.out", "hosts.ev3.vehicle".
 std::string path_of(const ObjectRef& ref) {
-    const bool is_remote = ref.kind == ObjectKind::remote || ref.kind == ObjectKind::remote_config;
-    std::string path = is_remote ? fmt::format("hosts.{}.{}", host_of(ref.component()), without_host(ref.component()))
-                                 : std::string(ref.component());
+    std::string path(ref.component());
     switch (ref.kind) {
+        case ObjectKind::remote:
+            path = fmt::format("hosts.{}.{}", host_of(ref.component()), without_host(ref.component()));
+            return join_path(std::move(path), ref.port());
         case ObjectKind::port: return fmt::format("{}.{}", path, ref.port());
-        case ObjectKind::config:
-        case ObjectKind::remote_config: return path + ".config";
+        case ObjectKind::config: return path + ".config";
         case ObjectKind::truth: return path + ".truth";
         default: return path;
     }
@@ -60,8 +60,11 @@ std::string instead_of(const ObjectRef& ref, std::string_view name) {
             if (name == "pose") return fmt::format("write {}:teleport {}", ref.component(), usage_of<RobotPlace>());
             return fmt::format("write {}:disturb {}", ref.component(),
                                usage_of<VelocityConstraint>(Describe<VelocityConstraint>::at_once));
-        case ObjectKind::config:
-        case ObjectKind::remote_config: return fmt::format("write all of it, {}.{} = {{ ... }}", path, name);
+        case ObjectKind::config: return fmt::format("write all of it, {}.{} = {{ ... }}", path, name);
+        case ObjectKind::remote:
+            if (ref.port() == "config") return fmt::format("write all of it, {}.{} = {{ ... }}", path, name);
+            if (!ref.port().empty()) return "";
+            break;
         default: break;
     }
     const MemberInfo* member = find_member(component_members(), name);

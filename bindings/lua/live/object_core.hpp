@@ -25,11 +25,10 @@ enum class ObjectKind : unsigned char {
     config,
     truth,
     hosts,
-    host,           ///< its component's name is the host's
-    remote,         ///< a component of another host: "host/name"
-    remote_config,  ///< its parameters
+    host,    ///< its component's name is the host's
+    remote,  ///< of another host: a component, "host/name", or what its "port" leads to: "config", "current_vel"
 };
-inline constexpr std::size_t object_kinds = 10;
+inline constexpr std::size_t object_kinds = 9;
 
 /// The start of an object's userdata: it refers by name, so that it outlives reloads and restarts. The names follow it
 /// in the same block.
@@ -190,7 +189,6 @@ ObjectFunctions node_functions(ObjectKind kind);
 const ObjectFunctions& hosts_functions();
 const ObjectFunctions& host_functions();
 const ObjectFunctions& remote_functions();
-const ObjectFunctions& remote_config_functions();
 
 /// What `X:activate(...)`, `X:command(...)` and `X.port:write(...)` call. Their second upvalue is the name.
 int call_component_method(lua_State* L);

@@ -26,7 +26,6 @@ ObjectFunctions functions_of(ObjectKind kind) {
         case ObjectKind::hosts: return hosts_functions();
         case ObjectKind::host: return host_functions();
         case ObjectKind::remote: return remote_functions();
-        case ObjectKind::remote_config: return remote_config_functions();
         default: return node_functions(kind);
     }
 }

@@ -71,12 +71,12 @@ std::string told(const ObjectRef& ref) {
         case ObjectKind::component: return fmt::format("the component {}", ref.component());
         case ObjectKind::ports: return fmt::format("the ports of {}", ref.component());
         case ObjectKind::port: return fmt::format("the port {}.{}", ref.component(), ref.port());
-        case ObjectKind::config:
-        case ObjectKind::remote_config: return fmt::format("the parameters of {}", ref.component());
+        case ObjectKind::config: return fmt::format("the parameters of {}", ref.component());
         case ObjectKind::truth: return fmt::format("the truth of {}", ref.component());
         case ObjectKind::hosts: return "the hosts";
         case ObjectKind::host: return fmt::format("the host {}", ref.component());
-        case ObjectKind::remote: return fmt::format("the component {} of another host", ref.component());
+        case ObjectKind::remote:
+            return fmt::format("{} of another host", join_path(std::string(ref.component()), ref.port()));
     }
     return "";
 }

@@ -2,6 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include "bindings/dds/host_requests.hpp"
+#include "engine/live/answer_question.hpp"
+#include "engine/trace/recent_curves.hpp"
 #include "engine/values/cdr.hpp"
 #include "tests/unit/dds/host_rig.hpp"
 
@@ -17,13 +19,12 @@ Question question(What what, const std::string& name = "", PlainData values = {}
     return {.host = "ev3", .component = "part", .what = what, .name = name, .values = std::move(values)};
 }
 
-// A value of the table of a look.
-Value looked(const Expected<PlainData>& data, const std::string& key) {
+// The value that a look has found.
+Value looked(const Expected<PlainData>& data) {
     REQUIRE(data.has_value());
-    for (const auto& [name, value] : data->tables.at(0)) {
-        if (name == Value{key}) return value;
-    }
-    return {};
+    const auto look = read_snapshot(*data);
+    REQUIRE(look.has_value());
+    return look->value.data.values.at(0);
 }
 
 PlainData one(Value value) {
@@ -45,8 +46,8 @@ TEST_CASE("a component of another host shows its state and executes requests", "
     REQUIRE(ev3.part->parameters().declare({.name = "speed", .initial = 0.5, .min = 0.0, .max = 1.0}));
     REQUIRE(ev3.part->parameters().declare({.name = "list", .initial = std::vector<double>{1.0}}));
     pass(room, 3, ev3, pi);
-    CHECK(looked(pi.ask(question(What::look), ev3), "status") == Value{"ACTIVE"});
-    CHECK(looked(pi.ask(question(What::look), ev3), "type") == Value{"Part"});
+    CHECK(looked(pi.ask(question(What::look, "status"), ev3)) == Value{"ACTIVE"});
+    CHECK(looked(pi.ask(question(What::look, "type"), ev3)) == Value{"Part"});
     CHECK(ev3.acts.empty());  // to look is no act
     CHECK(text(pi.ask(question(What::deactivate), ev3)) == "INACTIVE");
     CHECK(ev3.part->state() == LifeState::inactive);
@@ -80,9 +81,68 @@ TEST_CASE("read-only hosts can see components but change nothing", "[dds][networ
     Room room;
     HostRig ev3(room, "ev3", false), pi(room, "pi");
     pass(room, 3, ev3, pi);
-    CHECK(looked(pi.ask(question(What::look), ev3), "status") == Value{"ACTIVE"});
+    CHECK(looked(pi.ask(question(What::look, "status"), ev3)) == Value{"ACTIVE"});
     CHECK(text(pi.ask(question(What::deactivate), ev3)).find("! host ev3: others may only look") == 0);
+    CHECK(text(pi.ask(question(What::connect, "target", one(std::string("pi/part.speed"))), ev3))
+              .find("! host ev3: others may only look") == 0);
     CHECK(ev3.part->state() == LifeState::active);
+}
+
+TEST_CASE("what a port of another host carries is seen without a connection", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3", false), pi(room, "pi");
+    pass(room, 3, ev3, pi);
+    const auto none = pi.ask(question(What::port, "speed"), ev3);
+    REQUIRE(none.has_value());
+    CHECK(none->values.at(1) == Value{std::int64_t{0}});
+    CHECK(pi.ask(question(What::curves, "speed.vx", one(10.0)), ev3)->values.size() == 2);  // remembered from now on
+    for (int i = 1; i <= 3; ++i) {
+        ev3.part->speed.write({.vx = 0.1 * i});
+        pass(room, 1, ev3, pi);
+    }
+    const auto last = pi.ask(question(What::port, "speed"), ev3);
+    REQUIRE(last.has_value());
+    CHECK(last->values.at(1) == Value{std::int64_t{3}});
+    CHECK(last->values.at(2) == Value{"{ vx = 0.3, vy = 0, va = 0 }"});
+    const auto data = pi.ask(question(What::curves, "speed.vx", one(10.0)), ev3);
+    REQUIRE(data.has_value());
+    const auto recent = read_curves(*data);
+    REQUIRE(recent.has_value());
+    REQUIRE(recent->curves.size() == 1);
+    CHECK(recent->curves[0].name == "vx");
+    CHECK(recent->curves[0].points.back().second == Approx(0.3));
+    CHECK(ev3.acts.empty());
+    CHECK(pi.connections().empty());
+    CHECK(text(pi.ask(question(What::port, "sped"), ev3)) ==
+          "! host ev3: part has no port 'sped' (did you mean 'speed'?)");
+    CHECK(text(pi.ask(question(What::curves, "speed.vz", one(10.0)), ev3)).find("! host ev3: part.speed has no 'vz'") ==
+          0);
+}
+
+TEST_CASE("a third host connects two others", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3"), pi(room, "pi"), pc(room, "pc");
+    pass(room, 3, ev3, pi, pc);
+    const auto from_pi = [] { return one(std::string("pi/part.speed")); };
+    CHECK(text(pc.ask(question(What::connect, "target", from_pi()), ev3, pi)) == "");
+    CHECK(ev3.acts == Lines{"Connect by network pc"});
+    pass(room, 3, ev3, pi, pc);
+    CHECK(ev3.connections() == Lines{"pi/part.speed > part.target"});
+    CHECK(pi.connections() == Lines{"part.speed > ev3/part.target"});
+    CHECK(pc.connections().empty());
+    CHECK_FALSE(ev3.system.network()->brought(ev3.system.connections().at(0)));  // it is that host's own
+    pi.part->speed.write({.vx = 0.2});
+    pass(room, 3, ev3, pi, pc);
+    REQUIRE_FALSE(ev3.part->targets.empty());
+    CHECK(ev3.part->targets.back().data.vx == 0.2);
+    CHECK(text(pc.ask(question(What::connect, "taget", from_pi()), ev3, pi)) ==
+          "! host ev3: part has no in-port 'taget' (did you mean 'target'?)");
+    CHECK(text(pc.ask(question(What::connect, "number", one(std::string("ev3/part.count"))), ev3, pi)) == "");
+    CHECK(ev3.connections().back() == "part.count > part.number");  // both are ev3's
+    CHECK(text(pc.ask(question(What::disconnect, "target", from_pi()), ev3, pi)) == "");
+    pass(room, 3, ev3, pi, pc);
+    CHECK(ev3.connections() == Lines{"part.count > part.number"});
+    CHECK(pi.connections().empty());
 }
 
 TEST_CASE("a missing answer is reported after 2 s, and the request is not executed later", "[dds][network]") {
@@ -138,7 +198,12 @@ TEST_CASE("a recorded request is not executed again after its host was away", "[
             ++acts;
             return rig.act(each, who);
         };
-        requests.serve(hosts, rig.system, true, act, 0);
+        requests.serve(
+            hosts,
+            [&](const Question& asked, const Actor& who) {
+                return answer_question({TreeNode(rig.system), rig.trace, act}, asked, true, who);
+            },
+            0);
         return acts;
     };
     Announcement pi;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bindings/dds/system_network.hpp"
+#include "engine/live/answer_question.hpp"
 #include "engine/system/perform.hpp"
 #include "engine/system/system.hpp"
 #include "tests/unit/dds/fake_domain.hpp"
@@ -61,6 +62,7 @@ struct HostRig {
         part = made.get();
         REQUIRE(system.add(std::move(made)));
         REQUIRE(part->activate(system.now()));
+        trace.start(system);
         HostSettings settings;
         settings.name = std::move(name);
         settings.version = options.version;
@@ -97,7 +99,11 @@ struct HostRig {
             return deliver(const_cast<Port&>(port), each);
         };
     }
-    void look() { system.network()->between_ticks(door()); }
+    void look() {
+        system.network()->between_ticks(door(), [&](const Question& question, bool writable, const Actor& who) {
+            return answer_question({TreeNode(system), trace, door()}, question, writable, who);
+        });
+    }
     void tick() {
         look();
         system.network()->before_tick(messages());
@@ -133,6 +139,7 @@ struct HostRig {
     std::vector<std::string> acts;      // that others asked for
     std::vector<std::string> arrivals;  // acts of what came for ports
     System system;
+    Trace trace;
     Part* part = nullptr;
 };
 

@@ -175,7 +175,8 @@ struct UsersHost {
         system.take_network(std::move(*made));
     }
     void look() {
-        system.network()->between_ticks([](const Act&, const Actor&) { return ActResult{}; });
+        system.network()->between_ticks([](const Act&, const Actor&) { return ActResult{}; },
+                                        [](const Question&, bool, const Actor&) { return PlainData{}; });
     }
     bool hears(const std::string& name) {
         for (const Host& host : system.network()->hosts()) {

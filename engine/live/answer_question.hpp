@@ -1,0 +1,33 @@
+// What other hosts are answered about a system.
+#pragma once
+
+#include <cstddef>
+
+#include "engine/system/network.hpp"
+#include "engine/trace/trace.hpp"
+#include "engine/tree/node.hpp"
+
+namespace nezumi {
+
+/// [characters] of a port's value as a text.
+inline constexpr std::size_t watch_width = 100;
+
+/// What an answer is made of.
+struct AskedSystem {
+    TreeNode tree;  ///< the whole
+    Trace& trace;
+    ActDoor act;
+};
+
+/// Answers a question of `who`. A look is data; everything else is an act, refused if the host is not `writable`.
+Expected<PlainData> answer_question(const AskedSystem& asked, const Question& question, bool writable,
+                                    const Actor& who);
+
+/// What `Question::What::look` is answered.
+struct NodeSnapshot {
+    TreeNode::Kind kind{};
+    PlainSnapshot value{};  ///< one value, or nothing: of values, parameters, truths, and all parameters
+};
+Expected<NodeSnapshot> read_snapshot(PlainData data);
+
+}  // namespace nezumi

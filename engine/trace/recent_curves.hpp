@@ -1,0 +1,30 @@
+// The curves of what a trace remembers under a name, also as plain data for another host.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/trace/text_plot.hpp"
+#include "engine/trace/trace.hpp"
+#include "engine/values/plain_data.hpp"
+
+namespace nezumi {
+
+struct RecentCurves {
+    std::string whole{};          ///< what is remembered: "controller.out"
+    std::string part{};           ///< of that: "vx"; "" for all
+    double first = 0;             ///< [s] of the oldest sample; `now` if there is none
+    double now = 0;               ///< [s] until when
+    std::vector<Curve> curves{};  ///< none if it has carried nothing that can be drawn
+};
+
+/// What was carried under this name in the last `seconds` before `now` [s]. What was not remembered is from now on.
+Expected<RecentCurves> recent_curves(Trace& trace, std::string_view name, double seconds, double now);
+
+/// The same as plain data; of long curves what a drawing shows.
+PlainData to_plain(const RecentCurves& recent);
+/// Reads what `to_plain` wrote: its points, without the names of whole and part.
+Expected<RecentCurves> read_curves(const PlainData& data);
+
+}  // namespace nezumi
