@@ -1,4 +1,4 @@
-// Blocking reads and writes: a client has nothing else to do.
+// Blocking reads and writes, because a client has nothing else to do.
 #include "bindings/console/client.hpp"
 
 #include <poll.h>
@@ -18,7 +18,7 @@ std::int64_t ConsoleClient::send(Request request) {
         const ssize_t count = ::send(socket_.get(), line.data() + sent, line.size() - sent, MSG_NOSIGNAL);
         if (count > 0) sent += static_cast<std::size_t>(count);
         if (count >= 0 || errno == EINTR) continue;
-        if (errno == EPIPE || errno == ECONNRESET) break;  // what it said last can still be read
+        if (errno == EPIPE || errno == ECONNRESET) break;  // the last messages can still be read
         close();                                           // no answer would come
     }
     return last_id_;

@@ -13,24 +13,24 @@ class ConsoleClient {
 public:
     explicit ConsoleClient(Descriptor socket) : socket_(std::move(socket)) {}
 
-    /// Readable when an event may have come.
+    /// Readable if an event may have come.
     int file() const { return socket_.get(); }
     bool is_open() const { return bool(socket_); }
-    /// Leaves.
+    /// Closes the connection.
     void close() { socket_.close(); }
 
-    /// Sends a request, under an id of its own that is returned. When the system is gone, the client is closed.
+    /// Sends a request with a new id, which is returned. If the system is gone, this closes the client.
     std::int64_t send(Request request);
-    /// The next event; waits for it for at most `timeout` [ms], -1: as long as it takes. Nothing when none came in that
-    /// time, or when the system is gone (`is_open`).
+    /// The next event. Waits for at most `timeout` [ms]; -1 waits without a limit. Returns nothing if no event came in
+    /// this time, or if the system is gone (`is_open`).
     std::optional<Event> next(int timeout);
-    /// Asks for a sign of life, and whether it came within `timeout` [ms]. Before any other request.
+    /// Sends a ping and returns whether the system answered within `timeout` [ms]. Call it before any other request.
     bool is_answered(int timeout);
 
 private:
     std::optional<Event> read_line();
 
-    // Results may be long; a system is trusted not to send lines without end.
+    // Results may be long; the limit is for a system that sends a line without an end.
     static constexpr std::size_t longest_event = std::size_t{1} << 28;
 
     Descriptor socket_;

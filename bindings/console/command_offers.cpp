@@ -1,4 +1,4 @@
-// Each command says in its row of the table what its arguments are.
+// Completes the arguments of commands as their rows in the table of commands describe.
 #include "bindings/console/command_offers.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// The command of the console that is called; null for any other call.
+// The command that is called; null for any other call.
 const ConsoleCommand* command_of(const TextAtCursor& call) {
     return call.callee.separator == 0 ? find_console_command(call.word) : nullptr;
 }

@@ -10,14 +10,14 @@
 
 namespace nezumi {
 
-/// The components of this system; those of other hosts are no names of Lua.
+/// The components of this system. Components of other hosts are not global names of Lua.
 std::vector<std::string> names_of(const System& system);
 
-/// What the argument at the cursor is completed to; nothing where no command of the console is called.
+/// The kind of value that the argument at the cursor takes; nothing if the call is no command of the console.
 Offer offer_at(const TextAtCursor& call);
-/// What can be in the quoted text at the cursor.
+/// Values for the quoted text at the cursor.
 std::vector<std::string> texts_at(const System& system, const TextAtCursor& text);
-/// The fields of a table that is the argument at the cursor.
+/// Field names for the table that is the argument at the cursor.
 std::vector<std::string> fields_of_table(const TextAtCursor& call);
 
 }  // namespace nezumi

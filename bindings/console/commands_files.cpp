@@ -1,4 +1,4 @@
-// Commands that write files: the system, the world as a picture, the wiring as a graph.
+// Commands that write files: the system, a picture of the world, a graph of the connections.
 #include <optional>
 #include <string>
 

@@ -1,4 +1,4 @@
-// Commands for the life of all components at once, and for what is heard of it.
+// Commands that activate and deactivate components, and that set the log level.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace nezumi {
 namespace {
 
-// What is to be done to whom: one component, or all that are in a state, in this order.
+// The components that a command is for: one, or all in a state, in this order.
 Expected<std::vector<std::string>> wanted(Session::Parts& parts, const Arguments& arguments, LifeState state) {
     using Names = std::vector<std::string>;
     return parts.at_system([&]() -> Expected<Names> {
@@ -29,7 +29,8 @@ Expected<std::vector<std::string>> wanted(Session::Parts& parts, const Arguments
     });
 }
 
-// One act for each, between two ticks each; tells who did it, and who did not and why.
+// Performs one act for each component, each between two ticks. Reports the components that succeeded, and the errors of
+// the others.
 template <class EachAct>
 Expected<CommandEnd> act_on(Session::Parts& parts, const std::vector<std::string>& names, std::string_view done,
                             std::string_view none) {
@@ -73,7 +74,7 @@ Expected<CommandEnd> command_deactivate(Session::Parts& parts, const Arguments& 
         return ask_peers(parts, {.what = PeerRequest::What::deactivate, .name = std::move(*peer)});
     auto names = wanted(parts, arguments, LifeState::active);
     if (!names) return Unexpected(names.error());
-    // The last first, as at the end of a run: who commands goes before who obeys.
+    // The last first, as at the end of a run: a behaviour stops before the robot that it drives.
     std::reverse(names->begin(), names->end());
     return act_on<Deactivate>(parts, *names, "INACTIVE now", "nothing is ACTIVE");
 }

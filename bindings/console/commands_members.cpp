@@ -1,4 +1,4 @@
-// Commands that add to the running system, as a system file does, and take away.
+// Commands that add components and markers to the running system, as a system file does, and remove them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 namespace nezumi {
 namespace {
 
-// The running system as data, for the words of a system file to add to: a copy, so that what they read from files they
-// read beside the ticks.
+// The running system as data, which words of system files extend. It is a copy, so that these words can read files
+// beside the ticks.
 struct Present {
     Project project;
     SystemSpec spec;
@@ -25,10 +25,10 @@ struct Present {
 
 Present present_of(const RunningSystem& live) { return {live.project(), live.spec()}; }
 
-// What is added belongs to the system's file, at no line of it.
+// What is added belongs to the file of the system, without a line.
 WordCall call_of(const std::string& word, const Present& present) { return {word, {present.spec.file}, nullptr}; }
 
-// An error of what was typed has no file; one of a script or robot file has. The word is told by the console.
+// An error of the input has no file; an error of a script or robot file has one. The console adds the word itself.
 Error as_typed(Error error, const Present& present) {
     if (error.place.file == present.spec.file) error.place = {};
     constexpr std::string_view marker = "marker: ";

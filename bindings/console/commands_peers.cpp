@@ -1,4 +1,4 @@
-// Commands for components of other programs. Whoever they ask may take its time: ticks go on meanwhile.
+// Commands for components of other programs. Ticks go on while they wait for an answer.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The command that draws what was carried lately.
+// The command that plots recent values.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Expected<double> positive(const Value& value, std::string_view what) {
     return *number;
 }
 
-// What an argument `m.truth.pose` has become, { m, ".truth.pose" }.
+// Whether a value is a translated argument { m, ".truth.pose" }, as of `m.truth.pose`.
 bool is_path(lua_State* L, int index) {
     if (lua_type(L, index) != LUA_TTABLE || lua_checkstack(L, 2) == 0) return false;
     const bool is_one = lua_rawgeti(L, index, 2) == LUA_TSTRING && lua_rawlen(L, index) == 2;
@@ -49,7 +49,7 @@ Expected<std::string> read_path(const Objects& objects, lua_State* L, int index)
     return failure(fmt::format("expected a component or a port before {}, got {}", shown(path), kind));
 }
 
-// Names first, then how many seconds, then options.
+// Names come first, then the seconds, then options.
 Expected<PlotRequest> read(const Session::Parts& parts, const Arguments& arguments) {
     PlotRequest plot{.seconds = usual_seconds};
     bool has_seconds = false, has_options = false;
@@ -156,7 +156,7 @@ std::string to_text(PlotCurves looked) {
     const auto names = fmt::format("{}", fmt::join(looked.plot.names, ", "));
     if (looked.curves.empty()) return names + " has carried nothing in this time that can be drawn";
     if (looked.plot.names.size() == 1) return names + "\n" + braille_plot(looked.curves, looked.from, looked.to);
-    // Several share a drawing, and so a scale.
+    // Several ports share one drawing, and so one scale.
     std::vector<Curve> drawn;
     std::string texts;
     for (Curve& curve : looked.curves) {

@@ -19,7 +19,7 @@ std::string report_text(const System& system, const ActResult& report) {
     return text;
 }
 
-// The component whose version came last.
+// The component whose version changed last.
 const Component* changed_last(const System& system) {
     const Component* last = nullptr;
     for (const Component* component : system.components()) {

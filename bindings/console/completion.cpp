@@ -1,4 +1,4 @@
-// What could stand before the cursor, from the system that runs.
+// Completes the text before the cursor with names of the running system.
 #include <algorithm>
 #include <initializer_list>
 #include <optional>
@@ -34,7 +34,7 @@ Names table_keys(lua_State* L, int table) {
     return names;
 }
 
-// Follows names through what was defined at the prompt as far as to an object, and runs nothing of Lua.
+// Follows a chain of names through Lua's globals to an object, without running any Lua.
 class Walk {
 public:
     explicit Walk(Session::Parts& parts, const Names& chain)
@@ -49,8 +49,8 @@ public:
     Walk(const Walk&) = delete;
     Walk& operator=(const Walk&) = delete;
 
-    /// Of what the chain leads to: what stands behind a dot, or behind a colon where it is called. What is plotted are
-    /// the fields of a port's value, `plot(controller.out.vx)`.
+    /// The members of the object that the chain leads to: those after a dot, or after a colon if it is called. For
+    /// plots, also the fields of a port's value: `plot(controller.out.vx)`.
     Names names(TreeNode::Called called, bool plotted = false) {
         if (found_ && lua_type(lua_, -1) == LUA_TTABLE) return table_keys(lua_, lua_gettop(lua_));
         if (const ObjectRef* ref = object(); ref != nullptr && ref->kind >= ObjectKind::hosts)
@@ -65,7 +65,7 @@ public:
         });
     }
 
-    /// The node that the chain leads to, where the system may be looked at.
+    /// The tree's node for the chain, if the system may be read.
     std::optional<TreeNode> node(bool plotted = false) const {
         auto node = start();
         for (std::size_t i = rest_; node && i < chain_.size(); ++i)
@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    // What the first name leads to: on top of the stack, or a component of that name.
+    // Puts what the first name means on top of the stack, or finds a component of that name.
     bool begin() {
         rest_ = 1;
         lua_pushglobaltable(lua_);
@@ -118,7 +118,7 @@ private:
         return names != nullptr ? *names : Names{};
     }
 
-    // Replaces the table on top of the stack by its field, if it has one; else takes it off.
+    // Replaces the table on top of the stack by its field; removes it if there is no such field.
     bool push_raw(const std::string& name) const {
         if (push_behind_lock(lua_, -1)) lua_remove(lua_, -2);
         lua_pushnil(lua_);
@@ -139,11 +139,11 @@ private:
     int top_;
     const Names& chain_;
     std::size_t rest_ = 0;  // the first name that Lua does not know
-    bool found_ = false;    // something is on top of the stack
+    bool found_ = false;    // there is a value on top of the stack
 };
 
-// The fields that a table has as the value of a port, `port:write { v`, `inject("name.port", { v`, or in a word of
-// system files, `behavior "name" { s`.
+// The fields of a table that is the value of a port, `port:write { v`, `inject("name.port", { v`, or the argument of a
+// word of system files, `behavior "name" { s`.
 Names field_names(Session::Parts& parts, const FieldAtCursor& field) {
     const TextAtCursor& call = field.call;
     Names chain;
@@ -165,7 +165,7 @@ Names field_names(Session::Parts& parts, const FieldAtCursor& field) {
     });
 }
 
-// The sets of the component that a chain of names leads to.
+// The parameter sets of the component that a chain of names leads to.
 Names set_names(Session::Parts& parts, const Names& chain) {
     const Walk walk(parts, chain);
     return parts.at_system([&] {
@@ -177,7 +177,7 @@ Names set_names(Session::Parts& parts, const Names& chain) {
     });
 }
 
-// The files that `behavior "name" { script = "` can name.
+// The files for `behavior "name" { script = "`.
 Names script_names(Session::Parts& parts) {
     const auto at = parts.at_system([&] {
         return std::make_optional(std::pair{parts.live.project(), parts.live.spec().file});

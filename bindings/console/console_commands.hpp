@@ -1,4 +1,4 @@
-// The commands of the console: what each is called, how it is used, what it does.
+// The commands of the console: name, usage, help text, and arguments.
 #pragma once
 
 #include <lua.hpp>
@@ -13,16 +13,16 @@
 
 namespace nezumi {
 
-/// What a command wants done after it.
+/// What happens after a command.
 enum class CommandEnd : unsigned char {
     done,
     number,  ///< it returns `Parts::number`
     value,   ///< it returns `Parts::value`
     table,   ///< it returns a function that takes the table to the name that it was given: `robot "mouse" { ... }`
-    wait,    ///< `Parts::ticks` are to pass before the input goes on
+    wait,    ///< the input continues after `Parts::ticks`
 };
 
-/// What an argument of a command is completed to.
+/// What completion offers for an argument of a command.
 enum class Offer : unsigned char {
     nothing,
     component,
@@ -46,12 +46,12 @@ struct ConsoleCommand {
     const char* help;   ///< one sentence
     int most;           ///< arguments at most
     Expected<CommandEnd> (*run)(Session::Parts& parts, const Arguments& arguments);
-    /// It runs in the session's own thread, beside the ticks, and asks for what it wants of the system; the others run
-    /// between two ticks, and read nothing large from Lua.
+    /// True: it runs in the thread of the session, beside the ticks, and asks the ticking thread for what it needs of
+    /// the system. False: it runs between two ticks, so it must not read large values from Lua.
     bool beside = false;
-    std::vector<Offer> offers{};  ///< its arguments, in order; the last also stands for those that follow
-    /// Whose fields its table has, of `file_records` and `console_records`, and which argument is the first that may be
-    /// that table.
+    std::vector<Offer> offers{};  ///< of its arguments, in order; the last one is also for all further arguments
+    /// The name of the record in `file_records` or `console_records` that describes its table, and the first argument
+    /// that may be this table.
     struct Table {
         std::string_view record{};
         int from = 1;
@@ -61,33 +61,35 @@ struct ConsoleCommand {
 /// The command of this name, or null.
 const ConsoleCommand* find_console_command(std::string_view name);
 
-/// All of them, in the order in which `help()` lists them.
+/// All of them, in the order of `help()`.
 const std::vector<ConsoleCommand>& console_commands();
 
-/// Adds the commands' functions to the table on top of the stack. May raise a Lua error.
+/// Adds the functions of all commands to the table on top of the stack. May raise a Lua error.
 void add_console_commands(lua_State* L, Session::Parts& parts);
 /// The command whose function is at `index`; null for any other value.
 const ConsoleCommand* command_at(lua_State* L, int index);
 
-/// What `log_level` takes, from the most to the least.
+/// The levels that `log_level` accepts, most verbose first.
 std::vector<std::string> log_level_names();
 
-/// What `robot "mouse"` has returned, which waits for its table: `robot "mouse"`; "" for any other value.
+/// The text of a value that `robot "mouse"` returned, and that waits for its table: `robot "mouse"`. "" for any other
+/// value.
 std::string waiting_command_at(lua_State* L, int index);
 
-/// The end of a command that was one act and shows nothing.
+/// The result of a command that was one act and shows nothing.
 template <class Result>
 Expected<CommandEnd> done(const Expected<Result>& acted) {
     if (!acted) return Unexpected(acted.error());
     return CommandEnd::done;
 }
 
-/// The name behind "rtm:", where the argument is such a text.
+/// The name after "rtm:" if the argument is such a text.
 std::optional<std::string> peer_named(const Arguments& arguments, int position);
-/// Asks components of other programs, waits for the answer and shows it. For commands that run beside the ticks.
+/// Sends a request to components of other programs, waits for the answer, and shows it. For commands that run beside
+/// the ticks.
 Expected<CommandEnd> ask_peers(Session::Parts& parts, const PeerRequest& request);
 
-// Each group in its own file.
+// Each group has its own file.
 using CommandFunction = Expected<CommandEnd>(Session::Parts&, const Arguments&);
 CommandFunction command_connect, command_disconnect;                                                 // wiring
 CommandFunction command_behavior, command_component, command_robot, command_marker, command_remove;  // members

@@ -1,4 +1,4 @@
-// The options of the console's commands: every one, its unit and its meaning.
+// The options of the console's commands, with units and documentation.
 #pragma once
 
 #include <vector>
@@ -26,7 +26,7 @@ struct Describe<PlotRequest> {
     };
 };
 
-/// These structures as data.
+/// The shapes of these structures.
 inline std::vector<RecordShape> console_records() { return {shape_of_record<PlotRequest>()}; }
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Looks from the last token outwards.
+// Searches from the last token outwards.
 #include "bindings/console/cursor_text.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace {
 
 using Kind = SyntaxNode::Kind;
 
-// The name of the field that a value is given to; nothing for an element.
+// The name of the field that a value is assigned to; nothing for an element.
 std::string given_field(const SyntaxNode& entry) {
     if (entry.is(Kind::field)) return std::string(entry.word_text());
     return entry.is(Kind::keyed_field) ? std::string(entry.child->string().value_or("")) : "";
@@ -39,7 +39,7 @@ bool CursorText::touches_cursor(const Token& token) const {
     return token.text.data() + token.text.size() == tree_.source().data() + tree_.source().size();
 }
 
-// The names before the separator of a member; without one the name stands alone.
+// The names before the separator of a member; without a separator, only the name.
 NameAtCursor CursorText::named(const SyntaxNode& node, const Token* separator) const {
     NameAtCursor result;
     if (separator == nullptr) return result;
@@ -64,7 +64,7 @@ NameAtCursor CursorText::name() const {
     return result;
 }
 
-// The call that has the value, or what it is an operand of, as an argument.
+// Finds the call that has the value, or an operation on the value, as an argument.
 void CursorText::find_call(TextAtCursor& result, const SyntaxNode& value) const {
     const SyntaxNode& argument = value.operand_of();
     const SyntaxNode* const given = argument.parent;

@@ -1,4 +1,4 @@
-// What stands before the cursor of an input, as far as completing needs to understand it.
+// Analyses the text before the cursor for completion.
 #pragma once
 
 #include <cstddef>
@@ -13,41 +13,41 @@ namespace nezumi {
 /// `controller.config.sp` is the chain "controller", "config" and the part "sp".
 struct NameAtCursor {
     std::vector<std::string> chain;  ///< names before the part; `x["in"]` counts as a name
-    char separator = 0;              ///< '.' or ':' before the part; 0: the part begins the chain
+    char separator = 0;              ///< '.' or ':' before the part; 0: the part is the first name
     std::size_t from = 0;            ///< [bytes] where the part begins
-    bool broken = false;             ///< what stands before the part is more than names: nothing is known of it
+    bool broken = false;             ///< there is more than names before the part, so nothing is known about it
 };
 
-/// `connect("controller.out", "mo` is the word "connect", its second argument, and the text "mo".
+/// In `connect("controller.out", "mo`, `callee` is "connect", `argument` is its second argument, and the text is "mo".
 struct TextAtCursor {
     bool open = false;                     ///< the cursor is in a quoted text
-    std::size_t from = 0;                  ///< [bytes] where the text begins, behind its quote
-    NameAtCursor callee;                   ///< what is called with it; its part is `word`
+    std::size_t from = 0;                  ///< [bytes] where the text begins, after its quote
+    NameAtCursor callee;                   ///< the function that is called; its name is `word`
     std::string word;                      ///< "" for none
     std::string field;                     ///< of a table, where the text is the field's value: `{ script = "co`
     int argument = 1;                      ///< which one it is, from 1; 2 behind `robot "mouse"`
-    std::string first;                     ///< the first argument, where that is a quoted text too
-    std::vector<std::string> first_chain;  ///< the same, where it is a chain of names
+    std::string first;                     ///< the first argument, if it is a quoted text
+    std::vector<std::string> first_chain;  ///< the same, if it is a chain of names
 };
 
-/// `controller.out:write { v` is a field's name in the table that `controller.out:write` is called with; in
-/// `write { position = { x` the table lies at "position".
+/// `controller.out:write { v` is the name of a field in the table argument of `controller.out:write`. In `write {
+/// position = { x` the table is at "position".
 struct FieldAtCursor {
-    bool open = false;              ///< a field's name can stand here
-    TextAtCursor call;              ///< what the table is an argument of; no text is open there
-    std::vector<std::string> path;  ///< fields from that argument to the table around the cursor
+    bool open = false;              ///< the name of a field can stand here
+    TextAtCursor call;              ///< the call that has the table as an argument; no text is open in it
+    std::vector<std::string> path;  ///< fields from the argument to the table around the cursor
 };
 
 class CursorText {
 public:
-    /// The text ends at the cursor, and must outlive this.
+    /// The text ends at the cursor. It must outlive this object.
     explicit CursorText(std::string_view text);
 
     bool in_comment() const { return tree_.ends_in_comment(); }
     NameAtCursor name() const;
     TextAtCursor quoted() const;
     FieldAtCursor field() const;
-    /// The call that the name at the cursor is an argument of.
+    /// The call that has the name at the cursor as an argument.
     TextAtCursor call() const;
 
 private:
@@ -59,8 +59,8 @@ private:
     const Token* last_ = nullptr;         // null: there is none
     const Token* part_ = nullptr;         // the word that ends at the cursor
     const Token* separator_ = nullptr;    // the '.' or ':' before it, or at the cursor
-    const SyntaxNode* node_ = nullptr;    // the expression whose part that is
-    const SyntaxNode* quoted_ = nullptr;  // the literal that is open
+    const SyntaxNode* node_ = nullptr;    // the expression that the part belongs to
+    const SyntaxNode* quoted_ = nullptr;  // the literal that is not closed
 };
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Drives with the arrow keys: a stick whose place on its pad is sent every tick.
+// Drives with the arrow keys: they move a virtual stick, whose position is sent every tick.
 #pragma once
 
 #include <array>
@@ -10,30 +10,30 @@
 
 namespace nezumi {
 
-/// The pad of robots.md: 300 x 300 px, y up, (0, 0) in the middle. Terminals tell no release of a key: the stick goes
-/// back to the middle when no key came for `springs_back`.
+/// The pad of robots.md: 300 x 300 px, y up, (0, 0) in the middle. Terminals do not report the release of a key, so the
+/// stick returns to the middle if no key came for `springs_back`.
 class Drive {
 public:
     static constexpr double edge = 150;           ///< [px] from the middle
-    static constexpr double notch = 50;           ///< [px] that one press moves it
-    static constexpr double springs_back = 0.7;   ///< [s] of simulated time; a keyboard's repeat begins sooner
-    static constexpr double speed_of_px = 0.002;  ///< [m/s / px] into a velocity port
+    static constexpr double notch = 50;           ///< [px] for one press
+    static constexpr double springs_back = 0.7;   ///< [s] of simulated time; longer than a keyboard's repeat delay
+    static constexpr double speed_of_px = 0.002;  ///< [m/s / px] for a velocity port
     static constexpr double turn_of_px = -0.02;   ///< [rad/s / px]
-    /// What a stick at the edge gives, as a share of what it gives at first; a pad ends at 1.
+    /// Factors for the value at the edge. A pad does not go beyond 1.
     static constexpr std::array scales{0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0};
 
-    /// From now on holds "name.port", or of a joystick its in-port `stick`, of another component its out-port `pos`, of
-    /// a robot its velocity in-port. The port carries a sequence of numbers or a velocity.
+    /// Starts to hold a port: "name.port", or the in-port `stick` of a joystick, the out-port `pos` of another
+    /// component, or the velocity in-port of a robot. The port must carry a sequence of numbers or a velocity.
     Expected<void> begin(RunningSystem& live, const std::string& what, const Actor& who);
     bool is_on() const { return !path_.empty() && !ending_; }
-    /// "name.port" that it holds.
+    /// The "name.port" that it holds.
     const std::string& path() const { return path_; }
-    /// What the stick sends at its edge: "0.30 m/s, 3.0 rad/s".
+    /// The value at full deflection: "0.30 m/s, 3.0 rad/s".
     std::string full_speed() const;
     void key(Key key, RunningSystem& live);
-    /// The stick goes to the middle, and the port is let go after the next tick.
+    /// The stick goes to the middle, and the port is released after the next tick.
     void end(RunningSystem& live);
-    /// After every tick. The error says why it has ended: its port is gone, or another took it.
+    /// Call this after every tick. The error says why driving has ended: the port is gone, or is held by another actor.
     Expected<void> after_tick(RunningSystem& live);
 
 private:
@@ -43,7 +43,7 @@ private:
     std::string path_;
     double x_ = 0;
     double y_ = 0;
-    std::size_t scale_ = 0;  // of `scales`
+    std::size_t scale_ = 0;  // index into `scales`
     bool is_velocity_ = false;
     double sent_x_ = 0;
     double sent_y_ = 0;

@@ -1,4 +1,4 @@
-// Only a regular file is written: another thing might take nothing.
+// Accepts regular files only: writing to another kind of file could block.
 #include "bindings/console/file_to_write.hpp"
 
 #include <fmt/format.h>

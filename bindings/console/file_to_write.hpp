@@ -1,4 +1,4 @@
-// Which files the console writes: those of its project.
+// Finds the files that the console may write: those of the project.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace nezumi {
 
-/// How messages speak of what a command writes.
+/// The words for messages about a file that a command writes.
 struct WrittenFile {
     std::string_view word;                  ///< "save"
     std::string_view file;                  ///< "a system file"
@@ -19,8 +19,8 @@ struct WrittenFile {
     std::vector<std::string_view> endings;  ///< ".lua"; a name without any gets the first
 };
 
-/// The file that a person means by `name`, or why nothing may be written there: another ending, a folder, a place
-/// outside of `home`, also by links.
+/// The file for the name that a person gave. The error says why it may not be written: another ending, a folder, or a
+/// place outside of `home`, also through links.
 Expected<std::filesystem::path> file_to_write(const std::filesystem::path& home, const std::string& name,
                                               const WrittenFile& written);
 

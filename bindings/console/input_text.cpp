@@ -1,4 +1,4 @@
-// Rewrites what is more than Lua, then compiles it twice: first as an expression.
+// Translates an input to Lua, then compiles it as an expression, and if this fails as statements.
 #include "bindings/console/input_text.hpp"
 
 #include <fmt/format.h>
@@ -18,11 +18,11 @@ constexpr std::size_t longest_input = std::size_t{64} << 10;  // [bytes]
 
 using Kind = SyntaxNode::Kind;
 
-// Puts texts in the place of others.
+// Replaces parts of a text.
 class Changes {
 public:
     explicit Changes(std::string_view text) : text_(text) {}
-    /// In the order of the text.
+    /// Call this in the order of the text.
     void replace(std::size_t from, std::size_t to, std::string_view by) {
         changed_.append(text_.substr(copied_, from - copied_)).append(by);
         copied_ = to;
@@ -52,13 +52,13 @@ std::string with_keyword_names(std::string_view text) {
 
 namespace {
 
-// What is no port, but can be followed as one.
+// Members that are not ports, but can be plotted like ports.
 bool is_followed_member(std::string_view member) {
     return member == ".collided" || member == ".config" || member == ".probes" || member == ".state" ||
            member == ".tasks" || member == ".truth";
 }
 
-// ".out.vx[1]" of `controller.out.vx[1]`, if the expression is names and numbers of elements behind one name.
+// ".out.vx[1]" of `controller.out.vx[1]`, if the expression is one name followed by names and indices.
 std::optional<std::string> path_of(const SyntaxNode& expression) {
     std::string path;
     const SyntaxNode* node = &expression;
@@ -111,7 +111,7 @@ Expected<Chunk> compile_input(std::string_view text) {
 }
 
 bool is_complete_input(std::string_view text) {
-    // A line ends here: a quoted text that is open is a mistake, and no text to be continued.
+    // The end of the line is here, so an open quoted text is a mistake, not an incomplete input.
     const std::string lines = std::string(text) + "\n";
     const std::string expression = "return " + lines;
     const SyntaxTree as_expression(expression, SyntaxTree::Dialect::console);

@@ -1,4 +1,4 @@
-// What is typed at the prompt, as text: Lua, and a little more.
+// Translates the input of the console to Lua, which it extends a little.
 #pragma once
 
 #include <string>
@@ -9,23 +9,22 @@
 
 namespace nezumi {
 
-/// Makes `controller.in` Lua: a name of Lua's own after a dot becomes `controller["in"]`. In Lua's grammar no keyword
-/// follows a dot, so that nothing else changes; strings and comments stay. Lines keep their numbers.
+/// Translates `controller.in` to Lua: a keyword after a dot becomes `controller["in"]`. In Lua no keyword may follow a
+/// dot, so no other text changes; strings and comments stay as they are. Line numbers stay the same.
 std::string with_keyword_names(std::string_view text);
 
-/// Makes `plot(controller.out.vx, 5)` Lua: where an argument of `plot` is names with a dot or an index between them, it
-/// becomes `{ controller, ".out.vx" }` unless it is a port, since the value that it has says not where it is from.
-/// Nothing else changes.
+/// Translates `plot(controller.out.vx, 5)` to Lua: an argument of `plot` that consists of names and indices becomes `{
+/// controller, ".out.vx" }` unless it is a port, because a plain value does not tell its source. No other text changes.
 std::string with_plotted_names(std::string_view text);
 
-/// An input as a chunk: an expression returns its values. The error is that of the input as statements; its place has
-/// the line within the input.
+/// Compiles an input; an expression returns its values. If both fail, the error is the one of the input as statements.
+/// Its place is the line within the input.
 Expected<Chunk> compile_input(std::string_view text);
 
-/// Whether nothing is missing at the end of an input: no block, string, comment or bracket is open.
+/// Whether an input is complete: no block, string, comment or bracket is open at its end.
 bool is_complete_input(std::string_view text);
 
-/// The file's name in places within an input.
+/// The file name of places within an input.
 inline constexpr const char* input_name = "console";
 
 }  // namespace nezumi

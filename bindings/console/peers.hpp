@@ -1,4 +1,4 @@
-// Components of other programs, which a console can look at and act on by their names, "rtm:ConsoleOut0".
+// Components of other programs, which the console shows and changes by names such as "rtm:ConsoleOut0".
 #pragma once
 
 #include <functional>
@@ -10,15 +10,15 @@
 
 namespace nezumi {
 
-/// A request to one of them, or to all.
+/// A request to one component, or to all.
 struct PeerRequest {
     enum class What : unsigned char {
-        look,  ///< at one of them, or at all
+        look,  ///< shows one component, or all
         activate,
         deactivate,
         reset,
-        use,        ///< a set of its configuration
-        configure,  ///< values of the set in use
+        use,        ///< selects a configuration set
+        configure,  ///< sets values of the configuration set in use
     };
     What what = What::look;
     std::string name{};  ///< without "rtm:"; "": all
@@ -26,8 +26,7 @@ struct PeerRequest {
     ParameterValues values{};
 };
 
-/// Asks, between two ticks, and waits for nobody. The answer, which comes in the end, is what to show; its error says
-/// what was wrong.
+/// Sends a request between two ticks, without waiting. The future gives the text to show, or the error.
 using PeerAsker = std::function<std::future<Expected<std::string>>(const PeerRequest& request)>;
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// A line is read with suspicion: whatever comes, it is a request or an error that says why not.
+// Reads a line without trusting it: each line gives a request, or an error with the reason.
 #include "bindings/console/protocol.hpp"
 
 #include <algorithm>
@@ -12,14 +12,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-// In the order of their enumerators.
+// In the order of the enumerators.
 constexpr std::array<std::string_view, 6> request_names{"hello", "eval", "complete", "is_complete", "interrupt", "key"};
 constexpr std::array<std::string_view, 9> event_names{"answer", "completions", "output", "error", "log",
                                                       "keys",   "status",      "lost",   "bye"};
 
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
-// A field's value, or what it is when left out; notes a value of another type.
+// Reads the value of a field, or the default; remembers a value of a wrong type.
 class Fields {
 public:
     explicit Fields(const Json& json) : json_(json) {}

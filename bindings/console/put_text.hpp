@@ -1,4 +1,4 @@
-// Writes text to a file without ever throwing: fmt::print does where a terminal is gone or a disk is full.
+// Writes text to a file without exceptions; fmt::print throws if a terminal is gone or a disk is full.
 #pragma once
 
 #include <cstdio>
@@ -6,7 +6,7 @@
 
 namespace nezumi {
 
-/// Returns whether all of it got through, as far as the file's own buffer can tell.
+/// Returns whether everything was written, as far as the buffer of the file can tell.
 inline bool put_text(std::FILE* file, std::string_view text) noexcept {
     return std::fwrite(text.data(), 1, text.size(), file) == text.size();
 }

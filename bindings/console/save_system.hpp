@@ -1,4 +1,4 @@
-// The system that runs, as a system file.
+// Writes the running system as a system file.
 #pragma once
 
 #include <filesystem>
@@ -9,22 +9,22 @@
 
 namespace nezumi {
 
-/// A copy of what there is to save: looked up between two ticks, written beside them.
+/// A copy of what is saved: taken between two ticks, written beside them.
 struct PresentSystem {
     SystemSpec spec;
     Project project;
     std::vector<std::filesystem::path> installed;
 };
 
-/// The present wiring and configuration as data: entries as the file gave them with the parameters' values of now,
-/// components that are gone left out, connections as they are. A value that was set by hand is in the set in use if
-/// that names it, else in `config`, a robot's in its description. An error when what a system file says of a robot
-/// can't be read any more.
+/// The present connections and configuration as data: the entries of the file with the present parameter values,
+/// without removed components, with the present connections. A value that was set by hand goes to the parameter set in
+/// use if the set has it, otherwise to `config`; a value of a robot goes to its description. The error says that a
+/// robot's changes could not be read again.
 Expected<PresentSystem> present_system(const RunningSystem& live);
 
-/// Writes it as a system file and says in a sentence what was done. What was there is kept beside it, as `FILE~`. Only
-/// `.lua` files are written, and only within the project, or where there is none, in and below the system's folder.
-/// Nothing is written when the file could not be read back: the error says why.
+/// Writes it as a system file and returns a sentence about it. The old file is kept as `FILE~`. Writes only `.lua`
+/// files, and only within the project, or without a project within the folder of the system. If the result could not be
+/// read again, it writes nothing and returns the reason.
 Expected<std::string> save_system(PresentSystem present, const std::string& file);
 
 }  // namespace nezumi

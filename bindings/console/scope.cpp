@@ -1,4 +1,4 @@
-// The globals of a session: what is defined at the prompt, over the console's commands, over the system's names.
+// The globals of a session: its own definitions, then the console's commands, then the names of the system.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -67,7 +67,7 @@ int assign_global(lua_State* L) {
     return raise_kept(L);
 }
 
-// Moves all globals into a table, which is left on the stack.
+// Moves all globals into a table, and leaves the table on the stack.
 void take_globals(lua_State* L) {
     lua_newtable(L);
     const int commands = lua_gettop(L);

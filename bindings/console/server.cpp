@@ -1,4 +1,4 @@
-// Requests of one client are dealt with one after the other; only an interrupt and keys overtake what runs.
+// Handles the requests of a client one after the other. Only an interrupt and keys are handled at once.
 #include "bindings/console/server.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 namespace nezumi {
 namespace {
 
-// In the order of their enumerators.
+// In the order of the enumerators.
 constexpr std::array<std::string_view, 8> key_names{"up",    "down",   "left",   "right",
                                                     "space", "escape", "faster", "slower"};
 
@@ -57,10 +57,10 @@ bool ConsoleServer::serve(Clock::time_point until) {
     }
 }
 
-// Returns whether one of them works.
+// Returns whether a session still works.
 bool ConsoleServer::serve_sessions(Clock::time_point until) {
     bool works = false;
-    // Begins behind the one that was served last, so that nobody has all the time for himself.
+    // Starts after the session that was served last, so that no session takes all the time.
     auto turn = consoles_.upper_bound(last_served_);
     for (std::size_t count = consoles_.size(); count > 0; --count, ++turn) {
         if (turn == consoles_.end()) turn = consoles_.begin();
@@ -150,7 +150,7 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
         }
         case Request::Kind::hello: {
             console.keys = request.keys;
-            // Who has acted already stays who that was.
+            // The actor of a session that has acted does not change.
             if (request.who == "spreadsheet" && !console.session)
                 end_holds_of(std::exchange(console.who, {Actor::Kind::spreadsheet}));
             const std::lock_guard lock(mutex_);
@@ -165,8 +165,9 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
     }
 }
 
-// Nothing is driven by the hand of somebody who has gone. In a simulation a user's hand stays, for scripts of the shell
-// that hold by one command and look by the next. Who acts by other connections as well ends with those, not here.
+// Releases the ports that an actor holds when it has gone. In a simulation, holds of a user remain, for shell scripts
+// that hold with one command and read with the next. If the actor has other connections, its holds end with the last of
+// them.
 void ConsoleServer::end_holds_of(const Actor& who) {
     const bool goes_with_it = who.kind == Actor::Kind::spreadsheet ||
                               (who.kind == Actor::Kind::console && live_.system().settings().real_time);

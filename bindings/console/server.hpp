@@ -1,4 +1,4 @@
-// The consoles of a running system: a session for each client, whose looks and acts are served between ticks.
+// The consoles of a running system: a session for each client. Reads and acts are done between ticks.
 #pragma once
 
 #include <chrono>
@@ -23,61 +23,61 @@
 
 namespace nezumi {
 
-/// All of it is to be called from the thread that ticks.
+/// Call all functions from the ticking thread.
 class ConsoleServer {
 public:
     using Clock = std::chrono::steady_clock;
 
     /// Both must outlive it.
     ConsoleServer(RunningSystem& live, ClockControl& clock) : live_(live), clock_(clock) {}
-    /// Ends what runs; what can't be ended within a second goes on without it.
+    /// Stops running inputs. If one does not end within a second, its thread is abandoned.
     ~ConsoleServer();
     ConsoleServer(const ConsoleServer&) = delete;
     ConsoleServer& operator=(const ConsoleServer&) = delete;
 
-    /// Lets `nezumi attach` in, by a socket named after the system. On an error nobody can attach; nothing else
-    /// changes.
+    /// Lets `nezumi attach` connect, through a socket with the name of the system. On an error nobody can attach;
+    /// nothing else changes.
     Expected<void> listen(std::string_view name, const std::filesystem::path& folder = console_folder());
-    /// Lends it what `picture` and `graph` draw with.
+    /// Sets the function that `picture` and `graph` draw with.
     void draw_by(DrawingMaker drawing_maker) { drawing_maker_ = std::move(drawing_maker); }
-    /// Lends it what `new` writes with.
+    /// Sets the function that `new` writes with.
     void write_by(BehaviorAuthor author) { author_ = std::move(author); }
-    /// Lends it what asks components of other programs.
+    /// Sets the function that sends requests to components of other programs.
     void ask_peers_by(PeerAsker peers) { peers_ = std::move(peers); }
-    /// What a client in this process is for.
+    /// The purpose of a client in this process.
     enum class Use {
-        prompt,  ///< somebody types, while time passes
-        batch,   ///< commands come from a file: nothing that is said is left out, and time moves only by their order
+        prompt,  ///< a person types, while time passes
+        batch,   ///< commands come from a file: no output is dropped, and time passes only by their order
     };
-    /// Returns the other end of a connection, for a client in this process; `who` is who acts by it.
+    /// Returns the client's end of a connection, for a client in this process. `who` is the actor of its acts.
     Expected<Descriptor> connect(Use use, const Actor& who = {Actor::Kind::console});
 
-    /// Deals with what clients sent and with what their sessions want of the system, and while one of them works waits
-    /// for that, until about `until`. Returns whether more may come.
+    /// Handles requests of clients and what their sessions ask of the system. While a session works, waits for it,
+    /// until about `until`. Returns whether more may come.
     bool serve(Clock::time_point until);
-    /// After every tick.
+    /// Call this after every tick.
     void after_tick();
-    /// A command of a `Use::batch` has begun and is not answered.
+    /// Whether a command of a `Use::batch` client runs.
     bool batch_works() const;
-    /// A client of `Use::batch` takes less than is said.
+    /// Whether a `Use::batch` client is slower than the output.
     bool is_behind() { return transport_.is_behind(); }
-    /// Readable when something has come that `serve` should deal with.
+    /// Readable if there is something for `serve`.
     int file() const { return transport_.file(); }
 
-    /// What a client hears of the log before it says otherwise.
+    /// The log level of a client that has not set one.
     static constexpr LogLevel usual_level = LogLevel::info;
 
-    /// Tells the clients that want to know. From any thread.
+    /// Sends the line to the clients that want the log. Can be called from any thread.
     void log(const LogLine& line);
     void say(const std::string& text);
-    /// The same for the state in one line.
+    /// The same for the status line.
     void show_status(const std::string& text, bool running);
 
 private:
     struct Console {
         std::unique_ptr<Session> session;     // made when it is first needed
         std::deque<Request> waiting;          // in the order in which they came
-        std::optional<std::int64_t> running;  // the request whose input the session works at
+        std::optional<std::int64_t> running;  // the request that the session works on
         bool keys = false;
         bool batch = false;
         Actor who{Actor::Kind::console};
@@ -103,7 +103,7 @@ private:
     std::vector<std::unique_ptr<Session>> leaving_;  // closed: their clients are gone
     ClientId last_served_ = 0;
     Mutex mutex_;                             // of listeners_
-    std::map<ClientId, LogLevel> listeners_;  // who wants the log, from which level on
+    std::map<ClientId, LogLevel> listeners_;  // clients that want the log, with their levels
     Transport transport_;
 };
 

@@ -1,4 +1,4 @@
-// One user of the console: what is typed runs in a Lua state and a thread of its own, beside the ticks.
+// The session of one user of the console: inputs run in a Lua state and a thread of their own, beside the ticks.
 #pragma once
 
 #include <chrono>
@@ -21,114 +21,115 @@ namespace nezumi {
 
 class Bell;
 
-/// What `drive` takes from the keyboard.
+/// The keys of `drive`.
 enum class Key { up, down, left, right, space, escape, faster, slower };
 
-/// Where what a session says goes. Called from within `advance`, `after_tick`, `interrupt` and `key`.
+/// The functions that receive the output of a session. They are called within `advance`, `after_tick`, `interrupt` and
+/// `key`.
 struct SessionOutput {
-    /// One or more lines, without the last end of line: results, what commands show, what `print` prints.
+    /// One or more lines, without the last end of line: results, output of commands and of `print`.
     std::function<void(std::string_view text)> show;
-    /// Whether more can be taken now. While it can't be, the line that runs waits, and only that. Empty: always.
+    /// Whether more output can be taken now. If not, the running input waits, and nothing else. Empty: always.
     std::function<bool()> takes_more{};
-    /// The same as `show` for a drawing that takes the place of the one before. Empty: `show`.
+    /// The same as `show`, for a drawing that replaces the drawing before it. Empty: `show`.
     std::function<void(std::string_view text)> show_in_place{};
-    /// The same for errors of what was typed.
+    /// The same for errors of an input.
     std::function<void(std::string_view text)> show_error;
-    /// An input of `submit` is finished, well or with an error: the prompt may come again.
+    /// An input of `submit` is finished, with or without an error: the prompt may appear again.
     std::function<void(bool well)> done;
-    /// `drive` begins or ends: from now on keys go to `key`, or no longer. Empty: there are no keys, `drive` is
-    /// refused.
+    /// Whether `drive` is active: then keys go to `key`. Empty: there are no keys, and `drive` is refused.
     std::function<void(bool on)> take_keys;
-    /// From now on log lines of this level and louder are wanted. False, as where this is empty: no log is shown here.
+    /// Shows log lines of this level and above from now on. False or empty: no log is shown here.
     std::function<bool(LogLevel level)> log_level{};
 };
 
-/// What `picture`, `graph` and `save "x.xml"` draw.
+/// The kinds of drawings of `picture`, `graph` and `save "x.xml"`.
 enum class Drawn : unsigned char {
-    world,    ///< from above
+    world,    ///< seen from above
     wiring,   ///< components, ports and connections
-    profile,  ///< the same as the file of RTSystemEditor
+    profile,  ///< the same as a file for RTSystemEditor
 };
-/// Draws the copied state to a file that ends in .png or .svg, a profile in .xml; any thread may call it.
+/// Draws the copied state to a file that ends in .png or .svg, a profile in .xml. Any thread may call it.
 using Drawing = std::function<Expected<void>(const std::string& file)>;
-/// Copies the state of the system, between two ticks; the drawing is then made on another thread.
+/// Copies the state of the system between two ticks. Another thread then calls the result.
 using DrawingMaker = std::function<Drawing(Drawn what)>;
 
-/// A behaviour to be written. The author interprets the texts.
+/// A request to write a new behaviour. The author reads the texts.
 struct BehaviorRequest {
-    std::string name;                       ///< line_follower
+    std::string name;                       ///< as line_follower
     std::vector<std::string> inputs{};      ///< "name:Type" or "name:Type:doc"
     std::vector<std::string> outputs{};     ///< the same
     std::vector<std::string> parameters{};  ///< "gain=0.5"
     std::vector<std::string> callbacks{};   ///< besides on_execute: "on_activated", ...
-    std::string doc{};                      ///< a sentence: what it does
+    std::string doc{};                      ///< one sentence about what it does
 };
-/// Writes its files below a folder, without overwriting others, and returns their names; any thread may call it.
+/// Writes the files of a behaviour below a folder, without overwriting, and returns their names. Any thread may call
+/// it.
 using BehaviorAuthor = std::function<Expected<std::vector<std::string>>(const std::filesystem::path& root,
                                                                         const BehaviorRequest& request)>;
 
 struct SessionOptions {
     SessionOutput output;
-    /// Whose acts these are.
+    /// The actor of the acts.
     Actor who{Actor::Kind::console};
-    /// [s] of simulated time between two lines of one `watch`, at normal speed; 0: every change is shown.
+    /// [s] of simulated time between two lines of one `watch`, at normal speed; 0: shows every change.
     double watch_period = 0.1;
-    /// Time moves only by `step` and `run(seconds)`: a `run()` without end is refused.
+    /// Time passes only by `step` and `run(seconds)`: a `run()` without an end is refused.
     bool batch = false;
     /// Empty: `picture` and `graph` are refused.
     DrawingMaker drawing_maker{};
     /// Empty: `new` is refused.
     BehaviorAuthor author{};
-    /// Empty: nothing is known of other programs' components.
+    /// Empty: components of other programs are unknown.
     PeerAsker peers{};
-    /// Is rung when `advance` has something to do; must outlive the session. Null: only `advance` itself waits for it.
+    /// Rung if `advance` has something to do; must outlive the session. Null: only `advance` itself waits for it.
     const Bell* bell = nullptr;
 };
 
-/// Candidates for what stands before the cursor.
+/// Candidates for the text before the cursor.
 struct Completion {
-    std::size_t from = 0;  ///< [bytes] where the part begins that a candidate replaces; it ends at the cursor
+    std::size_t from = 0;  ///< [bytes] begin of the part that a candidate replaces; the part ends at the cursor
     std::vector<std::string> candidates;  ///< sorted
 };
 
-/// Everything is to be called between two ticks, from the thread that runs them. `is_complete` may be called from
-/// anywhere. What an input computes is its own thread's; the system is looked at and acted on in `advance` alone.
+/// Call all functions between two ticks, from the thread that runs the ticks; only `is_complete` may be called from
+/// anywhere. The session's own thread computes an input; the system is read and changed only within `advance`.
 class Session {
 public:
     /// Both must outlive the session.
     static Expected<std::unique_ptr<Session>> create(RunningSystem& live, ClockControl& clock, SessionOptions options);
-    /// Closes it, and waits until its thread has ended, a second after `close` at most.
+    /// Closes the session and waits for the end of its thread, at most a second after `close`.
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
-    /// Whether an input can be run as it is: false when lines are missing (an open block, string or bracket).
+    /// Whether an input is complete; false if lines are missing (an open block, string or bracket).
     static bool is_complete(std::string_view text);
 
-    /// Hands in an input, which may have several lines. Inputs run one after the other; each ends with `done`.
+    /// Adds an input, which may have several lines. Inputs run one after the other; `done` is called after each.
     void submit(std::string text);
-    /// What could stand before the cursor, from the live system; `answer` gets it, as one of the inputs. It gets
-    /// nothing when that is interrupted.
+    /// Completes the text before the cursor with the live system, as one of the inputs. `answer` gets the result, or an
+    /// empty one if it is interrupted.
     void complete(std::string text, std::size_t cursor, std::function<void(Completion)> answer);
-    /// Something that was handed in is not finished yet.
+    /// Whether an input is not finished yet.
     bool is_busy() const;
-    /// It waits for ticks to pass (`step`, `run`), or for its output to be taken, and wants nothing meanwhile.
+    /// Whether the running input only waits for ticks (`step`, `run`) or for its output to be taken.
     bool is_waiting() const;
-    /// Does what inputs want of the system now, until about then.
+    /// Does what inputs ask of the system now, until about this time.
     void serve(std::chrono::steady_clock::time_point until);
-    /// The same, and waits for more to do, until about `slice` of real time has passed or nothing is
-    /// left to do. Returns whether more may come.
+    /// The same, and also waits for more requests, until about `slice` of real time has passed or nothing is left to
+    /// do. Returns whether more may come.
     bool advance(std::chrono::microseconds slice = std::chrono::microseconds(1000));
-    /// After every tick: watches show what is new, `drive` sends.
+    /// Call this after every tick: watches show changes, and `drive` sends.
     void after_tick();
-    /// Ctrl-C: ends what runs, drops what was handed in and not begun, and ends `drive` and every `watch`.
+    /// Ctrl-C: stops the running input, drops the inputs that wait, and ends `drive` and every `watch`.
     void interrupt();
     /// A key, while `take_keys` is on.
     void key(Key key);
 
-    /// Nothing is said or done any more, `drive` ends, and so does what runs, soon.
+    /// Ends the session: no more output and no more acts, `drive` ends, and the running input ends soon.
     void close();
-    /// After `close`: what it was made of is gone.
+    /// After `close`: whether its thread has ended.
     bool has_ended() const;
 
     struct Parts;

@@ -1,4 +1,4 @@
-// What a session is made of; its commands work on it.
+// The parts of a session, which its commands use.
 #pragma once
 
 #include <deque>
@@ -38,14 +38,14 @@ struct PortWatch {
     HostQuestion elsewhere{};  ///< to its host, where it is not connected here
 };
 
-/// An execution that is to be explained.
+/// An execution that is explained.
 struct Explained {
     std::string component;
     std::int64_t trace = 0;  ///< `RunningSystem::explain_next`
     int start = 0;           ///< of the system
 };
 
-/// What `plot` was asked for.
+/// The arguments of `plot`.
 struct PlotRequest {
     std::vector<std::string> names{};  ///< of channels: "controller.out.vx"
     double seconds = 0;                ///< that are drawn
@@ -59,13 +59,13 @@ struct PlotRequest {
     std::map<std::string, Elsewhere> elsewhere{};
 };
 
-/// A copy of what it draws.
+/// A copy of the data of a drawing.
 struct PlotCurves {
     PlotRequest plot;
     double from = 0;  ///< [s]
     double to = 0;
     std::vector<Curve> curves{};
-    std::vector<std::string> silent{};  ///< names that have carried nothing
+    std::vector<std::string> silent{};  ///< names without a value in this time
 };
 
 /// Looks at the system, between two ticks; what was not remembered is from now on. Other hosts have answered.
@@ -82,13 +82,13 @@ bool draw_again(Session::Parts& parts, PlotRequest& plot);
 struct Job {
     std::string text;
     std::size_t cursor = 0;
-    std::function<void(Completion)> answer{};  ///< of a question; empty: an input
+    std::function<void(Completion)> answer{};  ///< of a request for completions; empty: an input
 };
 
 struct Session::Parts {
     Parts(RunningSystem& system, ClockControl& control, SessionOptions settings);
 
-    /// Shows it behind all that was shown before. From both threads.
+    /// Shows a text after all texts before it. Both threads may call it.
     void show(std::string_view text) { tell(options.output.show, text); }
     void show_in_place(std::string_view text) {
         tell(options.output.show_in_place ? options.output.show_in_place : options.output.show, text);
@@ -102,39 +102,39 @@ struct Session::Parts {
     }
 
     Expected<ActResult> act(const Act& act) const { return live.act(act, options.who); }
-    /// From the worker: prepares an act there and has it performed between two ticks, if `check` has nothing
-    /// against it. `found` is what its maker has found of files.
+    /// Called by the worker: prepares an act in its thread, and has it performed between two ticks if `check` finds no
+    /// error. `found` are the files that the maker of the act has read.
     Expected<ActResult> act_beside(const Act& act, const FilesSeen& found = {},
                                    const std::function<Expected<void>(const PreparedAct&)>& check = {});
 
-    // Of the thread that ticks:
+    // For the ticking thread:
     RunningSystem& live;
     ClockControl& clock;
     SessionOptions options;
     const bool is_hardware;
-    std::optional<Bell> own_bell;                      ///< where nobody else waits for the worker
-    std::deque<Job> jobs;                              ///< handed in and not begun
+    std::optional<Bell> own_bell;                      ///< if no other thread waits for the worker
+    std::deque<Job> jobs;                              ///< that wait
     std::optional<Job> job;                            ///< that runs
-    bool waiting = false;                              ///< for the ticks of an `advance` of the clock
-    std::uint64_t moves = 0;                           ///< of the clock, with that `advance`
-    std::optional<Worker::Clock::time_point> revoked;  ///< when the worker's job was, which may not have ended yet
-    std::optional<Worker::Clock::time_point> quits;    ///< when a line asked for the run's end
+    bool waiting = false;                              ///< for the ticks of `advance` of the clock
+    std::uint64_t moves = 0;                           ///< counter of the clock at this `advance`
+    std::optional<Worker::Clock::time_point> revoked;  ///< when the worker's job was stopped; it may still run
+    std::optional<Worker::Clock::time_point> quits;    ///< time when a line asked for the end of the run
     std::vector<PortWatch> watches;
     std::vector<Explained> explained;
-    bool awaits_explanation = false;  // the job has run, and ends when what it asked for is told
+    bool awaits_explanation = false;  // the job has run, and ends when its explanation is shown
     std::vector<PlotRequest> plots;   ///< that are drawn again and again
     Drive drive;
 
-    // Of the worker, and of what is done for it while it waits:
+    // For the worker, and for functions that run for it while it waits:
 
-    /// Opens a fresh state with all names in scope.
+    /// Creates a new Lua state with all names in scope.
     Expected<void> open();
-    /// The same when the state was lost, which is told.
+    /// The same if the state was lost; reports this.
     void open_if_lost();
-    /// Returns whether it went well; results and errors are shown.
+    /// Runs an input, and shows its results and errors. Returns whether it succeeded.
     bool run(const std::string& input);
-    /// Has `body()` done where the system may be looked at and acted on, and waits for it. Returns its result, or a
-    /// default one when the job is interrupted.
+    /// Runs `body()` in the ticking thread, where the system may be read and changed, and waits for it. Returns its
+    /// result, or a default value if the job is interrupted.
     template <class Body>
     auto at_system(Body&& body) {
         decltype(body()) result{};
@@ -145,32 +145,32 @@ struct Session::Parts {
         return result;
     }
 
-    double number = 0;       ///< what a command returns
-    Value value;             ///< the same of one that returns a table
+    double number = 0;       ///< the result of a command
+    Value value;             ///< the same for a command that returns a table
     std::int64_t ticks = 0;  ///< that a command waits for
     std::unique_ptr<Objects> objects;
     std::unique_ptr<LuaState> state;
     Worker worker;
 };
 
-/// The session of a C function whose first upvalue it is.
+/// The session of a C function; it is the first upvalue.
 inline Session::Parts& parts_of(lua_State* L) {
     return *static_cast<Session::Parts*>(lua_touserdata(L, lua_upvalueindex(1)));
 }
 
-/// Puts the library, the console's commands and the system's names into the scope of a state. The names are looked up
-/// in the system whenever they are used.
+/// Puts the library, the console's commands and the system's names into scope. Names of the system are looked up at
+/// each use.
 Expected<void> open_scope(Session::Parts& parts);
 
-/// Pushes the table of all that `open_scope` has put there. Needs one place on the stack.
+/// Pushes the table with everything that `open_scope` added. Needs one place on the stack.
 void push_commands_table(lua_State* L);
 
-/// The system's components, in its order. For the worker, as what follows.
+/// The components of the system, in its order. For the worker, like the next functions.
 std::vector<std::string> component_names(Session::Parts& parts);
-/// Every name that an input can begin with: commands, library, components, what was defined at the prompt. Sorted.
+/// Every name that an input can begin with: commands, library, components, globals of the session. Sorted.
 std::vector<std::string> names_in_scope(Session::Parts& parts);
 
-/// What could stand before the cursor.
+/// Candidates for the text before the cursor.
 Completion complete(Session::Parts& parts, std::string_view text, std::size_t cursor);
 
 }  // namespace nezumi

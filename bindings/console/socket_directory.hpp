@@ -1,4 +1,4 @@
-// Where running systems and those who attach to them meet: sockets in a folder that only their user can enter.
+// The folder with the sockets of running systems. Only their user can enter it.
 #pragma once
 
 #include <sys/types.h>
@@ -13,14 +13,14 @@
 
 namespace nezumi {
 
-/// $XDG_RUNTIME_DIR/nezumi, or /tmp/nezumi-UID where there is no such folder.
+/// $XDG_RUNTIME_DIR/nezumi, or /tmp/nezumi-UID if there is no such folder.
 std::filesystem::path console_folder();
 
 /// A running system's socket: NAME-PID.sock in the console folder. Removed at the end.
 class Listener {
 public:
-    /// Listens as `name`, the system's file without its ending. The folder is made if need be; one that
-    /// others own or can enter is refused, as is one that is a link.
+    /// Listens with `name`, the system's file name without its ending. Creates the folder if necessary. A folder that
+    /// belongs to another user, that others can enter, or that is a link, is refused.
     static Expected<Listener> open(std::string_view name, const std::filesystem::path& folder = console_folder());
     ~Listener();
     Listener(Listener&&) noexcept = default;
@@ -45,25 +45,25 @@ struct ListeningSystem {
     std::filesystem::path path;
 };
 
-/// The systems that listen, sorted by name and process. Sockets that nobody listens at any more are removed. Waits for
-/// none of them.
+/// The systems that listen, sorted by name and process. Removes sockets without a listener. Does not wait for any
+/// system.
 Expected<std::vector<ListeningSystem>> running_systems(const std::filesystem::path& folder = console_folder());
 
-/// A running system that is connected to.
+/// A connection to a running system.
 struct ReachedSystem {
     ListeningSystem system;
     Descriptor socket;
 };
 
-/// Connects to the one that `which` names (a name, its file, or a process number; "": the only one), within 2 s. The
-/// error says what runs.
+/// Connects to the system that `which` names (its name, file or process number; "": the only one), within 2 s. The
+/// error lists the running systems.
 Expected<ReachedSystem> connect_to_system(std::string_view which,
                                           const std::filesystem::path& folder = console_folder());
 
 /// "stop_at_wall (process 4711), swarm (process 4712)".
 std::string list_of(const std::vector<ListeningSystem>& systems);
 
-/// What is said of a system that does not.
+/// The message about a system that does not answer.
 std::string no_answer(const ListeningSystem& system);
 
 /// Whether the process at the other end of a Unix socket belongs to `user`.

@@ -1,4 +1,4 @@
-// One thread waits for all sockets with poll. It holds the lock only to move things in and out of queues.
+// One thread waits for all sockets with poll. It holds the lock only to move data in and out of queues.
 #include "bindings/console/transport.hpp"
 
 #include <fcntl.h>
@@ -21,18 +21,19 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// How long clients have to take what is left when the run ends.
+// Time for clients to take the rest when the run ends.
 constexpr std::chrono::milliseconds transport_farewell{300};
-// How long nobody is let in after the process had no descriptor for a client.
+// Pause after the process had no descriptor for a new client.
 constexpr int no_descriptor_pause = 200;  // ms
-// Who may wait with what it says does so from here on.
+// A client with more waiting bytes than this makes senders wait that can wait.
 constexpr std::size_t high_water = Transport::max_backlog / 2;
-// Lines are written in portions of about this size.
+// Lines are written in pieces of about this size.
 constexpr std::size_t portion = std::size_t{1} << 16;
 
 void signal(const Descriptor& event) {
     const std::uint64_t one = 1;
-    // When the counter is full it is readable anyway; whatever else it is, who waits must not wait for ever.
+    // A full counter is readable anyway. After other errors it tries only a few times, because the caller must not
+    // wait.
     for (int tries = 0; tries < 3 && ::write(event.get(), &one, sizeof one) < 0 && errno != EAGAIN; ++tries) {
     }
 }
@@ -156,7 +157,7 @@ void Transport::send(ClientId id, Event event) {
     signal(wake_);
 }
 
-// With the lock held.
+// Call this with the lock held.
 void Transport::put(Client& client, Event event) {
     const std::size_t most = client.flow == Flow::lossless ? max_lossless : max_backlog;
     const bool full = client.backlog > (client.lost > 0 ? high_water : most);
@@ -164,7 +165,7 @@ void Transport::put(Client& client, Event event) {
         ++client.lost;
         return;
     }
-    // Before an answer it is told in any case: after it a client may leave.
+    // Reported before an answer in any case, because a client may leave after an answer.
     if (client.lost > 0 && (!full || event.kind == Event::Kind::answer))
         client.events.push_back({.kind = Event::Kind::lost, .text = {}, .count = std::exchange(client.lost, 0)});
     client.backlog += size_of(event);
@@ -210,7 +211,7 @@ void Transport::work() {
     clients_.clear();
 }
 
-// Returns false when there is no descriptor for another client.
+// Returns false if there is no descriptor for another client.
 bool Transport::accept_all(int listener) {
     for (;;) {
         Descriptor socket(accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
@@ -227,7 +228,7 @@ bool Transport::accept_all(int listener) {
     }
 }
 
-// For another client. Returns false where there is none.
+// Disconnects a client for a new one. Returns false if there is none.
 bool Transport::make_room() {
     ClientId silent = 0;
     {
@@ -245,7 +246,7 @@ bool Transport::make_room() {
 void Transport::serve(ClientId id, Client& client, short found) {
     if ((found & POLLIN) != 0) read_from(id, client);
     if ((found & POLLOUT) != 0) write_to(client);
-    // Nobody reads what we say: it has closed both directions.
+    // The client has closed both directions.
     if ((found & (POLLHUP | POLLERR | POLLNVAL)) != 0) client.gone = true;
     bool idle = false;
     {

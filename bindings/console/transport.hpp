@@ -1,4 +1,5 @@
-// Carries requests and events between clients' sockets and the thread that ticks, which never waits for a client.
+// Transports requests and events between the sockets of clients and the ticking thread. The ticking thread never waits
+// for a client.
 #pragma once
 
 #include <sys/types.h>
@@ -25,7 +26,7 @@ using ClientId = std::uint64_t;
 
 class Transport {
 public:
-    /// What came from a client.
+    /// A message from a client.
     struct Incoming {
         enum class What { opened, request, closed };
         ClientId client = 0;
@@ -33,48 +34,48 @@ public:
         Request request;
     };
 
-    /// How a client's events are kept while it does not take them.
+    /// What happens with the events of a slow client.
     enum class Flow {
-        lossy,    ///< what only shows something is left out, and counted, past `max_backlog`; see `takes_more`
-        lossless  ///< the same, past `max_lossless`: nothing is, where a run waits while it is behind
+        lossy,    ///< events that only show something are dropped and counted beyond `max_backlog`; see `takes_more`
+        lossless  ///< the same beyond `max_lossless`: none are dropped if the run waits while the client is slow
     };
 
-    /// [bytes] that wait for a client.
+    /// [bytes] that may wait for a client.
     static constexpr std::size_t max_backlog = std::size_t{1} << 20;
     static constexpr std::size_t max_lossless = std::size_t{64} << 20;
-    /// Requests of a client that are not finished yet; no more are read from it until some are.
+    /// Unfinished requests of a client. No more are read until some are finished.
     static constexpr std::size_t max_requests = 64;
-    /// One more, and the oldest that has not sent a request yet goes.
+    /// With one more client, the oldest that has sent no request is disconnected.
     static constexpr std::size_t max_clients = 32;
 
-    /// Starts the thread that waits for the sockets, if it can: see `ready`.
+    /// Starts the thread that waits for the sockets; `ready` says whether this succeeded.
     Transport();
-    /// Says `bye` to all clients, and gives them a moment to take it.
+    /// Sends `bye` to all clients, and waits a moment until they have taken it.
     ~Transport();
     Transport(const Transport&) = delete;
     Transport& operator=(const Transport&) = delete;
 
-    /// Why nobody can be a client: the process has no descriptor left. Then nothing else may be called but `file` and
-    /// what does nothing for want of clients.
+    /// The error if no client can connect because the process has no descriptor left. Then call only `file` and
+    /// functions that do nothing without clients.
     Expected<void> ready() const;
 
-    /// Takes clients from `listener` that belong to `user`. Once.
+    /// Accepts clients of `user` from `listener`. Call it once.
     void listen(Listener listener, uid_t user);
-    /// Takes a client that is connected already.
+    /// Adds a client that is already connected.
     ClientId add(Descriptor socket, Flow flow);
 
     /// Readable while something waits for `take`.
     int file() const { return news_.get(); }
-    /// What has come since the last call; never waits.
+    /// The messages since the last call; never waits.
     std::vector<Incoming> take();
-    /// A request has been dealt with: its client may send another.
+    /// A request is finished: its client may send another one.
     void finish_request(ClientId client);
-    /// Whether nothing of what is sent now is left out, with a good reserve. When it says no, `file` becomes readable
-    /// as soon as it would say yes. Yes for one that is gone.
+    /// Whether a large output could be sent now without dropping events. If not, `file` becomes readable as soon as it
+    /// can. True for a client that is gone.
     bool takes_more(ClientId client);
-    /// A lossless client takes less than is sent: a run that follows no clock should wait.
+    /// Whether a lossless client is slow: then a run that does not follow real time should wait.
     bool is_behind();
-    /// Waits for nothing. Events to clients that are gone are dropped.
+    /// Does not wait. Drops events to clients that are gone.
     void send(ClientId client, Event event);
 
 private:
@@ -84,14 +85,14 @@ private:
         std::deque<Event> events;  // that wait
         std::size_t backlog = 0;   // [bytes] of them, about
         std::size_t lost = 0;
-        bool awaited = false;      // somebody wants to know when it takes more
-        bool has_spoken = false;   // it has sent a request, or was added from within
-        std::size_t requests = 0;  // not finished
-        // Of the thread alone:
+        bool awaited = false;      // the caller wants to know when it takes more
+        bool has_spoken = false;   // it has sent a request, or was added by this process
+        std::size_t requests = 0;  // that are not finished
+        // For the thread only:
         LineReader reader{};
-        std::string writing{};    // lines that the socket has not taken whole
-        std::size_t written = 0;  // of them
-        bool finished = false;    // it sends nothing any more
+        std::string writing{};    // lines that the socket has taken only in part
+        std::size_t written = 0;  // bytes of them that were sent
+        bool finished = false;    // it sends nothing more
         bool gone = false;
     };
 
@@ -105,16 +106,16 @@ private:
     void put(Client& client, Event event);
     void remove(ClientId id);
 
-    Descriptor news_;  // eventfd: something for `take`
-    Descriptor wake_;  // eventfd: something for the thread
+    Descriptor news_;  // eventfd: there is something for `take`
+    Descriptor wake_;  // eventfd: there is something for the thread
     int problem_ = 0;  // an errno: there is no thread
 
-    Mutex mutex_;  // of all below, and of the first part of each client
+    Mutex mutex_;  // of all members below, and of the first part of each client
     std::optional<Listener> listener_;
     uid_t user_ = geteuid();
-    std::map<ClientId, std::unique_ptr<Client>> clients_;  // removed by the thread alone
+    std::map<ClientId, std::unique_ptr<Client>> clients_;  // removed by the thread only
     std::vector<Incoming> incoming_;
-    bool drained_news_ = false;  // news_ is for who waits for `takes_more`
+    bool drained_news_ = false;  // news_ also serves a caller that waits for `takes_more`
     ClientId last_id_ = 0;
     bool ends_ = false;
     std::thread thread_;

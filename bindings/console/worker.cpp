@@ -1,4 +1,4 @@
-// The job's side blocks on one condition; the side that ticks never does.
+// The job waits on one condition variable; the ticking thread never waits.
 #include "bindings/console/worker.hpp"
 
 #include <poll.h>
@@ -22,7 +22,7 @@ Bell::Bell() : file_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 
 void Bell::ring() const {
     const std::uint64_t one = 1;
-    // It fails only when the counter is full: then it is readable anyway.
+    // It fails only if the counter is full; then the file is readable anyway.
     [[maybe_unused]] const ssize_t written = ::write(file_.get(), &one, sizeof one);
 }
 
@@ -32,7 +32,7 @@ void Bell::clear() const {
 }
 
 bool Bell::wait(Clock::time_point until, int also) const {
-    constexpr std::chrono::milliseconds without_file{1};  // out of descriptors
+    constexpr std::chrono::milliseconds without_file{1};  // used if there are no file descriptors
     auto left = std::max(until - Clock::now(), Clock::duration{0});
     if (!file_) left = std::min<Clock::duration>(left, without_file);
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
@@ -52,7 +52,7 @@ void Worker::ring() {
 }
 
 void Worker::run() {
-    sigset_t all;  // signals are for the thread that ticks
+    sigset_t all;  // signals are for the ticking thread
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, nullptr);
     end_calls_when(stop_);
@@ -119,7 +119,7 @@ void Worker::serve(Clock::time_point until, const std::function<bool()>& takes_m
         }
         if (serve_post(lock)) continue;
         if (asked_ == nullptr) return;
-        const Work& work = *asked_;  // stays while its job waits, which only this thread can end
+        const Work& work = *asked_;  // stays valid while its job waits, which only this thread can end
         lock.unlock();
         const std::int64_t began = thread_time();
         const bool done = work();
@@ -178,7 +178,7 @@ void Worker::post(std::size_t bytes, std::function<void()> work) {
     Lock lock(mutex_);
     const auto may_post = [this] { return revoked_ || posted_ < most_posted; };
     if (!may_post()) {
-        pause.emplace();  // waiting for a reader is no time of its own
+        pause.emplace();  // time that waits for a reader does not count
         wake_.wait(lock, may_post);
     }
     if (revoked_) return;
@@ -191,7 +191,7 @@ bool Worker::perform(const Work& work) {
     std::int64_t spent = 0;
     bool done = false;
     {
-        const CallPause pause;  // whoever does it may read the arguments off Lua's stack
+        const CallPause pause;  // the called function may read the arguments from Lua's stack
         Lock lock(mutex_);
         spent_ = 0;
         if (!revoked_) {

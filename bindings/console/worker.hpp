@@ -1,4 +1,4 @@
-// A thread that works for one session, and its way to the thread that ticks.
+// A thread that works for one session, and its connection to the ticking thread.
 #pragma once
 
 #include <atomic>
@@ -15,69 +15,69 @@
 
 namespace nezumi {
 
-/// Rung by workers when one of them wants something: what the thread that ticks waits for while it has nothing to do.
+/// Workers ring it when they need the ticking thread, which waits for it while it has nothing to do.
 class Bell {
 public:
     using Clock = std::chrono::steady_clock;
 
     Bell();
     void ring() const;
-    /// Forgets that it has rung: before everything that wants something is served.
+    /// Resets the bell. Call it before you serve all requests.
     void clear() const;
-    /// Waits until it rings, the file `also` is readable, a signal comes, or `until`. Returns whether there may be
-    /// something to do.
+    /// Waits until the bell rings, the file `also` is readable, a signal comes, or `until`. Returns whether there may
+    /// be something to do.
     bool wait(Clock::time_point until, int also = -1) const;
 
 private:
     Descriptor file_;  // eventfd
 };
 
-/// One job runs at a time. It never touches the system: what it wants of it, it asks the thread that ticks for, which
-/// does so in its own time, between two ticks. Nobody ever waits for a job but for the end of the thread.
+/// Runs one job at a time. A job never touches the system: it asks the ticking thread, which does the work between two
+/// ticks. The ticking thread never waits for a job, except for the end of its thread.
 class Worker {
 public:
     using Clock = std::chrono::steady_clock;
-    /// What is done for a job between two ticks. Returns false to be asked again in the next turn.
+    /// A function that runs between two ticks for a job. Returns false to be called again at the next occasion.
     using Work = std::function<bool()>;
 
-    /// [bytes] that a job may have posted and nobody has taken: then it waits.
+    /// [bytes] of posts that may wait; beyond this the job waits.
     static constexpr std::size_t most_posted = std::size_t{256} << 10;
 
     /// The bell must live until `close`.
     explicit Worker(const Bell& bell);
-    /// Only when `join` has returned true. A worker whose thread goes on must never be destroyed.
+    /// Call this only after `join` has returned true. A worker with a running thread must never be destroyed.
     ~Worker();
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
-    // From the thread that ticks, between two ticks:
+    // For the ticking thread, between two ticks:
 
-    /// Begins a job. Only while idle, and before `close`.
+    /// Starts a job. Only while idle, and before `close`.
     void start(std::function<void()> job);
     /// No job runs.
     bool is_idle() const;
-    /// Does what the job has asked for, in its order, until about `until`, and no more once `takes_more`, where there
-    /// is one, says no: then the job waits.
+    /// Does what the job has asked for, in order, until about `until`. If `takes_more` is given and returns false,
+    /// stops there; the job waits.
     void serve(Clock::time_point until, const std::function<bool()>& takes_more = {});
     /// Does what was posted, and nothing else.
     void serve_posts();
-    /// Ends the job, soon: nothing of it gets through from now on, and calls into Lua end as those out of time do.
+    /// Stops the job soon: nothing more of it is done, and its calls into Lua end as if their time had run out.
     void revoke();
-    /// The same, and the thread ends, with `last` as its last work.
+    /// The same, and ends the thread, with `last` as its last work.
     void close(std::function<void()> last);
-    /// After `close`: the thread is at its end.
+    /// After `close`: whether the thread has ended.
     bool has_ended() const;
-    /// After `close`: waits for the end of the thread, until `until` at most. Returns whether it has come.
+    /// After `close`: waits for the end of the thread, at most until `until`. Returns whether it has ended.
     bool join(Clock::time_point until);
 
-    // From within a job:
+    // For a job:
 
-    /// This thread is the worker's.
+    /// Whether this is the thread of the worker.
     bool is_here() const { return std::this_thread::get_id() == thread_.get_id(); }
-    /// Has something done, and does not wait for it unless too much waits already.
+    /// Asks for work without waiting for it, unless too many posts wait.
     void post(std::size_t bytes, std::function<void()> work);
-    /// Has something done and waits for it. Its time counts as the job's own. Returns false when the job is revoked: it
-    /// is not done then.
+    /// Asks for work and waits for it. Its time counts as time of the job. Returns false if the job was stopped; then
+    /// the work is not done.
     bool perform(const Work& work);
 
 private:
@@ -87,19 +87,19 @@ private:
     };
 
     void run();
-    void drop_all();  // with the lock
-    void ring();      // with the lock
+    void drop_all();  // call it with the lock held
+    void ring();      // call it with the lock held
     bool serve_post(Lock& lock);
 
-    mutable Mutex mutex_;  // of all below but stop_ and thread_
+    mutable Mutex mutex_;  // of all members below except stop_ and thread_
     std::condition_variable wake_;
     const Bell* bell_;
     std::function<void()> job_;
     std::function<void()> last_;
     std::deque<Post> posts_;
     std::size_t posted_ = 0;       // [bytes] in posts_
-    const Work* asked_ = nullptr;  // after all posts: its job waits
-    std::int64_t spent_ = 0;       // [ns] on what was asked
+    const Work* asked_ = nullptr;  // done after all posts; its job waits
+    std::int64_t spent_ = 0;       // [ns] for what was asked
     bool running_ = false;
     bool revoked_ = false;
     bool closed_ = false;

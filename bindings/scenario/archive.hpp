@@ -1,5 +1,5 @@
-// Structures as bytes, and back: a field after the other, numbers as they lie in memory, texts and lists with their
-// length before them.
+// Writes structures as bytes and reads them back: the fields in order, numbers as in memory, texts and lists after
+// their length.
 #pragma once
 
 #include <bit>
@@ -12,7 +12,7 @@
 
 namespace nezumi {
 
-// Results travel from one machine to another.
+// Results are sent from one machine to another.
 static_assert(std::endian::native == std::endian::little);
 
 template <class T>
@@ -20,8 +20,8 @@ inline constexpr bool is_list = false;
 template <class T>
 inline constexpr bool is_list<std::vector<T>> = true;
 
-/// A structure takes part by `each_field(archive, value)` in its namespace, which calls the archive with each of its
-/// fields and says whether all of them were there. A number's size must not depend on the machine (no `std::size_t`).
+/// A structure needs a function `each_field(archive, value)` in its namespace. It calls the archive with each field,
+/// and returns whether all of them were read. The size of a number must be the same on all machines (no `std::size_t`).
 struct ArchiveWriter {
     std::string bytes{};
 
@@ -67,7 +67,7 @@ struct ArchiveReader {
             return true;
         } else if constexpr (is_list<T>) {
             std::uint64_t size = 0;
-            if (!(*this)(size) || size > bytes.size()) return false;  // each takes a byte at least
+            if (!(*this)(size) || size > bytes.size()) return false;  // each element takes at least a byte
             value.clear();
             for (; size > 0; --size) {
                 if (!(*this)(value.emplace_back())) return false;

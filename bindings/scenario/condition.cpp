@@ -1,4 +1,4 @@
-// The function that notes is compiled from the condition's own text, and shares its upvalues.
+// Compiles the function that records comparisons from the condition's own text, with the same upvalues.
 #include "bindings/scenario/condition.hpp"
 
 #include <fmt/format.h>
@@ -26,8 +26,8 @@ std::vector<std::string> upvalues_of(lua_State* lua, int function) {
     }
 }
 
-// Whether the text names no globals but the library's: then all its other names are upvalues of the function. (A local
-// that is a compile-time constant is none, and would become a global.)
+// Whether all globals of the text are of the library: then all other names are upvalues of the function. (A local that
+// is a compile-time constant is not an upvalue, and would become a global.)
 bool knows_all_names(const std::string& text) {
     const auto& library = sandbox_names();
     const SyntaxTree tree(text);
@@ -50,7 +50,7 @@ tl::expected<std::unique_ptr<Condition>, CallError> Condition::take(lua_State* l
         lua_settop(lua, top);
         lua_pushvalue(lua, index);
     }
-    // The function is on top; it stays in the registry under the address of its condition.
+    // The function is on top; the registry keeps it under the address of its condition.
     const int function = lua_gettop(lua);
     lua_pushvalue(lua, function);
     lua_pushlightuserdata(lua, condition.get());
@@ -66,7 +66,7 @@ tl::expected<std::unique_ptr<Condition>, CallError> Condition::take(lua_State* l
     return condition;
 }
 
-// Pushes the function that notes; returns false, with anything on the stack, where there is none.
+// Pushes the function that records comparisons. Returns false, with anything on the stack, if it can't be made.
 bool Condition::observe(lua_State* lua, int function, const std::string& text) {
     if (lua_checkstack(lua, 10) == 0 || lua_iscfunction(lua, function) != 0) return false;
     lua_Debug info;
@@ -145,7 +145,7 @@ tl::expected<bool, CallError> Condition::sample(lua_State* lua) {
 }
 
 std::string text_of_number(double number, std::string_view unit) {
-    // Six digits are what a person compares; beyond them lies rounding.
+    // Shows six digits; further digits are rounding errors.
     std::string text = fmt::format("{:.6g}", number);
     if (!unit.empty()) text.append(" ").append(unit);
     return text;
@@ -163,7 +163,7 @@ bool has_margin(const Comparison& comparison) {
 std::string values_of(const Comparison& comparison) {
     std::string text =
         fmt::format("{} was {}", comparison.left, text_of_number(comparison.left_value, comparison.unit));
-    // A literal needs no value beside it.
+    // A literal is shown without its value.
     const bool literal = comparison.right.find_first_not_of("-.0123456789eExX") == std::string::npos;
     if (literal) return text;
     return text + fmt::format(", {} was {}", comparison.right, text_of_number(comparison.right_value, comparison.unit));
@@ -178,7 +178,7 @@ std::string text_of(const Comparison& comparison) {
 std::optional<Margin> margin_of(const std::vector<Comparison>& comparisons, bool held) {
     std::optional<Margin> nearest;
     for (const Comparison& comparison : comparisons) {
-        // It alone could have changed the outcome if the outcome needs it.
+        // Only a comparison that alone could have changed the result has a margin.
         if (!has_margin(comparison) || !(held ? comparison.for_true : comparison.for_false)) continue;
         const double distance = std::abs(comparison.left_value - comparison.right_value);
         if (nearest && nearest->distance <= distance) continue;
@@ -190,7 +190,7 @@ std::optional<Margin> margin_of(const std::vector<Comparison>& comparisons, bool
 std::string reason_of(const std::vector<Comparison>& comparisons, bool held) {
     std::string reason;
     for (const Comparison& comparison : comparisons) {
-        // Of `a and b` that does not hold, the part that does not.
+        // If `a and b` is false, show the part that is false.
         if (!comparison.sampled || (comparison.result != comparison.negated) != held) continue;
         if (!reason.empty()) reason += "; ";
         reason += text_of(comparison) + ": " + values_of(comparison);

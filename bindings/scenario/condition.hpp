@@ -1,4 +1,4 @@
-// A condition of a scenario: a Lua function that says true or false, and the numbers that it compared.
+// A condition of a scenario: a Lua function that returns true or false, and the numbers that it compares.
 #pragma once
 
 #include <lua.hpp>
@@ -13,13 +13,14 @@
 
 namespace nezumi {
 
-/// What one call of a condition may take.
+/// Time limit for one call of a condition.
 inline constexpr Budget condition_budget{2.0};
 
 class Condition {
 public:
-    /// Takes the function at `index`. `text` is the source of the file that it is in, or null. A function of the form
-    /// `function() return EXPRESSION end` is replaced by one that does the same and notes what it compares.
+    /// Takes the function at `index`. `text` is the source of its file, or null. If the function has the form
+    /// `function() return EXPRESSION end`, it is replaced by a function that does the same and records the compared
+    /// numbers.
     static tl::expected<std::unique_ptr<Condition>, CallError> take(lua_State* lua, int index, const std::string* text);
     Condition(const Condition&) = delete;
     Condition& operator=(const Condition&) = delete;
@@ -27,7 +28,7 @@ public:
     /// Calls it.
     tl::expected<bool, CallError> sample(lua_State* lua);
 
-    /// In the order of the text; empty when the function has another form.
+    /// In the order of the text; empty if the function has another form.
     const std::vector<Comparison>& comparisons() const { return comparisons_; }
 
 private:
@@ -44,12 +45,12 @@ struct Margin {
     const Comparison* comparison = nullptr;
 };
 
-/// After a sample that gave `held`: the comparison nearest to its limit, among those that alone could have changed the
-/// outcome. Equality has no margin.
+/// After a sample with the result `held`: the comparison that was nearest to its limit, among those that alone could
+/// have changed the result. A comparison for equality has no margin.
 std::optional<Margin> margin_of(const std::vector<Comparison>& comparisons, bool held);
 
-/// After a sample that gave `held`: what the comparisons that made it so compared, and by how much; "" when that is not
-/// known.
+/// After a sample with the result `held`: the compared values that caused the result, and their differences; "" if
+/// unknown.
 std::string reason_of(const std::vector<Comparison>& comparisons, bool held);
 
 /// "0.004 m", "12".

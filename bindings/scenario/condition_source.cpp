@@ -1,4 +1,4 @@
-// Visits an expression through `or`, `and`, `not` and parentheses down to its comparisons.
+// Goes through `or`, `and`, `not` and parentheses of an expression to its comparisons.
 #include "bindings/scenario/condition_source.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::optional<Comparison::Operator> to_operator(const SyntaxNode& node) {
     return std::nullopt;
 }
 
-// The operands of `a or b or c`; one where the operator is another.
+// The operands of `a or b or c`; one operand if the operator is another one.
 std::vector<const SyntaxNode*> operands(const SyntaxNode& expression, std::string_view op) {
     std::vector<const SyntaxNode*> found;
     const SyntaxNode* node = &expression;
@@ -37,7 +37,7 @@ std::vector<const SyntaxNode*> operands(const SyntaxNode& expression, std::strin
     return found;
 }
 
-// The tokens of an expression, with one blank where there are blanks, comments or ends of lines.
+// The tokens of an expression, with one blank for all blanks, comments and line ends between them.
 std::string words(const SyntaxNode& node) {
     std::string out;
     for (const Token* token = node.first; token != node.end; ++token) {
@@ -47,12 +47,12 @@ std::string words(const SyntaxNode& node) {
     return out;
 }
 
-// Collects comparisons, and the pieces of text that are put in the place of others.
+// Collects comparisons, and the texts that replace parts of the source.
 class Rewriter {
 public:
     Rewriter(const SyntaxTree& tree, std::string_view hook) : tree_(tree), hook_(hook) {}
 
-    // `for_true`: the whole does not hold unless this part has the outcome that it needs; `for_false`: likewise.
+    // `for_true`: the whole is false unless this part has the required result; `for_false`: the same for true.
     void visit(const SyntaxNode& node, bool for_true, bool for_false, bool negated = false) {
         if (const auto parts = operands(node, "or"); parts.size() > 1) {
             for (const auto* part : parts) visit(*part, negated && for_true, !negated && for_false, negated);
@@ -67,7 +67,7 @@ public:
         }
     }
 
-    // The source of a node, with what was put into it.
+    // The source of a node, with the replacements.
     std::string text(const SyntaxNode& node) {
         std::sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) { return a.at < b.at; });
         std::string out;
@@ -100,7 +100,7 @@ private:
         comparison.for_true = for_true;
         comparison.for_false = for_false;
         comparison.negated = negated;
-        // The right side stands in parentheses, so that it gives one value.
+        // The right side is in parentheses, so that it gives one value.
         const std::string number = std::to_string(comparisons.size());
         const std::size_t begin = tree_.offset(*node.first);
         edits_.push_back({begin, 0, std::string(hook_) + "(" + number + ","});
@@ -114,7 +114,7 @@ private:
     std::vector<Edit> edits_;
 };
 
-// The expression of `function() return EXPRESSION end` with its `end` in that line, without a function within.
+// The expression of `function() return EXPRESSION end` with its `end` in this line, without a function inside.
 const SyntaxNode* returned_by(const SyntaxNode& function, int last_line) {
     const bool has_name = !function.first->is("function");
     const SyntaxNode* const statement = function.last->child;

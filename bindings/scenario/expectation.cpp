@@ -1,4 +1,4 @@
-// The rules of each kind, and the sentences that say how one was broken.
+// The rules of each kind, and the messages about failures.
 #include "bindings/scenario/expectation.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ std::string_view to_text(Expectation::Kind kind) {
 }
 
 std::string text_of_time(double seconds) {
-    // Ticks of 100 Hz need two digits; others show theirs, up to a microsecond.
+    // Times have two digits, enough for ticks of 100 Hz; other times have more digits, down to a microsecond.
     std::string text = fmt::format("{:.6f}", seconds);
     while (text.back() == '0' && text[text.size() - 3] != '.') text.pop_back();
     return text + " s";
@@ -50,7 +50,7 @@ Verdict Expectation::sample_hold(bool is_true, double now) {
         return now >= started_ + terms_.within - time_tolerance ? Verdict::broken : Verdict::open;
     }
     if (held_since_ < 0) {
-        // A hold that begins too late is none.
+        // A hold that begins too late does not count.
         if (now > started_ + terms_.within + time_tolerance) return Verdict::broken;
         held_since_ = now;
     }

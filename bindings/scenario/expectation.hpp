@@ -1,4 +1,4 @@
-// What a scenario expects over time, apart from Lua: samples go in, a verdict comes out.
+// An expectation of a scenario over time, independent of Lua: it takes samples and gives a verdict.
 #pragma once
 
 #include <limits>
@@ -19,14 +19,14 @@ public:
         Kind kind = Kind::always;
         std::string name;
         Place place{};
-        /// The event must come, and the hold begin, so long after the start at most; infinity: no such limit.
+        /// The event must happen, or the hold must begin, at most this long after the start; infinity: no limit.
         double within = std::numeric_limits<double>::infinity();
-        double hold = 0;  ///< of `maintain`
+        double hold = 0;  ///< for `maintain`
     };
 
     Expectation(Terms terms, double started) : terms_(std::move(terms)), started_(started) {}
 
-    /// The condition is, or is not, true at this time. Times ascend. Only while the verdict is open.
+    /// Adds the value of the condition at this time. Times must ascend. Only while the verdict is open.
     Verdict add_sample(bool is_true, double now);
 
     const Terms& terms() const { return terms_; }
@@ -34,9 +34,9 @@ public:
     Verdict verdict() const { return verdict_; }
     /// "always 'never touches anything'".
     std::string title() const;
-    /// What was expected and when it ceased, once it is broken.
+    /// What was expected and when it failed; only if it failed.
     std::string explain() const;
-    /// How far it had come when time ran out.
+    /// The progress when time ran out.
     std::string explain_open(double now) const;
 
 private:
@@ -47,18 +47,18 @@ private:
     Verdict verdict_ = Verdict::open;
     double broken_at_ = 0;
     double kept_until_ = -1;     // always, never: the last sample that was as expected
-    double held_since_ = -1;     // maintain: when the present hold began, -1: it does not hold
-    double longest_since_ = -1;  // and the longest so far
+    double held_since_ = -1;     // maintain: begin of the present hold; -1: it does not hold
+    double longest_since_ = -1;  // begin of the longest hold so far
     double longest_until_ = -1;
 };
 
 /// "always", "wait_until", ...
 std::string_view to_text(Expectation::Kind kind);
 
-/// A time as messages show it: "3.12 s".
+/// A time in messages: "3.12 s".
 std::string text_of_time(double seconds);
 
-/// Times that differ by less are the same: far below a tick, far above rounding.
+/// Times that differ by less are equal: this is much less than a tick, and much more than rounding errors.
 inline constexpr double time_tolerance = 1e-7;
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// What a shell or a file system takes for something else becomes a hyphen.
+// Characters that a shell or a file system could misinterpret become hyphens.
 #include "bindings/scenario/failure_folder.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,8 @@ bool is_kept(char c) {
            static_cast<unsigned char>(c) >= 0x80 || c == '.' || c == '=' || c == '_' || c == '-';
 }
 
-// Signs of every run's name, whose loss tells no two names apart: "drives [noise=true, speed=0.1]".
+// Characters of every run's name, which can be removed without making two names equal: "drives [noise=true,
+// speed=0.1]".
 bool is_joint(char c) { return c == ' ' || c == ',' || c == '[' || c == ']'; }
 
 bool is_inside_a_letter(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
@@ -34,7 +35,7 @@ std::string run_file_name(const fs::path& file, std::string_view run, bool alone
         char before = 0;
         for (const char c : given) {
             const bool kept = is_kept(c) && !(out.empty() && (c == '.' || c == '-'));
-            // A hyphen may have been a blank, unless it is a minus.
+            // A hyphen may stand for a blank, unless it is a minus.
             lossy = lossy || (!kept && !is_joint(c)) || (c == '-' && before != '=');
             if (kept || (!out.empty() && out.back() != '-')) out += kept ? c : '-';
             before = c;

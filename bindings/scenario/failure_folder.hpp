@@ -1,4 +1,4 @@
-// How files of a run are called, and the folder that a failing run leaves its files in.
+// The names of files of a run, and the folder for the files of a failed run.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,12 @@
 
 namespace nezumi {
 
-/// What a run's folder or file is called, from the scenario's file and the run: "stop_test-drives-speed=0.1". Letters
-/// of any language, digits and . = _ - are kept. Where other signs were, where the name was cut, or where `file` is not
-/// the only one of its stem
-/// (`alone`), something follows that tells the run from all others. Never empty, never hidden.
+/// The name of a run's folder or file, from the scenario's file and the run: "stop_test-drives-speed=0.1". Keeps
+/// letters of all languages, digits and . = _ -. A unique part is added if characters were replaced, if the name was
+/// cut, or if another file has the same stem (`alone` is false). Never empty, never hidden.
 std::string run_file_name(const std::filesystem::path& file, std::string_view run, bool alone);
 
-/// Makes the folder, or empties it of what an earlier failure left. Returns its path.
+/// Creates the folder, or removes the files of an earlier failure from it. Returns its path.
 Expected<std::string> make_failure_folder(const std::filesystem::path& folder);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// A list in the order of beginning.
+// A list in the order of begin.
 #include "bindings/scenario/faults.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ Faults::Fault* Faults::last_of(std::string_view key) {
     return found != faults_.rend() ? &*found : nullptr;
 }
 
-// `over`, the latest of its key, is no longer in the list.
+// `over`, the latest fault of its key, is no longer in the list.
 void Faults::go_on_without(const Fault& over) {
     if (over.effect.is_there && !over.effect.is_there()) return forget(over.key);
     const Fault* before = last_of(over.key);
@@ -57,7 +57,7 @@ std::size_t Faults::restore(std::string_view key) {
     std::size_t count = 0;
     for (std::size_t i = faults_.size(); i-- > 0;) {
         const std::string& own = faults_[i].key;
-        // "robot 0 mouse" is the key of the robot, "robot 0 mouse press right" that of one thing done to it.
+        // "robot 0 mouse" is the key of the robot, "robot 0 mouse press right" the key of one of its faults.
         const bool meant = own == key || (own.starts_with(key) && own[key.size()] == ' ');
         if (!meant || !faults_[i].is_fault) continue;
         ++count;

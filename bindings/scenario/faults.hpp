@@ -1,4 +1,4 @@
-// What a scenario does to ports and robots for a while, and how it ends.
+// Temporary faults that a scenario applies to ports and robots, and their ends.
 #pragma once
 
 #include <cstddef>
@@ -9,27 +9,29 @@
 
 namespace nezumi {
 
-/// Faults that are under way. Each has a key, what it is done to ("port mouse.ir_sensor_out"). Of several with the same
-/// key the latest alone works; when it ends, the one before works again.
+/// The active faults. Each has a key that names its target ("port mouse.ir_sensor_out"). If several have the same key,
+/// only the latest works; when it ends, the one before works again.
 class Faults {
 public:
     struct Effect {
-        std::function<void()> put;         ///< does it, when the fault over it has ended
-        std::function<void()> undo;        ///< nothing else of the key is left
-        std::function<bool()> is_there{};  ///< something else may have been put in its place; empty: never
+        std::function<void()> put;   ///< applies it again when the fault over it has ended
+        std::function<void()> undo;  ///< called if no other fault of the key is left
+        std::function<bool()>
+            is_there{};  ///< whether it still exists, as something else may have replaced it; empty: always false
     };
-    /// A fault that has been put in. It ends between two ticks, `seconds` after `now`. Infinity: when it is restored;
-    /// it takes the place of those of its key.
+    /// Adds a fault that has been applied. It ends between two ticks, `seconds` after `now`. Infinity: it ends when it
+    /// is restored, and replaces the other faults of its key.
     void begin(std::string key, double now, double seconds, Effect effect);
-    /// What is no fault, as a hold, but works again when the faults over it have ended. To be said before they begin.
+    /// Adds an effect below the faults that is no fault itself, such as a hold. It works again when the faults over it
+    /// have ended. Call it before those begin.
     void lies_under(std::string key, std::function<void()> put);
-    /// Ends those whose time has come. To be called before every tick.
+    /// Ends the faults whose time has come. Call it before every tick.
     void end_due(double now);
-    /// Ends what is done to this thing: its key, or every key of a robot. Returns how many faults.
+    /// Ends all faults of a key, or of all keys of a robot. Returns their number.
     std::size_t restore(std::string_view key);
-    /// Something else has taken the place of all faults of this key.
+    /// Forgets all faults of this key, because something else has replaced them.
     void forget(std::string_view key);
-    /// Takes away what lies under the faults of this key; false when there is nothing.
+    /// Removes the effect below the faults of this key; false if there is none.
     bool forget_under(std::string_view key);
     bool has(std::string_view key) const;
     bool empty() const { return faults_.empty(); }
@@ -45,7 +47,7 @@ private:
     Fault* last_of(std::string_view key);
     void go_on_without(const Fault& over);
 
-    std::vector<Fault> faults_;  // in the order of their beginning
+    std::vector<Fault> faults_;  // in the order of their begin
 };
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Cells are compared by the names of their columns, so that their order in the file does not matter.
+// Compares cells by the names of their columns, so the order of columns does not matter.
 #include "bindings/scenario/golden.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ constexpr std::size_t time_column = ~std::size_t{0};
 
 using Fields = std::vector<std::string>;
 
-// As they are written, so that a text is no number.
+// The rows as text, so that a text is never read as a number.
 std::vector<Fields> read_rows(const std::string& csv) {
     std::istringstream in(csv);
     std::vector<Fields> rows;
@@ -106,7 +106,7 @@ Expected<void> GoldenOwners::add(const std::vector<GoldenUse>& uses, const std::
     return {};
 }
 
-// Not 0, which says that nothing was written.
+// Never 0, because 0 means that nothing was written.
 std::uint64_t Golden::fingerprint() const { return std::hash<std::string>{}(text()) | 1; }
 
 Expected<void> Golden::finish(bool update) const {

@@ -1,4 +1,4 @@
-// A committed trace that a run must follow within a tolerance.
+// A trace in a file that a run must follow within a tolerance.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@
 
 namespace nezumi {
 
-/// What `s:golden` asked for: a table as `TraceTable` makes it, with the time [s] before it.
+/// The request of `s:golden`: a table as `TraceTable` makes it, with a column for the time [s].
 class Golden {
 public:
-    /// `name` is the file's as the scenario gives it. The channels must outlive this.
+    /// `name` is the file name in the scenario. The channels must outlive this object.
     Golden(std::filesystem::path file, std::string name, double tolerance, Place place,
            const std::vector<const Channel*>& channels)
         : file_(std::move(file)),
@@ -26,17 +26,17 @@ public:
           place_(std::move(place)),
           table_(channels) {}
 
-    /// Adds what the step brought that led to this time.
+    /// Adds the values of the step that led to this time.
     void add(double now);
     /// Compares with the file, or writes it. The error names the first cell that differs.
     Expected<void> finish(bool update) const;
-    /// A hash of what `finish` writes.
+    /// A hash of the text that `finish` writes.
     std::uint64_t fingerprint() const;
 
 private:
     struct Row {
         std::string time;
-        std::vector<std::string> cells;  // by the table's ids
+        std::vector<std::string> cells;  // by the ids of the table
     };
 
     std::string cell(const Row& row, std::size_t id) const { return id < row.cells.size() ? row.cells[id] : ""; }
@@ -51,11 +51,11 @@ private:
     std::vector<Row> rows_;
 };
 
-/// Which run has written which golden. Several may compare with one; two that write it differently would undo each
-/// other's work.
+/// Knows which run has written which golden. Several runs may compare with one file, but two runs that write it
+/// differently would overwrite each other.
 class GoldenOwners {
 public:
-    /// Notes those that a run has written; an error at the place of one that another run has written differently.
+    /// Adds the goldens that a run has written; an error if another run has written one differently.
     Expected<void> add(const std::vector<GoldenUse>& uses, const std::string& run);
 
 private:

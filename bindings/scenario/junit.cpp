@@ -1,4 +1,4 @@
-// JUnit's XML, as the common readers (Jenkins, GitLab, GitHub's actions) take it.
+// JUnit's XML, as common readers accept it (Jenkins, GitLab, GitHub Actions).
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 namespace nezumi {
 namespace {
 
-// The number of bytes of the UTF-8 character at `at`, 0 where there is none that XML may hold.
+// The number of bytes of the UTF-8 character at `at`; 0 if XML does not allow it.
 std::size_t character_size(std::string_view text, std::size_t at) {
     const auto byte = [&](std::size_t i) -> unsigned {
         return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -27,7 +27,7 @@ std::size_t character_size(std::string_view text, std::size_t at) {
     return code < least[size] || code > 0x10ffff || surrogate || code == 0xfffe || code == 0xffff ? 0 : size;
 }
 
-// Text for content and for attributes; what XML can't hold becomes a question mark.
+// Text for content and attributes; characters that XML does not allow become question marks.
 std::string xml(std::string_view text) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {

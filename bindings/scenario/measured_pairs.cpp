@@ -11,7 +11,7 @@
 namespace nezumi {
 namespace {
 
-// What one value of the key came to in one measure: by what its pairs have in common.
+// The values of one measure for one value of the key, by what its pairs have in common.
 struct Side {
     std::string value;
     std::map<std::string, double> measured{};

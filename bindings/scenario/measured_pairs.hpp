@@ -1,4 +1,4 @@
-// Runs that differ in one key of their sweep alone, as two controllers with the same draws: what lies between them.
+// Compares runs in pairs that differ only in one key of their sweep, such as two controllers with the same draws.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace nezumi {
 
-/// How a measure differs between two values of the key: the second one's minus the first one's, pair by pair.
+/// The differences of a measure between two values of the key: the second minus the first, for each pair.
 struct PairSummary {
     std::string scenario;
     std::string name;
@@ -17,11 +17,11 @@ struct PairSummary {
     std::string key;
     std::string first, second;  ///< values of the key
     Statistics differences{};
-    std::size_t less = 0, more = 0;  ///< pairs in which the second one's is less, or more
+    std::size_t less = 0, more = 0;  ///< number of pairs in which the second value is less, or more
 };
 
-/// Of each measure of each scenario that is paired: the first value of the key with each other one, in the order in
-/// which they come first. Only of runs that count; a pair has both.
+/// For each measure of each paired scenario: the first value of the key compared with each other value, in the order of
+/// their first runs. Uses only pairs of two valid runs.
 std::vector<PairSummary> summarize_pairs(const std::vector<MeasuredRun>& runs);
 
 /// "time to goal [s] of drives, controller=b minus controller=a: 20 pairs, min -0.4, ..., max 0.3 (less in 13, more in

@@ -1,5 +1,5 @@
-// Follows a scenario through the variables of a file: from the function that gets it, under further names, into the
-// functions that are handed it.
+// Follows a scenario through the variables of a file: from the function that gets it, to other variables, and into the
+// functions that are called with it.
 #include "bindings/scenario/method_scan.hpp"
 
 #include <fmt/format.h>
@@ -30,8 +30,8 @@ public:
             const LocalName* const scenario = scenarios_.back();
             scenarios_.pop_back();
             for (const SyntaxNode* const use : uses_[scenario]) {
-                if (is_assigned(*use)) break;  // from here on it is something else
-                look_at(*use);                 // which finds further ones
+                if (is_assigned(*use)) break;  // after this it has another value
+                look_at(*use);                 // finds further variables
             }
         }
         std::sort(errors_.begin(), errors_.end(), [](const Error& a, const Error& b) {
@@ -46,8 +46,8 @@ private:
 
     static Variable variable(const SyntaxNode& name) { return {name.variable, name.word->text}; }
 
-    // Where each local variable stands, and which function each variable is. Of one that is given several it is not
-    // known which is meant.
+    // Records the place of each local variable, and the function of each variable. If a variable is assigned several
+    // functions, it counts as unknown.
     void note(const SyntaxNode& node) {
         if (node.is(Kind::name) && node.variable != nullptr) uses_[node.variable].push_back(&node);
         if (node.is(Kind::local_function) || node.is(Kind::function_statement)) {
@@ -69,8 +69,7 @@ private:
         if (!is_new) known->second = nullptr;
     }
 
-    // The function that an expression is, or is the name of, is given the scenario as its argument of this number,
-    // from 0.
+    // The function of an expression or of a name gets the scenario as its argument of this number, from 0.
     void follow(const SyntaxNode* given, std::size_t argument) {
         if (given != nullptr && given->is(Kind::name)) {
             const auto found = functions_.find(variable(*given));
@@ -107,7 +106,7 @@ private:
     const std::vector<std::string_view>& methods_;
     std::map<const LocalName*, std::vector<const SyntaxNode*>> uses_;
     std::map<Variable, const SyntaxNode*> functions_;  // null: not known
-    std::vector<const LocalName*> scenarios_;          // to be looked at
+    std::vector<const LocalName*> scenarios_;          // that are still to be searched
     std::set<const LocalName*> seen_;
     std::vector<Error> errors_;
 };

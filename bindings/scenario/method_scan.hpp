@@ -1,4 +1,4 @@
-// Methods that a scenario does not have, found in the text without running it.
+// Finds unknown methods of a scenario in the text without running it.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace nezumi {
 
-/// What is said of a method that `object`, the scenario, does not have: the nearest one, or what stands for it.
+/// The message about an unknown method of `object`, the scenario: the nearest method, or the replacement.
 std::string unknown_method(std::string_view object, std::string_view name,
                            const std::vector<std::string_view>& methods);
 
-/// Every `s:name(...)` whose name is none of `methods` (sorted), in the order of the text. `s` is the first parameter
-/// of a scenario's function, given as it is or by its name; a parameter of a function of the text that is called with
-/// `s`; or a local that begins as `s`. What the text does not say so plainly is left to its run. `shown` names the text
-/// in messages.
+/// Every call `s:name(...)` with a name that is not in `methods` (sorted), in the order of the text. `s` is the first
+/// parameter of a scenario's function (given directly or by its name), a parameter of a function of the text that is
+/// called with `s`, or a local that is initialised with `s`. Other ways to get the scenario are checked only at run
+/// time. `shown` names the text in messages.
 std::vector<Error> unknown_methods(std::string_view text, const std::string& shown,
                                    const std::vector<std::string_view>& methods);
 

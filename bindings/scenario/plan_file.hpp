@@ -1,4 +1,4 @@
-// The plan of a session in parts, beside their results: what all of them together make, for whoever merges them.
+// The plan of a session in parts, stored beside the results: it lists all runs of all parts, for merging.
 #pragma once
 
 #include <cstdint>
@@ -15,25 +15,24 @@
 namespace nezumi {
 
 struct KeptPlan {
-    /// All runs, of all parts. Of scenarios only their names, places and `paired` are there, of values only their
-    /// texts.
+    /// All runs of all parts. Scenarios have only their names, places and `paired`; values only their texts.
     TestPlan plan;
     std::uint64_t made_with = 0;  ///< `fingerprint`
     std::uint64_t seed = 0;
     std::uint64_t repeat = 1;
     std::uint64_t shards = 1;
-    std::string words;  ///< options that repeating a run needs besides its name and seed
+    std::string words;  ///< options that are needed to repeat a run, besides its name and seed
 };
 
-/// As bytes, and back; nothing when `to_bytes` did not make them.
+/// To bytes and back. Returns nothing for bytes that `to_bytes` did not make.
 std::string to_bytes(const KeptPlan& kept);
 std::optional<KeptPlan> plan_from_bytes(std::string_view bytes);
 
-/// Writes the plan beside the results of this part. A plan of other runs that is there is of another time, and goes.
+/// Writes the plan beside the results of this part. Removes an old plan with other runs.
 Expected<void> keep_plan(const std::filesystem::path& folder, const Shard& shard, const KeptPlan& plan);
 
-/// The plan that all these folders are parts of. An error names a folder that has none, one of other
-/// runs, or one that is given twice.
+/// The common plan of all these folders. The error names a folder without a plan, with another plan, or one that is
+/// given twice.
 Expected<KeptPlan> find_plan(const std::vector<std::filesystem::path>& folders);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// A run that fails is made once more, with all that is kept of it.
+// A failed run is made again, with all its data recorded.
 #include "bindings/scenario/planned_run.hpp"
 
 #include <fmt/format.h>

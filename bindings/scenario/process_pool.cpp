@@ -28,8 +28,8 @@ struct Running {
     std::string answer;
 };
 
-// SIGINT, SIGTERM and SIGHUP as a file to poll, while this lives. Without a descriptor for it they end the program as
-// they come, and its children with it.
+// Makes SIGINT, SIGTERM and SIGHUP readable as a file while it lives. Without a file descriptor for it, these signals
+// end the program and its children as usual.
 class StopSignals {
 public:
     StopSignals() {
@@ -50,7 +50,7 @@ public:
     StopSignals& operator=(const StopSignals&) = delete;
 
     int file() const { return file_; }
-    // A signal that waits would come as soon as it is no longer blocked.
+    // A signal that waits would arrive as soon as it is unblocked.
     void take() const {
         signalfd_siginfo signal{};
         while (read(file_, &signal, sizeof signal) > 0) {
@@ -59,7 +59,7 @@ public:
     void restore() const { sigprocmask(SIG_SETMASK, &before_, nullptr); }
 
 private:
-    // As nohup has it: a blocked signal would come all the same.
+    // As with nohup: an ignored signal would arrive if it were blocked.
     static bool is_ignored(int signal) {
         struct sigaction action {};
         return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
@@ -91,7 +91,7 @@ bool write_all(int file, const std::string& bytes) {
         std::fputs(fmt::format("{}\n", error.what()).c_str(), stderr);
         status = 1;
     }
-    _exit(status);  // nothing of what the parent began is ended here
+    _exit(status);  // skips the clean-up of what the parent has begun
 }
 
 Expected<Running> start(const PoolTasks& tasks, std::size_t task, const StopSignals& signals) {
@@ -125,7 +125,7 @@ Expected<std::string> collect(Running& running) {
     return std::move(running.answer);
 }
 
-// Reads what there is. False: that was all.
+// Reads what is available. False: it was the end.
 bool read_some(Running& running) {
     std::array<char, 65536> buffer{};
     const ssize_t got = read(running.pipe, buffer.data(), buffer.size());
@@ -133,13 +133,13 @@ bool read_some(Running& running) {
     return got > 0 || (got < 0 && errno == EINTR);
 }
 
-// Ends a process. An error, unless it was over before.
+// Ends a process. Returns an error, unless it had finished before.
 Expected<std::string> stop(Running& running) {
     kill(running.process, SIGKILL);
     siginfo_t ended{};
     while (waitid(P_PID, static_cast<id_t>(running.process), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
     }
-    // What it said is in the pipe. Whoever else may have that open is not waited for.
+    // Reads what is left in the pipe. Does not wait for other processes that may have the pipe open.
     fcntl(running.pipe, F_SETFL, O_NONBLOCK);
     while (read_some(running)) {
     }

@@ -1,4 +1,4 @@
-// Runs tasks in processes of their own, several at a time: a crash ends one task, and nothing is shared.
+// Runs tasks in processes of their own, several at a time. A crash ends one task only.
 #pragma once
 
 #include <cstddef>
@@ -9,25 +9,25 @@
 
 namespace nezumi {
 
-/// What a pool came to.
+/// How a pool ended.
 enum class PoolEnd {
     done,
-    interrupted,  ///< by SIGINT, SIGTERM or SIGHUP (unless that is ignored): all processes are gone
+    interrupted,  ///< by SIGINT, SIGTERM or SIGHUP (unless it is ignored): all processes have ended
 };
 
 struct PoolTasks {
     std::size_t count = 0;
-    /// Runs in a process of its own, a copy of this one; what it returns is sent back.
+    /// Runs in a process of its own, a copy of this one; its result is sent back.
     std::function<std::string(std::size_t task)> run;
-    /// Gets the answers in the order of the tasks; an error says how the process ended instead. After an interruption
-    /// it gets those of all tasks that were over.
+    /// Gets the answers in the order of the tasks. An error says how the process ended instead. After an interruption
+    /// it gets the answers of all finished tasks.
     std::function<void(std::size_t task, Expected<std::string> answer)> take;
-    /// Is told after each task how many are over, in whatever order; may be empty.
+    /// Called after each task with the number of finished tasks, in any order; may be empty.
     std::function<void(std::size_t done)> progress{};
 };
 
-/// At most `jobs` processes at a time. This process must have no other threads. SIGINT, SIGTERM and
-/// SIGHUP end all processes.
+/// Runs at most `jobs` processes at a time. This process must have no other threads. SIGINT, SIGTERM and SIGHUP end all
+/// processes.
 PoolEnd run_in_processes(const PoolTasks& tasks, std::size_t jobs);
 
 }  // namespace nezumi

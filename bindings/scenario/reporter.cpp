@@ -1,4 +1,4 @@
-// For people, and as TAP.
+// Reports for people, and as TAP.
 #include "bindings/scenario/reporter.hpp"
 
 #include <fmt/format.h>
@@ -64,7 +64,7 @@ private:
     bool quiet_;
 };
 
-// Where it went wrong: a file, and its line if that is known.
+// The place of the failure: a file, and its line if known.
 std::string place_text(const RunReport& report) {
     const Place& place = report.result.error.place;
     const std::string& file = place.file.empty() ? report.file : place.file;
@@ -72,7 +72,7 @@ std::string place_text(const RunReport& report) {
     return line > 0 ? fmt::format("{}:{}", file, line) : file;
 }
 
-// A description must not contain what TAP takes for a directive or for escaping.
+// A description must not contain directives or escapes of TAP.
 std::string tap_name(std::string_view name) {
     std::string out;
     for (const char c : name) {

@@ -1,4 +1,4 @@
-// How a session of scenarios is told: to a person, to TAP's and to JUnit's readers.
+// Reports a session of scenarios: to people, as TAP, and as JUnit.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace nezumi {
 
-/// One run as it is told.
+/// The report of one run.
 struct RunReport {
     std::string file;        ///< of the scenario
     int line = 0;            ///< of the scenario
@@ -26,17 +26,17 @@ struct RunReport {
     RunResult result;
 };
 
-/// A file that could not be read is one report without a scenario.
+/// A file that could not be read is a report without a scenario.
 struct SessionSummary {
     std::size_t passed = 0;
     std::size_t failed = 0;
     std::size_t could_not_run = 0;
-    double seconds = 0;       ///< simulated, of all runs but those kept
+    double seconds = 0;       ///< simulated, of all runs made in this session
     double wall_seconds = 0;  ///< of the session
     std::uint64_t seed = 0;
     std::size_t jobs = 0;
-    std::size_t kept = 0;    ///< runs whose results are of earlier sessions: this one made the others
-    std::size_t merged = 0;  ///< folders whose results these are; 0: the session made them
+    std::size_t kept = 0;    ///< number of runs with results of earlier sessions; this session made the others
+    std::size_t merged = 0;  ///< number of folders that were merged; 0: this session made the runs
     std::vector<MeasureSummary> measures;
     std::vector<PairSummary> pairs;
 };
@@ -47,20 +47,20 @@ class Reporter {
 public:
     virtual ~Reporter() = default;
     virtual void begin(std::size_t runs) = 0;
-    /// In order.
+    /// Call this in the order of the plan.
     virtual void add(const RunReport& report) = 0;
     virtual void end(const SessionSummary& summary) = 0;
 };
 
-/// For people. `colour`: with the terminal's colours. `quiet`: nothing of runs that passed, but for the summary.
+/// For people. `colour`: with terminal colours. `quiet`: omits runs that passed, except in the summary.
 std::unique_ptr<Reporter> console_reporter(WriteText write, bool colour, bool quiet = false);
-/// TAP version 13, a diagnostic block for each failure.
+/// TAP version 13, with a diagnostic block for each failure.
 std::unique_ptr<Reporter> tap_reporter(WriteText write);
 
 /// A JUnit file of the whole session: a test suite for each file.
 std::string junit_text(const std::vector<RunReport>& reports, const SessionSummary& summary);
 
-/// All that is to be said of a run that did not pass, a line each: where and what, the facts, the files, the command.
+/// The lines about a run that did not pass: place and reason, facts, files, and the command that repeats it.
 std::vector<std::string> failure_lines(const RunReport& report);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// A file's name is a hash of whose result it has, which it says itself as well.
+// A file name is the hash of its result's key; the file also contains the key.
 #include "bindings/scenario/result_store.hpp"
 
 #include <fmt/format.h>
@@ -30,22 +30,23 @@ std::string text_of(const ResultKey& key) {
                        key.seed);
 }
 
-// Beside a scenario count the kinds of files that a run reads. Others may change while it runs: its log, a report.
+// Beside scenarios, only files of kinds that runs read count. Others may change during a session, such as logs and
+// reports.
 bool is_read_by_runs(const fs::path& file) {
     static constexpr std::array<std::string_view, 13> endings{".lua", ".csv",  ".yaml", ".yml", ".pgm",  ".ppm", ".png",
                                                               ".jpg", ".jpeg", ".bmp",  ".tif", ".tiff", ".webp"};
     const std::string ending = file.extension().string();
     if (std::find(endings.begin(), endings.end(), ending) == endings.end()) return false;
-    // A failure has left those beside this one.
+    // Files beside this one belong to a failure.
     std::error_code none;
     return !fs::exists(file.parent_path() / "failure.txt", none);
 }
 
 // The folders whose files count for a scenario file.
 struct ReadFolders {
-    fs::path behaviors;       // of its project; empty when there is none
-    fs::path own;             // the project's folder that the scenario is in or below, as tests/; else its own
-    bool with_below = false;  // nobody knows what lies below a folder of no project, or below the project's own
+    fs::path behaviors;       // of its project; empty if there is none
+    fs::path own;             // the project's folder that contains the scenario, such as tests/; else its own folder
+    bool with_below = false;  // not for the project's own folder, and not outside of a project
 
     auto operator<=>(const ReadFolders&) const = default;
 };
@@ -60,8 +61,8 @@ ReadFolders folders_of(const fs::path& scenario, const std::vector<fs::path>& in
     return {root / "behaviors", root / *within.begin(), true};
 }
 
-// The files that a run of a scenario file may read, as far as they are of the project: of its behaviors all, in the
-// scenario's own folder those of some kinds.
+// The files of the project that a run of a scenario file may read: all in its behaviors, and files of some kinds in the
+// scenario's own folder.
 std::set<fs::path> files_in(const ReadFolders& folders) {
     std::set<fs::path> files;
     if (!folders.behaviors.empty()) {
@@ -93,7 +94,7 @@ std::uint64_t fingerprint(const TestPlan& plan, std::uint64_t seed, const std::s
         if (!read.insert(folders).second) continue;
         for (const fs::path& path : files_in(folders)) {
             const std::string text = read_whole(path, path.string(), largest_picture).value_or("");
-            if (is_measures_csv(text)) continue;  // of an earlier session
+            if (is_measures_csv(text)) continue;  // written by an earlier session
             all = mix(all, path.filename().string());
             all = mix(all, text);
         }

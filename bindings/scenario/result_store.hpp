@@ -1,4 +1,4 @@
-// Results of runs in a folder, a file each: what a session that was cut off, or made only a part, leaves to others.
+// Stores the results of runs in a folder, a file for each, for sessions that resume or merge.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace nezumi {
 
-/// A part of a plan's runs: every `count`th of them, so that each part has some of what takes long.
+/// A part of the runs of a plan: every `count`th run, so that long runs are spread over all parts.
 struct Shard {
     std::size_t index = 1;  ///< 1 to `count`
     std::size_t count = 1;
@@ -20,44 +20,44 @@ struct Shard {
     bool has(std::size_t run) const { return run % count == index - 1; }
 };
 
-/// What a run was made with, as a number: the version, the seed, and the files that it may read: all of the project's
-/// `behaviors/`, and of the project's folders that the scenario files are in (`tests/`) those in Lua, CSV tables, maps
-/// and pictures that no session has written. Results that were made with something else are not those of this plan.
+/// A hash of everything that a run depends on: the version, the seed, and the files that it may read. These are all
+/// files of the project's `behaviors/`, and in the folders of the scenario files (`tests/`) Lua, CSV tables, maps and
+/// pictures that no session has written. Results with another fingerprint do not belong to this plan.
 std::uint64_t fingerprint(const TestPlan& plan, std::uint64_t seed, const std::string& version,
                           const std::vector<std::filesystem::path>& installed);
 
-/// Whose result it is.
+/// Identifies a result.
 struct ResultKey {
     std::string file;              ///< as the plan shows it
     std::string run;               ///< its name
-    std::uint64_t repetition = 0;  ///< of `--repeat`
+    std::uint64_t repetition = 0;  ///< number of `--repeat`
     bool simplest = false;         ///< not the run itself, but the simplest failure that was found from it
     std::uint64_t seed = 0;        ///< of the run
 };
 
-/// A result, and the name and the seed of the run that had it: another one for a simplest failure.
+/// A result, and the name and seed of its run, which is another run for a simplest failure.
 struct KeptResult {
     std::string name;
     RunResult result;
     std::uint64_t seed = 0;
 };
 
-/// Files are written whole or not at all, also by several processes at once where each has runs of its own.
+/// Files are written completely or not at all. Several processes may write at once if each has its own runs.
 class ResultStore {
 public:
-    /// In `results/` of the folder where failures leave their files.
+    /// Uses the folder `results/` of the folder for failures.
     ResultStore(std::filesystem::path folder, std::uint64_t made_with)
         : folder_(std::move(folder)), made_with_(made_with) {}
 
     Expected<void> keep(const ResultKey& key, const KeptResult& result) const;
-    /// Nothing when there is none, it is torn, or it was made with something else. The folder of a failure's files is
-    /// as it is seen from here.
+    /// Nothing if there is no result, if it is damaged, or if it has another fingerprint. The folder of a failure's
+    /// files is relative to the present folder.
     std::optional<KeptResult> find(const ResultKey& key) const;
     void forget(const ResultKey& key) const;
-    /// Takes the folder of the files away if it is empty, and the one that it is in when `with_parent`.
+    /// Removes the folder of the files if it is empty, and with `with_parent` also its parent.
     void remove_if_empty(bool with_parent) const;
 
-    /// Where the files are.
+    /// The folder of the files.
     static std::filesystem::path folder_in(const std::filesystem::path& folder) { return folder / "results"; }
 
 private:

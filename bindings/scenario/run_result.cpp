@@ -1,4 +1,4 @@
-// The order of its fields, once for both directions.
+// Lists the fields once, for reading and writing.
 #include "bindings/scenario/run_result.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ bool all_fields(Archive& archive, Result& result) {
            archive(result.files) && archive(result.seconds) && archive(result.wall_seconds) && archive(result.hash);
 }
 
-// Bytes of another machine may say anything.
+// Bytes of another machine may contain anything.
 bool is_possible(const RunResult& result) {
     const bool known = result.outcome <= RunOutcome::could_not_run && result.error.kind >= Error::Kind::ordinary &&
                        result.error.kind <= Error::Kind::out_of_time;

@@ -1,4 +1,4 @@
-// What one run of a scenario gave: as data that travels from the process that ran it.
+// The result of one run of a scenario, as data that its process sends.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,11 @@ namespace nezumi {
 enum class RunOutcome : unsigned char {
     passed,
     failed,
-    could_not_run,  ///< it says nothing about what was tried: a file is missing, a script runs without end, a crash
+    could_not_run,  ///< the run says nothing about the tested behaviour: a file is missing, a script does not end, or
+                    ///< it crashed
 };
 
-/// A number that a run keeps by `s:measure`.
+/// A number that a run records with `s:measure`.
 struct Measure {
     std::string name;
     double value = 0;  ///< finite
@@ -36,23 +37,23 @@ struct GoldenUse {
 
 struct RunResult {
     RunOutcome outcome = RunOutcome::passed;
-    Error error{};                     ///< what failed, with the scenario's line
+    Error error{};                     ///< the failure, with the line of the scenario
     bool component_failed = false;     ///< it failed because a component went to ERROR
-    std::vector<std::string> facts;    ///< more about it, a line each: by how much, when, values, a plot
-    std::vector<std::string> margins;  ///< how near the conditions came to their limits, a line each
-    std::vector<std::string> printed;  ///< what the scenario printed, and what was warned of
-    std::vector<Measure> measures{};   ///< in the order in which they were taken, each name once
+    std::vector<std::string> facts;    ///< more about the failure, a line each: differences, times, values, a plot
+    std::vector<std::string> margins;  ///< the smallest margins of the conditions, a line each
+    std::vector<std::string> printed;  ///< the output of the scenario, and warnings
+    std::vector<Measure> measures{};   ///< in the order of `s:measure`, each name once
     std::vector<GoldenUse> goldens{};  ///< each file once
-    std::string folder;                ///< where the files of a failure lie; empty: there are none
+    std::string folder;                ///< the folder of a failure's files; empty: there are none
     std::vector<std::string> files;    ///< their names
     double seconds = 0;                ///< simulated
-    double wall_seconds = 0;           ///< that it took
-    std::uint64_t hash = 0;            ///< of everything that was published
+    double wall_seconds = 0;           ///< real time of the run
+    std::uint64_t hash = 0;            ///< of all published messages
 
     bool operator==(const RunResult&) const = default;
 };
 
-/// As bytes, and back. What `to_bytes` did not make gives an error.
+/// To bytes and back. Bytes that `to_bytes` did not make give an error.
 std::string to_bytes(const RunResult& result);
 Expected<RunResult> from_bytes(std::string_view bytes);
 

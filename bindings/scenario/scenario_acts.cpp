@@ -1,4 +1,4 @@
-// What a scenario does to its worlds: load, reload, faults.
+// Acts of a scenario on its worlds: load, reload, faults.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr double for_ever = std::numeric_limits<double>::infinity();
 
-// Keys of faults: the system's address tells worlds apart.
+// Keys of faults. The address of the system distinguishes worlds.
 std::string key_of(const RunningSystem* live, std::string_view name) {
     return fmt::format("{} {}", fmt::ptr(live), name);
 }
@@ -38,7 +38,7 @@ std::string_view text_or_empty(lua_State* lua, int index) {
 
 Expected<ActResult> act_on(RunningSystem* live, const Act& what) { return live->act(what, scenario_actor); }
 
-// What puts an override in, as it is now.
+// The act that sets an override to its present value.
 Act act_of(Override kind, const std::string& path, const Port& port) {
     switch (kind) {
         case Override::held: return Hold{path, port.override_value()};
@@ -49,13 +49,13 @@ Act act_of(Override kind, const std::string& path, const Port& port) {
     return Release{path};
 }
 
-// An act that is done when its time has come: what it was to be done to may be gone by then.
+// An act for a later time; its target may be gone by then.
 std::function<void()> later(RunningSystem* live, Act what) {
     return [live, what = std::move(what)] { static_cast<void>(act_on(live, what)); };
 }
 
-// Each run of a sweep, or with a seed of several, has a golden of its own: "stop.csv" is "stop-speed=0.1.csv".
-// `run`: what the run's name has beside the scenario's.
+// Each run of a sweep, or of several seeds, has its own golden: "stop.csv" becomes "stop-speed=0.1.csv". `run` is the
+// part of the run's name after the name of the scenario.
 std::string golden_name(const std::filesystem::path& file, std::string_view run) {
     if (run.empty()) return file.string();
     return file.parent_path() / (run_file_name(file.filename(), run, true) + file.extension().string());
@@ -167,7 +167,7 @@ int ScenarioRun::Methods::port_fault(ScenarioRun& run, lua_State* lua, Override 
     const Act restored = act_of(before, path, *at->port);
     const Act fault = act_of(kind, path, *at->port);
     if (auto done = act_on(at->live, fault); !done) return raise(run, done.error().message);
-    // A hold, or a release, has taken the place of the faults before.
+    // A hold or a release has replaced the faults before.
     if (before == Override::held || before == Override::none) run.faults_.forget(key);
     if (before != Override::none && !run.faults_.has(key)) run.faults_.lies_under(key, later(at->live, restored));
     const auto is_there = [live = at->live, path, kind] {
@@ -179,7 +179,7 @@ int ScenarioRun::Methods::port_fault(ScenarioRun& run, lua_State* lua, Override 
     return 0;
 }
 
-// Ends a hold. Of what is dropped or frozen it ends the hold that lies under that.
+// Ends a hold. If the port is dropped or frozen, ends the hold below that.
 int ScenarioRun::Methods::release(ScenarioRun& run, lua_State* lua) {
     if (const auto at = run.objects_->to_port(lua, 2)) {
         const std::string key = key_of(at->live, at->path());
@@ -247,7 +247,7 @@ int ScenarioRun::Methods::restore(ScenarioRun& run, lua_State* lua) {
         if (dynamic_cast<const Robot*>(component->component) == nullptr)
             return raise(run, fmt::format("{} is no robot: expected a robot, or a port as in \"{}.NAME\"",
                                           component->component->name(), component->component->name()));
-        // What presses and pushes it, and what was done to its ports.
+        // Ends presses, pushes and the faults of its ports.
         run.faults_.restore(key_of(component->live, component->component->name()));
         for (const auto& port : component->component->in_ports())
             run.faults_.restore(key_of(component->live, component->component->name() + "." + port->name()));
@@ -255,7 +255,7 @@ int ScenarioRun::Methods::restore(ScenarioRun& run, lua_State* lua) {
             run.faults_.restore(key_of(component->live, component->component->name() + "." + port->name()));
         return 0;
     }
-    // A name without a dot is a component's.
+    // A name without a dot is the name of a component.
     if (lua_type(lua, 2) == LUA_TSTRING && text_or_empty(lua, 2).find('.') == std::string_view::npos)
         return raise(run, run.objects_->to_component(lua, 2).error().message);
     const auto at = run.objects_->to_port(lua, 2);

@@ -1,4 +1,4 @@
-// The options of a scenario's words: every one, its unit, its meaning and what may stand in it.
+// The options of a scenario's words, with units, documentation and limits.
 #pragma once
 
 #include <optional>
@@ -80,7 +80,7 @@ struct Describe<Expectation::Terms> {
     };
 };
 
-/// What `s:golden` takes beside its ports.
+/// The options of `s:golden`.
 struct GoldenOptions {
     double tolerance = 1e-9;
 };
@@ -98,7 +98,7 @@ struct Describe<GoldenOptions> {
     };
 };
 
-/// What `s:load` takes after the file. Its robots are changed by hand: by the reader of robot files.
+/// The options of `s:load`. The option for robots is read by the reader of robot files.
 struct LoadOptions {};
 
 template <>
@@ -110,7 +110,7 @@ struct Describe<LoadOptions> {
     };
 };
 
-/// What `s:reload` takes: one of them.
+/// The options of `s:reload`: one of them.
 struct ReloadOptions {
     std::optional<std::string> file;
     std::optional<std::string> text;
@@ -126,7 +126,7 @@ struct Describe<ReloadOptions> {
     };
 };
 
-/// These structures as data.
+/// The shapes of these structures.
 const std::vector<RecordShape>& scenario_records();
 
 }  // namespace nezumi

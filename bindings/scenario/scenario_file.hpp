@@ -1,4 +1,4 @@
-// A file of scenarios: `scenario(name, options, function)` collected from a `*_test.lua`, each ready to be run.
+// A file of scenarios: the calls `scenario(name, options, function)` of a `*_test.lua`.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@
 
 namespace nezumi {
 
-/// Of simulated time, when a scenario says nothing else [s].
+/// Timeout of a scenario without this option, in simulated time [s].
 inline constexpr double default_timeout = 60;
-/// How often a sweep with a range is drawn when it does not say.
+/// Number of draws of a sweep with a range, without the option.
 inline constexpr std::size_t default_samples = 20;
 
 struct Scenario {
@@ -28,24 +28,24 @@ struct Scenario {
     Place place;
     double timeout = default_timeout;  ///< [s] of simulated time
     Sweep sweep;
-    std::size_t seeds = 0;                ///< each combination is made so often, with seeds of their own; 0: once
-    std::optional<std::uint64_t> seed{};  ///< of every run; nothing: each has its own
+    std::size_t seeds = 0;                ///< each combination is made so often, with different seeds; 0: once
+    std::optional<std::uint64_t> seed{};  ///< of every run; nothing: each run has its own
     std::string paired{};                 ///< runs that differ in this key alone have the same seed; "": none have
 };
 
-/// Whether the runs of a scenario can be compared in pairs by this key: the sweep has a list of its values.
+/// Checks that the runs of a scenario can be compared in pairs by this key: the sweep has a list of its values.
 Expected<void> check_paired(const Scenario& scenario, const std::string& name);
 
 struct ScenarioFileOptions {
     std::vector<std::filesystem::path> installed;  ///< folders of the installed files (`Project::of`)
     std::uint64_t seed = 0;                        ///< of `math.random`
-    std::function<void(std::string_view)> print;   ///< takes what the file prints, a line at a time; may be empty
-    std::optional<std::string> text{};             ///< in place of what is in the file, which need not be there
+    std::function<void(std::string_view)> print;   ///< gets the output of the file, a line at a time; may be empty
+    std::optional<std::string> text{};             ///< replaces the content of the file, which need not exist
 };
 
 class ScenarioFile {
 public:
-    /// Runs the file, which only declares. `errors` gets all that is wrong with it.
+    /// Runs the file, which only declares scenarios. `errors` gets all its mistakes.
     static Expected<std::unique_ptr<ScenarioFile>> read(const std::filesystem::path& path,
                                                         const ScenarioFileOptions& options,
                                                         std::vector<Error>* errors = nullptr);
@@ -55,11 +55,11 @@ public:
     /// In the order of the file; at least one.
     const std::vector<Scenario>& scenarios() const { return scenarios_; }
     LuaState& state() const { return LuaState::of(file_->lua()); }
-    /// The text of the file, or of a module that it required; null when there is none of this name.
+    /// The text of the file, or of a module that it required; null for other names.
     const std::string* text(const std::string& shown) const;
     const FileSource* source(const std::string& shown) const { return file_->source(shown); }
 
-    /// What `scenario` or `range` refused last; empty at first. Scenarios that run can call them, and are told so.
+    /// The last error of `scenario` or `range`; empty at first. Running scenarios may call them by mistake.
     const std::string& refused() const { return refused_; }
 
     /// Pushes the function of a scenario. May raise a Lua error.
@@ -81,7 +81,7 @@ private:
     std::string text_;
     std::string refused_;
     std::vector<Scenario> scenarios_;
-    bool is_read_ = false;  // from then on it only runs
+    bool is_read_ = false;  // after this, declarations are refused
     std::unique_ptr<DataFile> file_;
 };
 

@@ -7,11 +7,11 @@
 
 namespace nezumi {
 
-/// What a method's C++ part says to its Lua part.
+/// The result of the C++ part of a method, for its Lua part.
 enum Answered : int {
-    raise_text = -1,  ///< the text that the state keeps is to be raised as a Lua error
-    end_run = -2,     ///< the run has stopped: nothing of the script runs on
-    // 0 and more: so many results are on the stack
+    raise_text = -1,  ///< raise the stored text as a Lua error
+    end_run = -2,     ///< the run has ended: no more Lua runs
+    // 0 and more: the number of results on the stack
 };
 
 struct ScenarioRun::Methods {
@@ -27,16 +27,16 @@ struct ScenarioRun::Methods {
         int most = 0;  ///< arguments at most
         std::string usage = "()";
     };
-    /// Those of time and expectations, and those that act.
+    /// Methods about time and expectations, and methods that act.
     static const std::vector<Method>& of_time();
     static const std::vector<Method>& of_acts();
 
-    // Tools of both.
+    // Functions for both groups.
     static int raise(ScenarioRun& run, std::string text) {
         run.file_.state().kept_error = std::move(text);
         return raise_text;
     }
-    /// Seconds at `index`, or `otherwise` where there is nothing.
+    /// The seconds at `index`, or `otherwise` if there is nothing.
     static Expected<double> seconds(lua_State* lua, int index, std::string_view what, const double* otherwise);
     static bool fails(ScenarioRun& run, lua_State* lua, std::string text);
 

@@ -1,4 +1,4 @@
-// One run of one scenario: its object `s`, its worlds, what it watches, and how it ends.
+// One run of a scenario: its object `s`, its worlds, its conditions, and its result.
 #pragma once
 
 #include <deque>
@@ -26,15 +26,15 @@
 
 namespace nezumi {
 
-/// Keeps what a failing run leaves in its folder: traces, pictures.
+/// Writes the files of a failed run: traces and pictures.
 class RunFiles {
 public:
     virtual ~RunFiles() = default;
-    /// A world begins; it is called `name` in names of files ("" when there is but one so far).
+    /// A world begins; `name` is its name in file names ("" if it is the first).
     virtual void begin(std::size_t world, RunningSystem& live) = 0;
     /// A world has made a tick.
     virtual void after_tick(std::size_t world) = 0;
-    /// What has been written whole, and what kept the rest from it.
+    /// The files that were written completely, and the error if some were not.
     struct Kept {
         std::vector<std::string> names{};
         std::vector<Error> problems{};
@@ -47,16 +47,16 @@ struct RunSettings {
     std::uint64_t seed = 0;
     SweepPoint point{};
     std::string name{};                    ///< of the run
-    std::function<LiveOptions()> systems;  ///< how systems are made; seed, log and budget are set here
-    RunFiles* files = nullptr;             ///< null: nothing is kept
-    bool keep_history = false;             ///< for plots: memory that grows with the run
-    bool update_goldens = false;           ///< write them in place of comparing with them
+    std::function<LiveOptions()> systems;  ///< makes systems; the run sets seed, log and budget
+    RunFiles* files = nullptr;             ///< null: no files
+    bool keep_history = false;             ///< for plots; takes memory that grows with the run
+    bool update_goldens = false;           ///< writes the goldens instead of comparing with them
 };
 
-/// The seed of everything a scenario draws by itself.
+/// The seed for everything that a scenario draws at random.
 std::uint64_t seed_of(std::uint64_t seed, std::string_view scenario);
 
-/// Whose acts a scenario's are.
+/// The actor of a scenario's acts.
 inline const Actor scenario_actor{Actor::Kind::scenario};
 
 class ScenarioRun {
@@ -66,7 +66,7 @@ public:
     ScenarioRun(const ScenarioRun&) = delete;
     ScenarioRun& operator=(const ScenarioRun&) = delete;
 
-    /// Runs it from beginning to end; once. The file's state can't be used for another run.
+    /// Makes the run; call it once. The Lua state of the file can't be used for another run.
     RunResult run();
 
     struct Methods;
@@ -74,13 +74,14 @@ public:
 private:
     friend struct Methods;
 
-    // A condition that is looked at after every tick.
+    // A condition that is evaluated after every tick.
     struct Watched {
         Expectation expectation;
         std::unique_ptr<Condition> condition;
-        std::optional<Margin> margin{};  // the smallest
+        std::optional<Margin> margin{};  // the smallest margin
         double margin_at = 0;
-        // Of a hold that began as its condition became true: its margin while that only grows; nothing: it has shrunk.
+        // Margin of a hold that began when its condition became true, while the margin only grows; nothing: it has
+        // shrunk.
         std::optional<double> growing{};
         bool sampled = false;
         struct Sample {
@@ -88,16 +89,16 @@ private:
             double left;
             double right;
         };
-        std::vector<std::vector<Sample>> history{};  // of each comparison, when it is kept
+        std::vector<std::vector<Sample>> history{};  // of each comparison, if the history is kept
     };
-    // A world and the words that add to it.
+    // A world, and the words that add to it.
     struct Described {
         std::unique_ptr<Project> project;
         std::unique_ptr<SystemWords> words;
         RunningSystem* live = nullptr;  // null: not built yet
-        std::size_t entries = 0;        // that it has, of the words'
+        std::size_t entries = 0;        // number of entries that words have added
         std::size_t connections = 0;
-        // What can't change once time has moved.
+        // Settings that can't change after time has passed.
         struct Fixed {
             std::size_t things = 0;
             double rate = 0, physics_step = 0;
@@ -107,7 +108,7 @@ private:
         Fixed fixed{};
     };
 
-    // How a run ends before its function returns.
+    // Ends the run before its function returns.
     void stop(RunOutcome outcome, Error error);
     bool stopped() const { return stopped_; }
     void fail(const Watched& watched);
@@ -117,10 +118,10 @@ private:
     void take_outcome(const CallResult& called);
     void finish();
     void print(std::string_view line);
-    // What the run's name has beside the scenario's.
+    // The part of the run's name after the name of the scenario.
     std::string_view values() const;
 
-    // The worlds that words describe.
+    // The world that words describe.
     Described& described();
     Expected<void> settle();
     Expected<void> settle_or_note();
@@ -131,7 +132,7 @@ private:
     RunningSystem& current() { return *described_.back().live; }
     bool has_world() const { return !described_.empty() && described_.back().live != nullptr; }
 
-    // Time. False: the run has stopped.
+    // Lets time pass. False: the run has ended.
     bool advance(lua_State* lua, const Watched* waiting);
     bool sample(lua_State* lua, Watched& watched);
     bool pass_time(lua_State* lua, double seconds);
@@ -145,8 +146,8 @@ private:
     const Scenario& scenario_;
     std::size_t index_;
     RunSettings settings_;
-    Worlds worlds_;                    // before what refers to them
-    std::deque<Described> described_;  // whose places stay
+    Worlds worlds_;                    // declared before the members that refer to them
+    std::deque<Described> described_;  // a deque, because addresses must not change
     WordHost word_host_;
     std::unique_ptr<Objects> objects_;
     Faults faults_;
@@ -154,12 +155,12 @@ private:
     std::vector<std::unique_ptr<Watched>> watches_;
     std::vector<std::unique_ptr<Watched>> waits_;
     std::set<std::pair<const RunningSystem*, std::string>> allowed_errors_;  // components that may go to ERROR
-    std::vector<PortAt> read_ports_;                                         // since the last sample began
-    double asked_until_ = 0;  // [s] what s:run was asked for, which may end between two ticks
+    std::vector<PortAt> read_ports_;                                         // since the begin of the last sample
+    double asked_until_ = 0;  // [s] end time of the last s:run, which may be between two ticks
     std::size_t printed_bytes_ = 0;
-    bool sampling_ = false;  // a condition is being called
+    bool sampling_ = false;  // a condition is running
     bool stopped_ = false;
-    std::optional<Error> setup_error_;  // of a word, a method or of building, which Lua may be about to raise
+    std::optional<Error> setup_error_;  // error of a word, a method or of building, which Lua may raise next
     bool is_setup_error(const CallError& error) const;
     RunResult result_;
 };

@@ -60,10 +60,10 @@ double number_of(const SweepValue& value) {
     return held.is<std::int64_t>() ? static_cast<double>(held.get<std::int64_t>()) : held.get<double>();
 }
 
-// How many steps there are from lo to hi.
+// The number of steps from lo to hi.
 double steps_of(const SweepRange& range) { return std::floor((range.hi - range.lo) / range.step + 1e-9); }
 
-// The number of the range that is nearest to this.
+// The nearest number of the range.
 double within(const SweepRange& range, double number) {
     if (range.step > 0) {
         const double most = steps_of(range);
@@ -77,7 +77,7 @@ SweepValue value_at(const SweepRange& range, std::uint64_t index) {
     return number_value(range, within(range, range.lo + range.step * static_cast<double>(index)));
 }
 
-// How many values a key has; infinite for a range without a step that has room between its ends.
+// The number of values of a key; infinite for a range without a step, unless it has only one number.
 double count_of(const SweepKey& key) {
     if (const auto* list = std::get_if<std::vector<SweepValue>>(&key.values)) return static_cast<double>(list->size());
     const SweepRange& range = std::get<SweepRange>(key.values);
@@ -85,7 +85,7 @@ double count_of(const SweepKey& key) {
     return range.step > 0 ? steps_of(range) + 1 : std::numeric_limits<double>::infinity();
 }
 
-// Combination `index` of all, the last key changing fastest.
+// Combination `index` of all; the last key changes fastest.
 SweepPoint point_at(const Sweep& sweep, std::uint64_t index) {
     SweepPoint point(sweep.keys.size());
     for (std::size_t i = sweep.keys.size(); i-- > 0;) {
@@ -119,7 +119,7 @@ std::vector<double> simpler_numbers(const SweepRange& range, double number) {
         all.push_back(within(range, between));
     }
     all.push_back(within(range, number > target ? number - 1 : number + 1));
-    // Simpler means nearer to the target or shorter: anything else would let shrinking go round in circles.
+    // Simpler means nearer to the target or shorter; otherwise simplifying might never end.
     const auto length = [](double value) { return fmt::format("{}", value).size(); };
     std::vector<double> out;
     for (const double candidate : all) {
@@ -137,7 +137,8 @@ const SweepValue* find_value(const std::vector<SweepValue>& values, std::string_
     return found == values.end() ? nullptr : &*found;
 }
 
-// Finds the point from key `at` on; each value's text is what the sweep itself would write, so no grammar is needed.
+// Finds the point from key `at` on, by comparing with the texts that the sweep itself would write, so no parser is
+// needed.
 bool find_from(const Sweep& sweep, std::size_t at, std::string_view text, SweepPoint& point) {
     if (at == sweep.keys.size()) return text.empty();
     const SweepKey& key = sweep.keys[at];
@@ -220,7 +221,7 @@ SweepPoint draw_point(const Sweep& sweep, std::uint64_t seed, std::size_t index)
 }
 
 std::vector<SweepPoint> draws(const Sweep& sweep, std::uint64_t seed) {
-    constexpr double countable = 1e15;  // a double holds every whole number up to here
+    constexpr double countable = 1e15;  // a double can hold every whole number up to here
     double all = 1;
     for (const SweepKey& key : sweep.keys) all *= count_of(key);
     std::vector<SweepPoint> points;
@@ -233,7 +234,7 @@ std::vector<SweepPoint> draws(const Sweep& sweep, std::uint64_t seed) {
         for (std::uint64_t i = 0; i < count; ++i) points.push_back(point_at(sweep, i));
         return points;
     }
-    // Floyd's: every set of so many out of all is as likely.
+    // Floyd's algorithm: all sets of this size have the same probability.
     Random random(seed, 0);
     std::set<std::uint64_t> drawn;
     for (std::uint64_t last = count - sweep.samples; last < count; ++last) {

@@ -1,4 +1,4 @@
-// What a scenario is tried with: every combination of listed values, or values drawn at random from ranges.
+// The values that a scenario is run with: all combinations of listed values, or random draws from ranges.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace nezumi {
 
-/// One value of a sweep: plain data of Lua, and how it is written in the name of a run.
+/// One value of a sweep: plain data of Lua, and its text in the name of a run.
 struct SweepValue {
     PlainData data;    ///< one value
     std::string text;  ///< "0.1", "true", "fast", "{x=1, y=2}"
@@ -23,10 +23,10 @@ struct SweepValue {
     bool operator==(const SweepValue& other) const { return data == other.data; }
 };
 
-/// Plain data that holds one value, with its text.
+/// A sweep value from plain data that holds one value.
 SweepValue to_sweep_value(PlainData data);
 
-/// Its text as a table has it: a text of Lua without quotes and escapes.
+/// The text of a value in a table: a Lua string without quotes and escapes.
 std::string plain_text(const SweepValue& value);
 
 /// `range(lo, hi)` or `range(lo, hi, step)`.
@@ -34,7 +34,7 @@ struct SweepRange {
     double lo = 0;
     double hi = 1;
     double step = 0;     ///< 0: any number between; otherwise lo, lo + step, ... up to hi
-    bool whole = false;  ///< the values are integers: lo and step are
+    bool whole = false;  ///< the values are integers, because lo and step are
 
     bool operator==(const SweepRange&) const = default;
 };
@@ -47,7 +47,7 @@ struct SweepKey {
 /// Keys in ascending order.
 struct Sweep {
     std::vector<SweepKey> keys;
-    /// How many random draws; 0: every combination of listed values. A sweep with a range is always drawn.
+    /// Number of random draws; 0: all combinations of listed values. A sweep with a range is always drawn.
     std::size_t samples = 0;
 
     bool is_random() const { return samples > 0; }
@@ -56,32 +56,32 @@ struct Sweep {
 /// The values of one run, in the order of the sweep's keys.
 using SweepPoint = std::vector<std::pair<std::string, SweepValue>>;
 
-/// How many runs a sweep may make.
+/// The largest number of runs of a sweep.
 inline constexpr std::size_t most_runs = 100'000;
 
 /// "[speed=0.1, stop_d=30]"; "" for a point without values.
 std::string text_of(const SweepPoint& point);
 
-/// A point's values but for that of one key.
+/// The values of a point without the value of one key.
 SweepPoint without(const SweepPoint& point, std::string_view key);
 
-/// Every combination of listed values, the last key changing fastest. One point without values when there are no keys.
+/// All combinations of listed values; the last key changes fastest. One point without values if there are no keys.
 std::vector<SweepPoint> combinations(const Sweep& sweep);
 
-/// Draws sample `index`; `seed` is that of the scenario. Each sample is independent of the others.
+/// Draws sample `index`; `seed` is the seed of the scenario. Each sample is independent of the others.
 SweepPoint draw_point(const Sweep& sweep, std::uint64_t seed, std::size_t index);
 
-/// The points of a random sweep. Where all its values can be counted (lists, ranges with a step or of one number), none
-/// comes twice: all of them, as `combinations` would order them, when they are no more than the samples; else a draw of
-/// so many. Where one can't, every sample by itself.
+/// The points of a random sweep. If all its values can be counted (lists, ranges with a step or of one number), no
+/// point comes twice: all points in the order of `combinations` if there are at most as many as samples, otherwise a
+/// random choice. If not, each sample is drawn independently.
 std::vector<SweepPoint> draws(const Sweep& sweep, std::uint64_t seed);
 
-/// The point that `text_of` has written like this; nothing when the sweep has none such. Values of ranges may be any
-/// number within.
+/// The point with this text (`text_of`); nothing if the sweep has no such point. Values of ranges may be any number in
+/// the range.
 std::optional<SweepPoint> find_point(const Sweep& sweep, std::string_view text);
 
-/// Simpler points to try in place of one that fails, the simplest first: numbers of ranges nearer to 0 (or to the end
-/// of the range next to it) and with fewer digits, earlier values of lists.
+/// Simpler points to try instead of a failing one, simplest first: numbers of ranges nearer to 0 (or to the end of the
+/// range next to it) and with fewer digits, and earlier values of lists.
 std::vector<SweepPoint> simpler(const Sweep& sweep, const SweepPoint& point);
 
 }  // namespace nezumi

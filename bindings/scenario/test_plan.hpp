@@ -1,4 +1,4 @@
-// Which runs a session makes: files, their scenarios, the points of their sweeps, and a filter.
+// The runs of a session: files, their scenarios, the points of their sweeps, and a filter.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,16 @@
 
 namespace nezumi {
 
-/// The scenario files that these paths mean: a file is itself, a folder every `*_test.lua` in it and below, in order of
-/// their names; what leads nowhere is a name. Without paths: those in `tests/` and `behaviors/` of the project of the
-/// working directory.
+/// The scenario files for these paths. A folder stands for every `*_test.lua` in it and below, sorted by name; a path
+/// that does not exist is a name. Without paths: the files in `tests/` and `behaviors/` of the project of the working
+/// directory.
 Expected<std::vector<std::filesystem::path>> find_scenario_files(const std::vector<std::filesystem::path>& paths);
 
-/// The scenario files of a name, as a person shortens it: "explorer", "explorer_test", "tests/deep/explorer". An error
-/// has the nearest name, or the nearest path.
+/// The scenario files for a short name: "explorer", "explorer_test", "tests/deep/explorer". The error has the nearest
+/// name, or the nearest path.
 Expected<std::vector<std::filesystem::path>> find_scenarios_called(const std::string& name);
 
-/// Seeds that a session is told, from the first to the last.
+/// The seeds of the option --seeds, from the first to the last.
 struct SeedRange {
     std::uint64_t first = 0, last = 0;
 };
@@ -31,25 +31,25 @@ struct SeedRange {
 /// One of several runs with the same values.
 struct Repetition {
     std::string name;  ///< what follows in the name of the run: " #3", " seed 17"; "" of the only one
-    std::optional<std::uint64_t> seed{};  ///< by --seeds; nothing: made from the session's seed and the run's name
+    std::optional<std::uint64_t> seed{};  ///< from --seeds; nothing: from the session's seed and the run's name
 };
 
 struct PlannedRun {
-    std::size_t file = 0;      ///< in the plan
-    std::size_t scenario = 0;  ///< in the file
+    std::size_t file = 0;      ///< index in the plan
+    std::size_t scenario = 0;  ///< index in the file
     SweepPoint point{};
     std::string name;    ///< "stops in front of the wall [speed=0.1]", with its repetition
-    bool drawn = false;  ///< at random
+    bool drawn = false;  ///< by random draws
     Repetition repetition{};
-    std::uint64_t seed = 0;  ///< of all that it draws at random: below 2^53, unless somebody has given it
+    std::uint64_t seed = 0;  ///< for all random draws of the run: below 2^53, unless a person gave it
 };
 
 struct PlannedFile {
     std::filesystem::path path;
     std::string shown;
     std::vector<Scenario> scenarios{};
-    std::vector<Error> errors{};  ///< why it could not be read: then it has no scenarios
-    bool has_own_stem = true;     ///< no other file of the plan is called so, in another folder
+    std::vector<Error> errors{};  ///< why it could not be read; then it has no scenarios
+    bool has_own_stem = true;     ///< no other file of the plan has this name in another folder
 };
 
 struct TestPlan {
@@ -60,21 +60,21 @@ struct TestPlan {
 
 struct PlanOptions {
     std::vector<std::filesystem::path> paths;
-    std::string filter;  ///< part of a run's name; a whole name means no other
+    std::string filter;  ///< part of a run's name; the whole name of a run selects only this run
     std::uint64_t seed = 0;
     std::vector<std::filesystem::path> installed;
-    std::optional<SeedRange> seeds{};  ///< each combination is made with each of them, whatever its scenario says
+    std::optional<SeedRange> seeds{};  ///< each combination is run with each, instead of the scenario's seeds
     std::string paired;                ///< of all scenarios whose sweep has a list of this name; "": as they say
 };
 
-/// Reads the files. An error when there is no file or no run at all; what is wrong with a file is in the plan.
+/// Reads the files. An error if there is no file or no run; mistakes of a file are in the plan.
 Expected<TestPlan> plan_tests(const PlanOptions& options);
 
 /// The run with these values, with its name and its seed.
 PlannedRun planned_run(const TestPlan& plan, std::size_t file, std::size_t scenario, SweepPoint point,
                        const Repetition& repetition);
 
-/// An argument as a shell takes it.
+/// An argument in the syntax of a shell.
 std::string shell_text(const std::string& argument);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// The order of reports is the plan's; a failure of a random sweep waits until it has been simplified.
+// Reports are in the order of the plan. A failure of a random sweep waits until it has been simplified.
 #include "bindings/scenario/test_session.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ RunResult result_of(const Expected<std::string>& answer) {
     return {.outcome = RunOutcome::could_not_run, .error = result.error()};
 }
 
-// Runs by their number in the plan.
+// Identifies runs by their number in the plan.
 class Session {
 public:
     Session(const TestPlan& plan, const TestSessionOptions& options, Reporter& reporter)
@@ -54,7 +54,7 @@ public:
         return std::move(end_);
     }
 
-    // Takes those that others have made.
+    // Takes the results of other sessions.
     SessionEnd merge(const std::vector<fs::path>& folders, std::size_t shards) {
         for (const fs::path& folder : folders) merged_.emplace_back(folder, options_.made_with);
         begin();
@@ -112,7 +112,8 @@ private:
         return {plan_.files[planned.file].shown, planned.name, repetition, simplest, planned.seed};
     }
 
-    // What real robots do is never the same, and goldens are written by the run itself.
+    // Runs of real robots are never repeatable, and goldens are written by the run itself; so their results are not
+    // kept.
     bool keeps() const { return !options_.is_real && !options_.update_goldens; }
 
     void take_kept() {
@@ -143,7 +144,7 @@ private:
         if (end_.interrupted) take_out_of_turn();
     }
 
-    // In a process of its own. The result is kept here, so that it outlives whoever waits for it.
+    // Runs in a process of its own, which stores the result, so that it survives the session.
     std::string make_one(const Made& made) const {
         const auto& [run, repetition] = made;
         const PlannedRun& planned = plan_.runs[run];
@@ -158,7 +159,7 @@ private:
         return to_bytes(result);
     }
 
-    // The results of a run are together when all of its repetitions are.
+    // A run is complete when all its repetitions are.
     void take_known() {
         for (; taken_ < mine_.size(); ++taken_) {
             const std::size_t run = mine_[taken_];
@@ -173,14 +174,14 @@ private:
         tell_finished(false);
     }
 
-    // Runs before them are missing: their turn will not come.
+    // Runs before them are missing, so they would never be reported in order.
     void take_out_of_turn() {
         for (auto& [made, result] : known_) results_[made.first].push_back(std::move(result));
         known_.clear();
     }
 
-    // Whether it is known what a run came to. Of a session that was interrupted one failure says it, however often the
-    // run was to be made.
+    // Whether the result of a run is known. If the session was interrupted, one failure is enough, whatever the number
+    // of repetitions.
     bool is_over(std::size_t run) const {
         const std::vector<RunResult>& results = results_[run];
         const auto passed = [](const RunResult& result) { return result.outcome == RunOutcome::passed; };
@@ -197,7 +198,7 @@ private:
                                       run % shards + 1, shards)}};
     }
 
-    // Tells of all runs whose turn it is, and after an interruption of all that are known. Failures of random sweeps
+    // Reports all runs that are next in order; after an interruption, all that are known. Failures of random sweeps
     // wait for the end.
     void tell_finished(bool all) {
         for (; next_ < mine_.size(); ++next_) {
@@ -228,7 +229,7 @@ private:
         }
     }
 
-    // The runs as they were planned: the simplest failure of a random sweep is another one, which was sought.
+    // The runs as they were planned; the simplest failure of a random sweep is an additional run.
     void measure() {
         for (const std::size_t index : told_) {
             const PlannedRun& run = plan_.runs[index];
@@ -248,7 +249,7 @@ private:
         end_.summary.pairs = summarize_pairs(end_.measured);
     }
 
-    // What is said of the simplest failure of a random sweep need not be said of each.
+    // Omits facts that are also in the report of the simplest failure.
     void shorten(const PlannedRun& run, RunResult& result) const {
         for (const auto& [index, simplest] : simplified_) {
             const PlannedRun& found = plan_.runs[index];
@@ -275,7 +276,7 @@ private:
         end_.reports.push_back(report);
     }
 
-    // Of each random sweep, one of each kind: failures at one place of the scenario are alike.
+    // One failure for each random sweep and each kind: failures at the same place of a scenario are similar.
     std::vector<std::size_t> first_failures() const {
         std::vector<std::size_t> failures;
         std::set<std::tuple<std::size_t, std::size_t, std::string, int>> seen;
@@ -322,7 +323,7 @@ private:
             }
             const std::vector<RunResult> results = run_all(candidates, true);
             std::size_t next = 0;
-            // The same failure: another one may be of another kind.
+            // Looks for the same failure; another failure may have another reason.
             while (next < results.size() &&
                    (results[next].outcome != RunOutcome::failed || results[next].error.place != error.place))
                 ++next;
@@ -332,7 +333,7 @@ private:
         if (end_.interrupted) return;
         RunResult result = run_all({simplest}, false).front();
         if (end_.interrupted) return;
-        // Whoever merges finds it by the run that was planned; without it that run is told as it was.
+        // When results are merged, this is found by the planned run; without it, the planned run is reported.
         if (keeps()) static_cast<void>(keep_->keep(key_of(index, 0, true), {simplest.name, result, simplest.seed}));
         take_simplest(index, {simplest.name, std::move(result), simplest.seed});
     }
@@ -360,7 +361,7 @@ private:
         simplified_.emplace(index, report_of(plan_, simplest, std::move(result), options_));
     }
 
-    // What nobody resumes or merges goes.
+    // Removes results that no session resumes or merges.
     void tidy_up() {
         const auto is_kept = [](const std::vector<RunResult>& results) { return !results.empty(); };
         end_.can_resume = end_.interrupted && keeps() && std::any_of(results_.begin(), results_.end(), is_kept);
@@ -382,13 +383,13 @@ private:
     std::vector<std::size_t> mine_;  // runs of this part, in order
     std::vector<RunReport> unread_;
     std::vector<Made> to_make_;
-    std::map<Made, RunResult> known_;              // those whose turn has not come
-    std::vector<std::vector<RunResult>> results_;  // of each run, as often as it is made
-    std::vector<std::size_t> kept_;                // of each run, so often by an earlier session
+    std::map<Made, RunResult> known_;              // results that are not reported yet
+    std::vector<std::vector<RunResult>> results_;  // of each run, one for each repetition
+    std::vector<std::size_t> kept_;                // of each run: number of results from an earlier session
     GoldenOwners goldens_;
     std::map<std::size_t, RunReport> simplified_;
-    std::size_t taken_ = 0;          // so many of `mine_`
-    std::size_t next_ = 0;           // of `mine_`, to be told of
+    std::size_t taken_ = 0;          // number of `mine_` that are complete
+    std::size_t next_ = 0;           // index in `mine_` of the next report
     std::vector<std::size_t> told_;  // runs
     SessionEnd end_;
 };

@@ -1,4 +1,4 @@
-// A session of scenarios: plans, runs each in a process of its own, simplifies random failures, reports.
+// A session of scenarios: makes each run in a process of its own, simplifies random failures, and reports.
 #pragma once
 
 #include <filesystem>
@@ -12,13 +12,13 @@
 
 namespace nezumi {
 
-/// What a session came to.
+/// The result of a session.
 struct SessionEnd {
     SessionSummary summary;
     std::vector<RunReport> reports;
     std::vector<MeasuredRun> measured;  ///< every run that was made, as it was planned
     bool interrupted = false;
-    bool can_resume = false;  ///< it was interrupted, and results are kept of runs that were over
+    bool can_resume = false;  ///< it was interrupted, and results of finished runs are kept
 
     /// 0: all passed, 1: a scenario failed, 2: something could not be run.
     int status() const {
@@ -27,13 +27,13 @@ struct SessionEnd {
     }
 };
 
-/// Makes all runs of a plan and tells the reporter of each, in order. The result does not depend on the jobs.
-/// Each result is kept in `folder` as soon as there is one; at the end of all its runs a session takes them away,
-/// unless it is to `keep` them.
+/// Makes all runs of a plan and reports each, in order. The result does not depend on the number of jobs. Each result
+/// is kept in `folder` as soon as it exists. After the last run the results are removed, unless the option `keep` is
+/// set.
 SessionEnd run_tests(const TestPlan& plan, const TestSessionOptions& options, Reporter& reporter);
 
-/// Tells of the runs that others have made, as `run_tests` would have. `folders` are theirs; a run whose result is in
-/// none of them could not be run.
+/// Reports the runs that other sessions have made, as `run_tests` would have. `folders` are their folders. A run
+/// without a result in any of them counts as not made.
 SessionEnd merge_tests(const KeptPlan& plan, const std::vector<std::filesystem::path>& folders, Reporter& reporter);
 
 }  // namespace nezumi

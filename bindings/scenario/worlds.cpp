@@ -1,4 +1,4 @@
-// The common clock goes from tick to tick, whoever's it is.
+// The common clock goes to the next tick of any world.
 #include "bindings/scenario/worlds.hpp"
 
 #include <algorithm>

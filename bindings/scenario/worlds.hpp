@@ -1,4 +1,4 @@
-// The worlds of one scenario, which advance together on one clock.
+// The worlds of a scenario, which advance together with one clock.
 #pragma once
 
 #include <cstdint>
@@ -12,32 +12,32 @@
 
 namespace nezumi {
 
-/// Each world ticks at its own rate: at every step of the clock those tick that are due next. One with real robots
-/// waits for its ticks, and its time is the real one.
+/// Each world ticks at its own rate: in each step of the clock, the worlds tick that are due next. A world with real
+/// robots waits for real time.
 class Worlds {
 public:
-    /// Its time begins now.
+    /// Adds a world; its time begins now.
     RunningSystem& add(std::unique_ptr<RunningSystem> world);
 
     bool empty() const { return worlds_.empty(); }
     std::size_t size() const { return worlds_.size(); }
     RunningSystem& operator[](std::size_t index) { return *worlds_[index].live; }
-    /// Ticks that this world has made.
+    /// The number of ticks of this world.
     std::int64_t ticks(std::size_t index) const { return worlds_[index].ticks; }
 
-    /// Lets real robots brake and stand.
+    /// Lets real robots brake and stop.
     void stop_robots();
 
     /// Simulated time since the start [s].
     double now() const { return now_; }
-    /// The time that the next step leads to. There must be a world.
+    /// The time after the next step. There must be a world.
     double next() const;
-    /// One step: every world that is due ticks. Returns which. An error ends the run.
+    /// One step: every world that is due ticks. Returns the indices of these worlds. An error ends the run.
     Expected<std::vector<std::size_t>> step();
-    /// All ticks of all worlds.
+    /// The number of ticks of all worlds.
     std::int64_t ticks() const;
 
-    /// Of everything that all worlds published.
+    /// A hash of everything that all worlds published.
     std::uint64_t trace_hash() const;
 
 private:
@@ -46,9 +46,9 @@ private:
         double began;
         std::int64_t ticks;
 
-        std::optional<Pacer> pacer{};  // from its first tick on, where robots are real
+        std::optional<Pacer> pacer{};  // from its first tick on, if robots are real
 
-        // With real robots: then `now` is its time.
+        // Whether it has real robots; then `now` is real time.
         bool is_real() const { return live->system().settings().real_time; }
         double now() const { return began + live->system().now().seconds; }
         double next() const {

@@ -8,8 +8,8 @@
 
 namespace nezumi {
 
-/// The elements of a vector of owners, as pointers to constants. Made of the vector, which must outlive it.
-/// (`std::views::transform` would say the same, but clang 14 can't read libstdc++'s.)
+/// The elements of a vector of unique pointers, as pointers to constants. The vector must outlive it.
+/// (`std::views::transform` would be the same, but clang 14 can't compile libstdc++'s.)
 template <class T>
 class ConstView {
 public:

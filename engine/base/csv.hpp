@@ -1,4 +1,4 @@
-// CSV: how its rows and fields are written and taken apart, and tables of numbers.
+// Writes and splits rows and fields of CSV, and reads tables of numbers.
 #pragma once
 
 #include <cstddef>
@@ -12,30 +12,30 @@
 
 namespace nezumi {
 
-/// A text as a field: in quotes, those within it doubled.
+/// A text as a field in quotes; inner quotes are doubled.
 std::string csv_quoted(std::string_view text);
-/// The same, in quotes only where it would not be read back without them.
+/// The same, with quotes only if they are necessary.
 std::string csv_field(std::string_view text);
-/// Fields as they stand there, as a row without its end of line.
+/// Joins fields to a row without a line end.
 template <class Text>
 std::string csv_row(const std::vector<Text>& fields) {
     std::string row;
     for (std::size_t i = 0; i < fields.size(); ++i) row.append(i > 0 ? 1 : 0, ',').append(fields[i]);
     return row;
 }
-/// The fields of a row as they stand there, with their quotes and blanks: commas within quotes separate nothing.
-/// Nothing when a quote is not closed.
+/// The fields of a row with their quotes and blanks; commas within quotes do not separate. Nothing if a quote is not
+/// closed.
 std::optional<std::vector<std::string_view>> split_csv_row(std::string_view row);
-/// The same of any row: without the field whose quote is not closed, which takes in all that comes behind it.
+/// The same for any row. A field with an open quote, which includes the rest of the row, is omitted.
 std::vector<std::string_view> closed_csv_fields(std::string_view row);
-/// What such a field says: without its quotes and the blanks around it.
+/// The text of such a field, without its quotes and the blanks around it.
 std::string csv_text(std::string_view field);
-/// Reads the next row, which goes on over ends of line within quotes, without its last end of line. False at the end.
+/// Reads the next row without its line end; line ends within quotes belong to the row. False at the end.
 bool read_csv_row(std::istream& in, std::string& row);
-/// Where the row that begins at `from` ends, behind its end of line; nothing when it does not end in the text.
+/// The end of the row that begins at `from`, after its line end; nothing if the text ends before.
 std::optional<std::size_t> end_of_csv_row(std::string_view text, std::size_t from);
 
-/// A column that a table must have, and which numbers may stand in it.
+/// A required column of a table, and its allowed numbers.
 struct CsvColumn {
     enum class Range {
         any,           ///< every finite number
@@ -47,17 +47,17 @@ struct CsvColumn {
 };
 
 struct CsvRow {
-    std::vector<double> values;  ///< in the order of the columns that were asked for
+    std::vector<double> values;  ///< in the order of the requested columns
     int line = 0;                ///< from 1
 };
 
-/// Reads a table with exactly these columns, in whatever order its header row has them. Fields are separated by commas
-/// and may stand in quotes; blanks around them, a byte-order mark, CR LF, empty lines, rows of nothing but commas and
-/// lines that begin with # are skipped. `file` is named in errors, which say the line, the column and what was found.
+/// Reads a table with exactly these columns, in the order of its header row. Fields are separated by commas and may be
+/// in quotes. Skips blanks around fields, a byte order mark, CR LF, empty lines, rows of commas only, and lines that
+/// begin with #. Errors have `file`, the line, the column and what was found.
 Expected<std::vector<CsvRow>> read_csv(std::string_view text, const std::string& file,
                                        const std::vector<CsvColumn>& columns);
 
-/// The number in a field's text, or what was expected in this column.
+/// The number in the text of a field, or an error with what this column expects.
 Expected<double> csv_number(const std::string& text, const CsvColumn& column, const Place& place);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// A file descriptor that is closed with its owner.
+// A file descriptor that is closed automatically.
 #pragma once
 
 #include <unistd.h>
@@ -10,7 +10,7 @@ namespace nezumi {
 class Descriptor {
 public:
     Descriptor() = default;
-    /// Takes over an open descriptor, or -1 for none.
+    /// Takes ownership of an open descriptor; -1 for none.
     explicit Descriptor(int opened) : file_(opened) {}
     Descriptor(Descriptor&& other) noexcept : file_(other.release()) {}
     Descriptor& operator=(Descriptor&& other) noexcept {
@@ -21,10 +21,10 @@ public:
     }
     ~Descriptor() { close(); }
 
-    /// -1 when there is none.
+    /// -1 if there is none.
     int get() const { return file_; }
     explicit operator bool() const { return file_ >= 0; }
-    /// The descriptor, which is the caller's from now on.
+    /// Gives the ownership of the descriptor to the caller.
     int release() { return std::exchange(file_, -1); }
     void close() {
         if (file_ >= 0) ::close(release());

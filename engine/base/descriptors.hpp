@@ -1,4 +1,4 @@
-// What servers leave of a process's descriptors: however many connect, robots, files and consoles get theirs.
+// Reserves file descriptors, so that many clients of a server can't use those for robots, files and consoles.
 #pragma once
 
 #include <sys/resource.h>
@@ -7,11 +7,11 @@
 
 namespace nezumi {
 
-/// So many are left for robots, recordings and whatever else the run opens, and for consoles as well; at most an eighth
-/// and a quarter of what a process may have.
+/// Number of descriptors that servers leave for robots, recordings and other files, and for these and consoles; at most
+/// an eighth and a quarter of the limit of the process.
 inline constexpr rlim_t for_files = 32, for_files_and_consoles = 96;
 
-/// Whether so many can still be opened after this one, which has the lowest number that was free.
+/// Whether so many can still be opened after this one, which has the lowest free number.
 inline bool leaves_free(int descriptor, rlim_t count) {
     rlimit limit{};
     if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return true;

@@ -1,4 +1,4 @@
-// A list that mostly has one element, which lies within it.
+// A list that usually has one element, which needs no memory of its own.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace nezumi {
 
-/// As a vector of elements that can be made from nothing, but the first needs no memory of its own: who looks at the
-/// list has it already. When a second one comes all move, and stay together from then on.
+/// Like a vector of default-constructible elements, but the first element is stored in the list itself. With a second
+/// element all elements move to the heap, and stay there.
 template <class T>
 class Few {
 public:
@@ -37,7 +37,7 @@ public:
         }
         many_->push_back(std::move(element));
     }
-    /// Takes out this element; what comes after it moves up.
+    /// Removes this element; later elements move up.
     void erase(T* element) {
         if (many_ != nullptr) {
             many_->erase(many_->begin() + (element - many_->data()));
@@ -50,7 +50,7 @@ public:
 private:
     T one_{};
     bool has_one_ = false;
-    std::unique_ptr<std::vector<T>> many_;  // all, once there have been two
+    std::unique_ptr<std::vector<T>> many_;  // all elements, after there have been two
 };
 
 }  // namespace nezumi

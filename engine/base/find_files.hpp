@@ -1,4 +1,4 @@
-// Files of a folder and below, by the end of their names.
+// Finds files in a folder and below, by the end of their names.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,14 @@
 
 namespace nezumi {
 
-/// What a search came to: files in order of their paths, and the folders that could not be read.
+/// The result of a search: files sorted by path, and folders that could not be read.
 struct FoundFiles {
     std::vector<std::filesystem::path> files;
     std::vector<Error> errors;
 };
 
-/// Every file below `folder` whose name ends so. Names that begin with a dot are passed over; links to folders are not
-/// followed, and what is no file (a pipe, a device) is none.
+/// All files below `folder` whose names end with this text. Skips names that begin with a dot, does not follow links to
+/// folders, and omits everything that is not a file (pipes, devices).
 FoundFiles find_files(const std::filesystem::path& folder, std::string_view ending);
 
 }  // namespace nezumi

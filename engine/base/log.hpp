@@ -14,13 +14,13 @@ std::string_view to_text(LogLevel level);
 
 struct LogLine {
     LogLevel level = LogLevel::info;
-    double seconds = 0;     ///< [s] time of the system: simulated, or of the clock where robots are real
+    double seconds = 0;     ///< [s] time of the system: simulated time, or of the clock if robots are real
     std::string component;  ///< its name, or "" for the system itself
     std::string text;
-    int start = 1;  ///< number of the system's start: 1, and one more with each restart
+    int start = 1;  ///< number of starts of the system: 1 at first, one more with each restart
 };
 
-/// Where log lines go. Called from the thread that ticks.
+/// A function that receives log lines. Called from the ticking thread.
 using LogSink = std::function<void(const LogLine&)>;
 
 }  // namespace nezumi

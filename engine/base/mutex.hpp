@@ -1,4 +1,4 @@
-// A mutex for what a thread that must be in time shares with threads that need not be.
+// A mutex for data that a real-time thread shares with other threads.
 #pragma once
 
 #include <pthread.h>
@@ -7,9 +7,9 @@
 
 namespace nezumi {
 
-/// Who holds it inherits the priority of who waits for it (PTHREAD_PRIO_INHERIT), or a busy machine would keep the
-/// ticking thread of `--realtime` waiting for one that does not get a processor. Without real-time priorities it costs
-/// no more than a std::mutex, and is one: condition variables take it.
+/// The thread that holds it inherits the priority of a waiting thread (PTHREAD_PRIO_INHERIT); otherwise, on a busy
+/// machine, the ticking thread of `--realtime` could wait for a thread that gets no processor. Without real-time
+/// priorities it is as fast as a std::mutex. It is a std::mutex, so condition variables accept it.
 class Mutex : public std::mutex {
 public:
     Mutex() {
@@ -21,7 +21,7 @@ public:
     }
 };
 
-/// What condition variables wait with.
+/// The lock for condition variables.
 using Lock = std::unique_lock<std::mutex>;
 
 }  // namespace nezumi

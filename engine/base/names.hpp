@@ -1,4 +1,4 @@
-// Which names components, ports and parameters may have.
+// Names that components, ports and parameters may have.
 #pragma once
 
 #include <span>
@@ -6,17 +6,17 @@
 
 namespace nezumi {
 
-/// Lua's keywords, sorted: the one list for the lexer, for completion and for names.
+/// Lua's keywords, sorted. This is the one list for the lexer, completion and names.
 std::span<const std::string_view> lua_keywords();
-/// A keyword of Lua.
+/// Whether this is a keyword of Lua.
 bool is_keyword(std::string_view name);
-/// Letters, digits and underscores, not beginning with a digit, and no keyword of Lua.
+/// Whether a name has only letters, digits and underscores, does not begin with a digit, and is no keyword of Lua.
 bool is_identifier(std::string_view name);
 
-/// The words that users are promised, sorted: those of behaviours, of system and scenario files, and of the console,
-/// and those kept free for what is to come. A room that exports a word to Lua has it among these; a test compares them.
+/// The public words, sorted: those of behaviours, of system and scenario files, and of the console, and words that are
+/// reserved for later. A word that a room exports to Lua must be in this list; a test checks this.
 std::span<const std::string_view> promised_words();
-/// What no component may be called: a keyword of Lua or a promised word.
+/// Whether a component can't have this name: a keyword of Lua or a public word.
 bool is_reserved_name(std::string_view name);
 
 }  // namespace nezumi

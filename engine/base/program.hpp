@@ -1,4 +1,4 @@
-// Other programs, run without a shell.
+// Runs other programs without a shell.
 #pragma once
 
 #include <atomic>
@@ -10,57 +10,57 @@
 
 namespace nezumi {
 
-/// Whether a program of this name could be run, as execvp looks for it.
+/// Whether a program of this name can be run, as execvp searches for it.
 bool can_run(const std::string& program);
 
-/// A file without a name, for what a program reads or writes. A pipe would block while nobody reads and signal when
-/// nobody does.
+/// A file without a name, for input or output of a program. A pipe would block if nobody reads, and would raise a
+/// signal if its reader is gone.
 class UnnamedFile {
 public:
-    /// Holds this text, and is read from its beginning.
+    /// Contains this text, and is read from its begin.
     explicit UnnamedFile(std::string_view text = {});
     ~UnnamedFile();
     UnnamedFile(const UnnamedFile&) = delete;
     UnnamedFile& operator=(const UnnamedFile&) = delete;
 
-    /// -1 when there could be none.
+    /// -1 if it could not be made.
     int file() const { return file_; }
-    /// Whoever reads it next begins at its beginning.
+    /// The next reader starts at the begin.
     void rewind() const;
-    /// All that it holds.
+    /// The whole content.
     std::string text() const;
 
 private:
     int file_;
 };
 
-/// For `ProgramRun`'s files: there is nothing to read, and nobody listens.
+/// For the files of `ProgramRun`: no input, and output is dropped.
 inline constexpr int no_file = -1;
-/// For `ProgramRun`'s files: the same as this program's.
+/// For the files of `ProgramRun`: the same file as that of this program.
 inline constexpr int own_file = -2;
 
 struct ProgramRun {
-    std::vector<std::string> words;  ///< its name, and what it is told: no shell looks at them
-    int input = no_file;             ///< a file, `no_file` or `own_file`, as the others
+    std::vector<std::string> words;  ///< its name and arguments; no shell interprets them
+    int input = no_file;             ///< a file, `no_file` or `own_file`, like the others
     int output = no_file;
     int errors = no_file;
-    bool keeps_output = false;  ///< what it writes to `output` is kept instead
-    bool is_in_front = false;   ///< the terminal is its own: it reads there, and Ctrl-C is for it as well
-    double longest = 20;        ///< [s] after which it is killed
+    bool keeps_output = false;                   ///< output to `output` is stored instead
+    bool is_in_front = false;                    ///< it owns the terminal: it reads there, and Ctrl-C also stops it
+    double longest = 20;                         ///< [s] after this it is killed
     const std::atomic<bool>* give_up = nullptr;  ///< it is killed as soon as this is true
 };
 
-/// How a program ended.
+/// The end of a program.
 struct ProgramEnd {
-    int status = 0;   ///< its exit status; for a signal 128 and its number
-    int signal = 0;   ///< that ended it; 0: none did
-    std::string out;  ///< what it wrote, where that is kept
+    int status = 0;   ///< its exit status; after a signal 128 plus its number
+    int signal = 0;   ///< the signal that ended it; 0: none
+    std::string out;  ///< its output, if it is stored
 };
 
-/// Runs a program, and waits for its end. An error when it can't be run, or was killed before its end.
+/// Runs a program and waits for its end. An error if it can't be run, or was killed.
 Expected<ProgramEnd> run_program(const ProgramRun& run);
 
-/// What went wrong with a program: "" when it ended with status 0.
+/// The error of a program: "" if it ended with status 0.
 std::string problem_of(const Expected<ProgramEnd>& end);
 
 }  // namespace nezumi

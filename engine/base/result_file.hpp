@@ -1,4 +1,4 @@
-// A file that a run writes while it goes on, and the older file of its name, which is kept until the new one is whole.
+// A file that a run writes while it goes on. The older file with its name is kept until the new one is complete.
 #pragma once
 
 #include <cstdint>
@@ -9,31 +9,31 @@
 
 namespace nezumi {
 
-/// What is there already is set aside as "FILE~" first (or "FILE~2", ..., where that is taken). Devices and pipes are
-/// written as they are.
+/// An existing file is first renamed to "FILE~" (or "FILE~2", ..., if that exists). Devices and pipes are written
+/// directly.
 class ResultFile {
 public:
-    /// An error says why the file can't be written, as a pipe that nobody reads; then it is as it was.
+    /// The error says why the file can't be written, such as a pipe without a reader; then it is unchanged.
     static Expected<ResultFile> open(const std::string& file);
 
-    /// Open for writing, empty; to be closed by whoever takes it.
+    /// Open for writing, empty. The caller must close it.
     int descriptor() const { return descriptor_; }
-    /// The file without links; empty: it is a device or a pipe, and can be neither read again nor taken away.
+    /// The file without links; empty: it is a device or a pipe, and can be neither read again nor removed.
     const std::string& path() const { return path_; }
-    /// Where the older file is; empty when there was none.
+    /// The path of the older file; empty if there was none.
     const std::string& set_aside() const { return set_aside_; }
-    /// ", and what was there before is now FILE~", behind a message that the new one is not whole; "" where nothing
-    /// was.
+    /// ", and what was there before is now FILE~", after the message that the new file is not complete; "" if there was
+    /// no older file.
     std::string told_of_older() const;
 
-    // All three once the descriptor is closed.
+    // Call these three functions after the descriptor is closed.
 
-    /// The new file is whole: the older one goes.
+    /// The new file is complete: removes the older one.
     void replace_older();
-    /// There is no new file: the older one has its name again.
+    /// There is no new file: the older one gets its name back.
     void discard();
-    /// What could be written stays, up to its last whole row, with `note` as a line behind it where there is room for
-    /// it. `from` is where a row begins and some bytes before the end [bytes].
+    /// Keeps what could be written, up to its last complete row, with `note` as a line after it if there is room.
+    /// `from` is the begin of a row some bytes before the end [bytes].
     void cut_to_rows(std::uint64_t from, std::string_view note);
 
 private:

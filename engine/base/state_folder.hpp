@@ -1,12 +1,12 @@
-// Where a user's programs keep what they remember from one run to the next.
+// The folder for data that a user's programs keep from run to run.
 #pragma once
 
 #include <filesystem>
 
 namespace nezumi {
 
-/// $XDG_STATE_HOME/nezumi, or .local/state/nezumi in the user's home: $HOME, or where that is not set the one that the
-/// computer's list of users has. Empty where there is none. It may not be there yet.
+/// $XDG_STATE_HOME/nezumi, or .local/state/nezumi in the user's home: $HOME, or if that is not set, the home in the
+/// system's list of users. Empty if there is none. It may not exist yet.
 std::filesystem::path state_folder();
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Threads that no signal is delivered to.
+// Threads that receive no signals.
 #pragma once
 
 #include <pthread.h>
@@ -9,7 +9,7 @@
 
 namespace nezumi {
 
-/// While it lives, threads that are started are left alone by signals: these belong to the thread that ticks.
+/// Threads that are started during its lifetime receive no signals; the ticking thread gets them.
 class WithoutSignals {
 public:
     WithoutSignals() {
@@ -25,7 +25,7 @@ private:
     sigset_t before_{};
 };
 
-/// @throws std::system_error  where the system gives no further thread
+/// @throws std::system_error  if the system provides no further thread
 template <class Run>
 std::thread start_thread(Run run) {
     const WithoutSignals without_signals;

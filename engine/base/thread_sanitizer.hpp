@@ -1,4 +1,4 @@
-// Whether this is built with ThreadSanitizer, which clang and g++ say in different ways: NEZUMI_THREAD_SANITIZER.
+// Defines NEZUMI_THREAD_SANITIZER if this is built with ThreadSanitizer, which clang and g++ announce differently.
 #pragma once
 
 #if defined(__SANITIZE_THREAD__)

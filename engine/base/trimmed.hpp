@@ -1,11 +1,11 @@
-// Texts that people write.
+// Removes blanks around a text.
 #pragma once
 
 #include <string_view>
 
 namespace nezumi {
 
-/// `text` without the `blanks` at its ends.
+/// `text` without the `blanks` at both ends.
 constexpr std::string_view trimmed(std::string_view text, std::string_view blanks = " \t\r\n\v\f") {
     const auto first = text.find_first_not_of(blanks);
     if (first == std::string_view::npos) return {};

@@ -1,4 +1,4 @@
-// Text from scripts, files and folders' names, made fit for terminals and logs.
+// Makes text from scripts, files and names of folders safe for terminals and logs.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace nezumi {
 
-/// As a terminal may show it: control characters other than the end of line and the tab are written out ("\x1b"), and
-/// so are the characters of Unicode that break lines or turn the direction of writing ("\u202e").
+/// Text for a terminal: control characters except the line end and the tab are written as "\x1b", and characters of
+/// Unicode that break lines or change the direction of writing as "\u202e".
 std::string visible(std::string_view text);
 
-/// The same for a message in a log: its second line and those that follow begin with blanks and a bar, so that none of
-/// them can be taken for a line of the log.
+/// The same for a message in a log: further lines begin with blanks and a bar, so that they can't be taken for a line
+/// of the log.
 std::string visible_message(std::string_view text);
 
 }  // namespace nezumi

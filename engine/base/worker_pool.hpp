@@ -1,4 +1,4 @@
-// Threads that share out the numbers 0 to n - 1; what each number does must not depend on the others.
+// Threads that share the numbers 0 to n - 1. The work for each number must not depend on the others.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,8 @@ namespace nezumi {
 
 class WorkerPool {
 public:
-    /// `threads` counts the calling thread too, so a pool of one starts none. Fewer, where the system gives no more.
+    /// `threads` includes the calling thread, so a pool of one starts no thread. Starts fewer if the system provides no
+    /// more.
     explicit WorkerPool(int threads);
     ~WorkerPool();
     WorkerPool(const WorkerPool&) = delete;
@@ -23,8 +24,8 @@ public:
     std::size_t size() const { return threads_.size() + 1; }
 
     using Work = std::function<void(std::size_t begin, std::size_t end, std::size_t worker)>;
-    /// Calls `work(begin, end, worker)` once for each of `size()` even shares of [0, count), the caller's own included,
-    /// and returns when all are done. While the threads are late, the caller does all shares itself.
+    /// Calls `work(begin, end, worker)` once for each of `size()` equal shares of [0, count), one of them in the
+    /// calling thread, and returns when all are done. If the other threads are late, the caller does all shares itself.
     void run(std::size_t count, const Work& work);
 
 private:
@@ -37,16 +38,16 @@ private:
     Mutex mutex_;
     std::condition_variable wake_;
     std::condition_variable done_;
-    // Of the latest round; written before `round_` counts it.
+    // Of the latest round; written before `round_` is increased.
     const Work* work_ = nullptr;
     std::size_t count_ = 0;
     std::atomic<std::size_t> round_ = 0;
-    std::atomic<std::size_t> running_ = 0;  // workers that have not done their share of it
+    std::atomic<std::size_t> running_ = 0;  // workers that have not finished their share
     std::atomic<bool> quit_ = false;
     std::vector<std::thread> threads_;
-    // Of the caller.
-    int alone_ = 0;        // rounds that it does alone from now on
-    int late_rounds_ = 0;  // how many it is to do alone when the others are late
+    // Only for the caller.
+    int alone_ = 0;        // number of rounds that it still does alone
+    int late_rounds_ = 0;  // number of rounds to do alone when the others are late
 };
 
 }  // namespace nezumi

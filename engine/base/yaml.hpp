@@ -1,4 +1,4 @@
-// YAML as other programs write it: values by their keys, and where they are.
+// Reads YAML of other programs: values by their keys, with their places.
 #pragma once
 
 #include <yaml-cpp/yaml.h>
@@ -12,13 +12,13 @@
 
 namespace nezumi {
 
-/// What the text says. The error has the line; `file` is named in it.
+/// Parses a text. The error has `file` and the line.
 Expected<YAML::Node> read_yaml(std::string_view text, const std::string& file);
 
-/// The value of a mapping's key; one that is not defined where there is none.
+/// The value of a key; an undefined node if there is none.
 YAML::Node yaml_field(const YAML::Node& mapping, const std::string& key);
 
-/// Where a value is.
+/// The place of a value.
 Place yaml_place(const YAML::Node& value, const std::string& file);
 
 /// A value as it is written.
@@ -30,7 +30,7 @@ std::optional<double> yaml_number(const YAML::Node& value);
 /// The elements of a list, if they are finite numbers.
 std::optional<std::vector<double>> yaml_numbers(const YAML::Node& value);
 
-/// The truth value: 0, 1, or one of YAML's words for it in any case.
+/// The truth value: 0, 1, or a word of YAML for it, in upper or lower case.
 std::optional<bool> yaml_boolean(const YAML::Node& value);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// What one call into a script may use up.
+// Time limits for calls into scripts.
 #pragma once
 
 namespace nezumi {
@@ -7,7 +7,7 @@ struct Budget {
     double seconds = 0.1;  ///< of CPU time of the calling thread
 };
 
-inline constexpr Budget paced_budget{0.1};     ///< in runs that follow the clock, and on hardware
-inline constexpr Budget headless_budget{2.0};  ///< in runs without a clock, where reaching it ends the run
+inline constexpr Budget paced_budget{0.1};     ///< in runs that follow real time, and on hardware
+inline constexpr Budget headless_budget{2.0};  ///< in runs that do not follow real time; reaching it ends the run
 
 }  // namespace nezumi

@@ -28,7 +28,7 @@ enum class LifeState : unsigned char { inactive, active, error };
 /// "INACTIVE", "ACTIVE", "ERROR".
 std::string_view to_text(LifeState state);
 
-/// The hook of the life cycle that is running.
+/// The callback of the life cycle that is running.
 enum class Hook : unsigned char {
     none,
     on_activated,
@@ -41,12 +41,12 @@ enum class Hook : unsigned char {
     command
 };
 
-/// Every hook's name as scripts spell it; Hook::none and Hook::command have none.
+/// The names of callbacks in scripts; Hook::none and Hook::command have none.
 std::string_view to_text(Hook hook);
-/// The names of all that have one, in the order of `Hook`.
+/// All these names, in the order of `Hook`.
 const std::vector<std::string_view>& hook_names();
 
-/// What a component says of itself; "" for what it does not say.
+/// The component's description of itself; "" for missing parts.
 struct ComponentAbout {
     std::string description{}, version{}, vendor{}, category{};
 };
@@ -62,57 +62,57 @@ public:
     /// The component type, for example "RobotController".
     const std::string& type() const { return type_; }
     LifeState state() const { return state_; }
-    /// Counts the versions of a script; 1 for a native component.
+    /// The number of versions of a script; 1 for a native component.
     virtual int version() const { return 1; }
     virtual ComponentAbout about() const { return {}; }
-    /// What sent it to ERROR, or went wrong last.
+    /// The error that led to ERROR, or the last error.
     const Error& last_error() const { return last_error_; }
-    /// [s] when that was.
+    /// [s] the time of this error.
     double failed_at() const { return failed_at_; }
-    /// The error of the latest hook or command that ran out of time; none if all were in time. What came after it
+    /// The error of the latest callback or command that ran out of time; none if all were in time. Everything after it
     /// depends on the machine. A reload that runs out of time is refused and does not count.
     const std::optional<Error>& out_of_time() const { return out_of_time_; }
 
-    /// What a call that the clock ended has left where another call finds it.
+    /// The state that a call left when its time was over.
     struct LeftState {
         std::optional<PlainData> data{};
         std::string lost{};  ///< what of it is not in `data`, and why; "" for nothing
     };
-    /// A call of a hook or command, counted from 1, that ran out of its time. Those of `on_reload` do not count.
+    /// A call of a callback or command, counted from 1, that ran out of its time. Calls of `on_reload` do not count.
     struct OutOfTime {
         std::int64_t call = 0;
         Error error;
         LeftState left{};
     };
-    /// Those since this function was last called: the first 16 of them.
+    /// Such calls since the last call of this function: the first 16.
     std::vector<OutOfTime> take_out_of_time() { return std::exchange(new_out_of_time_, {}); }
     bool has_new_out_of_time() const { return !new_out_of_time_.empty(); }
-    /// For a replay, which must not ask the clock: this call will end with this error, however long it takes, and leave
-    /// the state that it left.
+    /// For a replay, which must not use the clock: this call will end with this error, however long it takes, and will
+    /// leave this state.
     void run_out_of_time_at(OutOfTime call) { foreseen_.push_back(std::move(call)); }
     /// Executions since the start.
     std::int64_t executions() const { return executions_; }
 
     Parameters& parameters() { return parameters_; }
     const Parameters& parameters() const { return parameters_; }
-    /// What it is called to have no set in use; no set has that name.
+    /// The name for no parameter set; no set has this name.
     static constexpr std::string_view no_set = "default";
-    /// Switches to a named set, or to none, whole or not at all. Call it between ticks.
+    /// Switches to a parameter set, or to none, completely or not at all. Call it between ticks.
     Expected<void> use(std::string_view set);
-    /// The set in use; "" when none is.
+    /// The parameter set in use; "" if there is none.
     const std::string& set_in_use() const { return set_in_use_; }
-    /// What a parameter is when nobody has set it by hand: as the set in use says, else the system file, else its
-    /// declaration.
+    /// The value of a parameter that nobody has set by hand: of the set in use, otherwise of the system file, otherwise
+    /// its default.
     Value configured_value(const ParameterSpec& spec) const;
-    /// Counts the calls of `use` that went well.
+    /// Counts the successful calls of `use`.
     std::uint64_t uses() const { return uses_; }
 
-    // Whoever has a constant component can look at its ports, and put nothing into them.
+    // With a constant component, ports can be read but not written.
     const std::vector<std::unique_ptr<InPortBase>>& in_ports() { return in_ports_; }
     const std::vector<std::unique_ptr<OutPortBase>>& out_ports() { return out_ports_; }
     ConstView<InPortBase> in_ports() const { return ConstView(in_ports_); }
     ConstView<OutPortBase> out_ports() const { return ConstView(out_ports_); }
-    /// nullptr when there is no port of this name and direction.
+    /// nullptr if there is no port with this name and direction.
     const InPortBase* find_in_port(std::string_view name) const;
     const OutPortBase* find_out_port(std::string_view name) const;
     InPortBase* find_in_port(std::string_view name) {
@@ -121,47 +121,47 @@ public:
     OutPortBase* find_out_port(std::string_view name) {
         return const_cast<OutPortBase*>(std::as_const(*this).find_out_port(name));
     }
-    /// nullptr when there is no port of this name.
+    /// nullptr if there is no port with this name.
     const Port* find_port(std::string_view name) const;
     Port* find_port(std::string_view name) { return const_cast<Port*>(std::as_const(*this).find_port(name)); }
 
-    /// Visits the numbers, truth values and texts of a member that is neither port nor parameter, as a script's
+    /// Visits the numbers, truth values and texts of a member that is neither port nor parameter, such as a script's
     /// "state". Returns whether it has such a member.
     virtual bool visit_member(std::string_view /*member*/, const LeafVisitor& /*visit*/) const { return false; }
 
-    /// The file that it was loaded from, if it is a behaviour: these have lines and can be reloaded. Null for others.
+    /// The file of a behaviour; behaviours have lines and can be reloaded. Null for other components.
     virtual const ScriptFile* script_file() const { return nullptr; }
-    /// The number of the reload that brought the version that runs, if a rollback can take it back; 0: none can.
+    /// The number of the reload that brought the running version, if a rollback can revert it; otherwise 0.
     virtual int last_reload() const { return 0; }
-    /// The commands that `call_command` takes.
+    /// The commands for `call_command`.
     virtual std::span<const CommandDeclaration> commands() const { return {}; }
     virtual std::vector<TaskStatus> tasks() const { return {}; }
-    /// In the order in which they came.
+    /// In the order of their first use.
     virtual std::span<const Probe> probes() const { return {}; }
-    /// As much of its state as a limit allows.
+    /// A part of its state within a limit.
     virtual Expected<PlainSnapshot> state_snapshot(const PlainLimit& /*limit*/) const {
         return PlainSnapshot{PlainData::empty_table(), 1};
     }
-    /// Has an execution traced, line by line: the next one that is not on probation. Returns the number of that trace;
-    /// 0 when it has no lines.
+    /// Requests a line trace of the next execution after probation. Returns the number of the trace; 0 if it has no
+    /// lines.
     virtual std::int64_t trace_next() { return 0; }
-    /// The number of the latest trace, and what was seen.
+    /// The number of the latest trace, and the trace itself.
     virtual std::int64_t traces() const { return 0; }
     virtual TracedLines latest_trace() const { return {}; }
 
-    /// Whether an emergency stop was asked for at it since the last call, as by a gamepad's button.
+    /// Whether it requested an emergency stop since the last call, such as by a button of a gamepad.
     virtual bool take_stop() { return false; }
 
-    /// INACTIVE to ACTIVE. In-ports start empty. An error says why not (it is in ERROR, or `on_activated` failed).
+    /// INACTIVE to ACTIVE. In-ports start empty. The error says why not (it is in ERROR, or `on_activated` failed).
     Expected<void> activate(const Time& now);
     /// ACTIVE to INACTIVE; safe values are written.
     Expected<void> deactivate(const Time& now);
     /// ERROR to INACTIVE.
     Expected<void> reset(const Time& now);
-    /// Runs a command that it offers, between two ticks. An error when it offers none of this name, or when the command
-    /// failed: then nothing that it wrote is published.
+    /// Runs a command between two ticks. An error if there is none with this name, or if the command failed; then
+    /// nothing that it wrote is published.
     virtual Expected<PlainData> call_command(std::string_view command, const PlainData& arguments, const Time& now);
-    /// One execution when ACTIVE, `on_error` when in ERROR. An error of it sends the component to ERROR.
+    /// One execution if ACTIVE, `on_error` if in ERROR. An error sends the component to ERROR.
     void execute(const Time& now);
     /// Lets the in-ports take what has arrived.
     void latch_inputs(const Time& now);
@@ -169,21 +169,21 @@ public:
     void latch_outputs(const Time& now) {
         for (const auto& port : out_ports_) port->latch(now);
     }
-    /// ACTIVE to ERROR because of this: nothing of the execution is published, `on_aborting` runs, safe values are
+    /// ACTIVE to ERROR with this error: nothing of the execution is published, `on_aborting` runs, safe values are
     /// written.
     void abort(Error error);
 
-    /// The tick of the hook that runs, or of the one that ran last.
+    /// The tick of the running callback, or of the last one.
     const Time& now() const { return now_; }
-    /// [s] between this execution and the one before; at the first one period of its rate.
+    /// [s] from the last execution to this one; at the first one, the period of its rate.
     double dt() const { return dt_; }
     /// The hook that runs now.
     Hook hook() const { return hook_; }
 
-    /// Where log lines go; set when a system takes the component, which gives them the time of its tick.
+    /// Sets the function for log lines. A system does this when it takes the component, and adds the time of its tick.
     virtual void set_log(LogSink sink) { log_ = std::move(sink); }
     void log(LogLevel level, std::string text) const;
-    /// Ticks a second [Hz] of its system; set when a system takes the component.
+    /// Rate of ticks [Hz] of its system, which sets it.
     void set_tick_rate(double hertz) { tick_rate_ = hertz; }
     double tick_rate() const { return tick_rate_; }
 
@@ -194,13 +194,13 @@ protected:
     virtual Expected<void> on_aborting() { return {}; }
     virtual Expected<void> on_error() { return {}; }
     virtual Expected<void> on_reset() { return {}; }
-    /// What a call that was ended leaves, and the same put in the place of what is there.
+    /// The state that an ended call leaves; and a function that sets it, for replays.
     virtual LeftState left_state() { return {}; }
     virtual void restore(const PlainData& /*left*/) {}
-    /// What has just failed in `on_aborting`, for the log.
+    /// The last error in `on_aborting`, for the log.
     virtual std::string_view failed_at_aborting() const { return to_text(Hook::on_aborting); }
 
-    /// Adds a port; the reference stays valid as long as the component keeps the port.
+    /// Adds a port. The reference is valid as long as the component has the port.
     template <Payload T>
     InPort<T>& add_in_port(std::string name, std::string doc = "", std::size_t queue = 0) {
         auto port = std::make_unique<InPort<T>>(std::move(name), std::move(doc), queue);
@@ -216,11 +216,11 @@ protected:
         return reference;
     }
 
-    /// The set in use from now on, when its values have come or gone with a version of a script.
+    /// Sets the parameter set in use, after its values came or went with a version of a script.
     void note_set_in_use(std::string set) { set_in_use_ = std::move(set); }
-    /// What `now` is between ticks, when something runs that is no part of the life cycle.
+    /// Sets `now` between ticks, for code that is not part of the life cycle.
     void set_now(const Time& now) { now_ = now; }
-    /// Runs `hook` as the hook that is running now. Calls may be nested: each is one that can run out of its time.
+    /// Runs a function as the callback `hook`. Calls may be nested; each can run out of its time.
     template <class Function>
     auto run(Hook hook, Function&& function) {
         const Hook before = std::exchange(hook_, hook);
@@ -245,7 +245,7 @@ private:
         if (found->left.data) restore(*found->left.data);
         foreseen_.erase(found);
     }
-    /// Forgets the velocities that `hook` wrote; what was written before it stays.
+    /// Discards velocities that `hook` wrote, but no earlier ones.
     Expected<void> run_without_velocities(Hook hook);
 
     std::string name_;
@@ -257,17 +257,17 @@ private:
     double failed_at_ = 0;
 
 public:
-    /// Where the system file names it.
+    /// Its place in the system file.
     Place place;
-    /// Named sets of parameter values, as the system file gives them.
+    /// Parameter sets of the system file.
     std::map<std::string, ParameterValues, std::less<>> sets;
-    /// The values the system file gave; what a set leaves out has these.
+    /// Values of the system file, which are used if a set has no value.
     ParameterValues configured;
 
 private:
     std::vector<OutOfTime> new_out_of_time_;
     std::optional<Error> out_of_time_;
-    // From here on what every tick looks at is side by side.
+    // The members from here on are used in every tick.
     std::vector<OutOfTime> foreseen_;
     std::int64_t calls_ = 0;
     Time now_;
@@ -280,7 +280,7 @@ private:
     bool error_hook_failed_ = false;
 
 public:
-    /// Executions a second [Hz], at most the tick's rate; 0: one in every tick.
+    /// Executions per second [Hz], at most the rate of ticks; 0: one in every tick.
     double rate = 0;
 
 protected:
@@ -289,13 +289,13 @@ protected:
     Parameters parameters_;
 };
 
-/// A component at the edge: it senses before the behaviours of a tick and acts after them.
+/// A component with a connection to the outside: it senses before the behaviours of a tick and acts after them.
 class Device : public Component {
 public:
     using Component::Component;
-    /// Writes the out-ports from what the outside is like now. Called every tick, whatever the state.
+    /// Writes the out-ports from the outside. Called in every tick and every state.
     virtual void sense(const Time& now) = 0;
-    /// Acts on what its in-ports hold. Called every tick, whatever the state: when it is not ACTIVE it must be still.
+    /// Acts on the values of its in-ports. Called in every tick and every state; unless it is ACTIVE, it must be still.
     virtual void actuate(const Time& now) = 0;
 };
 

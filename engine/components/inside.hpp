@@ -1,4 +1,4 @@
-// What a component shows of its inside, beside ports and parameters: commands, tasks, probes, the lines that ran.
+// What a component shows beside ports and parameters: commands, tasks, probes, executed lines.
 #pragma once
 
 #include <cstdint>
@@ -11,30 +11,30 @@
 
 namespace nezumi {
 
-/// A command that it offers, callable as `component:name(...)`.
+/// A command, called as `component:name(...)`.
 struct CommandDeclaration {
     std::string name;
     std::string doc;
     Place place;
 };
 
-/// A task, as it is now.
+/// The present status of a task.
 struct TaskStatus {
     std::string name;
     std::string status;     ///< "ready", "running", "waiting", ...
-    double since = 0;       ///< [s] when it got this status
+    double since = 0;       ///< [s] time of the last change of status
     std::string waiting{};  ///< "1.5 s, 0.7 s are left", "a condition"; "" when it does not wait
-    int line = 0;           ///< where it waits
+    int line = 0;           ///< the line where it waits
 };
 
 /// A value that it shows.
 struct Probe {
     std::string name;
-    PlainData value;  ///< one number, truth value or text, or one flat table of them
-    double tm = 0;    ///< [s] when it was set
+    PlainData value;  ///< one number, truth value or text, or a flat table of these
+    double tm = 0;    ///< [s] time when it was set
 };
 
-/// The lines that ran in one execution.
+/// The lines that one execution has run.
 struct TracedLines {
     /// Of a variable.
     struct Value {
@@ -43,19 +43,19 @@ struct TracedLines {
         bool operator==(const Value&) const = default;
     };
     struct Line {
-        std::string file;  ///< as messages call it
+        std::string file;  ///< its name in messages
         int line = 0;
-        int depth = 0;                ///< calls within the outermost function
-        std::vector<Value> values{};  ///< of the variables that it names, or of all in sight where there is no text
+        int depth = 0;                ///< number of calls from the outermost function
+        std::vector<Value> values{};  ///< of the variables in the line; of all visible variables if the text is unknown
         std::string text{};           ///< of the file, without blanks around it; "" where it is not known any more
-        /// Where the last turn of a long loop begins: so many turns before it, of the same lines, are left out.
+        /// If the last round of a long loop begins here: the number of equal rounds before it that are omitted.
         std::size_t turns_left_out = 0;
     };
     std::vector<Line> lines{};
-    bool is_cut = false;  ///< there were more
+    bool is_cut = false;  ///< there were more lines
 };
 
-/// A table from each name to `status`, `since`, and of those that wait `waiting` and `line`.
+/// A table from each name to `status`, `since`, and for waiting tasks `waiting` and `line`.
 PlainData describe(std::span<const TaskStatus> tasks);
 /// A table from each name to its `value`, `tm` and `age` at this time [s].
 PlainData describe(std::span<const Probe> probes, double now);

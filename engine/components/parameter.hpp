@@ -1,4 +1,4 @@
-// Parameters: named values with bounds and a description, that hold whoever sets them.
+// Parameters: named values with limits and documentation.
 #pragma once
 
 #include <cstddef>
@@ -14,22 +14,21 @@
 
 namespace nezumi {
 
-/// Values by parameter name, as a system file or a named set gives them. Ordered, so that messages are the same each
-/// time.
+/// Values by parameter name, as in a system file or a parameter set. Sorted, so that messages are the same each time.
 using ParameterValues = std::map<std::string, Value, std::less<>>;
 
-/// How a parameter is declared. The type of its values follows the default: truth value, integer (`std::int64_t`),
-/// number (`double`), text, or an array of one of them.
+/// The declaration of a parameter. Its type is the type of the default: truth value, integer (`std::int64_t`), number
+/// (`double`), text, or an array of one of these.
 struct ParameterSpec {
     std::string name;
     Value initial;              ///< the default
     std::optional<double> min;  ///< inclusive, per element of an array
     std::optional<double> max;  ///< inclusive, per element of an array
-    double step = 0;            ///< of widgets only, binds no value; 0: none
+    double step = 0;            ///< for widgets only; does not limit the value; 0: none
     std::string widget;         ///< "slider", "spin", "text", "checkbox", "radio", ... as in OpenRTM; may be empty
     std::string unit;
     std::string doc;
-    std::vector<Value> choices;           ///< empty: any value within the bounds
+    std::vector<Value> choices;           ///< empty: any value within the limits
     std::optional<std::size_t> min_size;  ///< of an array
     std::optional<std::size_t> max_size;  ///< of an array
     Place place;
@@ -38,11 +37,11 @@ struct ParameterSpec {
 /// "number", "integer", "boolean", "string", "array of numbers", ...
 std::string type_text(const Value& value);
 
-/// Checks a declaration on its own: finite bounds in order, choices of the default's type, a default that is allowed.
+/// Checks a declaration: finite limits in order, choices with the type of the default, and an allowed default.
 Expected<void> check_declaration(const ParameterSpec& spec);
 
-/// `value` as this parameter would hold it (3 becomes 3.0 for a number, 3.0 becomes 3 for an integer), or why it may
-/// not: "parameter 'speed_x' (number): 2.0 is above its maximum 1.5".
+/// `value` as this parameter would store it (3 becomes 3.0 for a number, 3.0 becomes 3 for an integer), or the error:
+/// "parameter 'speed_x' (number): 2.0 is above its maximum 1.5".
 Expected<Value> check_value(const ParameterSpec& spec, const Value& value);
 
 /// The parameters of one component, in the order of their declaration.
@@ -51,39 +50,39 @@ public:
     struct Parameter {
         ParameterSpec spec;
         Value value;
-        bool set = false;           ///< somebody gave it a value; else it follows the default, also of a later version
-        bool from_outside = false;  ///< and that was not its component, since this version began
-        bool from_within = false;   ///< and that was its component, since this version began
+        bool set = false;           ///< it was set; otherwise it follows the default, also of a later version
+        bool from_outside = false;  ///< it was set from outside since this version began
+        bool from_within = false;   ///< its component has set it since this version began
     };
 
-    /// Adds a parameter at its default. An error when the declaration is wrong or the name is taken.
+    /// Adds a parameter with its default. An error if the declaration is wrong or the name is taken.
     Expected<void> declare(ParameterSpec spec);
 
-    /// nullptr when there is none of this name.
+    /// nullptr if there is none with this name.
     const Parameter* find(std::string_view name) const;
     const std::vector<Parameter>& all() const { return all_; }
 
-    /// Sets one value at once. An error names the nearest parameter, or the bound that it breaks; then nothing changed.
+    /// Sets one value at once. The error names the nearest parameter, or the limit; then nothing has changed.
     Expected<void> set(std::string_view name, const Value& value);
-    /// Sets all of these or, when one of them is refused, none.
+    /// Sets all of these, or none if one is refused.
     Expected<void> set_all(const ParameterValues& values);
-    /// Gives one back its default, as if nobody had ever set it. An unknown name is none.
+    /// Resets a parameter to its default, as if it had never been set. Unknown names are ignored.
     void follow_default(std::string_view name);
-    /// For the component itself: sets one value that holds from the next `take_staged`. Checked now.
+    /// For the component itself: sets a value that becomes effective at the next `take_staged`. It is checked now.
     Expected<void> stage(std::string_view name, const Value& value) { return stage(name, value, false); }
-    /// Lets the staged values take effect. Returns whether there were any.
+    /// Makes the staged values effective. Returns whether there were any.
     bool take_staged();
 
-    /// Takes over from an earlier version of the component every value that somebody set and that still fits.
+    /// Takes over every value that was set in an earlier version of the component and still fits.
     void adopt(const Parameters& earlier);
-    /// The same of those alone that were set from outside.
+    /// The same, only for values that were set from outside.
     void adopt_from_outside(const Parameters& earlier);
-    /// The same for one of them.
+    /// The same for one parameter.
     void adopt(const Parameters& earlier, std::string_view name);
-    /// From now on another version of its component runs: nothing was set from outside since.
+    /// Another version of the component begins: marks all values as not set from outside.
     void begin_version();
 
-    /// Grows with every change of a value: tells a cache that it is out of date.
+    /// Grows with every change of a value, for caches.
     std::uint64_t version() const { return version_; }
 
 private:

@@ -1,4 +1,4 @@
-// A camera: a component that publishes pictures at its frame rate, whatever takes them.
+// A component that publishes pictures of a camera at its frame rate.
 #pragma once
 
 #include <cstdint>
@@ -19,19 +19,19 @@ class Camera final : public Device {
 public:
     using Open = std::function<Expected<std::unique_ptr<CameraSource>>(const CameraMount&, const CameraSettings&)>;
 
-    /// `open` is called on activation, and again when a parameter has changed. `wait`: the picture exposed at t is
-    /// published at t + latency exactly (simulation), else as soon as it is there (hardware). It is stamped with the
-    /// time of its exposure.
+    /// `open` is called on activation, and again after a parameter has changed. `wait`: the picture exposed at t is
+    /// published at exactly t + latency (simulation), otherwise as soon as it is available (hardware). Its time stamp
+    /// is the time of its exposure.
     Camera(std::string name, CameraMount mount, std::uint64_t seed, Open open, bool wait);
 
     void sense(const Time& now) override;
     void actuate(const Time& /*now*/) override {}
 
-    /// Why it can't be activated as its parameters are: the tick can't keep its frame rate, or what it would look
-    /// through can't be simulated. A real camera may come later. It has its tick rate.
+    /// Checks whether it can be activated with its parameters: an error if the tick rate is too low for its frame rate,
+    /// or if its distortion can't be simulated. A real camera may be connected later. Its tick rate must be set.
     Expected<void> check() const;
 
-    /// How its parameters set it.
+    /// The settings by its parameters.
     CameraSettings settings() const;
 
 private:
@@ -54,16 +54,16 @@ private:
     std::uint64_t parameters_version_ = 0;
     double frame_rate_ = 0;
     double latency_ = 0;
-    double exposed_at_ = 0;             // [s] the picture that is developed
-    DelayedTask<CameraImage> picture_;  // after source_: it works with it
+    double exposed_at_ = 0;             // [s] of the picture that is being developed
+    DelayedTask<CameraImage> picture_;  // declared after source_, which it uses
 };
 
-/// Makes the component `entry`, a camera whose pictures `open` takes. An error when there is no robot `on` before it,
-/// and when it could not be activated as it is configured.
+/// Makes the component `entry`, a camera with pictures from `open`. An error if there is no robot `on` before it, or if
+/// it could not be activated.
 Expected<std::unique_ptr<Component>> make_camera(const ComponentEntry& entry, System& system, Camera::Open open);
 
-/// Makes the component `entry`, a camera in the world of `system`; what `Makers::components` wants for "Camera". Errors
-/// as of `make_camera`, and when the system has no world, or the world shows no pictures.
+/// Makes the component `entry`, a camera in the world of `system`, for `Makers::components` ("Camera"). Errors as in
+/// `make_camera`, and if the system has no world, or the world can't be seen.
 Expected<std::unique_ptr<Component>> make_simulated_camera(const ComponentEntry& entry, System& system);
 
 }  // namespace nezumi

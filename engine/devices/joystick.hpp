@@ -1,4 +1,4 @@
-// A joystick: where its stick is, published at its rate whether or not it moved.
+// A joystick: publishes the position of its stick at its rate, also if it has not moved.
 #pragma once
 
 #include <functional>
@@ -16,46 +16,46 @@ namespace nezumi {
 
 class System;
 
-/// Which gamepad, and what two of its buttons are for: their names in Linux ("BTN_TL"), "" for none.
+/// Selects a gamepad and the functions of two of its buttons, by their names in Linux ("BTN_TL"); "" for none.
 struct GamepadSettings {
     std::string device;  ///< its node; "": the first there is
     std::string dead_man_button;
     std::string stop_button;
-    double dead_zone = 0;  ///< part of a stick's way around its centre that counts as 0; 0: as its driver says
-    double centre_x = 0;   ///< where the stick rests, a part of its way, right and up positive
+    double dead_zone = 0;  ///< part of a stick's range around its centre that counts as 0; 0: the default of its driver
+    double centre_x = 0;   ///< position of the stick at rest, relative to its range; right and up are positive
     double centre_y = 0;
     bool operator==(const GamepadSettings&) const = default;
 };
 
-/// What a gamepad says.
+/// The state of a gamepad.
 struct GamepadState {
     double x = 0, y = 0;        ///< of its stick, -1 to 1, right and up positive
     std::vector<float> axes;    ///< each axis, -1 to 1, in the order of their codes
     std::vector<bool> buttons;  ///< whether each is pressed, in the order of their codes
-    bool is_released = false;   ///< the dead-man button, where there is one, is not held: its stick counts as centred
+    bool is_released = false;   ///< the dead-man button, if there is one, is not pressed: its stick counts as centred
     bool is_stop_held = false;  ///< the button for emergency stops is pressed
-    int stops = 0;              ///< how often that button has been pressed
+    int stops = 0;              ///< how often this button has been pressed
 };
 
-/// A real gamepad, read beside the loop.
+/// A real gamepad, which is read in the background.
 class Gamepad {
 public:
     virtual ~Gamepad() = default;
-    /// What it says now; nothing while none is plugged in. Never waits.
+    /// Its present state; nothing while none is connected. Never waits.
     virtual std::optional<GamepadState> state() = 0;
-    /// What has failed since the last call: one line for each with what to do about it.
+    /// The faults since the last call: one line each, with what to do.
     virtual std::vector<std::string> take_faults() = 0;
 };
 
-/// Who sends to its in-port `stick` holds the stick: a prompt's arrow keys, a browser's pad, another component. When
-/// nothing has come since it was read last, it is where a gamepad has it, or else back in the middle. The pad is
-/// 300 x 300 px.
+/// Messages to its in-port `stick` move the stick: from arrow keys of a prompt, a browser's pad, or another component.
+/// Without a message since the last tick, the position is that of the gamepad, or the middle. The pad is 300 x 300 px.
 class Joystick final : public Device {
 public:
     using Open = std::function<std::unique_ptr<Gamepad>(const GamepadSettings&)>;
 
-    /// `open` is called on activation, and again when a parameter has changed. Without it there is no gamepad. With it,
-    /// while none is plugged in and nobody holds the stick, the ports are silent, after one message from the middle.
+    /// `open` is called on activation, and again after a parameter has changed. Without it there is no gamepad. With
+    /// it, while none is connected and nobody moves the stick, the ports publish nothing, after one message for the
+    /// middle.
     explicit Joystick(std::string name, Open open = nullptr);
 
     static constexpr float edge = 150;  ///< [px] from the middle of the pad
@@ -84,8 +84,8 @@ private:
     std::unique_ptr<Gamepad> gamepad_;
     int stops_ = 0;
     int told_stops_ = 0;
-    int counted_ = 0;      // of them by the gamepad that is open
-    bool speaks_ = false;  // its last message was not the one that ends them
+    int counted_ = 0;      // presses of the gamepad that is open, which were counted
+    bool speaks_ = false;  // its last message was not the final one
 };
 
 /// The maker of components of type Joystick without a gamepad.

@@ -1,4 +1,4 @@
-// A thread in which an act is prepared, for who has none that may wait.
+// Prepares acts in a thread, for callers that must not wait.
 #pragma once
 
 #include <chrono>
@@ -10,21 +10,21 @@
 
 namespace nezumi {
 
-/// One act at a time. All of it is to be called from one thread.
+/// One act at a time. Call all functions from one thread.
 class ActWorker {
 public:
     ActWorker() = default;
-    /// Waits a second for the thread: what hangs in a file that does not answer goes on without this.
+    /// Waits a second for the thread. If it hangs in a file, it is abandoned.
     ~ActWorker();
     ActWorker(const ActWorker&) = delete;
     ActWorker& operator=(const ActWorker&) = delete;
 
-    /// Whether no act is being prepared, nor waits to be taken.
+    /// Whether no act is being prepared or waits to be taken.
     bool is_idle() const { return !prepared_.valid(); }
-    /// Begins with an act, while idle. Where the system gives no further thread, the act is prepared before this
+    /// Starts to prepare an act, while idle. If the system provides no further thread, the act is prepared before this
     /// returns.
     void start(Preparation prepare);
-    /// The act, once it is prepared: waits so long for it.
+    /// The prepared act; waits so long for it.
     std::optional<PreparedAct> take(std::chrono::microseconds patience = {});
 
 private:

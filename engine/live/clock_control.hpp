@@ -1,5 +1,4 @@
-// The time of a running system as the console's commands drive it: what the loop that runs the ticks lends to the
-// console.
+// Controls the time of a running system, for the commands of the console. The loop that runs the ticks implements it.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +10,17 @@
 
 namespace nezumi {
 
-/// Of a speed: simulated seconds a second.
+/// Of a speed: simulated seconds per second.
 inline constexpr double slowest_speed = 0.001, fastest_speed = 1e6;
 /// As a speed: ticks follow each other without waiting.
 inline constexpr double as_fast_as_possible = std::numeric_limits<double>::infinity();
 
-/// The bounds of time, whoever asks: a command line, a console, a browser. Errors say what was expected.
+/// Checks limits of time for command lines, consoles and browsers. The error says what was expected.
 Expected<double> check_speed(double factor);
 Expected<std::int64_t> check_ticks(double ticks);
 
-/// Implemented by the loop that runs the ticks; called between two ticks, from the thread that runs them. What may not
-/// be done on hardware (`speed`, `step`, `run`, `restart`) the console refuses itself, by `is_hardware`.
+/// Implemented by the loop that runs the ticks, and called between two ticks from its thread. The console itself
+/// refuses what is not allowed on hardware (`speed`, `step`, `run`, `restart`), by `is_hardware`.
 class ClockControl {
 public:
     virtual ~ClockControl() = default;
@@ -35,19 +34,19 @@ public:
     virtual void resume() = 0;
     virtual bool is_paused() const = 0;
 
-    /// Lets so many ticks pass from now on, at `speed`, and pauses then. `pause` and `resume` end it early; another
-    /// `advance` begins anew.
+    /// Lets so many ticks pass, at `speed`, and then pauses. `pause` and `resume` end it early; another `advance`
+    /// replaces it.
     virtual void advance(std::int64_t ticks) = 0;
-    /// Ticks of an `advance` are still to come.
+    /// Ticks of `advance` are left.
     virtual bool is_advancing() const = 0;
-    /// How often `pause`, `resume` and `advance` have been called: another number, and somebody has taken time over.
+    /// How often `pause`, `resume` and `advance` have been called: if the number changes, somebody else controls time.
     virtual std::uint64_t moves() const = 0;
 
-    /// As `check_speed` gave it.
+    /// A factor from `check_speed`.
     virtual void set_speed(double factor) = 0;
     virtual double speed() const = 0;
 
-    /// Ends the run in good order, soon after this returns.
+    /// Ends the run normally, soon after this returns.
     virtual void quit() = 0;
 
     /// The latest warnings and errors of the log, oldest first.

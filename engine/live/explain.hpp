@@ -1,4 +1,4 @@
-// One execution of a component, explained: what came in, the lines that ran, what went out, and what robots made of it.
+// Explains one execution of a component: its inputs, the executed lines, its outputs, and what robots did with them.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,15 @@ struct Explanation {
         std::vector<std::string> peers{};  ///< the ports that it is connected to
         std::string override{};            ///< "held", "dropped", "frozen", or ""
     };
-    /// A robot that hears it, or that it hears.
+    /// A robot that receives its messages, or sends it messages.
     struct OfRobot {
         std::string robot;
-        Velocity2D asked;     ///< what it was told
-        Velocity2D limited;   ///< what its limits make of that
-        double speed = 0;     ///< [m/s] that it may drive at most
-        double yaw_rate = 0;  ///< [rad/s] that it may turn at most
+        Velocity2D asked;     ///< the commanded velocity
+        Velocity2D limited;   ///< the same within its limits
+        double speed = 0;     ///< [m/s] its limit of speed
+        double yaw_rate = 0;  ///< [rad/s] its limit of turning
         bool wheels_told = false;
-        Wheels wheels{};  ///< [m/s] that its wheels are told
+        Wheels wheels{};  ///< [m/s] the commands of its wheels
     };
 
     std::string component;
@@ -36,11 +36,10 @@ struct Explanation {
     std::vector<OfRobot> robots{};
 };
 
-/// Of the execution that was traced last; the ports are as they are now, so that it is to be asked for between that
-/// tick and the next.
+/// Explains the last traced execution. The values of ports are the present ones, so call it before the next tick.
 Explanation explain(const System& system, const Component& component);
 
-/// For people, what went out first: "controller.out -> mouse.target_velocity_in: ...", "controller.in <- ...",
+/// The text for people, outputs first: "controller.out -> mouse.target_velocity_in: ...", "controller.in <- ...",
 /// "counter.lua:9  local near = 3  near = 31", ...
 std::string to_text(const Explanation& explanation);
 

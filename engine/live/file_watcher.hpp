@@ -1,4 +1,4 @@
-// Tells which files have got another content, however an editor saves them.
+// Detects files with changed content, whatever way an editor saves them.
 #pragma once
 
 #include <atomic>
@@ -16,15 +16,15 @@
 
 namespace nezumi {
 
-/// Watches the folders of files, not the files: an editor that writes a new file and renames it leaves a watch on the
-/// old one deaf. Watches the folders above as well, which `git checkout` replaces. Compares contents, so that a `touch`
-/// or a second notice of one save is nothing. Where the system gives no notices, it looks twice a second.
+/// Watches the folders of files, not the files: an editor that writes a new file and renames it would leave a watch on
+/// the old one. Also watches the folders above, which `git checkout` replaces. Compares contents, so a `touch` or a
+/// second event of one save is ignored. If the system provides no events, checks twice a second.
 class FileWatcher {
 public:
-    /// A file and the hash (`ScriptFile::hash`) of the content that is known of it.
+    /// A file and the hash (`ScriptFile::hash`) of its known content.
     using Files = std::map<std::string, std::uint64_t>;
     using Reader = std::function<Expected<SourceText>(const std::string& path)>;
-    /// A file that has got another content, and that content's hash.
+    /// A file with changed content, and the hash of the content.
     struct Change {
         std::string path;
         std::uint64_t hash;
@@ -35,37 +35,37 @@ public:
         std::string why;
     };
 
-    /// How often it looks for itself [s].
+    /// The period of checks without events [s].
     static constexpr double usual_poll_period = 0.5;
 
-    /// `read` is called from another thread, and may outlive the watcher when a call does not return.
+    /// `read` is called from another thread, and may outlive the watcher if a call does not return.
     explicit FileWatcher(double poll_period = usual_poll_period, Reader read = read_source);
     /// Waits for its thread, but not for a file system that does not answer.
     ~FileWatcher();
     FileWatcher(const FileWatcher&) = delete;
     FileWatcher& operator=(const FileWatcher&) = delete;
 
-    /// The files to watch from now on. Of those watched already, what is known stays known.
+    /// Sets the watched files. For files that were already watched, the known content stays.
     void watch(const Files& files);
 
-    /// Whether there is something to take, changes or losses: no more than a read of a flag.
+    /// Whether there are changes or losses to take; only reads a flag.
     bool has_news() const { return shared_->has_news.load(std::memory_order_relaxed); }
-    /// The files that have changed since the last time, in the order of their paths, each once with what it holds now.
-    /// A file that went is none of them.
+    /// The files that have changed since the last call, sorted by path, each once with its present content. Files that
+    /// are gone are not included.
     std::vector<Change> take_changes();
-    /// The files that went, or are there and can't be read, for at least as long as it is from poll to poll: each once,
-    /// and again only when it could be read in between.
+    /// The files that are gone or can't be read, for at least one period of checks: each once, and again only after it
+    /// could be read in between.
     std::vector<Loss> take_losses();
-    /// Whether another file of Lua was saved in one of the folders since the last time.
+    /// Whether another Lua file was saved in one of the folders since the last call.
     bool take_others() { return shared_->others.exchange(false); }
 
-    /// How long after a notice it waits for the next one of the same save [s].
+    /// Time after an event for further events of the same save [s].
     static constexpr double quiet_time = 0.002;
 
 private:
     class Notices;
     class Watch;
-    // Of both threads. It goes with the one that ends last.
+    // Shared by both threads. The one that ends last destroys it.
     struct Shared {
         Shared();
         ~Shared();

@@ -1,4 +1,4 @@
-// What there is to say of a component, a port, a parameter or a member to somebody who asks what it is.
+// The help text of a component, a port, a parameter or a member.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace nezumi {
 
-/// Explains a component, one of its ports, parameters, commands and members, or a member of a port, over several lines.
-/// A part of a value is explained with the whole.
+/// Explains a component, one of its ports, parameters, commands or members, or a member of a port, in several lines. A
+/// part of a value is explained with the whole value.
 std::string help_text(const TreeNode& node);
 
 }  // namespace nezumi

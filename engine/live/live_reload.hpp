@@ -1,4 +1,4 @@
-// Reload on save: joins the watcher of files to the reloads of a system, in runs that follow the clock.
+// Reload on save: reloads scripts when the file watcher reports changes, in runs that follow real time.
 #pragma once
 
 #include <string>
@@ -14,16 +14,16 @@ class RunningSystem;
 
 class LiveReload {
 public:
-    /// Watches every script of the system with its modules, and `other_files` (system, robots, maps), whose change is
-    /// only told. A file that can't be read any more is told once. To be gone before the next start.
+    /// Watches every script of the system with its modules, and `other_files` (system, robots, maps), whose changes are
+    /// only reported. A file that can't be read any more is reported once. Must be destroyed before the next start.
     LiveReload(RunningSystem& live, Reloads& reloads, const std::vector<std::string>& other_files);
 
-    /// To be called between two ticks. Costs a look at a flag when nothing has changed.
+    /// Call this between two ticks. Only reads a flag if nothing has changed.
     void between_ticks() {
         reloads_.after_tick();
         if (watcher_.has_news() || !worker_.is_idle() || !failed_.empty()) take_changes();
     }
-    /// After a reload that did not come from here, or after components came or went: what is to be watched.
+    /// Call this after other reloads, and after components were added or removed: updates the watched files.
     void watch_again();
 
 private:
@@ -36,7 +36,7 @@ private:
     Reloads& reloads_;
     FileWatcher::Files other_files_;
     FileWatcher watcher_;
-    std::vector<std::string> failed_;   // changed files whose reload was refused: their modules may be the reason
+    std::vector<std::string> failed_;   // changed files whose reload was refused, perhaps because of their modules
     std::vector<std::string> loading_;  // files that are being loaded
     ActWorker worker_;
 };

@@ -1,4 +1,4 @@
-// Ports, components and values as text for people.
+// Ports, components and values as readable text.
 #pragma once
 
 #include <string>

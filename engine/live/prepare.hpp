@@ -1,4 +1,5 @@
-// What acts read and load before they are performed: copies of all that this takes, to be called in any thread.
+// Prepares acts: reads and loads what they need. The functions own copies of their data, and can be called in any
+// thread.
 #pragma once
 
 #include <functional>
@@ -9,19 +10,19 @@
 
 namespace nezumi {
 
-/// Completes a prepared act from the files of `project`, which are a snapshot; may print into it.
+/// Completes a prepared act with files of `project`, which is a snapshot; may print into the act.
 using PreparingWork = std::function<void(PreparedAct& prepared, const Project& project)>;
 
 PreparingWork work_of(const Reload& act, const RunningSystem& live, const Reloads& reloads);
 PreparingWork work_of(const Add& act, const RunningSystem& live);
 PreparingWork work_of(const Restart& act, const RunningSystem& live);
 
-/// The script of a component, or why it has none.
+/// The script of a component; the error says why it has none.
 Expected<const ScriptFile*> script_of(const System& system, const std::string& name);
 
-/// The system of a file, as these options change it.
+/// Reads the system of a file and applies these options.
 Expected<SystemSpec> read_spec(const std::filesystem::path& file, const Project& project, const LiveOptions& options);
-/// Reads and loads what a system is built from beside its description.
+/// Loads the behaviours of a system.
 std::unique_ptr<Behaviors> load_behaviors(const SystemSpec& spec, const MakerContext& context, const Project& project,
                                           const LiveOptions& options);
 

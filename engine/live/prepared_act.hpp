@@ -1,4 +1,4 @@
-// An act with all that it takes of files and scripts, to be performed between two ticks.
+// An act with the files and scripts that it needs, ready to be performed between two ticks.
 #pragma once
 
 #include <functional>
@@ -14,28 +14,27 @@
 
 namespace nezumi {
 
-/// Whether an act reads files or loads scripts: it is prepared before it is performed.
+/// Whether an act reads files or loads scripts, so that it must be prepared.
 inline bool takes_files(const Act& act) {
     return std::holds_alternative<Reload>(act) || std::holds_alternative<Add>(act) ||
            std::holds_alternative<Restart>(act);
 }
 
-/// What `RunningSystem::prepare` has made ready for `RunningSystem::commit`.
+/// The result of `RunningSystem::prepare` for `RunningSystem::commit`.
 struct PreparedAct {
-    Act act;                       ///< as it is performed: a `Reload` of whatever has changed names the files
-    int start = 0;                 ///< of the system that it was prepared for
-    FilesSeen files{};             ///< what it has found of files
+    Act act;                       ///< the act to perform: a `Reload` of all changed files has their names
+    int start = 0;                 ///< number of the system's start that it was prepared for
+    FilesSeen files{};             ///< the files that were read
     std::optional<Error> error{};  ///< why it can't be performed
 
     std::unique_ptr<PreparedReload> reload{};
-    std::unique_ptr<Behaviors> behaviors{};  ///< that `Add` or `Restart` has loaded
-    SystemSpec
-        spec{};  ///< what `Restart` builds; of `Add` the entry, its calibration in use, with its models and files
+    std::unique_ptr<Behaviors> behaviors{};  ///< behaviours that `Add` or `Restart` has loaded
+    SystemSpec spec{};  ///< the system for `Restart`; for `Add`, the entry with its calibration, models and files
     std::vector<std::string> printed{};  ///< lines that the system file has printed
     std::vector<std::string> lost{};     ///< components and markers of acts that `Restart` would lose
 };
 
-/// Reads, loads and may wait: to be called once, in any thread, without the system, which it may outlive.
+/// Reads and loads, and may wait. Call it once, in any thread. It does not use the system, and may outlive it.
 using Preparation = std::function<PreparedAct()>;
 
 }  // namespace nezumi

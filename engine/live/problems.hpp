@@ -1,4 +1,4 @@
-// The latest warnings and errors of a run, for whoever asks for them later.
+// Stores the latest warnings and errors of a run.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,10 @@ namespace nezumi {
 
 class Problems {
 public:
-    /// So many are kept.
+    /// Maximum number of lines.
     static constexpr std::size_t most_lines = 100;
 
-    /// Keeps a line, if it is a warning or an error.
+    /// Stores a line if it is a warning or an error.
     void take(const LogLine& line) {
         if (line.level != LogLevel::warn && line.level != LogLevel::error) return;
         if (lines_.size() == most_lines) lines_.pop_front();

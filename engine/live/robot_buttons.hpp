@@ -1,4 +1,4 @@
-// Buttons of real robots that begin and end a run.
+// Buttons of real robots that start and end a run.
 #pragma once
 
 #include <functional>
@@ -10,10 +10,10 @@
 
 namespace nezumi {
 
-/// Where a real robot's model names a start button, nothing moves before it has been pressed.
+/// If the model of a real robot has a start button, nothing moves before it has been pressed.
 class StartButtons {
 public:
-    /// Pauses `loop` when there is something to wait for, and tells so. Both must outlive this.
+    /// Pauses `loop` if there is a button to wait for, and reports it. Both must outlive this object.
     StartButtons(RunLoop& loop, std::function<void(std::string)> say);
 
 private:
@@ -24,7 +24,7 @@ private:
     std::vector<std::string> waiting_;  // robots whose button has not been pressed
 };
 
-/// Where a real robot's model names a button for it, a long press ends the run, and the computer is shut down after it.
+/// If the model of a real robot has a shutdown button, a long press ends the run, and then the computer is shut down.
 class ShutdownButtons {
 public:
     /// Both must outlive this.
@@ -32,7 +32,7 @@ public:
 
     static constexpr double long_press = 3;  ///< [s]
 
-    /// After the run, when the robots stand: shuts the computer down if that was wanted. Tells when it can't.
+    /// After the run, when the robots stand: shuts the computer down if this was requested. Reports an error.
     void finish() const;
 
 private:

@@ -1,4 +1,4 @@
-// Runs a system tick by tick, by the clock or as fast as possible, and serves others between two ticks.
+// Runs a system tick by tick, in real time or as fast as possible, and serves others between two ticks.
 #pragma once
 
 #include <csignal>
@@ -16,59 +16,58 @@
 
 namespace nezumi {
 
-/// Something that has its turn between two ticks: the console, its socket, a status line.
+/// Something that is served between two ticks: the console, its socket, a status line.
 class Attendant {
 public:
     virtual ~Attendant() = default;
 
-    /// Does what waits. With every tick on time `until` is when the next is due, at most `RunLoop::longest_wait` away;
-    /// work that would last longer is to be left for the next turn. Returns whether more waits: then the next turn
-    /// comes as soon as possible.
+    /// Does the work that waits. If all ticks are on time, `until` is the time of the next one, at most
+    /// `RunLoop::longest_wait` away; longer work must be left for the next turn. Returns whether more work waits; then
+    /// the next turn comes as soon as possible.
     virtual bool serve(Pacer::Clock::time_point until) = 0;
 
-    /// Adds the file descriptors that it reads from: its turn comes as soon as one of them is readable.
+    /// Adds the file descriptors that it reads: its turn comes as soon as one of them is readable.
     virtual void add_files(std::vector<int>& /*files*/) const {}
 };
 
 class RunLoop final : public ClockControl {
 public:
-    /// How long attendants with work wait for their next turn where ticks leave no time [s].
+    /// The period of turns for attendants with work if ticks leave no time [s].
     static constexpr double slice = 0.002;
-    /// How long they wait at most for their next one, and the longest turn [s].
+    /// The longest time between two turns, and the longest turn [s].
     static constexpr double longest_wait = 0.05;
 
     struct Options {
         double speed = 1;                    ///< a factor of real time, or `as_fast_as_possible`
-        const Problems* problems = nullptr;  ///< what has been logged; must outlive the loop
+        const Problems* problems = nullptr;  ///< logged warnings and errors; must outlive the loop
     };
 
-    /// The system must outlive the loop, be active, and be ticked by nobody else.
+    /// The system must outlive the loop, be active, and be ticked only by the loop.
     RunLoop(RunningSystem& live, const Options& options);
 
-    /// Attendants have their turns in the order in which they were added, and must outlive the loop.
+    /// Attendants are served in the order of adding, and must outlive the loop.
     void add(Attendant& attendant) { attendants_.push_back(&attendant); }
-    /// Is called before every tick. When it ends the run, the tick does not come.
+    /// Adds a function that is called before every tick. If it ends the run, the tick does not come.
     void before_tick(std::function<void()> action) { before_tick_.push_back(std::move(action)); }
-    /// Is called after every tick.
+    /// Adds a function that is called after every tick.
     void after_tick(std::function<void()> action) { after_tick_.push_back(std::move(action)); }
-    /// The run ends as soon as this is not 0: what a signal's handler sets. It must outlive the loop.
+    /// The run ends as soon as this is not 0; a signal handler sets it. It must outlive the loop.
     void end_when(const volatile std::sig_atomic_t& flag) { end_ = &flag; }
-    /// The run ends when simulated time gets there [s].
+    /// The run ends at this simulated time [s].
     void end_at(double seconds) { end_at_ = seconds; }
-    /// While this holds and time stands still there, that end waits: a command that has had all its time gets to its
-    /// end.
+    /// While this returns true at the end time, the end waits, so that a command that needs no more time can finish.
     void end_waits_while(std::function<bool()> works) { works_ = std::move(works); }
 
-    /// While this holds, a run that follows no clock takes no tick: what it writes to takes less than comes. One that
-    /// follows the clock goes on.
+    /// While this returns true, a run that does not follow real time waits, because the reader of its output is slow. A
+    /// run in real time continues.
     void wait_while(std::function<bool()> behind) { behind_ = std::move(behind); }
 
-    /// Runs until the end: `quit`, `end_when`, `end_at`, or an error that the system can't go on after.
+    /// Runs until the end: `quit`, `end_when`, `end_at`, or a fatal error of the system.
     void run();
-    /// Runs one tick, as `run` does, whenever it is due: for those who have a loop of their own.
+    /// Runs one tick, like `run`, when it is due: for programs with their own loop.
     void tick();
 
-    // What attendants may do in their turn, and anybody before `run`.
+    // Functions that attendants may call in their turn, and anybody before `run`.
     bool is_hardware() const override { return live_.system().settings().real_time; }
     /// Real robots stand from now on, and time goes on: their system ticks at rest.
     void pause() override;
@@ -82,11 +81,11 @@ public:
     void quit() override { quit_ = true; }
     std::vector<LogLine> problems() const override;
 
-    /// Simulated seconds that have passed in all, over restarts.
+    /// Simulated seconds that have passed in total, over restarts.
     double advanced() const { return advanced_; }
     /// Whether `end_when` has ended the run.
     bool interrupted() const { return end_ != nullptr && *end_ != 0; }
-    /// Whether `end_at` has, and nothing else.
+    /// Whether only `end_at` has ended the run.
     bool came_to_end() const { return !quit_ && !interrupted() && is_at_end(); }
     Lateness lateness() const;
     RunningSystem& live() { return live_; }
@@ -98,7 +97,7 @@ private:
 
     bool ended() const;
     bool is_at_end() const { return live_.system().now().seconds >= end_at_ - 1e-9; }
-    /// Whether no tick comes: time has stopped.
+    /// Whether time has stopped, so that no tick comes.
     bool stands_still() const { return is_paused() && !is_hardware(); }
     void follow_restart();
     void pace_anew();
@@ -118,7 +117,7 @@ private:
     std::vector<std::function<void()>> before_tick_;
     std::vector<std::function<void()>> after_tick_;
     std::unique_ptr<Pacer> pacer_;  // none: as fast as possible
-    Lateness before_;               // of the pacers before this one
+    Lateness before_;               // of earlier pacers
     Clock::time_point served_{};
     std::int64_t ticks_left_ = forever;
     std::uint64_t moves_ = 0;

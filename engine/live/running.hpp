@@ -1,4 +1,4 @@
-// What a live system holds from one start to the next.
+// The parts of a running system that a restart replaces.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace nezumi {
 
-/// All that a restart replaces. Declaration order is destruction order reversed.
+/// Members are destroyed in the reverse order of declaration.
 struct RunningSystem::Running {
     SystemSpec spec;
     std::unique_ptr<Behaviors> behaviors;

@@ -1,4 +1,4 @@
-// A system that runs, is changed by acts and can be started anew: what consoles, scenarios and `nezumi run` drive.
+// A running system, which acts change and which can be restarted, for consoles, scenarios and `nezumi run`.
 #pragma once
 
 #include <cstdint>
@@ -29,19 +29,19 @@ struct LiveOptions {
     WorldFactory world;                            ///< may be empty: then there can be no robots
     decltype(Makers::bodies) bodies;               ///< makers of real robots by backend
     std::vector<std::string> drivers;              ///< `Makers::drivers`
-    RigMaker rig;                                  ///< what sees real robots from outside
+    RigMaker rig;                                  ///< makes the test rig that sees real robots
     NetworkMaker network;                          ///< may be empty: then a system of several hosts is refused
     decltype(Makers::components) components;       ///< native components by type
-    /// Has a look at what a file says before it is built, and may change it; an error refuses it. May be empty.
+    /// Checks the description of a file before it is built, and may change it; an error refuses it. May be empty.
     std::function<Expected<void>(SystemSpec&)> prepare;
-    StartValues values{};  ///< over those of the file, at each start
+    StartValues values{};  ///< replace those of the file, at each start
     BuildOptions build;
     Budget budget = paced_budget;  ///< of each call into a script; `headless_budget` in runs without a clock
     bool watch = false;            ///< reload scripts when they are saved
-    std::function<void(std::string_view)> print;  ///< takes what system files print, a line at a time; may be empty
+    std::function<void(std::string_view)> print;  ///< gets the output of system files, a line at a time; may be empty
 };
 
-/// When an act was performed: in which start, before which tick, and its number among all acts.
+/// The time of an act: the start, the next tick, and its number among all acts.
 struct ActTime {
     int start = 1;
     std::int64_t tick = 0;
@@ -49,11 +49,11 @@ struct ActTime {
     bool operator==(const ActTime&) const = default;
 };
 
-/// Is told of everything that makes one run differ from another.
+/// Observes everything that makes one run differ from another.
 class ActObserver {
 public:
     virtual ~ActObserver() = default;
-    /// An act, what has come of it, also where it was refused, and what it found of files.
+    /// An act, its result (also if it was refused), and the files that it read.
     virtual void acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result,
                        FilesSeen files) = 0;
     /// A call into a script ran out of its time.
@@ -63,57 +63,60 @@ public:
 
 class RunningSystem {
 public:
-    /// Reads a system file and builds what it says. Nothing is active yet. The error is the file's first.
+    /// Reads a system file and builds the system. Nothing is active yet. The error is the first one of the file.
     static Expected<std::unique_ptr<RunningSystem>> load(const std::filesystem::path& file, LiveOptions options);
-    /// Builds a system that comes from no file; `restart` builds it anew as it is here.
+    /// Builds a system without a file; `restart` builds it again from this description.
     static Expected<std::unique_ptr<RunningSystem>> make(SystemSpec spec, Project project, LiveOptions options);
     ~RunningSystem();
     RunningSystem(const RunningSystem&) = delete;
     RunningSystem& operator=(const RunningSystem&) = delete;
 
-    /// Activates all that the file does not keep inactive, in order.
+    /// Activates all components in order, except those that the file keeps inactive.
     void activate();
-    /// Takes what was saved, if anything, and runs one tick. An emergency stop follows where a gamepad's button for it
-    /// was pressed.
+    /// Reloads saved files, if there are any, and runs one tick. An emergency stop follows if a gamepad's button was
+    /// pressed.
     void tick();
-    /// Takes what was saved, if anything: for the time in which no tick comes.
+    /// Reloads saved files, if there are any: for times without ticks.
     void between_ticks();
-    /// Whether the next tick may come: not while other hosts are waited for. To be asked again then.
+    /// Whether the next tick may come; false while it waits for other hosts, then ask again.
     bool may_tick();
-    /// Adds the files that are readable when that may have changed.
+    /// Adds the files that become readable when this may have changed.
     void add_files(std::vector<int>& files) const;
-    /// Checks an act and performs it, between two ticks: the one way in which the system that runs is changed from
-    /// outside. On an error nothing has changed, but for what a hook or command of a script did before it failed.
-    ///   Restart reads the file again and starts anew from time 0, activated: everything is as in the file.
-    ///   Add does not activate. Remove lets the safe values of a component through; what carries others, and a real
-    ///   robot, stays. Its connections and the hands on its ports go with it, its columns of a recording stay empty.
-    ///   Reload, Add and Restart read and load here: `prepare` and `commit` at once.
+    /// Checks an act and performs it, between two ticks. This is the only way to change the running system from
+    /// outside. After an error nothing has changed, except for what a callback or command of a script did before it
+    /// failed.
+    ///   Restart reads the file again and starts at time 0, activated: everything is as in the file.
+    ///   Add does not activate. Remove publishes the safe values of a component. A component that carries others, and a
+    ///   real robot, can't be removed. Connections and port overrides go with it; its columns in a recording stay
+    ///   empty. Reload, Add and Restart read and load here: `prepare` and `commit` at once.
     Expected<ActResult> act(const Act& act, const Actor& who);
-    /// A message for a port that is there, as the act `Write` or `Inject` of its path: who sends many finds it once.
+    /// Delivers a message to an existing port, like the act `Write` or `Inject` for its path, but without searching the
+    /// port.
     Expected<ActResult> deliver(const Port& port, const Act& act, const Actor& who);
-    // The same in two phases, for who has a thread that may wait: no tick waits for files or scripts.
-    /// Between two ticks: how a Reload, Add or Restart is prepared beside them. `found` is what its maker has found of
-    /// files already. A Reload that names neither files nor a component is of all files that have changed.
+    // The same in two phases, for callers with a thread that may wait: no tick waits for files or scripts.
+    /// Between two ticks: returns a function that prepares a Reload, Add or Restart beside the ticks. `found` are the
+    /// files that the caller has already read. A Reload without files and component reloads all files that have
+    /// changed.
     Preparation prepare(const Act& act, FilesSeen found = {}) const;
-    /// Whether the system is still the one that it was prepared for.
+    /// Whether the system is still the one that the act was prepared for.
     bool fits(const PreparedAct& prepared) const;
-    /// Between two ticks: performs it; refused where it does not fit or its preparation failed.
+    /// Between two ticks: performs the act; refuses it if it does not fit or if its preparation failed.
     Expected<ActResult> commit(PreparedAct prepared, const Actor& who);
-    /// Ends what one holds who goes for good, as a connection that closes: a velocity is zero for a tick first.
+    /// Releases the ports of an actor that is gone, such as a closed connection; a velocity is zero for a tick first.
     void let_go(const Actor& who);
-    /// Has an execution of a behaviour traced, line by line; it runs as it would without. Returns the number of that
-    /// trace, for `explanation`. No act: nothing changes.
+    /// Requests a line trace of an execution of a behaviour, which does not change the execution. Returns the number of
+    /// the trace, for `explanation`. This is no act, because nothing changes.
     Expected<std::int64_t> explain_next(std::string_view component);
-    /// What was seen in that trace, or in a later one; nothing before it was executed. An error when the component is
-    /// gone. To be asked for after each tick.
+    /// The explanation of this trace or of a later one; nothing before the execution. An error if the component is
+    /// gone. Call it after each tick.
     Expected<std::optional<Explanation>> explanation(std::string_view component, std::int64_t trace) const;
-    /// `System::set_at_rest`: a loop that is paused has it so where robots are real. No act: a replay has no clock.
+    /// Calls `System::set_at_rest`: a paused loop does this for real robots. No act, because a replay has no clock.
     void set_at_rest(bool at_rest);
-    /// `Robot::halt` of each: real robots stand from the next tick on, without braking.
+    /// Calls `Robot::halt` for each: real robots stop at the next tick, without a braking ramp.
     void halt();
-    /// Tells an observer of every act from now on. It must outlive this or be removed with null.
+    /// Sets the observer of all further acts. It must outlive this object or be removed with null.
     void observe_acts(ActObserver* observer) { act_observer_ = observer; }
-    /// Calls that are to run out of time, by start and tick: what a replay knows of the clock.
+    /// Calls that must run out of time, by start and tick: what a replay knows of the clock.
     struct Foreseen {
         int start = 1;
         std::int64_t tick = 0;
@@ -121,18 +124,18 @@ public:
         Component::OutOfTime call;
     };
     void foresee(std::vector<Foreseen> calls) { foreseen_ = std::move(calls); }
-    /// Counts the starts: a pointer into the system is void when this has grown.
+    /// The number of starts: pointers into the system are invalid after it has grown.
     int starts() const { return starts_; }
 
-    /// Builds anew what has not moved yet, from another description; values of parameters stay. On an error the system
-    /// has not been touched.
+    /// Builds a system that has not moved yet again, from another description; parameter values stay. After an error
+    /// the system has not changed.
     Expected<void> rebuild(SystemSpec spec);
-    /// The run ends: deactivates everything, last first. Robots brake in the ticks that follow.
+    /// Ends the run: deactivates everything, last first. Robots brake in the next ticks.
     void end();
 
-    /// The present, as acts see it.
+    /// The present time for acts.
     ActTime when() const;
-    /// The system file; empty when it comes from none.
+    /// The system file; empty if there is none.
     const std::filesystem::path& file() const { return file_; }
     const System& system() const;
     const SystemSpec& spec() const;
@@ -141,23 +144,23 @@ public:
     const Project& project() const { return project_; }
     const LiveOptions& options() const { return options_; }
     PartReader part_reader() const { return {project_, options_.scripts}; }
-    /// What its start has found of files, once, until it is activated: what a journal keeps.
+    /// The files that its start has read, once, until it is activated: for a journal.
     FilesSeen take_files() { return std::exchange(files_, {}); }
-    /// Of everything since the start; after a restart, of that and of what the start before came to.
+    /// Of everything since the start; after a restart, also of the hash before.
     std::uint64_t trace_hash() const;
-    /// What it carries, over restarts.
+    /// The recorded values, over restarts.
     Trace& trace() { return trace_; }
 
 private:
     struct Running;
 
     RunningSystem(Project project, LiveOptions options);
-    // Has it performed, and tells; `files`: what it found of files, may be null.
+    // Performs an act and reports it; `files` are the files that it read, may be null.
     template <class Perform>
     Expected<ActResult> perform_and_tell(const Act& act, const Actor& who, FilesSeen* files, const Perform& perform);
     Expected<void> check(const PreparedAct& prepared) const;
     void settle();
-    // `prepared` is null for acts that take nothing of files.
+    // `prepared` is null for acts that read no files.
     template <class EngineAct>
     Expected<ActResult> perform(const EngineAct& act, const Actor& who, PreparedAct* prepared);
     Expected<ActResult> perform(const Reload& act, const Actor& who, PreparedAct* prepared);
@@ -174,10 +177,10 @@ private:
                                                          FileSnapshot& files);
     Expected<std::unique_ptr<Running>> build(SystemSpec spec, const FileSnapshot& files);
     Expected<std::unique_ptr<Running>> build(SystemSpec spec, std::unique_ptr<Behaviors> behaviors);
-    // Returns what it takes the place of.
+    // Returns the replaced one.
     std::unique_ptr<Running> take(std::unique_ptr<Running> running);
 
-    std::filesystem::path file_;  // empty: from none
+    std::filesystem::path file_;  // empty: no file
     Project project_;
     LiveOptions options_;
     FilesSeen files_;  // of the start
@@ -190,9 +193,9 @@ private:
         Actor who;
         std::int64_t tick;
     };
-    std::vector<Ending> endings_;  // of holds, after the tick in which a zero was sent
+    std::vector<Ending> endings_;  // of holds, after the tick with a zero
     std::unique_ptr<Running> running_;
-    std::optional<std::uint64_t> hash_before_;  // of the starts before this one
+    std::optional<std::uint64_t> hash_before_;  // of earlier starts
     int starts_ = 0;
 };
 

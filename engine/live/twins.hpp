@@ -1,4 +1,4 @@
-// Simulated robots beside real ones.
+// Adds simulated twins to real robots.
 #pragma once
 
 #include "engine/base/error.hpp"
@@ -6,8 +6,8 @@
 
 namespace nezumi {
 
-/// Puts after each real robot its twin, a simulated one called NAME_twin with the same description, without in-ports.
-/// An error when there is no real robot, or when such a name is taken.
+/// Adds after each real robot its twin, a simulated robot with the name NAME_twin and the same description, without
+/// in-ports. An error if there is no real robot, or if such a name is taken.
 Expected<void> add_twins(SystemSpec& spec);
 
 }  // namespace nezumi

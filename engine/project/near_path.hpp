@@ -1,4 +1,4 @@
-// The path that was meant where one leads nowhere.
+// Finds the nearest existing path for a path that does not exist.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace nezumi {
 
-/// A path like this one that leads somewhere, each of its parts the nearest name that its folder has; "" when a part is
-/// near to nothing. Names that begin with a dot are not considered.
+/// An existing path in which each part is the nearest name in its folder; "" if a part has no near name. Ignores names
+/// that begin with a dot.
 std::string near_path(const std::filesystem::path& path);
 
 /// " (did you mean 'tests/explorer_test.lua'?)" of `near_path`, or an empty string.

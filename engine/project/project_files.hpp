@@ -1,4 +1,4 @@
-// How a project's files are read: from the disk, or from what a journal keeps of them.
+// Access to the files of a project: on the disk, or in a journal.
 #pragma once
 
 #include <filesystem>
@@ -12,14 +12,14 @@
 
 namespace nezumi {
 
-/// What was found at a path, as far as it was asked for.
+/// What was found at a path.
 struct PathSeen {
-    std::string what;                               ///< as `ProjectFiles::what_is`
-    std::optional<std::string> text;                ///< of a file that was read
+    std::string what;                               ///< the result of `ProjectFiles::what_is`
+    std::optional<std::string> text;                ///< content of a file that was read
     std::string unreadable;                         ///< why it could not be read
-    std::optional<std::vector<std::string>> names;  ///< in a folder that was listed
+    std::optional<std::vector<std::string>> names;  ///< names in a folder that was listed
 
-    /// Adds what was found later; of another kind it takes the place of what was there.
+    /// Adds later results; if the kind has changed, replaces everything.
     void update(PathSeen later);
 };
 using FilesSeen = std::map<std::filesystem::path, PathSeen>;
@@ -27,26 +27,26 @@ using FilesSeen = std::map<std::filesystem::path, PathSeen>;
 class ProjectFiles {
 public:
     virtual ~ProjectFiles() = default;
-    /// What relative paths are relative to.
+    /// The folder for relative paths.
     virtual std::filesystem::path working_folder() const = 0;
-    /// "a file", "a folder", or as `other_than_file`; "" where nothing is.
+    /// "a file", "a folder", or as `other_than_file`; "" if there is nothing.
     virtual std::string what_is(const std::filesystem::path& path) const = 0;
-    /// Whether there is a plain file. A device or a pipe may never end: what a name stands for is none of these.
+    /// Whether it is a regular file. A device or a pipe may never end, so names never stand for these.
     bool is_file(const std::filesystem::path& path) const { return what_is(path) == "a file"; }
     bool is_folder(const std::filesystem::path& path) const { return what_is(path) == "a folder"; }
-    /// The names in a folder, sorted, 10000 at most; none where none can be read.
+    /// The names in a folder, sorted, at most 10000; empty if it can't be read.
     virtual std::vector<std::string> names_in(const std::filesystem::path& folder) const = 0;
-    /// The whole of a file, as `read_whole`.
+    /// The content of a file, as `read_whole`.
     virtual Expected<std::string> read(const std::filesystem::path& path, const std::string& shown) const = 0;
 };
 
 /// The disk.
 const ProjectFiles& disk();
 
-/// What an act finds of files: each is looked at and read once, and stays what it was then. For one thread at a time.
+/// The files that an act reads: each is read once, and does not change afterwards. For one thread at a time.
 class FileSnapshot final : public ProjectFiles {
 public:
-    /// `files` must outlive it. What was `found` in them before stays as it was.
+    /// `files` must outlive it. Results in `found` stay as they were.
     explicit FileSnapshot(const ProjectFiles& files, FilesSeen found = {})
         : files_(files), working_folder_(files.working_folder()), found_(std::move(found)) {}
     std::filesystem::path working_folder() const override { return working_folder_; }
@@ -54,7 +54,7 @@ public:
     std::vector<std::string> names_in(const std::filesystem::path& folder) const override;
     Expected<std::string> read(const std::filesystem::path& path, const std::string& shown) const override;
 
-    /// All that was found, by whole paths; nothing is kept.
+    /// All results by full path; removes them.
     FilesSeen take() { return std::exchange(found_, {}); }
 
 private:

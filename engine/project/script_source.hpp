@@ -1,4 +1,4 @@
-// Where the text of a script comes from: a file, or what an editor or a scenario gives in its place.
+// The text of a script: from a file, or from an editor or a scenario instead.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 namespace nezumi {
 
 struct SourceText {
-    std::string path;   ///< of the file; what a watcher watches
-    std::string shown;  ///< what messages call it, usually its path as a person would open it
+    std::string path;   ///< of the file, for the watcher
+    std::string shown;  ///< name in messages, usually its path as a person would type it
     std::string text;
 };
 
@@ -28,18 +28,18 @@ struct ScriptFile {
     bool operator==(const ScriptFile&) const = default;
 };
 
-/// Finds the text of a module by the name that `require` was given, for the script at `from`. It may be called from the
-/// thread that prepares a reload.
+/// Finds the text of a module by the name in `require`, for the script at `from`. May be called from the thread that
+/// prepares a reload.
 using ModuleFinder = std::function<Expected<SourceText>(std::string_view name, std::string_view from)>;
 
 /// The text of the file at `path`, shown by its name without folders.
 Expected<SourceText> read_source(const std::string& path);
 
-/// Of these files, those that `read` gives another text of now, or none: each once.
+/// The files whose text, as `read` returns it, has changed or is gone; each once.
 std::vector<std::string> changed_files(const std::vector<ScriptFile>& files,
                                        const std::function<Expected<SourceText>(const std::string& path)>& read);
 
-/// "robot_controller.lua" is the type "RobotController".
+/// The type "RobotController" for "robot_controller.lua".
 std::string type_of_file(std::string_view path);
 
 }  // namespace nezumi

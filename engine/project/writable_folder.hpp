@@ -1,4 +1,4 @@
-// Where a project's own words may write: in it, and nowhere else.
+// Restricts writing to the folder of the project.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 
 namespace nezumi {
 
-/// The folder in and below which files may be written: the project, else the folder of this file of it.
+/// The folder in which files may be written, also below it: the project, otherwise the folder of this file.
 std::filesystem::path writable_folder(const Project& project, const std::string& file);
 
-/// An error when `path` lies outside of the folder `home`, also by links. It calls the file `shown` and says that
-/// `what` ("a system") is saved within.
+/// An error if `path` is outside of the folder `home`, also through links. It names the file `shown` and says that
+/// `what` ("a system") must be saved within.
 Expected<void> check_is_within(const std::filesystem::path& home, const std::filesystem::path& path,
                                const std::string& shown, std::string_view what);
 

@@ -1,4 +1,4 @@
-// What drives a robot's lights, buzzer and servos: their in-ports, and what silence on them means.
+// A robot's lights, buzzer and servos: their in-ports, and what happens without messages.
 #pragma once
 
 #include <cstddef>
@@ -16,31 +16,31 @@ namespace nezumi {
 
 class Actuators {
 public:
-    /// `spec` must outlive this.
+    /// `spec` must outlive this object.
     explicit Actuators(const RobotSpec& spec);
 
-    /// The message type that drives a kind of actuator.
+    /// The message type for a kind of actuator.
     static std::string_view type_for(ActuatorSpec::Kind kind);
-    /// Lets `port` drive actuator `index` of the spec. An error when the actuator has a port, or can't do what the
-    /// description wants.
+    /// Connects `port` to actuator `index` of the spec. An error if the actuator already has a port, or can't do what
+    /// the description wants.
     Expected<void> add(std::size_t index, InPortBase& port, bool off_when_silent);
 
-    /// At what speed [rad/s] servo `index` of the spec turns from now on; 0: as fast as it can.
+    /// Sets the speed [rad/s] of servo `index` of the spec; 0: as fast as possible.
     void set_servo_speed(std::size_t index, double speed);
 
-    /// Does what has arrived. One that its description wants off when nothing came for `silence` seconds goes off.
-    /// `warn` is told of what can't be done, once for each port.
+    /// Acts on received messages. Switches off actuators without a message for `silence` seconds, if their description
+    /// wants this. `warn` gets what can't be done, once for each port.
     void act(RobotBody& body, const Time& now, const std::function<void(std::string)>& warn);
-    /// Servos stay where they are and all sound ends (of a body that is there already); what they are sent is ignored.
+    /// Servos stop and sound ends (if there is a body already); further messages are ignored.
     void stop(RobotBody* body);
-    /// They obey again what comes from now on.
+    /// Further messages count again.
     void rearm();
-    /// Its robot is not ACTIVE: what makes noise stops, lights and angles hold.
+    /// Its robot is not ACTIVE: sound stops, lights and angles stay.
     void be_still(RobotBody& body);
 
     const std::vector<bool>& leds() const { return leds_; }
     int buzzer_hertz() const { return buzzer_hertz_; }
-    /// What the speaker was given, oldest first: the last `most_said` texts.
+    /// The texts for the speaker, oldest first: the last `most_said`.
     const std::deque<std::string>& said() const { return said_; }
     static constexpr std::size_t most_said = 100;
 

@@ -1,4 +1,4 @@
-// Wheel odometry: where a robot thinks it is, from how far its wheels have turned.
+// Wheel odometry: the pose of a robot, computed from the rotation of its wheels.
 #pragma once
 
 #include "engine/ports/messages.hpp"
@@ -12,7 +12,7 @@ public:
     /// `pulses_per_turn` of a wheel, more than 0.
     Odometry(double left_radius, double right_radius, double track, double pulses_per_turn);
 
-    /// Takes how far the wheels have turned since the start. The first call only sets the zero.
+    /// Adds the rotation of the wheels; `pulses` counts from the start. The first call only sets the zero.
     void update(const WheelPulses& pulses);
     /// Its heading lies between -pi and pi.
     const Pose2D& pose() const { return pose_; }
@@ -21,7 +21,7 @@ public:
         pose_ = pose;
         ++resets_;
     }
-    /// How often somebody has set the pose.
+    /// How often the pose was set.
     int resets() const { return resets_; }
 
 private:

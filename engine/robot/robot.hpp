@@ -1,4 +1,4 @@
-// A robot: ports, safety and odometry around a body, be it simulated or real.
+// A robot: ports, safety and odometry around a simulated or real body.
 #pragma once
 
 #include <memory>
@@ -19,59 +19,59 @@ namespace nezumi {
 
 class Robot final : public Device {
 public:
-    /// Makes the ports that the spec lists; an error names the port that cannot be. `spec` must outlive the robot.
+    /// Makes the ports of the spec; an error names the port that can't be made. `spec` must outlive the robot.
     static Expected<std::unique_ptr<Robot>> make(std::string name, const RobotSpec& spec, const Limits& limits);
-    /// Its body stops: nobody is left to drive it.
+    /// Stops its body, because no one drives it any more.
     ~Robot() override;
-    /// The body it moves; given once, before the first tick.
+    /// Sets its body; once, before the first tick.
     void take_body(std::unique_ptr<RobotBody> body);
 
-    /// Where its odometry starts.
+    /// Sets the start of its odometry.
     void set_odometry(const Pose2D& pose) { odometry_.start_at(pose); }
 
-    /// This robot, a simulated one with a body, becomes the twin of a real one (`Twin`), with an out-port `error`. An
-    /// error when it has a port of this name already.
+    /// Makes this simulated robot with a body the twin of a real one (`Twin`), with an out-port `error`. An error if it
+    /// already has a port with this name.
     Expected<void> follow(const Robot& real, const World& world);
-    /// Whether it is a real robot's twin, and what that is; nullptr when the real one is gone.
+    /// Whether it is the twin of a real robot; `real` is nullptr if that is gone.
     bool is_twin() const { return twin_ != nullptr; }
     const Robot* real() const { return twin_ != nullptr ? twin_->real() : nullptr; }
-    /// A component that is about to go.
+    /// A component that will be destroyed.
     void forget(const Component& gone) {
         if (twin_ != nullptr) twin_->forget(gone);
     }
 
     bool has_body() const { return body_ != nullptr; }
-    /// What the world calls it; `not_simulated` for a real robot.
+    /// Its id in the world; `not_simulated` for a real robot.
     RobotId id() const { return body_->id(); }
-    /// Whether its body is a real one.
+    /// Whether its body is real.
     bool is_real() const { return id() == not_simulated; }
     const RobotSpec& spec() const { return spec_; }
     const VelocityGuard& guard() const { return guard_; }
     const Odometry& odometry() const { return odometry_; }
     const std::vector<bool>& leds() const { return actuators_.leds(); }
     int buzzer_hertz() const { return actuators_.buzzer_hertz(); }
-    /// What its speaker was given, oldest first, as far as it is kept.
+    /// The texts for its speaker, oldest first, as far as they are stored.
     const std::deque<std::string>& said() const { return actuators_.said(); }
-    /// What the sensors of its description said last, in its order; empty before it was ACTIVE, good until the next
-    /// tick.
+    /// The last readings of its sensors, in the order of the description; empty before it was ACTIVE, valid until the
+    /// next tick.
     std::span<const SensorReading> readings() const { return readings_; }
 
-    /// Brakes as hard as it can, then its motors have no power; until `rearm` it ignores what would move it.
+    /// Brakes as hard as it can, then switches its motors off. Until `rearm` it ignores commands that would move it.
     void emergency_stop();
-    /// A real robot's wheels stand from the next `actuate` on, without braking: what drives it has hung, and nobody
-    /// knows what is in front of it by now. It obeys the next command.
+    /// Stops a real robot's wheels at the next `actuate`, without a braking ramp: the loop that drives it has stalled,
+    /// and the surroundings may have changed. It obeys the next command.
     void halt() {
         if (is_real()) guard_.halt();
     }
-    /// Obeys again what comes from now on. It must stand.
+    /// Obeys new commands again. It must stand.
     void rearm();
-    /// Neither its wheels turn nor are they meant to.
+    /// Its wheels do not turn, and have no command to turn.
     bool stands() const;
-    /// The velocity that its wheels had in the last tick.
+    /// The velocity of its wheels in the last tick.
     const Velocity2D& measured() const { return measured_; }
-    /// When the wheels were read for that [s]; nothing when they said nothing.
+    /// The time [s] of this reading of the wheels; nothing if there was none.
     const std::optional<double>& measured_at() const { return measured_at_; }
-    /// The speeds [m/s] that its wheels were told last; nothing when they roll freely.
+    /// The last speeds [m/s] of the wheels' command; nothing if they roll freely.
     const std::optional<Wheels>& told() const { return told_; }
     /// Angle [rad] of servo `index` of the spec's actuators.
     double servo_angle(std::size_t index) const { return body_->servo_angle(index); }
@@ -79,36 +79,35 @@ public:
     void sense(const Time& now) override;
     void actuate(const Time& now) override;
 
-    /// At rest it brakes, stands and forgets its commands, whatever else goes on: while a real robot's system is
-    /// paused.
+    /// At rest it brakes, stands and drops its commands: while the system of a real robot is paused.
     void set_at_rest(bool at_rest) { at_rest_ = at_rest; }
 
-    /// A sensor that the robot needs, and that has said nothing for as long [s], keeps it from driving.
+    /// A required sensor without readings for so long [s] keeps the robot from driving.
     static constexpr double longest_blindness = 0.3;
-    /// A loop that stood still for as long [s], or for three ticks where these are longer, has stalled.
+    /// A loop that stood still for so long [s], or for three ticks if this is longer, has stalled.
     static constexpr double shortest_stall = 0.2;
 
 private:
-    // An out-port that carries sensors' values: how to write them, and which.
+    // An out-port with values of sensors: how to write them, and which.
     struct SensorPort {
         OutPortBase* port;
         void (*write)(const SensorPort& port, std::span<const SensorReading> readings, std::span<const double> values,
                       double rate, const Pose3D* turned);
         std::vector<std::size_t> sensors;
-        // Of the one sensor that has several values: from the first, so many. 0: each has one.
+        // For a single sensor with several values: the first one and their number. 0: each sensor has one.
         std::size_t first, count;
-        bool physical;  // what lies behind the value instead of the value
+        bool physical;  // the physical value instead of the value
         double rate;
-        // Where the message tells the pose: that of its sensors in the body frame, and the servo that turns them.
+        // For messages with a pose: the pose of its sensors in the body frame, and the servo that turns them.
         Pose3D pose;
         std::optional<std::size_t> servo;
     };
-    // A sensor without which it does not drive.
+    // A sensor that is required for driving.
     struct Needed {
         std::size_t sensor;
-        std::optional<double> heard_at{};  // [s], or when it was first missed
+        std::optional<double> heard_at{};  // [s], or the time when it was first missed
         bool was_heard = false;            // since the activation
-        bool is_told = false;              // that it is silent
+        bool is_told = false;              // its silence was reported
     };
     // An out-port of the wheels.
     template <class T>
@@ -159,7 +158,7 @@ private:
     std::vector<WheelPort<Pose2D>> pose_ports_;
     OutPort<bool>* stalled_out_ = nullptr;
     bool stalled_ = false;
-    // A scan, whose rays are cast when one of its ports is due.
+    // A scan; its rays are cast if one of its ports is due.
     struct Scan {
         std::size_t sensor;
         bool is_due = true;
@@ -167,7 +166,7 @@ private:
     std::vector<Scan> scans_;
     InPort<Velocity2D>* velocity_in_ = nullptr;
     InPort<Pose2D>* pose_in_ = nullptr;
-    std::vector<std::size_t> servos_;  // with a parameter for their speed, in its order
+    std::vector<std::size_t> servos_;  // servos with a parameter for their speed, in the order of the parameters
     std::uint64_t parameters_version_ = 0;
 
     std::unique_ptr<Twin> twin_;  // none: it is no twin
@@ -178,7 +177,7 @@ private:
     std::string note_before_stop_;  // of velocity_in_
     bool stopped_ = false;          // by an emergency stop
     bool powered_ = true;
-    std::optional<double> braked_at_;  // [s], since an emergency stop wants zero
+    std::optional<double> braked_at_;  // [s], time since an emergency stop commands zero
     bool coasting_ = false;
     bool at_rest_ = false;
     bool said_clamped_ = false;

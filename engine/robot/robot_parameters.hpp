@@ -1,4 +1,4 @@
-// The parameters that a robot has because of its description.
+// The parameters of a robot, which result from its description.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace nezumi {
 
-/// At what speed a servo turns, which begins as its description says; none of what is no servo, or of one that always
-/// turns as fast as it can.
+/// The speed of a servo as a parameter, with the description's value as default; nothing for other actuators, or for a
+/// servo that always turns as fast as it can.
 inline std::optional<ParameterSpec> speed_parameter(const ActuatorSpec& actuator) {
     if (actuator.kind != ActuatorSpec::Kind::servo || actuator.speed <= 0) return std::nullopt;
     ParameterSpec speed{.name = actuator.name + "_speed",

@@ -1,4 +1,4 @@
-// The twin of a real robot: what a simulated robot does that moves as the real one is told to.
+// The twin of a real robot: a simulated robot that gets the same commands.
 #pragma once
 
 #include <optional>
@@ -14,25 +14,26 @@ class Robot;
 
 class Twin {
 public:
-    /// `real` must outlive this or be forgotten, `world`, which has the twin as `id`, and `error` must outlive it.
+    /// `real` must outlive this object or be forgotten. `world`, which has the twin as `id`, and `error` must outlive
+    /// it.
     Twin(const Robot& real, const World& world, RobotId id, OutPort<Pose2D>& error);
 
-    /// The real robot; nullptr when it is gone.
+    /// The real robot; nullptr if it is gone.
     const Robot* real() const { return real_; }
-    /// Knows the real robot no longer, when this is it: the twin stands then.
+    /// Forgets the real robot if it is this component; then the twin stands.
     void forget(const Component& gone);
 
-    /// Has the wheels of the twin's body do what the real ones were told, after all that made these safe, and its
-    /// servos go where the real ones are. While the twin is not ACTIVE it stands.
+    /// Gives the wheels of the twin's body the commands of the real ones, after all safety limits, and moves its servos
+    /// to the angles of the real ones. While the twin is not ACTIVE, it stands.
     void drive(RobotBody& body, bool is_active);
-    /// Publishes the real robot's pose by its odometry as its twin sees it, at the time when the wheels were read:
-    /// x [m] ahead, y [m] to the left, the heading counter-clockwise in -pi to pi. Silent while the odometry is. Counts
-    /// from the first call after `begin_anew`, and from where somebody sets the odometry.
+    /// Publishes the pose of the real robot (by its odometry) relative to the twin, at the time of the wheels' reading:
+    /// x [m] forward, y [m] left, heading counter-clockwise in -pi to pi. Publishes nothing without odometry. Starts at
+    /// the first call after `begin_anew`, and again when the odometry is set.
     void compare();
     void begin_anew() { begin_.reset(); }
 
 private:
-    // Where both were when they counted as being in the same place.
+    // The poses of both when they counted as equal.
     struct Begin {
         Pose2D real, twin;
         int resets;  // of the odometry
@@ -43,7 +44,7 @@ private:
     RobotId id_;
     OutPort<Pose2D>& error_;
     std::optional<Begin> begin_;
-    std::vector<double> servo_angles_;  // [rad] by actuator, as told last
+    std::vector<double> servo_angles_;  // [rad] by actuator, of the last command
 };
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Stands between velocity commands and wheels: finite, clamped, limited in acceleration, and stopped by silence.
+// Checks velocity commands: finite, within limits, with limited acceleration, and zero after a time without commands.
 #pragma once
 
 #include "engine/ports/messages.hpp"
@@ -7,32 +7,31 @@
 
 namespace nezumi {
 
-/// The rule. A robot that slows down because it must, or gets up to speed, stays on the arc that it was told: its path
-/// is what was planned around obstacles, its speed is not. So a command beyond a limit is scaled as a whole, and axes
-/// that speed up do it together, at the pace of the slower one. Braking is each axis at its own full deceleration: who
-/// brakes wants to stand, or at least to be slower, as soon as can be, and an arc kept would make one axis wait for the
-/// other. An axis brakes when its target is nearer to zero or on the other side of it (then to zero first, and speeds
-/// up from there); it speeds up when its target is farther from zero on its own side. While one axis brakes the other
-/// does not wait for it.
+/// The rule: a robot that must slow down, or that speeds up, stays on the commanded arc, because the path was planned
+/// around obstacles, but the speed was not. So a command beyond a limit is scaled as a whole, and axes that speed up do
+/// it together, at the pace of the slower one. When braking, each axis uses its own full deceleration, because the
+/// robot should be slow as soon as possible; on an arc one axis would have to wait for the other. An axis brakes if its
+/// target is nearer to zero, or on the other side of zero (then it first brakes to zero, and speeds up from there). It
+/// speeds up if its target is farther from zero on the same side. An axis does not wait for another axis that brakes.
 class VelocityGuard {
 public:
-    /// How long [s] a command holds when nothing follows it.
+    /// The time [s] for which a command is valid without another one.
     static constexpr double timeout = silence;
 
     explicit VelocityGuard(Limits limits) : limits_(limits) {}
 
-    /// What was done to a command.
+    /// The result of checking a command.
     enum class Verdict { taken, clamped, not_finite };
 
-    /// Takes a command that arrived at `now` [s]. One that is not finite counts as "stand still"; vy is ignored.
+    /// Takes a command that arrived at `now` [s]. A command that is not finite means "stop"; vy is ignored.
     Verdict command(const Velocity2D& velocity, double now);
-    /// From now on: stand still.
+    /// Commands a stop.
     void stop() { target_ = {}; }
-    /// Stands still now, without braking.
+    /// Stops at once, without a braking ramp.
     void halt() { target_ = current_ = {}; }
 
-    /// The velocity to drive at `now` [s], when calls are `dt` [s] apart and the last one was `passed` [s] ago: that is
-    /// what it has braked for since, while it never speeds up by more than a `dt` gives.
+    /// The velocity at `now` [s]. Calls are `dt` [s] apart, and the last one was `passed` [s] ago: braking counts the
+    /// time that has passed, but speeding up never more than `dt`.
     Velocity2D advance(double now, double dt, double passed);
     Velocity2D advance(double now, double dt) { return advance(now, dt, dt); }
 

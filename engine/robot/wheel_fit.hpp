@@ -1,4 +1,4 @@
-// Wheels' radii and track from drives whose ends were measured.
+// Computes the wheels' radii and the track from drives with measured ends.
 #pragma once
 
 #include <vector>
@@ -10,25 +10,26 @@
 
 namespace nezumi {
 
-/// A drive as the odometry saw it, and where it truly ended.
+/// A drive by its odometry, and its measured end.
 struct MeasuredDrive {
-    std::vector<Wheels> travel;  ///< [m] of each rim, tick by tick, by the radii that the odometry had
-    Point2D end;                 ///< [m] in the frame of its start: x ahead, y to the left
+    std::vector<Wheels> travel;  ///< [m] of each rim, tick by tick, with the radii of the odometry
+    Point2D end;                 ///< [m] in the frame of the start: x forward, y left
 };
 
 struct WheelFit {
     WheelCalibration wheels;
-    double before = 0;  ///< [m] root mean square of the distances between the ends and what the odometry said of them
+    double before = 0;  ///< [m] root mean square distance between the measured ends and those of the odometry
     double after = 0;   ///< [m] the same with the calibrated wheels
 };
 
-/// Where a drive ends with these wheels, when its travel was told with those in `believed`.
+/// The end of a drive with these wheels; the travel was recorded with the wheels `believed`.
 Point2D end_of(const MeasuredDrive& drive, const WheelCalibration& believed, const WheelCalibration& wheels);
 
-/// The wheels that bring the odometry's ends as near as can be to those measured: least squares over both radii and the
-/// track by Gauss and Newton, begun at `believed`. It needs a straight drive for the radii's size, and squares both
-/// ways round to tell a wrong track from unequal wheels (Borenstein and Feng 1996, UMBmark). An error when the drives
-/// do not tell them, or when the result is out of all proportion: something was measured wrongly.
+/// Finds the wheels with which the ends of the odometry are nearest to the measured ends: least squares over both radii
+/// and the track by Gauss and Newton, starting with `believed`. It needs a straight drive for the size of the radii,
+/// and squares in both directions to distinguish a wrong track from unequal wheels (Borenstein and Feng 1996, UMBmark).
+/// An error if the drives do not determine the wheels, or if the result is not plausible because of a wrong
+/// measurement.
 Expected<WheelFit> fit_wheels(const std::vector<MeasuredDrive>& drives, const WheelCalibration& believed);
 
 }  // namespace nezumi

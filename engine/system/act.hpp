@@ -1,5 +1,5 @@
-// Acts: everything that changes a running system from outside, each a value that can be checked, performed, journaled
-// and performed again.
+// Acts: all changes of a running system from outside. Each is a value that can be checked, performed, written to a
+// journal, and performed again.
 #pragma once
 
 #include <optional>
@@ -18,38 +18,38 @@
 
 namespace nezumi {
 
-// Ports are "name.port". What an act leaves out is as it is here.
+// Ports are "name.port". Fields that are not given have these defaults.
 
 struct SetParameter {
     std::string component;
     std::string parameter;
-    Value value;  ///< within its bounds
+    Value value;  ///< within its limits
 };
-/// A message that is published as if the port's component had written it.
+/// Publishes a message as if the port's component had written it.
 struct Write {
-    std::string port;  ///< an out-port; an in-port is injected
+    std::string port;  ///< an out-port; for an in-port, this is an injection
     Value value;
 };
-/// One message as from a connection.
+/// Delivers one message as from a connection.
 struct Inject {
-    std::string port;  ///< an in-port; an out-port is written
+    std::string port;  ///< an in-port; for an out-port, this is a write
     Value value;
 };
-/// A message that is sent every tick; nothing else gets through.
+/// Sends a message in every tick; all other messages are blocked.
 struct Hold {
     std::string port;
     Value value;
-    bool take = false;  ///< also from another who holds it
+    bool take = false;  ///< also if another actor holds it
 };
-/// A port's hold, drop or freeze ends.
+/// Ends a hold, drop or freeze of a port.
 struct Release {
     std::string port;
 };
-/// Nothing gets through a port any more.
+/// Blocks all messages of a port.
 struct Drop {
     std::string port;
 };
-/// A port is held at its present value.
+/// Holds a port at its present value.
 struct Freeze {
     std::string port;
 };
@@ -67,7 +67,7 @@ struct Reset {
 };
 struct Use {
     std::string component;
-    std::string set;  ///< one of its named sets of parameters
+    std::string set;  ///< one of its parameter sets
 };
 struct Connect {
     std::string from;  ///< an out-port
@@ -79,15 +79,15 @@ struct Disconnect {
 };
 struct Teleport {
     std::string robot;
-    Pose2D pose;  ///< where it stands from now on, at rest
+    Pose2D pose;  ///< its new pose, at rest
 };
 struct MoveMarker {
     std::string marker;
-    Pose3D pose;  ///< where it hangs from now on
+    Pose3D pose;  ///< its new pose
 };
 struct MoveThing {
     std::string thing;  ///< of the arena, as in "box 2"
-    Pose2D pose;        ///< of its centre from now on, at rest; its height and tilt stay
+    Pose2D pose;        ///< new pose of its centre, at rest; height and tilt do not change
 };
 struct AddMarker {
     MarkerSpec marker;
@@ -95,7 +95,7 @@ struct AddMarker {
 struct RemoveMarker {
     std::string marker;
 };
-/// Speeds that are forced on a robot, in its frame. What is left out is free; where all are, the disturbance ends.
+/// Forces velocities on a robot, in its frame. Omitted ones are free; without any, the disturbance ends.
 struct Disturb {
     std::string robot;
     std::optional<double> vx{};  ///< [m/s]
@@ -105,26 +105,26 @@ struct Disturb {
 struct Press {
     std::string robot;
     std::string sensor;   ///< a button or touch sensor
-    bool pressed = true;  ///< or let go
+    bool pressed = true;  ///< false: released
 };
 struct Command {
     std::string component;
     std::string command;
     PlainData arguments;
 };
-/// Scripts and modules that were saved, or one whose file is replaced by a text.
+/// Reloads scripts and modules that were saved, or one whose file is replaced by a text.
 struct Reload {
-    std::vector<std::string> files;  ///< that were saved: everything that comes from one of them
-    std::string component;           ///< or, where no file is named: this one, and the others of its file,
-    std::string shown;               ///< from a text called so
+    std::vector<std::string> files;  ///< that were saved: all components that come from one of them
+    std::string component;           ///< or, without files, this one and the others of its file,
+    std::string shown;               ///< from a text with this name
     std::string text;
 };
-/// To the version before.
+/// Goes back to the version before.
 struct Rollback {
     std::string component;
 };
 struct Add {
-    Entry entry;  ///< as a system file gives it
+    Entry entry;  ///< as in a system file
 };
 struct Remove {
     std::string component;
@@ -137,17 +137,17 @@ using Act = std::variant<SetParameter, Write, Inject, Hold, Release, Drop, Freez
                          Connect, Disconnect, Teleport, MoveMarker, MoveThing, AddMarker, RemoveMarker, Disturb, Press,
                          Command, Reload, Rollback, Add, Remove, Restart, Stop, Rearm>;
 
-/// The names of its members describe an act.
+/// Calls a function with the members of an act, whose names describe it.
 template <class T>
 requires is_alternative<T, Act>
 inline constexpr bool described_by_names<T> = true;
 
-/// What an act has come to.
+/// The result of an act.
 struct ActResult {
-    PlainData values{};                     ///< that a command returned
+    PlainData values{};                     ///< of a command
     std::vector<std::string> components{};  ///< that run another version now
     int version = 0;                        ///< of the first of them
-    std::vector<std::string> notes{};       ///< ports that went, and what they were connected to
+    std::vector<std::string> notes{};       ///< ports that were removed, with their connections
 };
 
 /// "SetParameter", "Restart", ...

@@ -1,4 +1,4 @@
-// Who acts on a running system.
+// The actor of an act on a running system.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace nezumi {
 
-/// Who acts. What an actor holds is its own: two are one when kind and name are equal.
+/// An actor owns what it holds. Two actors are the same if kind and name are equal.
 struct Actor {
     enum class Kind {
         run,      ///< the run itself
-        console,  ///< every console of a user is one
+        console,  ///< all consoles of a user are one actor
         scenario,
         file_watcher,  ///< a file was saved
         spreadsheet,
         joystick,
-        browser,  ///< each connection is its own
-        network,  ///< each peer is its own
+        browser,  ///< each connection is an actor
+        network,  ///< each peer is an actor
     };
     Kind kind = Kind::run;
     std::string name{};  ///< which of several; "" where there is but one
@@ -26,9 +26,9 @@ struct Actor {
     bool operator==(const Actor&) const = default;
 };
 
-/// "console", "browser tablet": as logs, journals and looks at ports name it.
+/// "console", "browser tablet": the name in logs, journals and on ports.
 std::string to_text(const Actor& who);
-/// What `to_text` wrote, or an error.
+/// The actor of a text from `to_text`, or an error.
 Expected<Actor> actor_from(std::string_view text);
 
 }  // namespace nezumi

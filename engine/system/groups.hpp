@@ -1,4 +1,4 @@
-// Which components of a system can be ticked apart from each other.
+// Finds components of a system that can be ticked independently.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,15 @@
 
 namespace nezumi {
 
-/// Components that are wired to each other, directly or over others. Within a tick no group can tell what another one
-/// does: each goes through the phases on its own, while its memory is near.
+/// Components that are connected to each other, directly or indirectly. Within a tick no group depends on another one,
+/// so each goes through the phases on its own. This keeps its memory in the cache.
 struct Group {
     std::vector<Device*> devices;  ///< both in the order of the system's components
     std::vector<Component*> behaviors;
     std::size_t size() const { return devices.size() + behaviors.size(); }
 };
 
-/// The groups of all components: those of at least `large` components first, otherwise in the order of their first
+/// The groups of all components: groups with at least `large` components first, otherwise in the order of their first
 /// components.
 std::vector<Group> group_components(const std::vector<std::unique_ptr<Component>>& components,
                                     const std::vector<Connection>& connections, std::size_t large);

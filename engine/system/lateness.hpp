@@ -1,4 +1,4 @@
-// How ticks have kept to the clock: how many were late, and by how much.
+// Statistics of late ticks: how many were late, and by how much.
 #pragma once
 
 #include <array>
@@ -8,28 +8,29 @@
 
 namespace nezumi {
 
-/// Counts in a few kB however long a run is. Nothing is allocated.
+/// Needs a few kB, however long the run is. Allocates nothing.
 class Lateness {
 public:
-    /// A tick that began so long after it was due [s], of a period [s]. It is late by more than a tenth of that.
+    /// Adds a tick that began `seconds` after it was due, with this period [s]. It counts as late if this is more than
+    /// a tenth of the period.
     void add(double seconds, double period);
-    /// Ticks that were left out after a stall.
+    /// Counts ticks that were skipped after a stall.
     void skip(std::uint64_t ticks) { skipped_ += ticks; }
-    /// All that another one has counted, as that which came after.
+    /// Adds all ticks of another object, as later ticks.
     void add(const Lateness& later);
 
     std::uint64_t ticks() const { return ticks_; }
     std::uint64_t late() const { return late_; }
     std::uint64_t skipped() const { return skipped_; }
-    /// How late the latest tick began, and the worst of all [s].
+    /// The lateness of the latest tick, and the largest one [s].
     double latest() const { return latest_; }
     double worst() const { return worst_; }
-    /// That part (0 to 1) of all ticks began no later than this [s]; at most 5 % or 0.1 us more, and never more than
-    /// the worst.
+    /// This fraction (0 to 1) of all ticks began at most so late [s]. Exact up to 5 % or 0.1 us, and never more than
+    /// the largest one.
     double quantile(double part) const;
 
 private:
-    // A power of 2 of microseconds has so many classes: each is 4.4 % wider than the one before.
+    // Number of classes for a factor of 2: each is 4.4 % wider than the one before.
     static constexpr int classes = 16;
     static constexpr int octaves = 27;  // up to 134 s
 

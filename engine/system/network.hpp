@@ -1,5 +1,4 @@
-// The network as a system sees it: ports of other hosts are ports of components whose names have a slash,
-// "ev3/vehicle".
+// The network of a system: ports of other hosts are ports of components whose names contain a slash, "ev3/vehicle".
 #pragma once
 
 #include <cstdint>
@@ -31,15 +30,15 @@ struct OfferedPort {
 /// Another host.
 struct Host {
     std::string name;
-    bool here = false;  ///< or only named by a connection that waits for it
+    bool here = false;  ///< it is connected; false: only a connection names it
     std::string version{};
     std::vector<OfferedPort> ports{};
 };
 
-/// Performs an act as `RunningSystem::act` does.
+/// Performs an act, like `RunningSystem::act`.
 using ActDoor = std::function<Expected<ActResult>(const Act& act, const Actor& who)>;
 
-/// Has a port take a message, as `RunningSystem::deliver` does.
+/// Delivers a message to a port, like `RunningSystem::deliver`.
 using MessageDoor = std::function<Expected<ActResult>(const Port& port, const Act& act, const Actor& who)>;
 
 /// Answers what another host asks of this system; `writable`: it may also change something.
@@ -48,8 +47,8 @@ using QuestionDoor = std::function<Expected<PlainData>(const Question& question,
 class Network {
 public:
     virtual ~Network() = default;
-    /// Makes sure that "host/name.port" is there to be connected to `other`, of its type and in the other direction,
-    /// whether or not the host is there yet.
+    /// Makes the port "host/name.port" available for a connection to `other`, with its type and the opposite direction,
+    /// even if the host is not there yet.
     virtual Expected<void> reach(std::string_view path, const Port& other) = 0;
     /// Between two ticks, again and again while time stands: takes note of hosts that came and went, makes and ends the
     /// connections that they ask for, and answers their questions.
@@ -58,28 +57,28 @@ public:
     virtual void before_tick(const MessageDoor& deliver) = 0;
     /// Hosts that are there or waited for, by name.
     virtual std::vector<Host> hosts() const = 0;
-    /// Whether a connection is there because of something else than a `connect` of this system: another host's, or
-    /// the word `ros`.
+    /// Whether a connection was made by something else than a `connect` of this system: by another host, or by the word
+    /// `ros`.
     virtual bool brought(const ConnectionSpec& connection) const = 0;
 
-    // Time that several hosts share.
-    /// Whether the next tick may come. False while others are waited for, to be asked again.
+    // Shared time of several hosts.
+    /// Whether the next tick may begin. False while it waits for other hosts; then ask again.
     virtual bool may_tick() { return true; }
-    /// Adds the files that are readable when that may have changed.
+    /// Adds the files that become readable when this may have changed.
     virtual void add_files(std::vector<int>& /*files*/) const {}
-    /// The run is over: nobody waits for this system any more, nor it for others.
+    /// The run has ended: this system and the others no longer wait for each other.
     virtual void leave() {}
 
-    // To ask changes nothing of this system, and waits for nothing.
-    /// Asks a host; returns the question's number. An error when that host is not there.
+    // Requests change nothing of this system, and do not wait.
+    /// Sends a request to a host; returns the number of the request. An error if that host is not there.
     virtual Expected<std::uint64_t> ask(const Question& question) const = 0;
-    /// The answer, once, and an error where the host refuses or has not answered in time; nothing as long as it is to
-    /// come, with one of the next `between_ticks`.
+    /// The answer, once, or an error if the host refuses or has not answered in time. Nothing while the answer is not
+    /// there; it comes with one of the next `between_ticks`.
     virtual std::optional<Expected<PlainData>> answer(std::uint64_t number) const = 0;
 };
 
-/// Makes the network of a system whose file has `network` or `ros`, which has all its components by then and none of
-/// its connections.
+/// Makes the network of a system whose file has `network` or `ros`. At this time, the system has all its components and
+/// no connections.
 using NetworkMaker = std::function<Expected<std::unique_ptr<Network>>(const SystemSpec& spec, System& system)>;
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Ties ticks to the wall clock: absolute deadlines, so that nothing drifts.
+// Runs ticks at times of the real clock, with absolute deadlines, so that errors do not add up.
 #pragma once
 
 #include <chrono>
@@ -12,22 +12,22 @@ class Pacer {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// After a stall of more than this many periods the missed ticks are skipped instead of run in a burst.
+    /// After a stall of more than this many periods, the missed ticks are skipped instead of being run in a burst.
     static constexpr int longest_burst = 5;
 
-    /// `rate` [Hz] of the ticks in simulated time, `speed` times as fast as the wall clock (> 0). The first one is due
+    /// `rate` [Hz] is the rate of ticks in simulated time, `speed` (> 0) the factor to real time. The first tick is due
     /// at `start`.
     Pacer(double rate, double speed, Clock::time_point start = Clock::now());
 
-    /// Sleeps until the next tick is due; returns at once when it is late. The tick begins then.
+    /// Sleeps until the next tick is due; returns at once if it is late. Then the tick begins.
     void wait();
     /// When the next tick is due.
     Clock::time_point due() const;
-    /// The next tick begins at `now`: counts it, and how late it is.
+    /// The next tick begins at `now`: counts it and its lateness.
     void begin_tick(Clock::time_point now);
-    /// Without sleeping: how long until the next tick is due; negative when it is late.
+    /// Time until the next tick is due, without sleeping; negative if it is late.
     Clock::duration until_due() const { return due() - Clock::now(); }
-    /// Counts from now on, as after a pause.
+    /// Starts again from now, as after a pause.
     void restart(Clock::time_point now = Clock::now());
 
     /// Of all ticks so far.

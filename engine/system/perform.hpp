@@ -1,4 +1,4 @@
-// Performs the acts that change a system and not its description.
+// Performs acts that change a system, but not its description.
 #pragma once
 
 #include <string_view>
@@ -8,12 +8,12 @@
 
 namespace nezumi {
 
-// Each between two ticks. On an error nothing has changed, but for what a script's own hook or command did before it
-// failed.
+// Call these between two ticks. After an error nothing has changed, except for what a callback or command of a script
+// did before it failed.
 Expected<ActResult> perform(System& system, const SetParameter& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Write& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Inject& act, const Actor& who);
-/// A `Write` or an `Inject` of a port that was found before.
+/// A `Write` or an `Inject` for a port that was found before.
 Expected<ActResult> deliver(Port& port, const Act& act);
 Expected<ActResult> perform(System& system, const Hold& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Release& act, const Actor& who);
@@ -32,17 +32,17 @@ Expected<ActResult> perform(System& system, const Command& act, const Actor& who
 Expected<ActResult> perform(System& system, const Stop& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Rearm& act, const Actor& who);
 
-/// A robot, and the world that knows the truth about it: the simulated one, or what a test rig sees.
+/// A robot, and the world that knows its true pose: the simulation, or a test rig.
 struct SeenRobot {
     const Robot* robot;
     const World* world;
-    RobotId id;  ///< in that world
+    RobotId id;  ///< in this world
 };
 
-/// The robot that this component is, in a world that knows the truth; else why not.
+/// The robot of a component, in a world that knows its true pose; otherwise the error.
 Expected<SeenRobot> seen_robot(const System& system, const Component& component);
 
-/// What is said of a real robot, after its name, where there could be a rig that sees it and is none.
+/// The end of the message about a real robot that no test rig sees.
 inline constexpr std::string_view not_seen = " is a real robot, whose true pose is not known";
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Performs the acts that change what a system is, together with the description that it was built from.
+// Performs acts that change a system together with its description.
 #pragma once
 
 #include "engine/system/act.hpp"

@@ -1,5 +1,5 @@
-// What an out-port publishes for robots and programs outside of the system: its messages, and zero while an emergency
-// stop holds.
+// The messages that an out-port publishes for robots and programs outside of the system. During an emergency stop,
+// velocities are zero.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,12 @@
 
 namespace nezumi {
 
-/// Whether what an out-port publishes may drive robots: it carries velocities, and is not a robot's own, which tells
-/// what that does.
+/// Whether the messages of an out-port may drive robots: it carries velocities, and is not a port of a robot, which
+/// reports its own velocity.
 bool commands_robots(const System& system, const OutPortBase& port);
 
-/// What an out-port publishes from now on. The system must outlive it, the port live until another one is followed.
+/// The messages of an out-port from now on. The system must outlive it; the port must exist until `follow` is called
+/// with another one.
 class Published {
 public:
     Published(const System& system, const OutPortBase& port)
@@ -24,8 +25,8 @@ public:
           seen_(port.sequence()),
           commands_(commands_robots(system, port)) {}
 
-    /// Gives each message (`MessageView`) that was published since the last call. While the system is stopped a
-    /// velocity that may drive robots is zero, once each call, whatever was published.
+    /// Calls `give` for each message (`MessageView`) that was published since the last call. During an emergency stop,
+    /// a velocity that may drive robots is zero, once for each call.
     template <class Give>
     void take(const Give& give) {
         const bool is_new = port_->sequence() != seen_;
@@ -36,7 +37,7 @@ public:
     }
     std::size_t type() const { return type_; }
     bool commands() const { return commands_; }
-    /// The port of the same name and type that has taken the place of the one before.
+    /// Continues with the port of the same name and type that has replaced the port.
     void follow(const OutPortBase& port) {
         if (&port == port_) return;
         port_ = &port;
@@ -46,7 +47,7 @@ public:
 
 private:
     const System* system_;
-    const OutPortBase* port_;  // may be gone until another one is followed
+    const OutPortBase* port_;  // may be destroyed before another one is followed
     std::size_t type_;
     std::uint64_t seen_;
     bool commands_;

@@ -1,4 +1,4 @@
-// What a component of another host can be asked.
+// Requests to a component of another host.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What stands beside real robots and knows of them what a world knows of those that it simulates.
+// A test rig: devices beside real robots that know what a simulation knows of simulated ones.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +16,10 @@ namespace nezumi {
 
 struct SystemSpec;
 
-/// A test rig. Its world has none of the arena's things, and never steps.
+/// A test rig. Its world has no objects of the arena, and never steps.
 struct Rig {
     std::unique_ptr<World> world;     ///< none: it sees no robot
-    std::vector<std::string> robots;  ///< that it sees; the index is the robot's id in its world
+    std::vector<std::string> robots;  ///< the robots that it sees; the index is the id of the robot in its world
 
     std::optional<RobotId> find(std::string_view robot) const {
         const auto found = std::find(robots.begin(), robots.end(), robot);
@@ -28,8 +28,7 @@ struct Rig {
     }
 };
 
-/// Makes the rig for a system, in which its robots stand where the system's file has them. May be empty: then nobody
-/// sees real robots from outside.
+/// Makes the rig for a system. The robots are at the poses of the system's file. May be empty: then there is no rig.
 using RigMaker = std::function<Expected<Rig>(const SystemSpec& spec)>;
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// What a robot of a system may do: what its file asks for, within what its description allows.
+// The limits of a robot: those of its file, within those of its description.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace nezumi {
 
-/// The limits of a robot with this drive. Those of a real one are no more than its description allows the hardware,
-/// whatever the system's file asks for.
+/// The limits of a robot with this drive. The limits of a real robot are at most those that its description allows the
+/// hardware, whatever the system's file has.
 Limits limits_of(const RobotEntry& entry, const DriveSpec& drive);
 
-/// What a real robot gets less of than its system's file asks for, with both numbers and what raises it, in one line;
-/// "" when it gets all of it.
+/// A line about limits of a real robot that are lower than in its system's file, with both numbers and how to raise
+/// them; "" if there are none.
 std::string lowered_limits(const RobotEntry& entry, const DriveSpec& drive);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// What a system file says of OpenRTM's components: which of ours they see, and to which of theirs ports are connected.
+// OpenRTM in a system file: the exported components, and the connections to RTCs.
 #pragma once
 
 #include <string>
@@ -13,27 +13,27 @@ namespace nezumi {
 /// `rtm { nameserver, export, interface, rename }`.
 struct RtmSpec {
     std::string nameserver = "localhost:2809";  ///< "HOST:PORT" of a CORBA name service
-    std::vector<std::string> exported{};        ///< names of components that are RTCs there
-    std::string interface = "127.0.0.1";        ///< address at which they are reached
+    std::vector<std::string> exported{};        ///< names of components that are exported as RTCs
+    std::string interface = "127.0.0.1";        ///< address of these RTCs
     ParameterValues rename{};                   ///< texts: what a port is called there, by "name.port"
     Place place{};
 };
 
-/// A port of another program's RTC: "rtm:pc.host_cxt/RaspberryPiMouse0.target_velocity_in".
+/// A port of an RTC of another program: "rtm:pc.host_cxt/RaspberryPiMouse0.target_velocity_in".
 struct RtmPath {
     std::string component;  ///< "RaspberryPiMouse0", or with its contexts "pc.host_cxt/RaspberryPiMouse0"
     std::string port;       ///< "target_velocity_in"
     bool operator==(const RtmPath&) const = default;
 };
 
-/// Whether an end of a connection is a port of another program's RTC.
+/// Whether an end of a connection is such a port.
 bool is_rtm_path(std::string_view end);
-/// An end that is. The error says what was expected.
+/// Parses such an end. The error says what was expected.
 Expected<RtmPath> rtm_path(std::string_view end);
 
-/// "localhost" and "localhost:2809": brought into the second form, or why it can't be.
+/// Converts "localhost" to "localhost:2809"; returns the error, or "".
 std::string adopt_nameserver(std::string& text);
-/// An IPv4 address in digits, or why it is none.
+/// Checks that this is an IPv4 address in digits; returns the error, or "".
 std::string adopt_interface(std::string& text);
 
 }  // namespace nezumi

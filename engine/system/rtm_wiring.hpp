@@ -14,7 +14,8 @@ namespace nezumi {
 /// Whether OpenRTM-aist has a message type: all but what was added to its own.
 bool is_rtm_type(std::string_view type);
 
-/// Why a component's port can't be connected to `end`, a port of another program: the component is not exported.
+/// The error if a component's port can't be connected to `end`, a port of another program, because the component is not
+/// exported.
 std::string needs_export(std::string_view end, std::string_view component);
 
 /// The two ends of a connection.
@@ -23,8 +24,8 @@ struct RtmEnds {
     RtmPath theirs;
 };
 
-/// Those of a connection between a port of a system and an RTC's. An error where not just one end is an RTC's, or the
-/// other is no port, leads the wrong way, or carries a type that OpenRTM does not know.
+/// The ends of a connection between a port of a system and a port of an RTC. An error if not exactly one end is an
+/// RTC's, or if the other end is no port, has the wrong direction, or a type that OpenRTM does not know.
 Expected<RtmEnds> rtm_ends(const System& system, const ConnectionSpec& connection);
 
 /// What `System::take_foreign_check` is given: an error where `rtm_ends` has one, or our end's component is not

@@ -1,4 +1,4 @@
-// A system: components, their wiring, and the tick that runs them.
+// A system: components, their connections, and the tick that runs them.
 #pragma once
 
 #include <atomic>
@@ -33,11 +33,11 @@ double monotonic_seconds();
 
 class System;
 
-/// Looks at what ports carry.
+/// Observes the messages of ports.
 class PortObserver {
 public:
     virtual ~PortObserver() = default;
-    /// All ports have latched for the tick `system.now()`, and the world is still as it was sensed.
+    /// All ports have latched in the tick `system.now()`; the world has not advanced since the sensors were read.
     virtual void latched(const System& system) = 0;
 };
 
@@ -47,42 +47,42 @@ public:
         double rate = 100;            ///< [Hz] of the tick
         double physics_step = 0.005;  ///< [s]
         std::uint64_t seed = 0;
-        int threads = 1;                    ///< that sense and execute; the result is the same with any number
-        bool out_of_time_is_fatal = false;  ///< a script that ran out of time ends the run instead of going to ERROR
-        /// Real robots are driven: time is that of `clock`, and a stall is seen by all. Else a tick lasts 1 / rate.
+        int threads = 1;                    ///< that sense and execute; the result does not depend on the number
+        bool out_of_time_is_fatal = false;  ///< a script that runs out of time ends the run, instead of going to ERROR
+        /// There are real robots: time is that of `clock`, so a stall is visible. Otherwise a tick lasts 1 / rate.
         bool real_time = false;
-        std::function<double()> clock = monotonic_seconds;  ///< [s] since anything, never backwards
+        std::function<double()> clock = monotonic_seconds;  ///< [s] any origin, never goes back
     };
 
-    /// `settings` must have passed `steps_per_tick`.
+    /// `settings` must have been accepted by `steps_per_tick`.
     System(const Settings& settings, LogSink log);
     ~System();
     System(const System&) = delete;
     System& operator=(const System&) = delete;
 
-    /// The world that robots live in and that a tick advances; given once, before any robot.
+    /// Sets the world of the robots, which advances with each tick. Call it once, before any robot is added.
     void take_world(std::unique_ptr<World> world);
     World* world() { return world_.get(); }
     const World* world() const { return world_.get(); }
 
-    /// What sees real robots from outside; given once, before any robot.
+    /// Sets the test rig for real robots. Call it once, before any robot is added.
     void take_rig(Rig rig) { rig_ = std::move(rig); }
-    /// nullptr when there is none.
+    /// nullptr if there is none.
     Rig* rig() { return rig_ ? &*rig_ : nullptr; }
     const Rig* rig() const { return rig_ ? &*rig_ : nullptr; }
 
-    /// What reaches other hosts; given once, before any connection to them.
+    /// Sets the network. Call it once, before any connection to other hosts.
     void take_network(std::unique_ptr<Network> network);
-    /// nullptr when there is none.
+    /// nullptr if there is none.
     Network* network() { return network_.get(); }
     const Network* network() const { return network_.get(); }
 
-    /// Adds a component; an error when the name is taken or no name. It is INACTIVE until it is activated.
+    /// Adds a component; an error if the name is taken or invalid. It is INACTIVE at first.
     Expected<Component*> add(std::unique_ptr<Component> component);
-    /// Deactivates a component, lets its safe values through, disconnects and destroys it.
+    /// Deactivates a component, publishes its safe values, disconnects and destroys it.
     Expected<void> remove(std::string_view name);
 
-    // Whoever has a constant system can look at everything in it and change nothing.
+    // With a constant system, everything can be read but not changed.
     const std::vector<std::unique_ptr<Component>>& components() { return components_; }
     ConstView<Component> components() const { return ConstView(components_); }
     const std::vector<Robot*>& robots() { return robots_; }
@@ -99,7 +99,7 @@ public:
     Component* find(std::string_view name) { return find_component(name); }
     const Component* find(std::string_view name) const { return find_component(name); }
     const Robot* find_robot(std::string_view name) const;
-    /// The component of this name, or an error that names the nearest.
+    /// The component with this name, or an error that names the nearest.
     Expected<Component*> component(std::string_view name) { return component_named(name); }
     Expected<const Component*> component(std::string_view name) const { return component_named(name); }
     /// The port "name.port", or an error that names the nearest.
@@ -117,9 +117,9 @@ public:
     /// A connection that has been dropped.
     struct Dropped {
         std::string from, to;      ///< "name.port"
-        std::uint64_t number = 0;  ///< its place among all
+        std::uint64_t number = 0;  ///< its position among all connections
     };
-    /// Drops every connection of a port, which is about to go.
+    /// Removes all connections of a port that will be destroyed.
     std::vector<Dropped> disconnect_all(const Port& port);
     /// Ends all connections with other programs of one end, "name.port" or "rtm:NAME.port". Returns whether there were
     /// any.
@@ -127,45 +127,45 @@ public:
     /// Makes it again, in its former place among the connections.
     Expected<void> connect_again(const Dropped& dropped);
 
-    /// Who holds the port "name.port", or has it dropped or frozen; nullptr for nobody.
+    /// The actor that holds, drops or freezes the port "name.port"; nullptr if there is none.
     const Actor* holder(std::string_view path) const;
     void set_holder(std::string_view path, const Actor& who) { holders_.insert_or_assign(std::string(path), who); }
-    /// The ports that this one holds, drops or freezes, sorted.
+    /// The ports that this actor holds, drops or freezes, sorted.
     std::vector<std::string> held_by(const Actor& who) const;
 
-    /// Every robot brakes as hard as it can; then its motors have no power. Behaviours go on, their commands to robots
-    /// are ignored.
+    /// Every robot brakes as hard as it can; then its motors are switched off. Behaviours continue, but their commands
+    /// to robots are ignored.
     void emergency_stop();
-    /// Robots obey again what comes from now on. An error when nothing was stopped, or while a robot still moves.
+    /// Robots obey new commands again. An error if nothing was stopped, or while a robot still moves.
     Expected<void> rearm();
     bool is_stopped() const { return stopped_; }
 
     /// One tick.
     void tick();
-    /// At rest only devices have their turns in a tick, and robots brake and stand: what a pause of real robots is.
+    /// At rest only devices run in a tick, and robots brake and stand. Used to pause real robots.
     void set_at_rest(bool at_rest);
-    /// The tick that comes next: what conditions and the console call now.
+    /// The time of the next tick, which is the present time for conditions and the console.
     const Time& now() const { return now_; }
-    /// The tick that came last; as `now` before the first.
+    /// The time of the last tick; before the first, as `now`.
     const Time& last_tick() const { return last_tick_; }
     const Settings& settings() const { return settings_; }
-    /// Deactivates everything, last first, and lets the robots brake: `brake_ticks` ticks in which only devices act.
+    /// Deactivates everything, last first, and lets robots brake: in `brake_ticks` ticks only devices run.
     void stop(int brake_ticks);
-    /// What ended the run, when something did.
+    /// The error that ended the run, if there is one.
     const std::optional<Error>& fatal_error() const { return fatal_error_; }
-    /// Ends the run with this error, where none has ended it.
+    /// Ends the run with this error, unless it has ended.
     void fail(const Error& why) {
         if (!fatal_error_) fatal_error_ = why;
     }
 
-    /// Tells an observer of every tick from now on, in the order of these calls. It must outlive the system or be
+    /// Adds an observer for all further ticks; observers are called in this order. It must outlive the system or be
     /// removed.
     void observe(PortObserver& observer) { observers_.push_back(&observer); }
     void stop_observing(PortObserver& observer) { std::erase(observers_, &observer); }
 
-    /// Changes whenever a component or a port comes or goes: tells a cache that it is out of date.
+    /// Changes if a component or a port is added or removed, for caches.
     std::uint64_t layout() const { return layout_; }
-    /// To be called before ports of a component change.
+    /// Call this before ports of a component change.
     void change_layout() { ++layout_; }
 
     void log(LogLevel level, std::string text) const;
@@ -197,9 +197,9 @@ private:
     bool at_rest_ = false;
     Time now_;
     Time last_tick_;
-    std::unique_ptr<World> world_;  // before the components: robots' bodies must not outlive it
+    std::unique_ptr<World> world_;  // before the components: the bodies of robots must not outlive it
     std::optional<Rig> rig_;
-    std::unique_ptr<Network> network_;  // before the components: those of other hosts are its
+    std::unique_ptr<Network> network_;  // before the components: components of other hosts belong to it
     std::vector<std::unique_ptr<Component>> components_;
     std::unordered_map<std::string_view, Component*> by_name_;
     std::vector<Robot*> robots_;  // in the order of components_
@@ -208,7 +208,7 @@ private:
     ForeignCheck foreign_check_;
     std::vector<Group> groups_;
     std::uint64_t layout_ = 0;
-    bool grouped_ = false;                               // whether groups_ are those of components_ and wiring_
+    bool grouped_ = false;                               // whether groups_ is up to date with components_ and wiring_
     std::map<std::string, Actor, std::less<>> holders_;  // by "name.port"; of one that nothing is put on: whose it was
     bool stopped_ = false;
     std::atomic<bool> out_of_time_ = false;

@@ -1,4 +1,4 @@
-// Who is connected to whom: the connections between ports of a system's components.
+// The connections between ports of a system's components.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,13 @@ struct Connection {
     OutPortBase* from;
     Component* to_component;
     InPortBase* to;
-    std::uint64_t number;  ///< counts all that are made; one that is made again keeps its own
+    std::uint64_t number;  ///< number of the connection; if it is made again, it keeps its number
 };
 
 /// "name.port".
 std::string path(const Component& component, const Port& port);
 
-/// The names of a component's ports of one direction, in the order of declaration.
+/// The names of a component's ports in one direction, in the order of declaration.
 std::vector<std::string_view> port_names(const Component& component, Direction direction);
 
 class Wiring {
@@ -31,17 +31,17 @@ public:
     /// In the order of their numbers.
     const std::vector<Connection>& connections() const { return connections_; }
 
-    /// Connects an out-port to an in-port, by their names. An error says why not, with the nearest name or the port
-    /// that would fit. With the number of a connection that went it takes the place that this one had.
+    /// Connects an out-port to an in-port, by their names. The error has the nearest name, or the port that would fit.
+    /// With the number of a former connection, it gets the position of this one.
     Expected<Connection> connect(Component& from, std::string_view out, Component& to, std::string_view in,
                                  std::optional<std::uint64_t> number = std::nullopt);
-    /// Takes a connection away. Returns whether there was one.
+    /// Removes a connection. Returns whether there was one.
     bool disconnect(const Port& from, const Port& to);
-    /// Drops every connection of a port. What it has published still arrives.
+    /// Removes all connections of a port. Messages that it has published still arrive.
     void disconnect_all(const Port& port, const Time& now);
-    /// Drops every connection of a component. What it has published still arrives.
+    /// Removes all connections of a component. Messages that it has published still arrive.
     void disconnect_all(const Component& component, const Time& now);
-    /// "name.port" of the ports at the other ends, those that a companion brings among them.
+    /// "name.port" of the ports at the other ends, including those of a companion.
     std::vector<std::string> peers(const Port& port) const;
 
 private:

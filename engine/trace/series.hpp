@@ -1,4 +1,4 @@
-// The numbers and texts that a channel carried lately: a ring of samples.
+// Recent numbers and texts of a channel: a ring of samples.
 #pragma once
 
 #include <cstddef>
@@ -12,32 +12,33 @@ namespace nezumi {
 
 class Series {
 public:
-    static constexpr std::size_t most_samples = 6000;  ///< a minute at 100 Hz; beyond them the oldest goes
+    static constexpr std::size_t most_samples = 6000;  ///< a minute at 100 Hz; then the oldest is dropped
     static constexpr std::size_t most_values = 16;     ///< of each message
 
-    /// "vx", "[1]", "" for a single value: one for each value that a sample can have.
+    /// "vx", "[1]", "" for a single value: one for each value of a sample.
     const std::vector<std::string>& labels() const { return labels_; }
     std::size_t size() const { return size_; }
-    /// [s] the stamp of a sample; 0 is the oldest.
+    /// [s] time stamp of a sample; 0 is the oldest.
     double seconds(std::size_t sample) const { return row(sample)[0]; }
-    /// Its value under a label, 0 and 1 for truth values, of a text its place in `texts`; not a number when it has
-    /// fewer.
+    /// The value of a sample for a label: 0 and 1 for truth values, the index in `texts` for a text, NaN if the sample
+    /// has fewer values.
     double value(std::size_t sample, std::size_t label) const { return row(sample)[label + 1]; }
 
-    /// Whether the values under a label are texts.
+    /// Whether the values for a label are texts.
     bool is_text(std::size_t label) const { return label < are_texts_.size() && are_texts_[label]; }
-    /// The different texts so far, cut to `longest_text`; those after the first `most_texts` are all the last of these.
+    /// The different texts so far, cut to `longest_text`. After the first `most_texts`, all others count as the last
+    /// one.
     const std::vector<std::string>& texts() const { return texts_; }
     static constexpr std::size_t most_texts = 64;
     static constexpr std::size_t longest_text = 40;  ///< [bytes]
-    /// The place of a text in `texts`, where it is from now on.
+    /// The index of a text in `texts`; adds it if necessary.
     std::size_t place_of(std::string_view text);
 
-    /// Replaces the labels by at least as many; `are_texts` says which have texts, none where it is shorter.
+    /// Replaces the labels by at least as many. `are_texts` says which have texts; false if it is shorter.
     void set_labels(std::vector<std::string> labels, std::vector<bool> are_texts = {});
     /// Adds a sample with at most as many values as there are labels.
     void add(double seconds, std::span<const double> values);
-    /// Forgets the samples.
+    /// Removes all samples.
     void clear() { rows_.clear(), first_ = size_ = 0; }
 
 private:
@@ -47,7 +48,7 @@ private:
     std::vector<std::string> labels_;
     std::vector<bool> are_texts_;
     std::vector<std::string> texts_;
-    std::vector<double> rows_;  // the stamp and a value for each label
+    std::vector<double> rows_;  // a time stamp, and a value for each label
     std::size_t first_ = 0;     // row of the oldest sample
     std::size_t size_ = 0;
 };

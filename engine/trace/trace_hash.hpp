@@ -7,9 +7,9 @@
 
 namespace nezumi {
 
-/// Hashes every publication of every port: which port, in which tick, what. Compares runs on one machine only, because
-/// the last bits of sines differ between processors. The order in which ports are told does not count: a system whose
-/// file names its behaviours in another order is the same.
+/// Hashes every message of every port: port, tick and value. Compares runs on one machine only, because the last bits
+/// of sines differ between processors. The order of ports does not matter, so a system file may name its behaviours in
+/// another order.
 class TraceHash final : public PortObserver {
 public:
     void latched(const System& system) override;

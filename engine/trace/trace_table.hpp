@@ -1,4 +1,4 @@
-// What channels carried as a table: rows of texts, and columns that come as they are needed.
+// The values of channels as a table: rows of texts, with columns that are added when they are needed.
 #pragma once
 
 #include <cstddef>
@@ -13,31 +13,31 @@
 
 namespace nezumi {
 
-/// A column for each number, truth value (0 or 1) and text (in CSV's quotes) of each channel, called as a console
-/// would. A cell holds what was carried last: it is empty before anything was, and where a list is shorter than it was
-/// at its longest. Pixels are left out.
+/// A column for each number, truth value (0 or 1) and text (in CSV quotes) of each channel, named as in the console. A
+/// cell contains the latest value; it is empty before the first one, and if a list is shorter than its maximum length.
+/// Pixels are omitted.
 class TraceTable {
 public:
     /// The channels must outlive it.
     explicit TraceTable(const std::vector<const Channel*>& channels);
-    /// Another one, behind those that are there; it adds no columns when these are fixed.
+    /// Adds a channel after the others; no columns are added if these are fixed.
     void follow(const Channel& channel);
 
-    /// To be called after a tick: calls `add` with the cells of its row, by their ids. A tick in which a channel had
-    /// several messages has as many rows: in each the channels' next message, or the last where one had fewer.
+    /// Call this after a tick: calls `add` with the cells of its row, by their ids. A tick with several messages of a
+    /// channel has as many rows: each has the next message of every channel, or the last one if there are fewer.
     void read(const std::function<void(const std::vector<std::string>& cells)>& add);
-    /// The same for a table of some ticks alone: one row, of what each channel carried last.
+    /// The same for a table of selected ticks: one row with the latest value of each channel.
     void read_latest(const std::function<void(const std::vector<std::string>& cells)>& add);
-    /// The columns' ids in the order of the channels and their values. An id, once given, stays.
+    /// The ids of the columns in the order of the channels and their values. An id never changes.
     std::vector<std::size_t> order() const;
-    /// "time,mouse.out.vx,mouse.out.vy": the columns' names in this order, as CSV, behind that of the time.
+    /// "time,mouse.out.vx,mouse.out.vy": the names of the columns in this order, as CSV, after the time.
     std::string header() const;
-    /// "0.01,0.2,0": a row below a header of these ids. A cell is empty whose column came after the row.
+    /// "0.01,0.2,0": a row for a header with these ids. The cell of a column that was added later is empty.
     static std::string row(std::string_view time, const std::vector<std::size_t>& ids,
                            const std::vector<std::string>& cells);
-    /// How many ids there are: more than before when columns have been added.
+    /// The number of ids, which grows when columns are added.
     std::size_t width() const { return cells_.size(); }
-    /// From now on no columns are added.
+    /// Stops adding columns.
     void fix_columns() { fixed_ = true; }
     /// The name of each id.
     const std::vector<std::string>& names() const { return names_; }
@@ -50,7 +50,7 @@ private:
     struct Source {
         const Channel* channel;
         std::vector<Column> columns{};
-        std::uint64_t turn = 0;  // of the channel when it was read last
+        std::uint64_t turn = 0;  // `turn` of the channel at the last reading
         bool has_value = false;
     };
 

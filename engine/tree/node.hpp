@@ -1,8 +1,8 @@
-// The tree of names: all of a system that can be looked at or set, by the name that a console gives it.
+// The tree of names: everything of a system that can be read or set, by its name in the console.
 //
-// `mouse.truth.pose.heading` is resolved here and nowhere else, so whoever shows, completes, explains, plots, records,
-// sets or serves it finds the same. Nodes are made when somebody asks and keep nothing: each is a few pointers into the
-// system, void as soon as that changes.
+// `mouse.truth.pose.heading` is resolved only here, so the console, completion, help, plots, recordings and servers all
+// find the same. Nodes are made on demand and store nothing: each has a few pointers into the system, and becomes
+// invalid when the system changes.
 #pragma once
 
 #include <cstdint>
@@ -21,15 +21,15 @@ namespace nezumi {
 struct MemberInfo;
 struct SetParameter;
 
-/// What a node holds: nothing, a value, or as much of a script's plain data as a limit allows.
+/// The value of a node: nothing, a value, or a part of a script's plain data within a limit.
 using NodeValue = std::variant<std::monostate, Value, PlainSnapshot>;
 
 /// The ports of a component, in-ports first.
 std::vector<const Port*> ports_of(const Component& component);
 
-/// "controller.out" and "vx", "[2].x" or "": "controller.out.vx".
+/// Joins "controller.out" and "vx", "[2].x" or "": "controller.out.vx".
 std::string join_path(std::string whole, std::string_view part);
-/// The first step of a path, "name" or "[2]", which is taken off with the separator ('.' or ':') behind it.
+/// The first step of a path, "name" or "[2]"; removes it with the separator ('.' or ':') after it.
 std::string_view take_step(std::string_view& path);
 
 class TreeNode {
@@ -43,7 +43,7 @@ public:
         parameter,
         truth,   ///< about a robot
         data,    ///< plain data of a script ("state", "tasks", "probes"): only a look tells what is in it
-        value,   ///< any other value, and a part of one
+        value,   ///< any other value, or a part of one
         method,  ///< a member that is called
         command,
     };
@@ -52,36 +52,36 @@ public:
     explicit TreeNode(const System& system) : system_(&system) {}
 
     Kind kind() const;
-    /// "mouse.truth.pose": as a recording calls it. A part of a port's value is called as one of the port,
-    /// "controller.out.vx", and a parameter "controller.config.speed"; "" of the system.
+    /// The name in recordings: "mouse.truth.pose". A part of a port's value is named like a part of the port,
+    /// "controller.out.vx", and a parameter "controller.config.speed"; "" for the system.
     std::string path() const { return join_path(whole(), part()); }
-    /// What is carried as a whole, "mouse.truth", and which part of it this is, "pose".
+    /// The name of the whole value, "mouse.truth", and the path of this part in it, "pose".
     std::string whole() const;
     std::string part() const;
-    /// [unit] of a number; "" for none.
+    /// [unit] of a number; "" if there is none.
     std::string_view unit() const;
-    /// What it is, for people; "" where nobody says so.
+    /// Documentation; "" if there is none.
     std::string_view doc() const;
-    /// The type of its value; nullptr where it has none, or only a look tells.
+    /// The type of its value; nullptr if it has none, or if it is known only after reading.
     const Type* type() const;
 
-    /// The child of this name ("speed", "[2]"), or an error that names the nearest.
+    /// The child with this name ("speed", "[2]"), or an error that names the nearest.
     Expected<TreeNode> child(std::string_view name) const;
-    /// What is at a path below: "out.value.vx". The value of a port may be left out: "out.vx".
+    /// The node at a path below: "out.value.vx". The member `value` of a port may be omitted: "out.vx".
     Expected<TreeNode> find(std::string_view path) const;
-    /// What `find` takes one step to.
+    /// One step of `find`.
     Expected<TreeNode> step(std::string_view name) const;
     enum class Called : std::uint8_t { either, no, yes };
-    /// The names of the children that are called (methods, commands), of those that are not, or of all. Those of a
-    /// component, a port and a truth are sorted. Elements of lists have none.
+    /// The names of the children that are called (methods, commands), of the others, or of all. Those of a component, a
+    /// port and a truth are sorted. Elements of lists have no names.
     std::vector<std::string> children(Called called = Called::either) const;
 
-    /// What it holds now. An error where nobody knows, as the truth about a real robot.
+    /// Its present value. An error if it is unknown, such as the truth about a real robot.
     Expected<NodeValue> value(const PlainLimit& limit = {}) const;
 
-    /// The child that can be set by this name, a parameter; or why it can't.
+    /// The child with this name, a parameter that can be set; or an error.
     Expected<TreeNode> to_set(std::string_view name) const;
-    /// Of a parameter: the act that sets it.
+    /// The act that sets this parameter.
     SetParameter set(Value value) const;
 
     const System& system() const { return *system_; }
@@ -105,7 +105,7 @@ private:
     const System* system_;
     const Component* component_ = nullptr;
     const Port* port_ = nullptr;
-    const MemberInfo* member_ = nullptr;  // of the port, where there is one
+    const MemberInfo* member_ = nullptr;  // of the port, if there is a port
     const Parameters::Parameter* parameter_ = nullptr;
     const CommandDeclaration* command_ = nullptr;
     std::string part_{};  // of the value

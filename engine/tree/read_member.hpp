@@ -1,4 +1,4 @@
-// How a member is read, by what it is read from: for the tables of members.
+// Functions that read members, for the tables of members.
 #pragma once
 
 #include <string>
@@ -43,7 +43,7 @@ Read of_port(const TreeNode& node, const PlainLimit& /*limit*/) {
     return to_node_value(read(*node.port()));
 }
 
-/// Nothing, for an empty text.
+/// Nothing for an empty text.
 inline NodeValue text_if_any(const std::string& text) { return text.empty() ? NodeValue{} : NodeValue{Value{text}}; }
 
 }  // namespace nezumi::reads

@@ -1,4 +1,4 @@
-// A camera's picture, checked: in shades of grey, or in red, green and blue.
+// Checks the picture of a camera and converts it to grey, or to red, green and blue.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The component that says where markers are: a picture in, poses out.
+// The component that finds markers: its input is a picture, its outputs the poses of markers.
 #pragma once
 
 #include <optional>
@@ -14,13 +14,13 @@ class MarkerDetector final : public ImageComponent<std::vector<SeenMarker>> {
 public:
     /// `wait` as of `ImageComponent`.
     MarkerDetector(std::string name, bool wait);
-    ~MarkerDetector() override { finish(); }  // who looks uses finder_ and picture_
+    ~MarkerDetector() override { finish(); }  // the detection uses finder_ and picture_
 
 private:
     Expected<DetectionTask> detection_task(const CameraImage& image) override;
     void publish(const std::vector<SeenMarker>& seen) override;
     Expected<CameraIntrinsics> intrinsics_for(const GrayImage& image);
-    /// Says once what is not known of the camera, and what is used instead.
+    /// Reports once what is unknown about the camera, and what is used instead.
     void tell_unknown(std::string what);
 
     InPort<CameraIntrinsics>& intrinsics_;
@@ -28,7 +28,7 @@ private:
     OutPort<bool>& visible_;
     OutPort<std::int32_t>& id_;
     OutPort<std::vector<SeenMarker>>& markers_;
-    GrayImage picture_;  // the one that is looked at
+    GrayImage picture_;  // the picture being searched
     std::optional<TagFinder> finder_;
     std::string family_;
     std::string told_;  // of unknown intrinsics

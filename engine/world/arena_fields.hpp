@@ -1,4 +1,4 @@
-// The things of an arena as a system file writes them: every field, its unit, its meaning and what may stand in it.
+// The objects of an arena in a system file: every field with unit, documentation and limits.
 #pragma once
 
 #include "engine/ports/setting.hpp"
@@ -8,12 +8,12 @@
 
 namespace nezumi {
 
-inline constexpr double least_length = 1e-4;  ///< [m] thinner things have no physics
-inline constexpr double least_line = 1e-3;    ///< [m] no sensor sees a thinner line
-inline constexpr double least_mass = 1e-3;    ///< [kg] what is lighter is thrown about by rounding
+inline constexpr double least_length = 1e-4;  ///< [m] thinner objects can't be simulated
+inline constexpr double least_line = 1e-3;    ///< [m] thinner lines are invisible to sensors
+inline constexpr double least_mass = 1e-3;    ///< [kg] lighter objects are unstable because of rounding errors
 inline constexpr int last_tag = tag_count - 1;
 
-/// The names of colours that a file may use for "#rrggbb".
+/// A name of a colour, which a file may use instead of "#rrggbb".
 struct NamedColor {
     std::string_view name;
     std::string_view hex;
@@ -23,7 +23,7 @@ inline constexpr NamedColor named_colors[] = {
     {"green", "#3f9b4f"},  {"blue", "#3568c4"},  {"yellow", "#e8c33c"}, {"orange", "#e08a2e"}, {"brown", "#7a5230"},
     {"purple", "#8550a8"}, {"pink", "#e58fb1"},  {"cyan", "#3fb0c0"}};
 
-/// A wall between two places; it becomes a box.
+/// A wall between two points; it becomes a box.
 struct WallSpec {
     Point2D from{};           ///< [m]
     Point2D to{};             ///< [m]
@@ -35,11 +35,12 @@ struct WallSpec {
 
 BoxSpec box_of(const WallSpec& wall);
 
-/// "#rrggbb" stays, a colour's name becomes its "#rrggbb"; of any other text, what was expected.
+/// Converts the name of a colour to "#rrggbb", and accepts "#rrggbb"; returns what was expected for any other text, or
+/// "".
 std::string adopt_color(std::string& text);
-/// Letters, digits and underscores; of any other text, what was expected.
+/// Accepts letters, digits and underscores; returns what was expected for any other text, or "".
 std::string adopt_identifier(std::string& text);
-/// Checks the numbers of everything in an arena by the rules below, wherever it comes from: a table, a map, a program.
+/// Checks all numbers of an arena by the rules below, also if it comes from a map or a program.
 Expected<void> check_arena(const ArenaSpec& arena);
 
 template <>

@@ -1,4 +1,4 @@
-// An arena as data: what stands in it when a system starts.
+// The description of an arena: the objects at the start of a system.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@
 
 namespace nezumi {
 
-/// A box, standing still or movable; walls and the rows of a CSV map become boxes too.
+/// A box, fixed or movable. Walls and the rows of a CSV map are boxes as well.
 struct BoxSpec {
     Point3D at{};      ///< [m] centre
     Point3D size{};    ///< [m] along its own x, y, z; all positive
     double yaw = 0;    ///< [rad]
     double mass = 0;   ///< [kg]; 0: it never moves
-    double pitch = 0;  ///< [rad] before the yaw; positive: its front goes down. Makes a ramp
+    double pitch = 0;  ///< [rad] before the yaw; positive: the front is lower, which makes a ramp
     std::string color = "#8a8f98";
     Place place;
 };
@@ -50,7 +50,7 @@ struct FloorSpec {
     Place place;
 };
 
-/// A line painted on the floor: pieces from point to point, with round ends and corners.
+/// A line painted on the floor, from point to point, with round ends and corners.
 struct LineSpec {
     std::vector<Point2D> points;  ///< [m] two or more
     double width = 0.02;          ///< [m]
@@ -72,13 +72,13 @@ struct ArenaSpec {
     std::vector<CylinderSpec> cylinders;
     std::vector<MarkerSpec> markers;
     std::optional<FloorSpec> floor;
-    std::vector<LineSpec> lines;  ///< over the floor's picture or, without one, over all of `size`
+    std::vector<LineSpec> lines;  ///< over the floor's picture; without one, over all of `size`
 };
 
-/// What the box or cylinder at this place of its list is called: "box 1", "cylinder 2".
+/// The name of the box or cylinder with this index in its list: "box 1", "cylinder 2".
 std::string thing_name(std::string_view shape, std::size_t index);
 
-/// Has a box or cylinder stand elsewhere; its height and pitch stay. Nothing happens when there is none of this name.
+/// Moves a box or cylinder; its height and pitch do not change. Does nothing if there is none with this name.
 void move_thing(ArenaSpec& arena, std::string_view name, const Pose2D& pose);
 
 }  // namespace nezumi

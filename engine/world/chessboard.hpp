@@ -1,4 +1,4 @@
-// A chessboard that lies on the floor, for cameras that are calibrated in simulation.
+// A chessboard on the floor, for calibrating cameras in simulation.
 #pragma once
 
 #include <vector>
@@ -15,11 +15,11 @@ struct ChessboardSpec {
     bool operator==(const ChessboardSpec&) const = default;
 };
 
-/// Its squares, black and white, with a white margin as wide as one.
+/// The squares, black and white, with a white margin of the width of a square.
 std::vector<BoxSpec> chessboard(const ChessboardSpec& spec);
 
-/// Where a camera is held over it for the view with this number, counted from 0: all around it, from high and low, near
-/// and far.
+/// The position of the camera for the view with this number, counted from 0: around the board, high and low, near and
+/// far.
 CameraMount view_of_chessboard(const ChessboardSpec& spec, int number);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// The colours that a colour sensor can tell apart.
+// The colours that a colour sensor can distinguish.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@ namespace nezumi {
 /// 0xRRGGBB.
 using Rgb = std::uint32_t;
 
-/// In the order of the EV3's own codes.
+/// In the order of the codes of the EV3.
 enum class FloorColor { none, black, blue, green, yellow, red, white, brown };
 
 /// "none", "black", ...
 std::string_view to_text(FloorColor color);
 
-/// The colour's name as a colour sensor gives it: by hue, or black and white where there is little of it.
+/// The nearest of these colours: by hue, or black or white for little saturation.
 FloorColor nearest_floor_color(Rgb color);
 
 /// 0 (black) to 100 (white): the luma of ITU-R BT.601.

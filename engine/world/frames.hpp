@@ -1,17 +1,16 @@
-// Poses on the floor in frames other than the world's.
+// Converts poses on the floor between frames.
 #pragma once
 
 #include "engine/ports/messages.hpp"
 
 namespace nezumi {
 
-/// A point or velocity turned about the origin, counter-clockwise [rad].
+/// A point or velocity, rotated about the origin, counter-clockwise [rad].
 Point2D turned(const Point2D& point, double angle);
 
-/// `pose` in the frame that has its origin at `frame`, both given in one other frame. The heading lies between -pi and
-/// pi.
+/// `pose` relative to `frame`; both are given in one other frame. The heading is between -pi and pi.
 Pose2D seen_from(const Pose2D& frame, const Pose2D& pose);
-/// The inverse: where `frame` is given, the pose that is `pose` in it.
+/// The inverse: the pose that is `pose` relative to `frame`, in the frame in which `frame` is given.
 Pose2D placed_at(const Pose2D& frame, const Pose2D& pose);
 
 }  // namespace nezumi

@@ -14,7 +14,7 @@ inline constexpr const char* image_module = "nezumi_images.so";
 inline constexpr const char* decode_in_module = "nezumi_decode_image";
 inline constexpr const char* encode_in_module = "nezumi_encode_jpeg";
 
-/// Reads the picture in a file's bytes, in any format that OpenCV reads. Transparent parts
+/// Decodes the content of a picture file, in any format of OpenCV. Transparent parts
 /// become white; a photograph is turned upright. Returns false with the `problem`. Never throws.
 using DecodeInModule = bool(const std::uint8_t* bytes, std::size_t size, Picture& picture, std::string& problem);
 

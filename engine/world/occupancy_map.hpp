@@ -1,4 +1,4 @@
-// Maps as ROS writes them: a picture of what is occupied, and a YAML file that says where it lies.
+// Maps of ROS: a picture of occupied pixels, and a YAML file with its position.
 #pragma once
 
 #include <cstddef>
@@ -11,36 +11,36 @@
 
 namespace nezumi {
 
-/// What the YAML file says; the meaning of its keys is that of ROS's map_server.
+/// The content of the YAML file; its keys have the meaning of ROS's map_server.
 struct OccupancyFacts {
     enum class Mode {
-        trinary,  ///< darker than the threshold is occupied
-        scale,    ///< the same: what lies between the thresholds of the file is less than occupied
-        raw,      ///< a pixel's value, 0 to 100, is its part of occupied in percent; those above are not known
+        trinary,  ///< pixels darker than the threshold are occupied
+        scale,    ///< the same; pixels between the two thresholds of the file are not occupied
+        raw,      ///< a pixel's value, 0 to 100, is its occupancy in percent; larger values are unknown
     };
 
-    std::string image;        ///< the picture's file, beside the YAML file
-    Place image_place;        ///< where the file names it
+    std::string image;        ///< the file of the picture, beside the YAML file
+    Place image_place;        ///< where the YAML file names it
     double resolution = 0;    ///< [m] edge of a pixel
-    Pose2D origin;            ///< of the picture's lower left corner
+    Pose2D origin;            ///< of the lower left corner of the picture
     bool negate = false;      ///< white is occupied
-    double threshold = 0.65;  ///< what is darker than this part of black is occupied (`occupied_thresh`)
+    double threshold = 0.65;  ///< pixels with a larger part of black are occupied (`occupied_thresh`)
     Mode mode = Mode::trinary;
 };
 
 struct OccupancyMap {
     std::vector<BoxSpec> boxes;  ///< occupied pixels, joined to rectangles
     int columns = 0, rows = 0;   ///< of the picture
-    std::size_t occupied = 0;    ///< pixels
+    std::size_t occupied = 0;    ///< number of pixels
 };
 
-inline constexpr double occupancy_height = 0.1;  ///< [m] of the boxes, where no other is given: a map does not tell it
+inline constexpr double occupancy_height = 0.1;  ///< [m] default height of the boxes, because a map does not contain it
 
-/// Reads the YAML file, of which other keys are ignored. `file` is named in errors, which say the line.
+/// Reads the YAML file and ignores other keys. Errors have `file` and the line.
 Expected<OccupancyFacts> read_occupancy_facts(std::string_view text, const std::string& file);
 
-/// Reads the picture, of any format that OpenCV reads. Errors name its `file`. The boxes have this height [m] and the
-/// place of the caller.
+/// Reads the picture, in any format of OpenCV. Errors name its `file`. The boxes get this height [m] and the place of
+/// the caller.
 Expected<OccupancyMap> read_occupancy(const OccupancyFacts& facts, std::string_view picture, const std::string& file,
                                       double height, const Place& place);
 

@@ -1,4 +1,4 @@
-// Pictures that lie on surfaces: a file's on the floor, a marker's.
+// Pictures on surfaces: from a file on the floor, or of a marker.
 #pragma once
 
 #include <cstdint>
@@ -25,23 +25,23 @@ struct JpegPicture {
     Octets bytes;    ///< of a JPEG file
 };
 
-/// Reads a picture's file. An error says what the matter with the file is.
+/// Reads a picture file. The error gives the reason.
 using PictureReader = std::function<Expected<Picture>(const std::string& file)>;
 
-/// The picture in a file's bytes, of any format that OpenCV reads, by a module that is loaded then. Transparent parts
-/// are white. The error, without a place, says what the matter with them is.
+/// The picture in the content of a file, in any format of OpenCV; loads a module for this. Transparent parts are white.
+/// The error has the reason, without a place.
 Expected<Picture> decode_picture(std::string_view bytes);
 /// Pixels row by row from the top left, each one grey value (`channels` 1) or red, green and blue (3), as JPEG.
 Expected<JpegPicture> encode_jpeg(int width, int height, int channels, const Octets& pixels);
 /// Whether this program can decode pictures: one without simulation needs none.
 bool decodes_pictures();
 
-/// Why no picture has so many pixels, or "".
+/// The error for too many pixels, or "".
 std::string too_many_pixels(std::int64_t width, std::int64_t height);
 
-/// A marker, a tag of AprilTag's family 36h11, is 10 x 10 cells with its white margin, of which the black border's
-/// outer edges enclose 8 x 8.
+/// A marker (a tag of AprilTag's family 36h11) is 10 x 10 cells with its white margin. The outer edges of its black
+/// border enclose 8 x 8 cells.
 inline constexpr int tag_cells = 10, tag_border_cells = 8;
-inline constexpr int tag_count = 587;  ///< of the family
+inline constexpr int tag_count = 587;  ///< in the family
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// A robot as data: geometry, wheels, limits, sensors, actuators and ports, filled from a robot file.
+// The description of a robot model: geometry, wheels, limits, sensors, actuators and ports, from a robot file.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace nezumi {
 
-/// What a velocity command may ask of a robot. All values are magnitudes and positive.
+/// Limits of velocity commands. All values are magnitudes and positive.
 struct Limits {
     double speed = 0.5;              ///< [m/s] along x, both ways
     double yaw_rate = 6.0;           ///< [rad/s]
@@ -32,27 +32,27 @@ struct BodySpec {
     Point3D at{0, 0, 0.04};        ///< [m] the hull's centre in the body frame
 };
 
-/// Two driven wheels on one axis, and skids before and behind.
+/// Two driven wheels on one axis, and skids in front of them and behind.
 struct DriveSpec {
     double radius = 0.024;                ///< [m] wheel radius
-    double left_radius = 0;               ///< [m] where the wheels are known to differ; 0: `radius`
+    double left_radius = 0;               ///< [m] if the wheels are known to differ; 0: `radius`
     double right_radius = 0;              ///< [m] the same
     double track = 0.0925;                ///< [m] distance between the wheels' contact points
-    double pulses_per_turn = 0;           ///< encoder pulses a wheel turn; 0: the encoder is continuous
-    double skid = 0.04;                   ///< [m] distance of the skids before and behind the axis
+    double pulses_per_turn = 0;           ///< encoder pulses per turn of a wheel; 0: the encoder is continuous
+    double skid = 0.04;                   ///< [m] distance of the skids from the axis
     bool coasts_until_commanded = false;  ///< the wheels roll freely until the first command after activation
     Limits limits{};                      ///< in simulation
     Limits hardware_limits{};             ///< on hardware, until it is calibrated
-    std::vector<std::string> needs;       ///< sensors without which it stands
-    std::vector<std::string> port;        ///< of the real left motor and the right; empty: the driver's own
+    std::vector<std::string> needs;       ///< sensors that must work, or the robot does not drive
+    std::vector<std::string> port;        ///< of the real left motor and the right one; empty: the driver's defaults
 
-    /// Pulses a wheel turn that a body counts in: a continuous encoder in steps of less than 0.4 urad.
+    /// Pulses per turn of a wheel in a `RobotBody`; a continuous encoder has steps of less than 0.4 urad.
     double encoder_pulses() const { return pulses_per_turn > 0 ? pulses_per_turn : 1 << 24; }
     double radius_of_left() const { return left_radius > 0 ? left_radius : radius; }
     double radius_of_right() const { return right_radius > 0 ? right_radius : radius; }
 };
 
-/// From a distance to a sensor's value: samples joined by straight lines.
+/// Converts a distance to a sensor's value by linear interpolation.
 class ResponseTable {
 public:
     struct Point {
@@ -60,33 +60,33 @@ public:
         double value;
     };
 
-    /// Points in ascending order of distance, at least two; their values are met exactly. `minimum` and `maximum` bound
-    /// every value; beyond the last point the value goes straight to `nothing` at `range`; before the first it goes on
-    /// as a power law through the first two points (or straight, where a power law can't). With a `range` nearer than
-    /// the last point the sensor sees nothing beyond it. Returns an error when the points are too few, not in order or
-    /// not finite.
+    /// Points in ascending order of distance, at least two; the table goes exactly through them. `minimum` and
+    /// `maximum` limit every value. Beyond the last point, the value goes linearly to `nothing` at `range`. Before the
+    /// first point, it follows a power law through the first two points (or a line, if a power law is impossible). If
+    /// `range` is nearer than the last point, the sensor sees nothing beyond `range`. An error if the points are too
+    /// few, not in order or not finite.
     static Expected<ResponseTable> from_points(std::vector<Point> points, double range, double nothing, double minimum,
                                                double maximum);
 
-    /// Values at 0, h, 2h, ... range (at least two, all finite); `nothing` is the value with nothing in sight.
+    /// Values at 0, h, 2h, ... range (at least two, all finite); `nothing` is the value without an object in sight.
     static ResponseTable from_samples(std::vector<double> samples, double range, double nothing);
 
-    /// This sensor with other points: `nothing` and the bounds stay, as far as the points do not reach beyond them.
-    /// Errors as of `from_points`.
+    /// This sensor with other points. `nothing` and the limits stay, unless the points are beyond them. Errors as in
+    /// `from_points`.
     Expected<ResponseTable> with_points(std::vector<Point> points, double range) const;
 
-    /// The value at this distance [m]; infinity, or anything past the range, means nothing in sight.
+    /// The value at this distance [m]; infinity, or anything beyond the range, means no object.
     double operator()(double distance) const;
 
-    /// A value brought back between `minimum` and `maximum`, for a value with noise on it.
+    /// A value limited to `minimum` and `maximum`, for values with noise.
     double clamp(double value) const { return value < minimum_ ? minimum_ : value > maximum_ ? maximum_ : value; }
 
-    double range() const { return range_; }      ///< [m] from here on there is nothing in sight
-    double nothing() const { return nothing_; }  ///< the value with nothing in sight
+    double range() const { return range_; }      ///< [m] beyond it no object is in sight
+    double nothing() const { return nothing_; }  ///< the value without an object in sight
 
 private:
     std::vector<Point> points_;    // for a table of points
-    std::vector<double> samples_;  // for even samples
+    std::vector<double> samples_;  // for equidistant samples
     double range_ = 0;
     double nothing_ = 0;
     double minimum_ = -std::numeric_limits<double>::infinity();
@@ -95,15 +95,14 @@ private:
     double samples_per_metre_ = 0;
 };
 
-/// The distance [m] at which a sensor with this response has this value: what is measured, from what is read. The
-/// response rises with the distance, or falls, throughout.
+/// The distance [m] for a value of this response, which must rise or fall monotonically with the distance.
 double distance_at(const ResponseTable& response, double value);
 
-/// The points of a response table in CSV: columns `distance_m` (ascending, not negative) and `value`. `file` is named
-/// in errors.
+/// The points of a response table in CSV: columns `distance_m` (ascending, not negative) and `value`. Errors have
+/// `file`.
 Expected<std::vector<ResponseTable::Point>> read_csv_response(std::string_view text, const std::string& file);
 
-/// One sensor. `kind` decides which of the fields count.
+/// One sensor. `kind` determines which fields are used.
 struct SensorSpec {
     enum class Kind {
         range,    ///< a ray (or a cone of rays) that measures a distance
@@ -114,89 +113,90 @@ struct SensorSpec {
         reflect,  ///< light reflected by the floor, 0 to 100
         ambient,  ///< light of the room, 0 to 100
         scan,     ///< a scanner in the plane: a distance for each of its rays
-        imu,  ///< rates of turning [rad/s] about x, y, z and accelerations [m/s^2] along them, as felt: with gravity
+        imu,      ///< rates of turning [rad/s] about x, y, z, and measured accelerations [m/s^2] along them, including
+                  ///< gravity
     };
 
     std::string name;
     Kind kind = Kind::range;
     Point3D at{};                   ///< [m] in the body frame
     double yaw = 0;                 ///< [rad] direction of the ray in the body frame
-    double range = 0.6;             ///< [m] a range sensor sees no farther
-    double minimum = 0;             ///< [m] a range sensor sees no nearer
-    double cone = 0;                ///< [rad] full opening angle; 0: a single ray. Of a scan, its field of view
-    int rays = 1;                   ///< rays spread evenly over the cone, the nearest counts; of a scan, all count
-    double noise = 0;               ///< standard deviation, in units of the value; of an imu, of its rates
+    double range = 0.6;             ///< [m] maximum distance of a range sensor
+    double minimum = 0;             ///< [m] minimum distance of a range sensor
+    double cone = 0;                ///< [rad] full opening angle; 0: a single ray. For a scan, its field of view
+    int rays = 1;                   ///< rays spread evenly over the cone; the nearest hit counts. For a scan, all count
+    double noise = 0;               ///< standard deviation, in units of the value; for an imu, of its rates
     double acceleration_noise = 0;  ///< imu: [m/s^2] standard deviation of its accelerations
     double drift = 0;               ///< gyro: [rad/s]
-    double max_rate = 0;            ///< gyro: [rad/s] it can follow; 0: any
+    double max_rate = 0;            ///< gyro: [rad/s] largest rate; 0: no limit
     double travel = 0;              ///< touch: [m] until it closes
     double level = 0;               ///< ambient: of the simulated room, 0 to 100
     std::string on;                 ///< the actuator that carries it, or "" for the hull
     ResponseTable response;         ///< range: from distance to value
-    bool has_response = false;      ///< without a response the value is the distance itself
+    bool has_response = false;      ///< without a response, the value is the distance itself
     std::string port;               ///< which device of the real robot it is; "": the driver's own choice
 };
 
-/// Where the rays of a scan look.
+/// The directions of the rays of a scan.
 struct ScanAngles {
-    double first = 0;  ///< [rad] of the first ray from where the scanner looks: the rightmost one
+    double first = 0;  ///< [rad] of the first ray relative to the scanner: the rightmost ray
     double step = 0;   ///< [rad] from each ray to the next, counter-clockwise
 };
 
-/// Over a full turn the last ray is the neighbour of the first, and not the same. `scan.rays` are at least two.
+/// In a full turn the last ray is beside the first, not the same. `scan.rays` is at least two.
 inline ScanAngles angles_of(const SensorSpec& scan) {
     const bool is_closed = scan.cone > 2 * std::numbers::pi - 1e-6;
     return {-scan.cone / 2, scan.cone / (is_closed ? scan.rays : scan.rays - 1)};
 }
 
-/// One actuator beside the wheels.
+/// One actuator in addition to the wheels.
 struct ActuatorSpec {
     enum class Kind { leds, buzzer, servo, screen, speaker };
     std::string name;
     Kind kind = Kind::leds;
     int count = 1;                    ///< leds: how many
-    double max_rate = 0;              ///< servo: [rad/s] that it can do; 0: any
-    double speed = 0;                 ///< servo: [rad/s] that it turns at unless told otherwise; 0: as fast as it can
+    double max_rate = 0;              ///< servo: [rad/s] largest speed; 0: no limit
+    double speed = 0;                 ///< servo: [rad/s] default speed; 0: as fast as possible
     double minimum = 0, maximum = 0;  ///< servo: [rad]; equal: unlimited
     Point3D at{};                     ///< servo: [m] its axis in the body frame
     std::string port;                 ///< which device of the real robot it is; "": the driver's own choice
 };
 
-/// One port of the robot and what it stands for.
+/// One port of the robot, and what it is for.
 struct PortSpec {
     std::string name;
     bool is_input = false;
-    std::string type;  ///< a message type's name
+    std::string type;  ///< name of a message type
     std::vector<std::string>
         items;  ///< what it carries: sensors' or an actuator's names, or one of "velocity", "odometry", "drive"
     enum class Quantity { value, distance, rate, acceleration } quantity = Quantity::value;
     double rate = 0;               ///< [Hz] of an out-port; 0: every tick
     std::size_t queue = 0;         ///< length of an in-port's queue; 0: the latest value
-    bool off_when_silent = false;  ///< in-port of an actuator: it goes off when nothing came for `silence` seconds
+    bool off_when_silent = false;  ///< in-port of an actuator: off after `silence` seconds without a message
     std::string doc;
 };
 
-/// How the real robot is reached.
+/// The connection to the real robot.
 struct HardwareSpec {
     std::string driver;    ///< key of `Makers::bodies`; "": there is no real one
     std::string start;     ///< the button that starts a run with the real robot; "": none, it drives at once
     std::string shutdown;  ///< the button whose long press ends the run and shuts the computer down; "": none
 };
 
-/// Everything about a model of robot. Frame and units as in `BodySpec`.
+/// A robot model. Frame and units as in `BodySpec`.
 struct RobotSpec {
     std::string model;
     std::string doc;
     double mass = 0.5;      ///< [kg]
     double friction = 1.0;  ///< coefficient between wheels and floor, in simulation
-    double noise = 0;       ///< in simulation, standard deviation of each sensor that measures, as a part of its value
+    double noise = 0;       ///< in simulation: standard deviation of measuring sensors, relative to the value
     BodySpec body;
     DriveSpec drive;
     std::vector<SensorSpec> sensors;
     std::vector<ActuatorSpec> actuators;
     std::vector<PortSpec> ports;
     HardwareSpec hardware;
-    Place place;  ///< the file it came from
+    Place place;  ///< the file
 };
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Calibrations of cameras as ROS's camera_calibration writes them: ost.yaml.
+// Reads calibrations of cameras from ROS's camera_calibration: ost.yaml.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace nezumi {
 
-/// Reads the YAML file: the size of the pictures, the camera's matrix, and the lens as plumb_bob or
-/// rational_polynomial. `file` is named in errors, which say the line.
+/// Reads the YAML file: size of pictures, camera matrix, and distortion as plumb_bob or rational_polynomial. Errors
+/// have `file` and the line.
 Expected<CameraIntrinsics> read_ros_calibration(std::string_view text, const std::string& file);
 
 }  // namespace nezumi

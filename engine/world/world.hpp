@@ -1,5 +1,5 @@
-// The world behind the robots, as the engine and scenarios see it: a simulation, or the real one with next to no
-// answers.
+// The world of the robots, as the engine and scenarios see it: a simulation, or the real world with very little
+// information.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct CameraSettings;
 /// A robot of the world, in the order of adding, from 0.
 using RobotId = std::size_t;
 
-/// The id of a robot that no world simulates: a real one.
+/// The id of a real robot, which no world simulates.
 inline constexpr RobotId not_simulated = static_cast<RobotId>(-1);
 
 /// One value for the left wheel and one for the right.
@@ -40,83 +40,85 @@ struct Wheels {
     bool operator==(const Wheels&) const = default;
 };
 
-/// Whole pulses of the encoders, forward positive.
+/// Whole pulses of the encoders; forward is positive.
 struct WheelPulses {
     std::int64_t left = 0;
     std::int64_t right = 0;
     bool operator==(const WheelPulses&) const = default;
 };
 
-/// What the wheels' encoders say.
+/// A reading of the wheels' encoders.
 struct WheelReading {
-    bool is_there = false;  ///< whether they say anything
-    double tm = 0;          ///< [s] when they were read
-    WheelPulses pulses;     ///< since the start, `DriveSpec::encoder_pulses` a turn; not wrapped
+    bool is_there = false;  ///< whether there is a reading
+    double tm = 0;          ///< [s] time of the reading
+    WheelPulses pulses;     ///< since the start, `DriveSpec::encoder_pulses` per turn; without overflow
     Wheels speeds;          ///< [m/s] of the rims
 };
 
-/// What a sensor says, as its device has it.
+/// A reading of a sensor, as from its device.
 struct SensorReading {
-    bool is_there = false;  ///< whether it says anything; a port whose sensor does not is silent
-    double tm = 0;          ///< [s] when it was measured
-    double value = 0;       ///< what its response makes of it, 0 or 1, an angle [rad], a `FloorColor`, 0 to 100
-    double physical = 0;    ///< behind that value: of a range sensor the distance [m], of a gyro the rate [rad/s]
+    bool is_there = false;  ///< whether there is a reading; otherwise its port publishes nothing
+    double tm = 0;          ///< [s] time of the measurement
+    double value = 0;       ///< the value of its response, 0 or 1, an angle [rad], a `FloorColor`, 0 to 100
+    double physical = 0;    ///< the physical value: of a range sensor the distance [m], of a gyro the rate [rad/s]
 };
 
-/// One robot's hull, wheels and devices: what a driver or a simulator gives to the engine's `Robot`, which adds ports,
-/// safety and odometry. Nothing here waits for a device: what is read is what came last, what is set goes out by
-/// itself. Called once or more a tick; several robots at once on as many threads, some sensing while others act: what
-/// is set takes effect in the world's next step, and nobody else sees it before.
+/// One robot's hull, wheels and devices, which a driver or a simulator provides for the engine's `Robot`. `Robot` adds
+/// ports, safety and odometry. No function here waits for a device: a reading is the latest one, and commands are sent
+/// in the background. Called at least once per tick. Several robots may be used at once by as many threads, some
+/// sensing while others act: commands become effective in the next step of the world, and are invisible to others
+/// before.
 class RobotBody {
 public:
     virtual ~RobotBody() = default;
 
-    /// What the world calls this robot, or `not_simulated`.
+    /// The id of this robot in the world, or `not_simulated`.
     virtual RobotId id() const = 0;
 
     /// The encoders at `now`, `period` [s] after the last call.
     virtual WheelReading read_wheels(const Time& now, double period) = 0;
-    /// All sensors of the spec at `now`, in its order, one reading for each; good until the next call. Comes after
-    /// `read_wheels`, and not while the robot is not ACTIVE.
+    /// One reading for each sensor of the spec at `now`, in its order; valid until the next call. Called after
+    /// `read_wheels`, and only while the robot is ACTIVE.
     virtual std::span<const SensorReading> read_sensors(const Time& now, double period) = 0;
-    /// Whether somebody takes what scan `index` of the spec says in the next `read_sensors` calls: casting its rays is
-    /// the dearest part of a tick. It is taken until this says otherwise.
+    /// Whether the values of scan `index` of the spec are used in the next `read_sensors` calls, because casting its
+    /// rays is the most expensive part of a tick. Applies until the next call of this.
     virtual void set_due(std::size_t /*index*/, bool /*due*/) {}
-    /// What sensor `index` of the spec said in that call, of which one value is not all: of a scan the distances [m] of
-    /// its rays from right to left, of an imu three rates [rad/s] and three accelerations [m/s^2]. Empty for others.
+    /// The values of sensor `index` of the spec in that call, if it has several: of a scan the distances [m] of its
+    /// rays from right to left, of an imu three rates [rad/s] and three accelerations [m/s^2]. Empty for other sensors.
     virtual std::span<const double> sensor_values(std::size_t /*index*/) const { return {}; }
     /// Angle [rad] of servo `index` of the spec's actuators.
     virtual double servo_angle(std::size_t /*index*/) const { return 0; }
-    /// What has failed since the last call: one line for each with what to do about it, told once. The rest goes on.
+    /// The faults since the last call: one line each, with what to do, reported once. Everything else continues.
     virtual std::vector<std::string> take_faults() { return {}; }
 
-    /// Whether its supply lets it drive. Where it does not the robot brakes and stands, and `take_faults` says why.
+    /// Whether its power supply allows driving. If not, the robot brakes and stands, and `take_faults` gives the
+    /// reason.
     virtual bool may_drive() const { return true; }
-    /// Whether a wheel's motor gives all its power and does not get its speed, as its driver says.
+    /// Whether a wheel's motor has full power but does not reach its speed, as its driver reports.
     virtual bool is_stalled() const { return false; }
 
-    /// Surface speed [m/s] of each wheel to hold from now on, already limited.
+    /// The surface speed [m/s] that each wheel holds from now on, already limited.
     virtual void set_wheel_speeds(Wheels speeds) = 0;
     /// Lets the wheels roll freely until the next `set_wheel_speeds`.
     virtual void coast() = 0;
-    /// Power of the motors; called when it changes, at standstill. Without power the wheels roll freely.
+    /// Switches the power of the motors; called on changes, at standstill. Without power the wheels roll freely.
     virtual void set_motor_power(bool /*on*/) {}
-    /// Sends servo `index` of the spec's actuators to an angle [rad], already limited, at `speed` [rad/s] (0: as fast
-    /// as it can). Called when one of them changes.
+    /// Moves servo `index` of the spec's actuators to an angle [rad], already limited, at `speed` [rad/s] (0: as fast
+    /// as possible). Called on changes.
     virtual void aim_servo(std::size_t index, double angle, double speed) = 0;
-    /// Lights, in order; called when one changes.
+    /// Lights, in order; called on changes.
     virtual void set_leds(const std::vector<bool>& /*on*/) {}
-    /// Tone of the buzzer [Hz], 0 for silence; called when it changes.
+    /// Tone of the buzzer [Hz], 0 for silence; called on changes.
     virtual void set_buzzer(int /*hertz*/) {}
-    /// Shows a picture, whole and not empty, on screen `index` of the spec's actuators.
+    /// Shows a picture, complete and not empty, on screen `index` of the spec's actuators.
     virtual void show(std::size_t /*index*/, const CameraImage& /*picture*/) {}
-    /// Plays a sound after those that came before. Must not wait until it has been played.
+    /// Plays a sound after the earlier ones. Must not wait until it has been played.
     virtual void play(const Sound& /*sound*/) {}
-    /// Ends the sound that plays, and forgets those that wait.
+    /// Stops the present sound, and drops those that wait.
     virtual void silence() {}
 };
 
-/// What a world knows of a robot and no sensor tells.
+/// The true state of a robot, which sensors do not tell.
 struct Truth {
     Pose2D pose;
     Velocity2D velocity;  ///< in the robot's frame
@@ -131,7 +133,7 @@ struct Truth {
     };
 };
 
-/// A thing of the arena where it is now: for pictures and cameras.
+/// An object of the arena at its present pose, for pictures and cameras.
 struct ThingPose {
     enum class Shape { box, cylinder };
     Shape shape = Shape::box;
@@ -141,8 +143,8 @@ struct ThingPose {
     std::string name;  ///< "box 1", "cylinder 2", ... as the arena lists them; "wall" of its border
 };
 
-/// A marker where it is now. Its yaw is that of the outward normal, as `MarkerSpec::facing`; a pitch turns the normal
-/// down, a roll turns the marker about it.
+/// A marker at its present pose. Its yaw is that of the outward normal, as in `MarkerSpec::facing`; pitch turns the
+/// normal down, roll turns the marker about it.
 struct MarkerPose {
     std::string name;
     int id = 0;
@@ -150,15 +152,15 @@ struct MarkerPose {
     Pose3D pose;      ///< of its centre
 };
 
-/// What a range sensor's ray goes through: for pictures.
+/// The ray of a range sensor, for pictures.
 struct Ray {
     Point3D from{};  ///< [m] in the world
-    Point3D to{};    ///< [m] where it hits or ends
+    Point3D to{};    ///< [m] where it hits an object, or ends
     bool hit = false;
-    std::size_t distance = 0;  ///< which distance of the robot's range sensors and scans it measures
+    std::size_t distance = 0;  ///< index of its distance among those of the robot's range sensors and scans
 };
 
-/// Velocities forced on a robot from outside; what is not set stays free.
+/// Velocities that are forced on a robot; those that are not set stay free.
 struct VelocityConstraint {
     std::optional<double> vx;  ///< [m/s] along the robot's x axis
     std::optional<double> vy;  ///< [m/s]
@@ -169,74 +171,74 @@ class World {
 public:
     virtual ~World() = default;
 
-    /// Puts a robot on the floor. The spec must outlive the world. The body must not outlive the world; destroying it
-    /// takes the robot out of the world. An error when it overlaps a robot or a thing that is already there, naming
-    /// both, or when it is outside of an arena with a border.
+    /// Adds a robot. The spec must outlive the world. The body must not outlive the world; destroying the body removes
+    /// the robot. An error if the robot overlaps a robot or an object, which names both, or if it is outside of an
+    /// arena with a border.
     virtual Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& spec,
                                                            Pose2D pose) = 0;
 
     /// Advances by this many physics steps.
     virtual void step(int count) = 0;
-    /// Threads that may share out its steps, and that must be there in every step from now on; null: none. The result
-    /// is the same with any number.
+    /// Threads that share the steps, and that must exist in every step from now on; null: none. The result does not
+    /// depend on their number.
     virtual void use_threads(WorkerPool* /*threads*/) {}
-    /// Why it can't go on, once it can't: nothing moves any more.
+    /// The reason why it can't continue; then nothing moves any more. Null: it can.
     virtual const Error* breakdown() const { return nullptr; }
 
-    /// The truth about a robot.
+    /// The true state of a robot.
     virtual Truth truth(RobotId robot) const = 0;
-    /// The whole pose of a robot's body frame.
+    /// The full pose of a robot's body frame.
     virtual Pose3D pose(RobotId robot) const;
-    /// Whether the robot touched anything but the floor during the last `step` call.
+    /// Whether the robot touched anything except the floor during the last `step` call.
     virtual bool collided(RobotId robot) const = 0;
-    /// What the robot touched during the last `step` call: a robot's name, "wall", "box 2", ...; empty when nothing.
+    /// The object that the robot touched during the last `step` call: a robot's name, "wall", "box 2", ...; empty if
+    /// none.
     virtual std::string collided_with(RobotId robot) const = 0;
-    /// Where it touched that and whatever else [m], in the latest physics step of the last `step` call in which it did.
-    /// Empty when it touched nothing, and in a world that does not know.
+    /// The points [m] where it touched objects, in the latest physics step of the last `step` call with a contact.
+    /// Empty without contacts, and in a world that does not know them.
     virtual std::vector<Point3D> contact_points(RobotId /*robot*/) const { return {}; }
 
-    /// Puts a robot elsewhere, at rest. The odometry is not told. An error when the place is taken, or outside of an
-    /// arena with a border.
+    /// Moves a robot to a pose, at rest, without changing its odometry. An error if the place is occupied, or outside
+    /// of an arena with a border.
     virtual Expected<void> teleport(RobotId robot, Pose2D pose) = 0;
-    /// Forces these velocities on the robot until the next call; an empty constraint lets go.
+    /// Forces these velocities on the robot until the next call; an empty constraint ends it.
     virtual void disturb(RobotId robot, const VelocityConstraint& constraint) = 0;
-    /// Presses or lets go of a button or touch sensor, by its index in the spec's sensors.
+    /// Presses or releases a button or touch sensor, by its index in the spec's sensors.
     virtual void press(RobotId robot, std::size_t sensor, bool pressed) = 0;
 
-    /// Walls, boxes and cylinders where they are now.
+    /// Walls, boxes and cylinders at their present poses.
     virtual std::vector<ThingPose> things() const = 0;
-    /// Carries a box or cylinder elsewhere, at rest; a wall of the arena's border stays. Its height and tilt stay as
-    /// they are. An error when there is none of this name, which names the nearest, when the place is outside of an
-    /// arena with a border, and when it would lie in a robot or in a thing that can move; one that can move itself, in
-    /// anything.
+    /// Moves a box or cylinder to a pose, at rest, except the walls of the arena's border. Its height and tilt do not
+    /// change. An error if there is none with this name (names the nearest), if the place is outside of an arena with a
+    /// border, or if it would overlap a robot or a movable object; a movable one must not overlap anything.
     virtual Expected<void> move_thing(std::string_view name, const Pose2D& pose);
-    /// The arena's markers where they are now, in the order of the arena.
+    /// The arena's markers at their present poses, in the order of the arena.
     virtual std::vector<MarkerPose> markers() const { return {}; }
-    /// What a marker of this id looks like: the rows of cells within its black border's outer edges, from the top left,
-    /// '1' for white; empty when there is none.
+    /// The pattern of a marker with this id: rows of cells within the outer edges of its black border, from the top
+    /// left, '1' for white; empty if there is none.
     virtual std::vector<std::string> marker_cells(int /*id*/) const { return {}; }
-    /// Carries a marker elsewhere, wherever that is: a marker touches nothing. An error when there is none of this
-    /// name, which names the nearest, or when the pose is not finite.
+    /// Moves a marker to any pose, because a marker touches nothing. An error if there is none with this name (names
+    /// the nearest), or if the pose is not finite.
     virtual Expected<void> move_marker(std::string_view name, const Pose3D& pose);
-    /// Hangs up another marker. An error when its name is taken, or when it is none that can be seen.
+    /// Adds a marker. An error if its name is taken, or if it could not be seen.
     virtual Expected<void> add_marker(const MarkerSpec& marker);
-    /// Takes a marker away. An error when there is none of this name, which names the nearest.
+    /// Removes a marker. An error if there is none with this name (names the nearest).
     virtual Expected<void> remove_marker(std::string_view name);
-    /// A camera that looks at this world; must not outlive it. An error when there is nothing that can be looked at, or
-    /// no such robot.
+    /// Opens a camera in this world, which must outlive the camera. An error if this world can't be seen, or if there
+    /// is no such robot.
     virtual Expected<std::unique_ptr<CameraSource>> open_camera(const CameraMount& mount,
                                                                 const CameraSettings& settings);
-    /// The rays of the robot's range sensors as they are now.
+    /// The present rays of the robot's range sensors.
     virtual std::vector<Ray> rays(RobotId robot) const = 0;
 };
 
-/// How the physics of a world runs.
+/// Settings of the physics.
 struct PhysicsSpec {
     double step = 0.005;     ///< [s] fixed, independent of every rate
-    std::uint64_t seed = 0;  ///< decides everything that is drawn at random
+    std::uint64_t seed = 0;  ///< for all random numbers
 };
 
-/// Makes a world with this arena in it. Warnings go to `warn`.
+/// Makes a world with this arena. Warnings go to `warn`.
 using WorldFactory = std::function<Expected<std::unique_ptr<World>>(const ArenaSpec& arena, const PhysicsSpec& physics,
                                                                     std::function<void(const std::string&)> warn)>;
 

@@ -1,4 +1,4 @@
-// The word `argument` of system files: its value is given by `--set NAME=VALUE`, or is its default.
+// The word `argument` of system files: its value comes from `--set NAME=VALUE`, or is its default.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace nezumi {
 namespace {
 
-// "argument 'n' (integer): ..." of "parameter 'n' (integer): ...": both are checked alike.
+// "argument 'n' (integer): ..." from "parameter 'n' (integer): ...", because both have the same checks.
 std::string as_argument(const Error& error) {
     constexpr std::string_view parameter = "parameter ";
     const std::string& text = error.message;

@@ -12,28 +12,28 @@
 
 namespace nezumi {
 
-/// Where the calibration of the robot of this name is, beside a system's file.
+/// The path of a robot's calibration, in the folder of a system file.
 std::filesystem::path calibration_path(const std::filesystem::path& system, std::string_view robot);
 
-/// Reads a calibration. Errors say file and line; one that is torn in the middle is one of them. `shown` is the file's
-/// name in errors.
+/// Reads a calibration. Errors have file and line; an incomplete file is an error. `shown` is the file's name in
+/// errors.
 Expected<Calibration> read_calibration_text(std::string_view text, const std::string& shown, const Project& project);
 
-/// As a file has it.
+/// The text of a calibration file.
 std::string write_calibration(const Calibration& calibration);
 
-/// How a robot of a system gets the description that its calibration makes of its model.
+/// Options for applying a calibration to a robot of a system.
 struct CalibrationUse {
-    bool is_needed = false;  ///< that there is no calibration is an error
-    /// Of the computer that drives it: "" where that has none; nothing where none does.
+    bool is_needed = false;  ///< a missing calibration is an error
+    /// Serial number of the computer that drives it: "" if it has none; nothing if no computer drives it.
     std::optional<std::string> serial;
 };
 
-/// Gives a robot of the system its own description, once. Nothing is done where it has no calibration and needs none.
-/// Errors are those of the file, or say that it is another robot's.
+/// Applies its calibration to a robot, which gets its own description. Does nothing if there is no calibration and none
+/// is needed. Errors are those of the file, or say that it belongs to another robot.
 Expected<void> use_calibration(SystemSpec& spec, RobotEntry& robot, const Project& project, const CalibrationUse& use);
 
-/// The same for each robot of the system that says `calibrated = true`: it needs one.
+/// The same for each robot of the system with `calibrated = true`, which needs a calibration.
 Expected<void> use_asked_calibrations(SystemSpec& spec, const Project& project);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Lets a robot of a system that was read differ from what its file says.
+// Changes a robot of a system that has been read.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace nezumi {
 
-/// What the system says of this robot, with these fields of a robot file over it.
+/// The changes that the system makes to this robot, with these fields over them.
 Expected<Value> changes_with(const RobotEntry& robot, const Value& changes, const Project& project);
 
-/// Puts these fields of a robot file over what the system says of the robot of this name; a calibration it has is used
-/// again. What is wrong with them is said to `check`. An error when there is no such robot, which names the nearest.
+/// Puts these fields of a robot file over the description of the robot with this name, and applies its calibration
+/// again. Mistakes in the fields go to `check`. The error says that there is no such robot, and names the nearest.
 Expected<void> change_robot(SystemSpec& spec, const std::string& robot, const Value& changes, FieldCheck& check,
                             const Project& project);
 

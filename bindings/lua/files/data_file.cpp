@@ -1,4 +1,4 @@
-// The sandbox of files that say data.
+// The sandbox for files that describe data.
 #include "bindings/lua/files/data_file.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace nezumi {
 namespace {
 
-// Key of the registry's table of what modules returned, by their files.
+// Key of the table in the registry with the results of modules, by file.
 const char modules_key = 0;
 
 }  // namespace

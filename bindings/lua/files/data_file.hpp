@@ -1,4 +1,5 @@
-// Runs Lua files that say data (systems, robots) in a sandbox of their own, with `require` for the project's modules.
+// Runs Lua files that describe data (systems, robots), each in its own sandbox, with `require` for modules of the
+// project.
 #pragma once
 
 #include <cstdint>
@@ -23,20 +24,20 @@
 namespace nezumi {
 
 struct DataFileOptions {
-    Budget budget{2.0};                           ///< of CPU time, for the file and all that it requires
+    Budget budget{2.0};                           ///< of CPU time, for the file and all modules that it requires
     std::uint64_t seed = 0;                       ///< of `math.random`
-    std::function<void(std::string_view)> print;  ///< takes what `print` was given, a line at a time; may be empty
+    std::function<void(std::string_view)> print;  ///< gets the output of `print`, a line at a time; may be empty
 };
 
-/// A message that quotes what a file says, as one short line that a terminal can show.
+/// A message with text from a file, as one short line without control characters.
 std::string one_line(std::string text);
 
-/// The line of Lua code that called the C function which runs now; no file when there is none. Raises no Lua error.
+/// The line of Lua code that called the running C function; no file if there is none. Raises no Lua error.
 Place calling_place(lua_State* lua);
 
 class DataFile {
 public:
-    /// A function of such a file, and what its first upvalue, a light userdata, points to. Further upvalues: its place
+    /// A global function for a file. Its first upvalue is a light userdata that points to `self`, the second its index
     /// among the globals.
     struct Global {
         const char* name;
@@ -47,24 +48,24 @@ public:
     /// `project` must outlive it.
     static Expected<std::unique_ptr<DataFile>> create(const Project& project, DataFileOptions options);
 
-    /// Runs a text with these globals, and `require`, beside the sandbox's library. `shown` names it in messages. Its
-    /// first result is then on top of the stack. An error of `fail` comes before any other.
+    /// Runs a text with these globals and `require`, beside the sandbox's library. `shown` is its name in messages.
+    /// Afterwards its first result is on top of the stack. An error of `fail` comes before any other.
     Expected<void> run(std::string_view text, const std::string& shown, const std::vector<Global>& globals);
 
-    /// All that is wrong after a run that failed; a file that names unknown globals has one error for each.
+    /// All mistakes of a run that failed: one error for each unknown global, otherwise the first error.
     const std::vector<Error>& errors() const { return errors_; }
 
-    /// Keeps an error of one of our functions, the first one, with its place, and returns it with the text for Lua. The
-    /// run has failed, even if the file catches the Lua error that the function then raises.
+    /// Stores the first error of one of these functions, with its place, and returns it for raising it in Lua. The run
+    /// has failed, even if the file catches the Lua error.
     Error fail(Error error);
 
-    /// The text of a file that was run or required; null when it was not.
+    /// The text of a file that was run or required; null for other files.
     const FileSource* source(const std::string& shown) const;
     /// The files that were run or required, as the project shows them.
     const std::vector<std::string>& files() const { return files_; }
     lua_State* lua() const { return state_->lua(); }
     const Budget& budget() const { return options_.budget; }
-    /// An error of Lua, with the file's name when Lua knows no place.
+    /// The error for a Lua error, with the name of the file if Lua knows no place.
     Error to_error(const CallError& error) const;
 
 private:
@@ -80,14 +81,14 @@ private:
     DataFileOptions options_;
     KnownGlobals known_;
     std::string shown_;
-    std::optional<Error> error_;  // of a function, or of a file that does not compile
+    std::optional<Error> error_;  // of a function, or of a file that can't be compiled
     std::vector<Error> errors_;
     std::map<std::string, FileSource> sources_;
     std::vector<std::string> files_;
-    std::set<std::string> loading_;  // modules that run now
-    std::set<std::string> loaded_;   // modules whose results are in the registry's table
+    std::set<std::string> loading_;  // modules that are being loaded
+    std::set<std::string> loaded_;   // modules whose results are in a table in the registry
     std::string module_;             // the module that `find_module` found, as it is shown
-    Chunk chunk_;                    // and its code
+    Chunk chunk_;                    // its code
     std::unique_ptr<LuaState> state_;
 };
 

@@ -1,4 +1,4 @@
-// The checks of fields, and what they say.
+// Checks of fields, and their messages.
 #include "bindings/lua/files/file_fields.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ const FileTable& empty_table() {
     return table;
 }
 
-// Why the value is no number of this field, or "".
+// The error if the value is not a number for this field, or "".
 std::string read_number(const Value& value, const Rule& rule, std::string_view unit, double& out) {
     const auto number = number_of(value);
     if (!number) return fmt::format("expected {}, got {}", words_for(rule.range), kind_of(value));

@@ -1,5 +1,4 @@
-// Strict reading of the tables that a person wrote: every field is asked for by name, and what was not asked for is an
-// error.
+// Strict reading of tables that a person wrote: each field is read by name, and every other field is an error.
 #pragma once
 
 #include <optional>
@@ -17,21 +16,22 @@
 
 namespace nezumi {
 
-/// What is wrong with one call of a word. Keeps the first error of the gravest kind: a field nobody knows (a slip
-/// explains the field that is missing), then a value that does not fit, then a field that is missing.
+/// Collects the mistakes of one call. Keeps the first of the most serious kind: an unknown field (which often explains
+/// a missing field), then a wrong value, then a missing field.
 class FieldCheck {
 public:
-    /// `what` begins every message: "robot 'mouse'". `source` may be null. `noun` is what the fields are called.
+    /// Every message begins with `what`: "robot 'mouse'". `source` may be null. `noun` is the name of a field in
+    /// messages.
     FieldCheck(std::string what, std::string word, Place call, const FileSource* source, std::string noun = "field")
         : what_(std::move(what)),
           word_(std::move(word)),
           call_(std::move(call)),
           source_(source),
           noun_(std::move(noun)) {}
-    /// Of the options of a call from Lua: whoever raises the error says where.
+    /// For the options of a call from Lua; the caller adds the place to the error.
     static FieldCheck of_options(std::string what) { return {std::move(what), "", {}, nullptr, "option"}; }
 
-    /// What the call was given, by which it is told from others in its line. The table is not copied.
+    /// The arguments of the call, which distinguish it from other calls in its line. The table is not copied.
     void set_given(GivenTable given) { given_ = std::move(given); }
 
     void unknown(const FieldPath& path, std::string_view hint);
@@ -42,7 +42,7 @@ public:
     void explain(const FieldPath& path, std::string_view text);
     /// "robot 'mouse': TEXT", at the place of the field.
     void wrong_at(const FieldPath& path, std::string_view text);
-    /// An error that has words and a place of its own.
+    /// An error with its own text and place.
     void wrong(Error error);
 
     bool ok() const { return gravity_ == 0; }
@@ -66,17 +66,17 @@ private:
     Error error_;
 };
 
-/// One table and what has been asked of it. A getter leaves `out` as it is when there is no such field; it returns
-/// whether there is one that fits.
+/// One table, and the fields that have been read. A getter leaves `out` unchanged if there is no such field. It returns
+/// whether the field exists and fits.
 class Fields {
 public:
-    /// `value` nil: an empty table.
+    /// A nil `value` is an empty table.
     Fields(FieldCheck& check, const Value& value, FieldPath path = {});
 
-    /// nullptr when there is none.
+    /// nullptr if there is no such field.
     const Value* field(std::string_view name);
     bool has(std::string_view name) { return field(name) != nullptr; }
-    /// Whether there is one, without asking for it: it may still be unknown.
+    /// Whether the field exists, without marking it as read; it may still be reported as unknown.
     bool gives(std::string_view name) const { return table_->find(name) != nullptr; }
     bool boolean(std::string_view name, bool& out);
     bool number(std::string_view name, double& out, const Rule& rule = {}, std::string_view unit = "");
@@ -84,9 +84,9 @@ public:
     bool text(std::string_view name, std::string& out);
     /// `{ x, y }` or `{ x =, y = }`.
     bool point(std::string_view name, Point2D& out, NumberRange range = NumberRange::any);
-    /// `{ x, y, z }` or `{ x =, y =, z = }`; z may be left out, and keeps its value, when `z_optional`.
+    /// `{ x, y, z }` or `{ x =, y =, z = }`. If `z_optional`, z may be omitted and keeps its value.
     bool point(std::string_view name, Point3D& out, NumberRange range = NumberRange::any, bool z_optional = false);
-    /// One of these words, as its index.
+    /// The index of one of these texts.
     bool choice(std::string_view name, std::size_t& out, std::span<const std::string_view> choices);
     /// A text or a list of texts.
     bool names(std::string_view name, std::vector<std::string>& out);
@@ -94,18 +94,18 @@ public:
     bool values(std::string_view name, ParameterValues& out);
     /// `{ x =, y =, heading = }`.
     bool pose(std::string_view name, Pose2D& out);
-    /// The coordinates of a place that are lengths, none too small for physics.
+    /// Checks that those coordinates that are lengths are large enough for the physics.
     void check_lengths(std::string_view name, const Rule& rule, std::string_view unit, std::span<const double> lengths);
-    /// The fields of a table within; those of an empty one when there is none.
+    /// The fields of an inner table; none if there is no such table.
     Fields inner(std::string_view name);
-    /// Every field, by its name in ascending order, when the names are the person's own.
+    /// Every field in ascending order, for tables with names that the person chooses.
     const std::vector<FileField>& all() const { return table_->fields; }
-    /// The elements 1..n, which are then no longer unknown.
+    /// The elements 1..n; marks them as read.
     const std::vector<Value>& elements();
 
-    /// An error when there is no such field. `expected` says what belongs there.
+    /// An error if there is no such field. `expected` describes its value.
     void require(std::string_view name, std::string_view expected);
-    /// Refuses every field that was not asked for. `hint` may explain a name: it returns "" or " (...)".
+    /// Refuses every field that was not read. `hint` may explain a name; it returns "" or " (...)".
     void done(std::string (*hint)(std::string_view name) = nullptr);
 
     FieldCheck& check() { return check_; }

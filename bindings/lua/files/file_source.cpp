@@ -1,4 +1,4 @@
-// Visits the tables that calls are given, and notes where each field stands.
+// Visits the table arguments of calls, and stores the place of each field.
 #include "bindings/lua/files/file_source.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 using Kind = SyntaxNode::Kind;
 
-// What a literal says; nothing when that is not plain.
+// The value of a literal; nothing if it is not simple.
 std::optional<Value> value_of(const Token& token) {
     if (token.is("nil")) return Value{};
     if (token.is("true") || token.is("false")) return Value{token.is("true")};
@@ -29,7 +29,7 @@ std::optional<Value> value_of(const Token& token) {
     return Value{number};
 }
 
-// The same of an expression: a literal, or a number with a minus.
+// The same for an expression: a literal, or a number with a minus sign.
 std::optional<Value> value_of(const SyntaxNode& expression) {
     if (expression.is(Kind::literal)) return value_of(*expression.first);
     if (!expression.is(Kind::unary) || !expression.word->is("-") || !expression.child->is(Kind::literal))
@@ -39,7 +39,7 @@ std::optional<Value> value_of(const SyntaxNode& expression) {
     return number ? std::optional(Value{-*number}) : std::nullopt;
 }
 
-// The tables that an expression may give: itself, or operands of it.
+// The tables that an expression may have as its value: itself, or operands of it.
 std::vector<const SyntaxNode*> tables_of(const SyntaxNode& expression) {
     std::vector<const SyntaxNode*> tables;
     std::vector<const SyntaxNode*> waiting{&expression};
@@ -54,7 +54,7 @@ std::vector<const SyntaxNode*> tables_of(const SyntaxNode& expression) {
     return tables;
 }
 
-// Whether a literal gives this value; null: no value.
+// Whether a literal has this value; null: no value.
 bool gives(const Value& literal, const Value* value) {
     if (value == nullptr || literal.is_nothing()) return value == nullptr && literal.is_nothing();
     if (const auto number = number_of(literal)) return number_of(*value) == number;
@@ -67,13 +67,13 @@ bool gives(const Value& literal, const Value* value) {
 }  // namespace
 
 struct FileSource::Node {
-    std::string key;  // of a field; of a call the word
+    std::string key;  // the name of a field, or the word of a call
     int line = 0;
     int column = 0;
     std::vector<std::unique_ptr<Node>> children;
-    std::optional<Value> literal;  // of a field that is one; of a call the name before its table
-    bool is_table = false;         // of a field: it is a table, as calls are, and nothing else
-    bool has_more = false;         // of a table: not all of its keys can be read off the text
+    std::optional<Value> literal;  // the value of a field that is a literal; of a call the name before its table
+    bool is_table = false;         // of a field: it is a table or a call, and nothing else
+    bool has_more = false;         // of a table: the text does not show all of its keys
 
     const Node* child(std::string_view name) const {
         const auto found =
@@ -89,14 +89,15 @@ struct FileSource::Node {
         return &node;
     }
 
-    // Whether a call of this text may have been given this.
+    // Whether a call of this text may have had these arguments.
     bool may_be(const GivenTable& given) const {
         if (literal && !given.name.empty() && *literal->get_if<std::string>() != given.name) return false;
         return given.table == nullptr || may_give(given.table);
     }
 
 private:
-    // Whether the text of a field may give this value: its literals do, and it has all that a table has. Null: none.
+    // Whether the text of a field may have this value: its literals are equal, and all fields of a table are there.
+    // Null: no value.
     bool may_give(const Value* value) const {
         if (literal && !is_table) return gives(*literal, value);
         if (!is_table) return true;
@@ -110,7 +111,7 @@ private:
             if (!each->may_give(is_there ? &table->elements[elements] : table->find(each->key))) return false;
             if (!is_element) continue;
             ++elements;
-            may_go_on = !each->literal && !each->is_table;  // a call that comes last gives many
+            may_go_on = !each->literal && !each->is_table;  // a call in the last position may return several values
         }
         return has_more || ((may_go_on || table->elements.size() <= elements) &&
                             std::all_of(table->fields.begin(), table->fields.end(),
@@ -118,13 +119,13 @@ private:
     }
 };
 
-// Notes the tables that a call is given, and their fields.
+// Stores the table arguments of calls, and their fields.
 class FileSource::Reader {
 public:
     static void read_call(const SyntaxNode& call, Node& calls) {
         const SyntaxNode& called = *call.child;
         const SyntaxNode* const given = call.last;
-        // `robot "m" { }`: the word and the name are those of the call that the table is given to.
+        // `robot "m" { }`: word and name belong to the call that gets the table.
         const bool is_second = called.is(Kind::call) || called.is(Kind::method_call);
         const SyntaxNode& first = is_second ? called : call;
         const Token* const word = first.is(Kind::method_call) ? first.word : first.child->word;
@@ -171,7 +172,7 @@ private:
 std::string to_text(const FieldPath& path) {
     std::string text;
     for (const std::string& part : path) {
-        if (!text.empty() && !part.starts_with('[')) text += '.';  // a person's own name may be empty
+        if (!text.empty() && !part.starts_with('[')) text += '.';  // a name that a person chose may be empty
         text += part;
     }
     return text;
@@ -195,7 +196,7 @@ Place FileSource::find(std::string_view word, const Place& call, const FieldPath
     for (const auto& each : calls_->children) {
         if (each->key == word && each->line == call.line) begun.push_back(each.get());
     }
-    // Lua only knows the line: which of several calls it was is seen by what it was given.
+    // Lua knows only the line; the arguments tell which of several calls it was.
     if (begun.size() > 1) std::erase_if(begun, [&](const Node* each) { return !each->may_be(given); });
     if (begun.size() != 1) return call;
     const Node* const whole = begun.front();

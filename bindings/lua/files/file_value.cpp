@@ -1,4 +1,4 @@
-// Copies values out of Lua without ever raising a Lua error.
+// Copies values out of Lua without raising Lua errors.
 #include "bindings/lua/files/file_value.hpp"
 
 #include <fmt/format.h>
@@ -43,7 +43,7 @@ public:
     }
 
 private:
-    // Only for what is a string already: converting a number could raise an error.
+    // Only for strings, because the conversion of a number could raise an error.
     std::string text_at(int index) {
         std::size_t size = 0;
         const char* text = lua_tolstring(lua_, index, &size);
@@ -105,7 +105,7 @@ private:
     std::size_t parts_ = 0;
 };
 
-// All elements as T, or nothing when one is no T.
+// All elements as T, or nothing if one is not a T.
 template <class T>
 std::optional<std::vector<T>> all_as(const FileTable& table) {
     std::vector<T> values;

@@ -1,4 +1,4 @@
-// A system file is told by its globals: a behaviour that used them would be refused.
+// Recognizes a system file by its globals, which a behaviour may not use.
 #include "bindings/lua/files/find_script.hpp"
 
 #include <fmt/format.h>
@@ -20,10 +20,10 @@ bool has(const Names& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// The words that a system can't do without: others, as `map` or `rate`, may be slips of a behaviour.
+// Words that only a system file contains; others, such as `map` or `rate`, may be mistakes in a behaviour.
 constexpr std::array<std::string_view, 5> naming_words{"arena", "robot", "behavior", "component", "connect"};
 
-// Whether a text makes a system, or has one made by what it requires.
+// Whether a text is a system file, also through modules that it requires.
 bool is_system(std::string_view text) {
     int of_systems = 0;
     int of_others = 0;

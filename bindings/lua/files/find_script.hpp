@@ -1,4 +1,4 @@
-// Where the script that a behaviour names is.
+// Finds the script of a behaviour.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace nezumi {
 
-/// Where the script `name` is, as `Project::find` finds it but for system files: a behaviour often has a system of its
-/// own name, and no system is a script. The error has no place of its own.
+/// The path of the script `name`, as `Project::find` finds it, but without system files: a system often has the name of
+/// a behaviour. The error has no place.
 Expected<std::filesystem::path> find_script(const Project& project, std::string_view name,
                                             const std::filesystem::path& named_in);
 

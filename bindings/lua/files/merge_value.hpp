@@ -1,4 +1,4 @@
-// Puts the fields of one table over those of another: how a robot differs from the one that it builds on.
+// Merges the fields of two tables, for a robot that differs from the robot that it builds on.
 #pragma once
 
 #include "bindings/lua/files/file_fields.hpp"
@@ -6,12 +6,12 @@
 
 namespace nezumi {
 
-/// The table of a robot file with these changes. Tables with names merge; lists, places and things that change their
-/// kind are replaced whole; `false` takes a field away. A sensor, actuator or port that `false` would take away and
-/// that is not there is an error, which names the nearest. `path` is where the changes stand.
+/// The table of a robot file with these changes. Tables with names are merged. Lists, positions, and sensors or
+/// actuators of another kind are replaced as a whole; `false` removes a field. If `false` is given for a sensor,
+/// actuator or port that does not exist, this is an error, which names the nearest. `path` is the path of the changes.
 Value merge_values(FieldCheck& check, const Value& base, const Value& changes, const FieldPath& path = {});
 
-/// Two changes, one after the other, as one: what the second takes away it still takes away.
+/// Combines two changes into one; a removal in the second one stays a removal.
 Value combine_changes(const Value& first, const Value& second);
 
 }  // namespace nezumi

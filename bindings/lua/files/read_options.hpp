@@ -1,4 +1,4 @@
-// Reads a table of options in a call from Lua, by the description of what takes them.
+// Reads a table of options in a call from Lua, by the description of its structure.
 #pragma once
 
 #include <lua.hpp>
@@ -8,7 +8,7 @@
 
 namespace nezumi {
 
-/// Reads the table at `index`; nothing there is an empty one. `by_hand(fields)` takes what no description can read.
+/// Reads the table at `index`; no value is an empty table. `by_hand(fields)` reads fields that descriptions can't read.
 /// Raises no Lua error.
 template <Recorded T, class ByHand>
 Expected<void> read_options(lua_State* lua, int index, FieldCheck check, T& out, Reading reading, ByHand by_hand) {

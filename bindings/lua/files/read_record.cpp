@@ -1,4 +1,4 @@
-// One reader for every structure, by its type's table.
+// One reader for all structures, by the table of their type.
 #include "bindings/lua/files/read_record.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ void read_inner(Fields& fields, const Type::Field& field, const ValuePlace& out)
     inner.done();
 }
 
-// One of these words; returns whether there is one that fits.
+// One of these texts; returns whether it is one of them.
 template <class Texts>
 bool read_choice(Fields& fields, const Type::Field& field, const Texts& choices, std::size_t& out) {
     return fields.choice(field.name, out, std::vector<std::string_view>(choices.begin(), choices.end()));
@@ -52,7 +52,7 @@ void read_structure(Fields& fields, const Type::Field& field, const ValuePlace& 
     }
 }
 
-// A structure that is there or not: a table, true or false.
+// An optional structure: a table, true or false.
 void read_switched(Fields& fields, const Type::Field& field, const ValuePlace& out) {
     const Value* value = fields.field(field.name);
     const bool* is_there = value != nullptr ? value->get_if<bool>() : nullptr;
@@ -75,7 +75,7 @@ void read_optional(Fields& fields, const Type::Field& field, const ValuePlace& o
     read_setting(fields, field, {*out.type->element, out.first()});
 }
 
-// Values by name, or sets of these by name.
+// Values by name, or sets of values by name.
 void read_map(Fields& fields, const Type::Field& field, const ValuePlace& out) {
     if (out.type->element->kind == Type::Kind::any) {
         fields.values(field.name, out.as<ParameterValues>());
@@ -125,7 +125,7 @@ void read_record(Fields& fields, const ValuePlace& out, Reading reading) {
         const Rule& rule = *field.rule;
         if (rule.of != 0 && reading.kind != 0 && (rule.of & reading.kind) == 0) continue;
         const Value* value = fields.field(field.name);
-        if (field.type->kind == Type::Kind::nothing) continue;  // read by hand, into no member
+        if (field.type->kind == Type::Kind::nothing) continue;  // read by hand, without a member
         if (value == nullptr && rule.required && reading.is_whole) {
             fields.require(field.name,
                            fmt::format("{}{}{}{}{}", words_of(*field.type, rule), field.unit.empty() ? "" : " in ",

@@ -1,4 +1,4 @@
-// Words for what may stand in a field.
+// Describes the values of fields in words.
 #include "bindings/lua/files/record_shape.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ std::string list_of(const Texts& names, bool quoted, std::string_view separator)
 
 bool is_switched(const Type& type) { return type.kind == Type::Kind::optional && is_record(*type.element); }
 
-// The type of a field in Lua, as editors know it.
+// The Lua type of a field, as editors know it.
 std::string lua_type_of(const Type& type, const Rule& rule) {
     if (&type == &type_of<Point2D>() || &type == &type_of<Point3D>()) return "number[]";
     if (&type == &type_of<Pose2D>()) return "{ x?: number, y?: number, heading?: number }";
@@ -51,7 +51,7 @@ std::string kinds_of(const Type& record, unsigned of) {
     return text;
 }
 
-// What a field that was not given holds, as a file would say it; "" for nothing.
+// The default of a field as text of a file; "" if there is none.
 std::string fallback_of(const ValueView& value, const Rule& rule) {
     if (!rule.fallback.empty()) return std::string(rule.fallback);
     const bool is_place = value.type->kind == Type::Kind::structure && !is_record(*value.type);

@@ -1,5 +1,4 @@
-// The structures that a person writes as tables, in words: what editors' annotations and the tables of the
-// documentation are made from.
+// Describes structures that a person writes as tables, for editors' annotations and tables of the documentation.
 #pragma once
 
 #include <string>
@@ -10,11 +9,11 @@
 
 namespace nezumi {
 
-/// One field as a person sees it.
+/// The description of one field.
 struct FieldRow {
     std::string name;
-    std::string type;    ///< Lua's, as editors know it
-    std::string values;  ///< in words
+    std::string type;    ///< the Lua type, as editors know it
+    std::string values;  ///< the values in words
     std::string unit;    ///< "" for none
     std::string doc;
     std::string fallback;  ///< what holds without it; "" for nothing
@@ -32,7 +31,7 @@ struct RecordShape {
 /// "robot_model": "RobotModelFields", "parameter_options": "ParameterOptions".
 std::string class_of(std::string_view record);
 
-/// What belongs into a field of this type, in words: "a positive number", "{ x, y, z }", "one of box, cylinder".
+/// The values of a field of this type in words: "a positive number", "{ x, y, z }", "one of box, cylinder".
 std::string words_of(const Type& type, const Rule& rule);
 
 RecordShape shape_of(const Type& record);

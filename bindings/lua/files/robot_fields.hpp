@@ -1,4 +1,4 @@
-// The table of a robot file, field by field, as a robot's description.
+// Reads the fields of a robot file into a robot's description.
 #pragma once
 
 #include <functional>
@@ -10,33 +10,33 @@
 
 namespace nezumi {
 
-/// What the description needs from outside its table.
+/// Functions for parts of a description that are outside of its table.
 struct RobotFileHelp {
-    /// The points of the table in this file, looked up beside the file that names it at this path.
+    /// The points of the table in this file, which is searched beside the file that names it at this path.
     std::function<Expected<std::vector<ResponseTable::Point>>(const FieldPath& path, const std::string& file)>
         read_table;
-    /// What the function at this path of the table returns for each of these distances [m]. Infinite values are let
-    /// through.
+    /// The values that the function at this path of the table returns for these distances [m]. Infinite values are
+    /// accepted.
     std::function<Expected<std::vector<double>>(const FieldPath& path, const std::vector<double>& distances)> call;
-    /// The drivers of real robots that there are; empty: nobody knows, and every name is let through.
+    /// The names of all drivers of real robots; empty: unknown, so every name is accepted.
     std::vector<std::string> drivers = {};
 };
 
-/// How many values of a response function are taken.
+/// The number of samples of a response function.
 inline constexpr std::size_t response_samples = 1024;
 
-/// Reads the table given to `robot_model`. What is wrong is said to `check`; then the result is of no use. Without a
-/// body the robot is a box about as large as its track; of target velocity, odometry and measured velocity the robot
-/// has the Raspberry Pi Mouse's ports, unless the file gives it others for them.
+/// Reads the table of `robot_model`. Mistakes go to `check`; then the result must not be used. Without a body, the
+/// robot is a box about as large as its track. Unless the file has other ports for target velocity, odometry and
+/// measured velocity, the robot has those of the Raspberry Pi Mouse.
 RobotSpec read_robot_fields(FieldCheck& check, const Value& value, const RobotFileHelp& help);
 
-/// One sensor of this name. Its place is given from the centre of `body`.
+/// Reads the sensor with this name. Its position is relative to the centre of `body`.
 SensorSpec read_sensor_fields(const std::string& name, Fields& sensor, const BodySpec& body, const RobotFileHelp& help);
 
-/// Points of a response in a file, `{ { 0.01, 1394 }, { 0.02, 792 } }`, the field 'table' of a sensor.
+/// Points of a response, `{ { 0.01, 1394 }, { 0.02, 792 } }`, from the field 'table' of a sensor.
 std::vector<ResponseTable::Point> read_points(Fields& sensor, const FileTable& table);
 
-/// A place given from the hull's centre, in the body frame.
+/// Converts a position relative to the hull's centre to the body frame.
 Point3D on_body(const BodySpec& body, const Point3D& at);
 
 }  // namespace nezumi

@@ -14,11 +14,11 @@
 
 namespace nezumi {
 
-/// A robot file that was read, with the files that it builds on: kept for robots that differ from it. Its functions are
-/// called when what they depend on changes.
+/// A robot file that was read, with the files that it builds on. It is kept for robots that differ from it: its
+/// functions are called again when their inputs change.
 class RobotFile {
 public:
-    /// `project` must outlive it. Errors say file and line.
+    /// `project` must outlive it. Errors have file and line.
     static Expected<std::unique_ptr<RobotFile>> read(const std::filesystem::path& path, const Project& project);
     ~RobotFile();
     RobotFile(const RobotFile&) = delete;
@@ -27,8 +27,8 @@ public:
     const RobotSpec& spec() const;
     /// Every file that was read, as the project shows them.
     std::vector<std::string> files() const;
-    /// This robot with other values of some fields of the file, as `merge_values` puts them over its own. What is wrong
-    /// is said to `check`; then the result is of no use. Tables are looked up beside `named_in`.
+    /// This robot with other values of some fields, merged by `merge_values`. Mistakes go to `check`; then the result
+    /// must not be used. Tables are searched beside `named_in`.
     RobotSpec changed(FieldCheck& check, const Value& changes, const std::string& named_in);
 
 private:
@@ -42,25 +42,25 @@ private:
     std::unique_ptr<Layer> layer_;
 };
 
-/// Reads a robot file. Tables (`table = "x.csv"`) are looked up beside it. Errors say file and line. `files`, if given,
+/// Reads a robot file. Tables (`table = "x.csv"`) are searched beside it. Errors have file and line. `files`, if given,
 /// gets every file that was read, as the project shows them.
 Expected<RobotSpec> read_robot_file(const std::filesystem::path& path, const Project& project,
                                     std::vector<std::string>* files = nullptr);
 
-/// The same from text; `shown` is the file's name in errors, and its folder is where tables are looked up.
+/// The same from a text; `shown` is the file's name in errors, and tables are searched in its folder.
 Expected<RobotSpec> read_robot_text(std::string_view text, const std::string& shown, const Project& project,
                                     std::vector<std::string>* files = nullptr);
 
-/// The same of a robot of a system: `changes` is the text of a table with the fields in which it differs from its
-/// model, or "".
+/// The same for a robot of a system: `changes` is the text of a table with the fields that differ from its model, or
+/// "".
 Expected<RobotSpec> read_changed_robot(const std::filesystem::path& model, const std::string& changes,
                                        const Project& project, std::vector<std::string>* files = nullptr);
 
-/// Such changes as data. `shown` is named in errors.
+/// Such changes as data. `shown` is the name in errors.
 Expected<Value> read_changes(const std::string& changes, const std::string& shown, const Project& project);
 
-/// All that is wrong with a robot file; empty when it can be read. For editors: every unknown global is one error, of
-/// anything else the first. `drivers`: those of real robots that there are; empty: nobody knows.
+/// All mistakes of a robot file; empty if it can be read. For editors: one error for each unknown global, otherwise the
+/// first error. `drivers` are the names of all drivers of real robots; empty: unknown.
 std::vector<Error> check_robot_text(std::string_view text, const std::string& shown, const Project& project,
                                     const std::vector<std::string>& drivers = {});
 

@@ -1,4 +1,4 @@
-// Lets a robot of a system that was read begin with other values of its parameters.
+// Sets initial values of robot parameters in a system that has been read.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace nezumi {
 
-/// The field of a robot file that a parameter begins with, at this value: `{ actuators = { NAME = { speed = VALUE } }
-/// }`. The error names the nearest parameter, or the bound that the value breaks.
+/// The field of a robot file for a parameter with this value: `{ actuators = { NAME = { speed = VALUE } } }`. The error
+/// names the nearest parameter, or the limit that the value exceeds.
 Expected<Value> field_of_parameter(const RobotSpec& robot, const std::string& parameter, const Value& value);
 
-/// Lets the robot of this name begin with this value. An error has the place `place`.
+/// Sets the initial value of a parameter of the robot with this name. An error has the place `place`.
 Expected<void> set_robot_parameter(SystemSpec& spec, const std::string& robot, const std::string& parameter,
                                    const Value& value, const Place& place, const Project& project);
 
-/// Lets it begin with the values that `from`, a robot of `saved`, begins with.
+/// Sets the initial values to those of `from`, a robot of `saved`.
 Expected<void> take_robot_parameters(SystemSpec& spec, const std::string& robot, const SystemSpec& saved,
                                      const RobotEntry& from, const Project& project);
 

@@ -1,4 +1,4 @@
-// Values of parameters that whoever starts a system puts in place of the system file's.
+// Parameter values that replace those of the system file when a system starts.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@
 
 namespace nezumi {
 
-/// Puts them into `spec`. `project` finds what the file names. What the parameters themselves refuse is left to
-/// `build_system`, which then names the option, or the line of the file.
+/// Puts them into `spec`. `project` finds the files that are named. Values that a parameter refuses are reported by
+/// `build_system`, which names the option or the line of the file.
 Expected<void> apply(const StartValues& values, SystemSpec& spec, const Project& project);
 
-/// What a text of the command line stands for: 30, 0.3, true, "text", { 1, 2 } as in Lua; any other word is a text.
+/// The value of a text of the command line: 30, 0.3, true, "text", { 1, 2 } as in Lua; any other word is a text.
 /// `shown` is the option in errors.
 Expected<Value> read_option_value(const std::string& text, const Project& project, const std::string& shown);
 
-/// Whether "n=10" sets an argument of a system file: there is no dot before its =.
+/// Whether "n=10" sets an argument of a system file: there is no dot before the =.
 bool sets_argument(std::string_view text);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Reads system files: what there is and how it is wired, as data.
+// Reads system files as data.
 #pragma once
 
 #include <filesystem>
@@ -12,17 +12,17 @@
 
 namespace nezumi {
 
-/// Reads a system file and every file that it names, except scripts, which are only found. Errors say file and line.
-/// What needs the components themselves (ports, parameters, overlaps) is left to `build_system`.
+/// Reads a system file and every file that it names, except scripts, which are only searched. Errors have file and
+/// line. Checks that need the components themselves (ports, parameters, overlaps) are done by `build_system`.
 Expected<SystemSpec> read_system_file(const std::filesystem::path& path, const Project& project,
                                       const SystemFileOptions& options = {});
 
-/// The same from text; `shown` is the file's name in errors, and its folder is where names are looked up first.
+/// The same from a text; `shown` is the file's name in errors, and names are first searched in its folder.
 Expected<SystemSpec> read_system_text(std::string_view text, const std::string& shown, const Project& project,
                                       const SystemFileOptions& options = {});
 
-/// All that is wrong with a system file, as far as it is known without building the system; empty when it can be read.
-/// For editors: every unknown global is one error, of anything else the first.
+/// All mistakes of a system file that can be found without building the system; empty if it can be read. For editors:
+/// one error for each unknown global, otherwise the first error.
 std::vector<Error> check_system_text(std::string_view text, const std::string& shown, const Project& project);
 
 }  // namespace nezumi

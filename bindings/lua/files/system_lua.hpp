@@ -1,4 +1,4 @@
-// The system's words as Lua functions: globals of a system file, methods of a scenario's object.
+// The words of systems as Lua functions: globals of a system file, or methods of a scenario's object.
 #pragma once
 
 #include <functional>
@@ -14,45 +14,45 @@
 
 namespace nezumi {
 
-/// What the words' functions work on. Must outlive the Lua state that has them.
+/// The data of these functions. Must outlive their Lua state.
 struct WordHost {
     SystemWords* words = nullptr;
     /// The text of a file, for places within a call; may be empty, and may return null.
     std::function<const FileSource*(const std::string& shown)> source{};
-    /// Is given the error of a word, and returns what is raised in Lua. Empty: the error itself.
+    /// Gets the error of a word, and returns the error to raise in Lua. Empty: raises the error itself.
     std::function<Error(Error error)> fail{};
-    /// Pushes what `robot "mouse" { ... }` and its like return, by the name. May raise a Lua error. Empty: they return
-    /// nothing.
+    /// Pushes the result of `robot "mouse" { ... }` and similar words, by the name. May raise a Lua error. Empty: they
+    /// return nothing.
     std::function<void(lua_State* lua, std::string_view name)> push_entry{};
-    /// "name.port" of the object that an argument is; nothing when it is no port. An error when words can't have this
-    /// port. Raises no Lua error. Empty: there are no such objects.
+    /// "name.port" of an argument that is a port object; nothing for other values. An error if words can't use this
+    /// port. Raises no Lua error. Empty: there are no port objects.
     std::function<Expected<std::optional<std::string>>(lua_State* lua, int index)> port_path{};
-    /// Where a word was called last.
+    /// The place of the last call.
     Place called{};
-    /// How many words were called.
+    /// The number of calls.
     std::size_t calls = 0;
 };
 
-/// A word of system files: all that is said of it, but for the fields of its table.
+/// A word of system files, without the fields of its table.
 struct SystemWord {
     enum class Form {
-        plain,  ///< gives nothing back
-        thing,  ///< a thing of the arena
-        entry,  ///< has a name, and its table may follow in a call of its own
+        plain,  ///< returns nothing
+        thing,  ///< returns an object of the arena
+        entry,  ///< has a name; its table may follow in a second call
     };
     struct Result;
-    /// Of a word without a described table: what editors show.
+    /// Documentation of a word without a described table, for editors.
     struct Help {
         struct Parameter {
             std::string_view name, type;
         };
         std::string_view doc{};
-        Parameter parameters[3] = {};  ///< an empty name: no more
+        Parameter parameters[3] = {};  ///< an empty name ends the list
     };
 
     const char* name;
     Form form;
-    int most;                ///< arguments at most
+    int most;                ///< maximum number of arguments
     std::string_view usage;  ///< what is given to it, for messages: " { ... }"
     Expected<Result> (*run)(WordHost& host, const WordCall& call, const Arguments& arguments);
     Help help{};
@@ -60,11 +60,11 @@ struct SystemWord {
 
 /// "arena", "behavior", "box", ..., in the order of their numbers.
 std::span<const SystemWord> system_words();
-/// What they are called, in the same order.
+/// Their names, in the same order.
 const std::vector<const char*>& system_word_names();
 
-/// The function of every word. Upvalue 1: a light userdata, the `WordHost`; upvalue 2: the word's number; upvalue 3:
-/// true when it is a method, so that its first argument is the object.
+/// The function of every word. Upvalue 1: a light userdata, the `WordHost`; upvalue 2: the number of the word; upvalue
+/// 3: true for a method, whose first argument is the object.
 int call_system_word(lua_State* lua);
 
 /// Adds all words to the table on top of the stack, as functions or as methods (`s:robot "mouse" { ... }`). May raise a

@@ -1,4 +1,4 @@
-// Every part of a system as the call of the word that makes it.
+// Writes every part of a system as a call of its word.
 #include "bindings/lua/files/system_text.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ std::string table_of(const T& entry) {
     return write_record(entry);
 }
 
-// With the fields of a robot file in which it differs from its model.
+// With the fields of a robot file that differ from its model.
 std::string table_of(const RobotEntry& entry) {
     std::string own = write_record(entry);
     if (entry.changes.empty()) return own;
@@ -54,7 +54,7 @@ std::string arena(const ArenaSpec& arena) {
     return text + "}\n\n";
 }
 
-// Entries of `publish` or `subscribe`: a name says it, or a table; a port with several topics has a list.
+// Entries of `publish` or `subscribe`: a name or a table; a list for a port with several topics.
 std::string topics(std::string_view field, const std::vector<RosTopic>& all) {
     const bool publishes = field == "publish";
     std::map<std::string, std::vector<std::string>> by_name;
@@ -73,7 +73,7 @@ std::string topics(std::string_view field, const std::vector<RosTopic>& all) {
     return text.empty() ? "" : fmt::format("  {} = {{\n{}  }},\n", field, text);
 }
 
-// The fields of `network` or `ros` that are no topics.
+// The fields of `network` or `ros` except the topics.
 template <Recorded T>
 std::string place_in_domain(const T& spec) {
     const std::string own = write_record(spec);

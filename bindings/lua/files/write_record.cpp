@@ -1,4 +1,4 @@
-// One writer for every structure, by its type's table.
+// One writer for all structures, by the table of their type.
 #include "bindings/lua/files/write_record.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ std::string setting_text(const ValueView& value, const Rule& rule) {
                            lua_number(heading));
     }
     if (value.type->kind != Type::Kind::structure) return lua_text(value);
-    std::string text;  // of a place
+    std::string text;  // of a position
     for (const Type::Field& axis : value.type->fields)
         text += (text.empty() ? "{ " : ", ") + lua_text(value.field(axis));
     return text + " }";

@@ -1,4 +1,4 @@
-// Writes a structure that describes itself as the table that a person would write.
+// Writes a described structure as a table.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace nezumi {
 
-/// A field's value as a file writes it, so that it reads back as the same.
+/// The value of a field as text of a file, which gives the same value when it is read.
 std::string setting_text(const ValueView& value, const Rule& rule = {});
 
-/// The fields in which `value` differs from `from`, and those that are required: what a reader who begins with `from`
-/// needs. Fields that are read by hand are left out. "{}" when there is nothing to say.
+/// The fields of `value` that differ from `from`, and the required fields: a reader that begins with `from` then has
+/// `value`. Fields that are read by hand are omitted. "{}" if there are none.
 std::string write_record(const ValueView& value, const ValueView& from);
-/// The same, from what the structure is by itself.
+/// The same, compared with the defaults of the structure.
 template <Recorded T>
 std::string write_record(const T& value) {
     return write_record({record_of<T>(), &value}, Value(record_of<T>()));

@@ -1,4 +1,4 @@
-// What a command may be given, so that no tick is late.
+// Limits the arguments of a command, so that no tick is delayed.
 #include "bindings/lua/live/command_arguments.hpp"
 
 #include <fmt/format.h>
@@ -13,9 +13,9 @@
 namespace nezumi {
 namespace {
 
-constexpr Budget copy_budget{1.0};  // to copy arguments
+constexpr Budget copy_budget{1.0};  // for copying arguments
 
-// What a command may be given: the thread that ticks puts it into the script's state, at 0.3 us a value.
+// Limits of arguments: the ticking thread copies them into the script's state, which takes 0.3 us for each value.
 constexpr std::size_t most_given = 10'000;        // values
 constexpr std::size_t most_text_given = 1 << 20;  // bytes
 

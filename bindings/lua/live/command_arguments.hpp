@@ -1,4 +1,4 @@
-// The arguments of a component's command, on their way out of Lua.
+// Reads the arguments for a command of a component from Lua.
 #pragma once
 
 #include <lua.hpp>
@@ -9,7 +9,7 @@
 
 namespace nezumi {
 
-/// Copies of what stands above the component at stack index 1, each of which must be plain data. Raises nothing.
+/// Copies the values above the component at stack index 1; each must be plain data. Raises no error.
 Expected<PlainData> read_arguments(lua_State* L, std::string_view command);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// What a component is told to do: its methods, and the commands of its script.
+// Methods of components, and commands of their scripts.
 #include <fmt/format.h>
 
 #include "bindings/lua/live/command_arguments.hpp"
@@ -10,7 +10,7 @@
 namespace nezumi {
 namespace {
 
-// The act that a method means.
+// The act of a method.
 Expected<Act> read_act(lua_State* L, const Objects& objects, const std::string& name, std::string_view method) {
     if (method == "activate") return Activate{name};
     if (method == "deactivate") return Deactivate{name};
@@ -46,7 +46,7 @@ Expected<const ObjectRef*> check_self(lua_State* L, std::string_view method) {
     return self;
 }
 
-// A method of this component may be called with what there is; its arguments are not looked at.
+// Checks that this method of the component can be called, without reading its arguments.
 Expected<void> check_call(lua_State* L, const ObjectRef& self, std::string_view name) {
     const auto at = find_component(self);
     if (!at) return Unexpected(at.error());
@@ -85,7 +85,7 @@ int call_component_command(lua_State* L) {
         const std::string_view name = text_at(L, lua_upvalueindex(2));
         const auto self = check_self(L, name);
         if (!self) return Unexpected(self.error());
-        const ObjectRef& ref = **self;  // stays: the call has it
+        const ObjectRef& ref = **self;  // stays valid during the call
         auto arguments = read_arguments(L, name);
         return ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
             if (auto at = find_component(ref); !at) return Unexpected(at.error());

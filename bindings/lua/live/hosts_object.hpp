@@ -1,4 +1,4 @@
-// What a system knows of other hosts, as `hosts` of the console shows it.
+// The object `hosts` of the console: other hosts and their components.
 #pragma once
 
 #include <optional>
@@ -16,11 +16,11 @@ namespace nezumi {
 
 /// Those of a system that is on no network are none.
 std::vector<Host> hosts_of(const System& system);
-/// The error names the nearest.
+/// The error names the nearest host.
 Expected<Host> find_host(const System& system, std::string_view name);
 /// Sorted.
 std::vector<std::string> component_names(const Host& host);
-/// The ports that "host/name" offers; their names are without that.
+/// The ports that "host/name" offers; their names are without this prefix.
 std::vector<OfferedPort> ports_of(const System& system, std::string_view path);
 /// Checks that another host offers the port "host/name.port". The error names the nearest.
 Expected<void> check_offered(const System& system, std::string_view path);
@@ -41,7 +41,7 @@ std::optional<std::string> path_of_host(lua_State* L, int index, std::string_vie
 /// Pushes `hosts`. May raise a Lua error.
 void push_hosts(lua_State* L, Objects& objects, RunningSystem& live);
 
-// What could stand behind a dot, or a colon where it is `called`. Sorted by who asks.
+// Candidates after a dot, or after a colon if `called`. The caller sorts them.
 
 /// `hosts.`
 std::vector<std::string> host_names(const System& system);

@@ -1,4 +1,4 @@
-// Locks tables within tables, and says of an assignment what it was to and what to do instead.
+// Makes nested tables read-only, and writes the message about an assignment: what it was to, and what to do instead.
 #include "bindings/lua/live/locked_copies.hpp"
 
 #include <fmt/format.h>
@@ -22,11 +22,11 @@
 namespace nezumi {
 namespace {
 
-// What the key at `index` adds to a path: ".position", "[2]".
+// The part of a path for the key at `index`: ".position", "[2]".
 std::string step_of(lua_State* L, int index) {
     switch (lua_type(L, index)) {
         case LUA_TSTRING: return fmt::format(".{}", shown(text_at(L, index)));
-        case LUA_TNIL: return "";  // it is all of the object
+        case LUA_TNIL: return "";  // the whole object
         case LUA_TBOOLEAN: return lua_toboolean(L, index) != 0 ? "[true]" : "[false]";
         case LUA_TNUMBER:
             if (lua_isinteger(L, index) != 0) return fmt::format("[{}]", lua_tointeger(L, index));
@@ -49,7 +49,7 @@ std::string path_of(const ObjectRef& ref) {
     }
 }
 
-// What to do rather than write to what an object has under a name.
+// The advice what to do instead of writing to a member of an object.
 std::string instead_of(const ObjectRef& ref, std::string_view name) {
     const std::string path = path_of(ref);
     switch (ref.kind) {
@@ -71,10 +71,10 @@ std::string instead_of(const ObjectRef& ref, std::string_view name) {
     return member != nullptr ? std::string(member->instead) : "";
 }
 
-// Where the copy at index 1 is from.
+// The origin of the copy at index 1.
 struct Origin {
     const ObjectRef* object = nullptr;
-    std::string name;  // what the object calls it
+    std::string name;  // the name of the member
     std::string path;  // "controller.out.value[2]"
 };
 
@@ -96,7 +96,7 @@ std::optional<Origin> origin_of(lua_State* L) {
     return origin;
 }
 
-// The message about an assignment to the copy at index 1, with its key at index 2. Raises nothing.
+// The message about an assignment to the copy at index 1, with its key at index 2. Raises no error.
 std::string refusal(lua_State* L) {
     if (lua_checkstack(L, 8) == 0) return "stack overflow";
     const auto origin = origin_of(L);
@@ -111,8 +111,8 @@ int refuse(lua_State* L) {
     return raise_kept(L);
 }
 
-// What is wrong with a look at a name that the copy at index 1 does not have: a message and a truth have all of their
-// fields. Nothing where there may be others, as in a state. Raises nothing.
+// The error about a field that the copy at index 1 does not have. Messages and the truth have all their fields. Nothing
+// for copies that may have other fields, such as a state. Raises no error.
 std::string unknown_field(lua_State* L) {
     if (lua_checkstack(L, 8) == 0) return "";
     const auto origin = origin_of(L);
@@ -140,7 +140,7 @@ bool keep_unknown_field(lua_State* L) {
 
 int missing(lua_State* L) { return keep_unknown_field(L) ? raise_kept(L) : 1; }
 
-// Replaces the table on top of the stack, and all tables in it, by locked ones.
+// Replaces the table on top of the stack, and all tables in it, by read-only ones.
 void lock_tree(lua_State* L, int owner, int key) {
     luaL_checkstack(L, 8, nullptr);
     const int table = lua_gettop(L);
@@ -161,13 +161,13 @@ void lock_tree(lua_State* L, int owner, int key) {
     lua_replace(L, table);
 }
 
-// The same for tables that may be in several others, or in themselves. Breadth first: their depth is a user's.
+// The same for tables that may be shared or contain themselves. Works breadth first, because a user decides the depth.
 void lock_deeply(lua_State* L) {
     luaL_checkstack(L, 10, nullptr);
     const int root = lua_gettop(L);
-    lua_newtable(L);  // the open tables, in order
+    lua_newtable(L);  // the tables that are still to be done, in order
     const int tables = root + 1;
-    lua_newtable(L);  // from each open table to the locked one
+    lua_newtable(L);  // maps each table to its read-only copy
     const int locked = root + 2;
     const auto add = [&](lua_Integer place, int owner, int key) {  // the table on top of the stack
         lua_pushvalue(L, -1);

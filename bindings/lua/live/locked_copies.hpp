@@ -1,18 +1,19 @@
-// The tables that objects give: copies that can't be written, as nothing would come of it.
+// Read-only copies of tables. Objects return these, because writing to a copy would have no effect.
 #pragma once
 
 #include <lua.hpp>
 
 namespace nezumi {
 
-/// What an assignment to a copy says is made from names alone, so that a look costs nothing for it. Once for a state.
-/// May raise a Lua error, as the other.
+/// Prepares a Lua state for read-only copies; call it once. The message about an assignment is made from names when it
+/// is needed, so reading is fast. May raise a Lua error, like the other function.
 void open_locked_copies(lua_State* L);
 
-/// What the tables in a table are: each is one's own and they lie few deep, or a user has made them.
+/// The structure of tables within a table: none, a flat tree, or anything that a user's script can make.
 enum class Within : unsigned char { nothing, tree, anything };
 
-/// Locks the table on top of the stack and all tables in it: what the object at index 1 has under the key at index 2.
+/// Makes the table on top of the stack, and all tables in it, read-only. It is the value that the object at index 1 has
+/// for the key at index 2.
 void lock_copies(lua_State* L, Within within);
 
 }  // namespace nezumi

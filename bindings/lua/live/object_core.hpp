@@ -1,4 +1,4 @@
-// What the objects' files share: the userdata behind an object, and the way from an answer in C++ to a value in Lua.
+// Shared by the files of the objects: the userdata of an object, and the conversion of a C++ result to a Lua value.
 #pragma once
 
 #include <array>
@@ -30,12 +30,12 @@ enum class ObjectKind : unsigned char {
 };
 inline constexpr std::size_t object_kinds = 9;
 
-/// The start of an object's userdata: it refers by name, so that it outlives reloads and restarts. The names follow it
-/// in the same block.
+/// The begin of an object's userdata. It refers by name, so it survives reloads and restarts. The names follow it in
+/// the same block.
 struct ObjectRef {
     Objects* objects;
-    RunningSystem* built;         // null: the system is made later, and stands then in
-    RunningSystem* const* place;  // this place
+    RunningSystem* built;         // null: the system is made later, and is then at `place`
+    RunningSystem* const* place;  // see `built`
     std::uint32_t component_length;
     std::uint32_t port_length;
     ObjectKind kind;
@@ -45,7 +45,7 @@ struct ObjectRef {
     std::string_view port() const { return {reinterpret_cast<const char*>(this + 1) + component_length, port_length}; }
 };
 
-/// An object that is to be pushed.
+/// An object to be pushed.
 struct ObjectName {
     ObjectKind kind;
     RunningSystem* live;
@@ -59,15 +59,14 @@ struct MethodName {
     std::string name;
 };
 
-/// All that a member of an object can be: a value (plain data: each of its values), a part of a table, or what has
-/// members itself.
+/// Everything that a member of an object can be: a value (plain data: several values), a part of a table, or an object
+/// with its own members.
 using Answer = std::variant<Value, PlainSnapshot, ObjectName, MethodName>;
 
-/// Whose the tables of an answer are: the caller's, or a copy that can't be written.
+/// Whether the tables of an answer belong to the caller, or are read-only copies.
 enum class Tables : bool { own, locked };
 
-/// What lives in C++ between the moment an answer is found and the moment it is pushed: a Lua error may jump over that
-/// without harm.
+/// C++ values that live between finding an answer and pushing it. A Lua error may jump over the functions in between.
 struct Objects::Core {
     LuaState* state = nullptr;
     std::function<RunningSystem&()> current;
@@ -75,7 +74,7 @@ struct Objects::Core {
     Answer answer;
 };
 
-/// The door to what is private in `Objects`.
+/// Access to private members of `Objects`.
 struct ObjectAccess {
     static Objects::Core& core(Objects& objects) { return *objects.core_; }
     static const Actor& who(const Objects& objects) { return objects.core_->who; }
@@ -83,7 +82,7 @@ struct ObjectAccess {
     static Expected<void> prepare_change(const Objects& objects) {
         return objects.prepare_change_ ? objects.prepare_change_() : Expected<void>();
     }
-    /// Runs `body()` where the system may be looked at and acted on.
+    /// Runs `body()` in the ticking thread, where the system may be read and changed.
     template <class Body>
     static Expected<Answer> visit(const Objects& objects, Body&& body) {
         if (objects.prepare_) {
@@ -94,9 +93,9 @@ struct ObjectAccess {
         objects.visit_([&] { got = body(); });
         return got;
     }
-    /// Whether there are ticks beside.
+    /// Whether ticks go on meanwhile.
     static bool ticks_beside(const Objects& objects) { return static_cast<bool>(objects.visit_); }
-    /// Where there are no ticks beside, all may be copied.
+    /// Without ticks meanwhile, everything may be copied.
     static PlainLimit snapshot_limit(const Objects& objects) {
         constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
         return objects.visit_ ? PlainLimit{} : PlainLimit{all, all};
@@ -106,33 +105,33 @@ struct ObjectAccess {
     }
 };
 
-/// The objects that a metamethod or method belongs to.
+/// The objects of the running metamethod or method.
 inline Objects& objects_of(lua_State* L) { return *static_cast<Objects*>(lua_touserdata(L, lua_upvalueindex(1))); }
 
-/// The object at `index`, or null when it is none of ours. Raises nothing.
+/// The object at `index`, or null for any other value. Raises no error.
 ObjectRef* to_object(lua_State* L, int index);
 ObjectRef* to_object(lua_State* L, int index, ObjectKind kind);
 
-/// Pushes an object, which has these names. May raise a Lua error.
+/// Pushes an object with these names. May raise a Lua error.
 void push_object(lua_State* L, ObjectRef ref, std::string_view component, std::string_view port);
 void push_object(lua_State* L, Objects& objects, ObjectKind kind, RunningSystem& live, std::string_view component,
                  std::string_view port);
 
-/// Pushes a closure whose first upvalue are the objects and whose second is a name. May raise a Lua error.
+/// Pushes a C function whose upvalues are the objects and a name. May raise a Lua error.
 void push_method(lua_State* L, Objects& objects, lua_CFunction function, std::string_view name);
 
-/// Pushes the answer that is kept in the core, and returns how many values that are. May raise a Lua error. Locked
-/// tables are what the object at index 1 has under the key at index 2.
+/// Pushes the answer that the core holds, and returns the number of values. May raise a Lua error. Read-only tables are
+/// the value that the object at index 1 has for the key at index 2.
 int push_answer(lua_State* L, Objects& objects, Tables tables);
 
-/// What an act has come to as an answer without a value.
+/// The result of an act, as an answer without a value.
 inline Expected<Answer> answer_of(const Expected<ActResult>& done) {
     if (!done) return Unexpected(done.error());
     return Answer{};
 }
 
-/// Runs `find()`, which reads from Lua without raising and returns an `Expected<Answer>`; then pushes the answer or
-/// raises the error, when nothing is left that needs a destructor. It looks at the system within `visit` alone.
+/// Runs `find()`, which reads from Lua without raising errors and returns an `Expected<Answer>`. Then pushes the answer
+/// or raises the error, after all objects are destroyed. `find` reads the system only within `visit`.
 template <class Find>
 int answer_beside(lua_State* L, Objects& objects, Find&& find, Tables tables = Tables::own) {
     bool failed = false;
@@ -148,13 +147,13 @@ int answer_beside(lua_State* L, Objects& objects, Find&& find, Tables tables = T
     return failed ? raise_kept(L) : push_answer(L, objects, tables);
 }
 
-/// The same for what is one visit, and reads nothing from Lua but names and numbers.
+/// The same for a function that is one visit, and reads only names and numbers from Lua.
 template <class Body>
 int answer(lua_State* L, Objects& objects, Body&& body) {
     return answer_beside(L, objects, [&] { return ObjectAccess::visit(objects, body); });
 }
 
-/// Both for `__index`: nothing would come of writing to the tables that it gives, so that is an error.
+/// Both for `__index`: the tables are read-only, because writing to them would have no effect.
 template <class Find>
 int look_beside(lua_State* L, Objects& objects, Find&& find) {
     return answer_beside(L, objects, find, Tables::locked);
@@ -164,16 +163,16 @@ int look(lua_State* L, Objects& objects, Body&& body) {
     return look_beside(L, objects, [&] { return ObjectAccess::visit(objects, body); });
 }
 
-/// The text at `index`, which must be a string. Raises nothing.
+/// The text at `index`, which must be a string. Raises no error.
 inline std::string_view text_at(lua_State* L, int index) {
     std::size_t length = 0;
     const char* text = lua_tolstring(L, index, &length);
     return {text, length};
 }
 
-/// What an object of the tree means, now.
+/// The node of the tree that an object means now.
 Expected<TreeNode> node_of(const ObjectRef& ref);
-/// The component or port that an object means, now.
+/// The component or port that an object means now.
 Expected<ComponentAt> find_component(const ObjectRef& ref);
 Expected<PortAt> find_port(const ObjectRef& ref);
 
@@ -181,7 +180,7 @@ Expected<PortAt> find_port(const ObjectRef& ref);
 struct ObjectFunctions {
     lua_CFunction index;
     lua_CFunction newindex;
-    lua_CFunction pairs;  ///< null: the object has none
+    lua_CFunction pairs;  ///< null: the object does not support it
     lua_CFunction tostring;
     const char* name;
 };
@@ -190,12 +189,12 @@ const ObjectFunctions& hosts_functions();
 const ObjectFunctions& host_functions();
 const ObjectFunctions& remote_functions();
 
-/// What `X:activate(...)`, `X:command(...)` and `X.port:write(...)` call. Their second upvalue is the name.
+/// The functions of `X:activate(...)`, `X:command(...)` and `X.port:write(...)`. Their second upvalue is the name.
 int call_component_method(lua_State* L);
 int call_component_command(lua_State* L);
 int call_port_method(lua_State* L);
 
-/// `pairs`: a table from each name to what the object's own __index gives, sorted as every table. May raise a Lua
+/// `pairs`: a table from each name to the value of the object's own __index, sorted like every table. May raise a Lua
 /// error.
 int pairs_of_names(lua_State* L, Expected<std::vector<std::string>> (*names)(const ObjectRef&));
 

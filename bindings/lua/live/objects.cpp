@@ -1,4 +1,4 @@
-// Userdata that refer by name, their metatables, and the way of answers into Lua.
+// Userdata that refer by name, their metatables, and the conversion of answers to Lua values.
 #include "bindings/lua/live/objects.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace nezumi {
 namespace {
 
-// Their addresses are the keys of the metatables in the registry, and of what marks each as one of them.
+// Their addresses are the keys of the metatables in the registry, and of the marks of each kind.
 constexpr char metatable_keys[object_kinds] = {};
 constexpr char mark_key = 0;
 
@@ -30,7 +30,7 @@ ObjectFunctions functions_of(ObjectKind kind) {
     }
 }
 
-// Two objects are equal when they mean the same thing.
+// Two objects are equal if they mean the same thing.
 int objects_equal(lua_State* L) {
     const ObjectRef* a = to_object(L, 1);
     const ObjectRef* b = to_object(L, 2);
@@ -65,7 +65,7 @@ void make_metatable(lua_State* L, Objects& objects, std::size_t kind) {
     lua_rawsetp(L, LUA_REGISTRYINDEX, &metatable_keys[kind]);
 }
 
-// Whether a payload's table has no tables in it.
+// Whether the table of a payload contains no tables.
 bool is_flat(const Type& type) {
     const auto has_table = [](const Type& each) { return !each.is_single(); };
     if (type.kind == Type::Kind::sequence) return !has_table(*type.element);
@@ -151,7 +151,7 @@ int push_answer(lua_State* L, Objects& objects, Tables tables) {
         Objects& objects;
         Tables tables;
 
-        // One value is on the stack: its tables are locked where that is asked for.
+        // One value is on the stack; makes its tables read-only if this is wanted.
         int one(Within within = Within::nothing) const {
             if (tables == Tables::locked && lua_type(lua, -1) == LUA_TTABLE) lock_copies(lua, within);
             return 1;

@@ -1,10 +1,11 @@
-// A component as seen from outside: the one object model of console and scenarios, opened in a Lua state.
+// The objects of console and scenarios: components, ports and parameters of a running system in Lua.
 //
-// `X` is a component by its name: it stays valid over reloads and restarts, and says so when the component is gone.
-//   X.ports.NAME, X.NAME   a port; X.NAME gives way to the members below, X.ports.NAME never
-//   X.status, X:reset()    and all that engine/tree/member.hpp lists, of ports too
-//   X:command(...)         runs in the component's own state; arguments and results are copies of plain data
-// Whatever fails raises an error with its message, in the console as in scenarios.
+// `X` is a component, found by its name: it stays valid over reloads and restarts. If the component is gone, use is an
+// error.
+//   X.ports.NAME, X.NAME   a port; members below come before ports in X.NAME, not in X.ports.NAME
+//   X.status, X:reset()    and all members in engine/tree/member.hpp, also of ports
+//   X:command(...)         runs in the component's Lua state; arguments and results are copies of plain data
+// Every failure raises an error with its message, in the console and in scenarios.
 #pragma once
 
 #include <functional>
@@ -20,13 +21,13 @@
 
 namespace nezumi {
 
-/// A component, and the system it is in.
+/// A component and its system.
 struct ComponentAt {
     RunningSystem* live;
     const Component* component;
 };
 
-/// A port, whose it is, and the system it is in.
+/// A port, its component and its system.
 struct PortAt {
     RunningSystem* live;
     const Component* component;
@@ -37,46 +38,46 @@ struct PortAt {
 
 class Objects {
 public:
-    /// Opens the objects in a state that has the sandbox's library. `current` is the system in which texts as
-    /// "name.port" are looked up; what is done to a system is an act of `who`. The objects must outlive the state's
-    /// use, and every system given to them must outlive the state.
+    /// Opens the objects in a state that has the sandbox's library. `current` is the system for texts such as
+    /// "name.port". `who` is the actor of all acts. The objects must be used only while the state exists, and every
+    /// system must outlive the state.
     static Expected<std::unique_ptr<Objects>> open(LuaState& state, std::function<RunningSystem&()> current, Actor who);
     ~Objects();
     Objects(const Objects&) = delete;
     Objects& operator=(const Objects&) = delete;
 
-    /// Real robots: they can't be teleported, pressed or pushed from here.
+    /// Real robots: teleport, press and disturb are refused.
     void set_hardware(bool hardware) { hardware_ = hardware; }
-    /// How a member's look or act comes to the system: `visit` has it done, by the thread that ticks, and returns false
-    /// when it was not. Empty: it is done where it is.
+    /// Sets how reads and acts reach the system: `visit` lets the ticking thread do them, and returns false if it was
+    /// not done. Empty: they are done directly.
     void set_visit(std::function<bool(const std::function<void()>&)> visit) { visit_ = std::move(visit); }
-    /// Is called before each look and act, whose error its own is.
+    /// Called before each read and act; its error replaces the result.
     void set_prepare(std::function<Expected<void>()> prepare) { prepare_ = std::move(prepare); }
-    /// Is called before each change of a parameter, whose error its own is.
+    /// Called before each change of a parameter; its error replaces the result.
     void set_prepare_change(std::function<Expected<void>()> prepare) { prepare_change_ = std::move(prepare); }
-    /// Is called with every port that a script looks at. Must not throw.
+    /// Called with every port that a script reads. Must not throw.
     void on_read(std::function<void(const PortAt&)> read) { on_read_ = std::move(read); }
 
-    // These push one object, and may raise a Lua error (memory): with nothing alive that needs its destructor, or
-    // within a protected call. The names are not looked up yet.
+    // These functions push one object, and may raise a Lua error (memory). Call them without objects that need their
+    // destructors, or within a protected call. Names are not checked yet.
 
-    /// All of a system by name: `world.controller`.
+    /// The object of a whole system: `world.controller`.
     void push_system(lua_State* L, RunningSystem& live);
     void push_component(lua_State* L, RunningSystem& live, std::string_view name);
-    /// The same of a system that is perhaps not made yet: `place` is null until then, and stays where it is.
+    /// The same for a system that may not be made yet: `place` is null until then, and its address must not change.
     void push_component(lua_State* L, RunningSystem* const& place, std::string_view name);
     void push_port(lua_State* L, RunningSystem& live, std::string_view component, std::string_view port);
 
-    // These read a value of Lua and raise nothing.
+    // These functions read a Lua value and raise no error.
 
-    /// A port object, or the text "name.port" in the current system. The error names the nearest.
+    /// A port object, or a text "name.port" in the current system. The error names the nearest port.
     Expected<PortAt> to_port(lua_State* L, int index) const;
     /// A component object, or its name as a text.
     Expected<ComponentAt> to_component(lua_State* L, int index) const;
     /// A system object; null for anything else.
     static RunningSystem* to_system(lua_State* L, int index);
-    /// Does what a method of ports is called ("inject", "hold", "release") to the port at `index`, with the arguments
-    /// that follow it, in visits of its own. Raises nothing.
+    /// Applies a method of ports ("inject", "hold", "release") to the port at `index`, with the arguments after it, in
+    /// its own visits. Raises no error.
     Expected<void> act_on_port(lua_State* L, int index, std::string_view method) const;
 
     struct Core;

@@ -1,4 +1,4 @@
-// What a port is told to carry: its methods, and the words of consoles and scenarios that name a port.
+// Methods of ports, and the words of consoles and scenarios that take a port.
 #include <fmt/format.h>
 
 #include "bindings/lua/files/read_options.hpp"
@@ -10,7 +10,7 @@
 namespace nezumi {
 namespace {
 
-// What is to be known of a port before a value for it is read.
+// Facts about a port that are needed to read a value for it.
 struct PortToRead {
     RunningSystem* live;
     std::string path;
@@ -35,7 +35,7 @@ Expected<Value> value_for(lua_State* L, int value, const PortToRead& port) {
     return payload;
 }
 
-// The act that a method means for a port: `value` is the index of the value, where there is one.
+// The act of a method of a port. `value` is the index of the value, if there is one.
 Expected<Act> read_act(lua_State* L, const PortToRead& port, std::string_view method, int value) {
     const std::string& path = port.path;
     if (method == "release") return Release{path};
@@ -50,7 +50,8 @@ Expected<Act> read_act(lua_State* L, const PortToRead& port, std::string_view me
     return Hold{path, std::move(*payload), options.take};
 }
 
-// Two visits: what is read between them may be a million numbers. `find()` gives the port, a `PortToRead`.
+// Two visits, because the value that is read between them may be a million numbers. `find()` gives the port, a
+// `PortToRead`.
 template <class Find>
 Expected<Answer> act(lua_State* L, const Objects& objects, std::string_view method, int value, Find&& find) {
     Expected<PortToRead> port;
@@ -64,7 +65,7 @@ Expected<Answer> act(lua_State* L, const Objects& objects, std::string_view meth
     return ObjectAccess::visit(objects, [&] { return answer_of(port->live->act(*act, ObjectAccess::who(objects))); });
 }
 
-// What an object is, for those who expected a port.
+// The description of an object in the error that a port was expected.
 std::string told(const ObjectRef& ref) {
     switch (ref.kind) {
         case ObjectKind::system: return "the system";

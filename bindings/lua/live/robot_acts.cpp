@@ -1,4 +1,4 @@
-// Poses and pushes as people write them.
+// Reads poses and velocities from Lua tables.
 #include "bindings/lua/live/robot_acts.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace nezumi {
 namespace {
 
-// The fields of the table at `index`; `what` begins the messages about them.
+// The fields of the table at `index`; messages about them begin with `what`.
 template <Recorded T>
 Expected<T> read_fields(lua_State* L, int index, const char* what, Reading reading = {}) {
     T out;
@@ -26,7 +26,7 @@ Expected<T> read_fields(lua_State* L, int index, const char* what, Reading readi
     return out;
 }
 
-// To carry a marker that is there.
+// Moves an existing marker.
 Expected<Act> read_move(const System& system, const std::string& marker, lua_State* L, int index) {
     Pose3D pose;
     for (const MarkerPose& known : system.world()->markers()) {
@@ -43,7 +43,7 @@ Expected<Act> read_move(const System& system, const std::string& marker, lua_Sta
     return MoveMarker{marker, pose};
 }
 
-// To carry a thing that is there.
+// Moves an existing object.
 Expected<Act> read_move_thing(const System& system, const std::string& thing, lua_State* L, int index) {
     Pose2D pose;
     for (const ThingPose& known : system.world()->things()) {
@@ -111,7 +111,7 @@ Expected<TeleportOf> read_teleport(const Objects& objects, RunningSystem& curren
         if (!place) return Unexpected(place.error());
         return TeleportOf{robot->live, Teleport{robot->component->name(), *place}};
     }
-    // A thing, a marker, or a slip in a marker's name.
+    // An object, a marker, or a mistake in the name of a marker.
     const std::string name(lua_type(L, thing) == LUA_TSTRING ? lua_tostring(L, thing) : "");
     const std::vector<std::string> things = thing_names(current.system());
     if (std::find(things.begin(), things.end(), name) != things.end()) {

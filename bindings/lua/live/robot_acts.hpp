@@ -1,4 +1,4 @@
-// Reads what is to be done to simulated robots and markers from Lua.
+// Reads acts for simulated robots and markers from Lua.
 #pragma once
 
 #include <lua.hpp>
@@ -15,21 +15,20 @@
 
 namespace nezumi {
 
-/// A pose as people write it, `{ x =, y =, heading = }` or `{ position = { x =, y = }, heading = }`; what is left out
-/// is 0. Raises no Lua error.
+/// A pose, `{ x =, y =, heading = }` or `{ position = { x =, y = }, heading = }`; omitted fields are 0. Raises no Lua
+/// error.
 Expected<Pose2D> read_pose(lua_State* L, int index);
-/// Speeds to force on a robot, `{ vx =, vy =, va = }`, what is left out stays free, as one of
-/// `Describe<VelocityConstraint>::kinds` takes them. Raises no Lua error.
+/// Velocities to force on a robot, `{ vx =, vy =, va = }`; omitted ones stay free. One of
+/// `Describe<VelocityConstraint>::kinds`. Raises no Lua error.
 Expected<VelocityConstraint> read_velocity_constraint(lua_State* L, int index,
                                                       unsigned kind = Describe<VelocityConstraint>::at_once);
 
-/// The names of the arena's markers, and of the boxes and cylinders that can be carried.
+/// The names of the arena's markers, and of its movable boxes and cylinders.
 std::vector<std::string> marker_names(const System& system);
 std::vector<std::string> thing_names(const System& system);
-/// The act of carrying what is at `thing`: a robot or its name, or the name of a marker, or of a thing as in "box 2",
-/// of `current`, the world that names mean; the pose is at `pose`. A marker is carried to `{ x =, y =, z =, heading =
-/// }` [m, rad], a thing to `{ x =, y =, heading = }`, and what is left out stays as it is. The error names the nearest
-/// robot, marker or field. Raises no Lua error.
+/// The act that moves the robot, marker or object at index `thing` (an object or its name, as in "box 2") of `current`
+/// to the pose at index `pose`. A marker takes `{ x =, y =, z =, heading = }` [m, rad], an object `{ x =, y =, heading
+/// = }`; omitted fields stay as they are. The error names the nearest robot, marker or field. Raises no Lua error.
 struct TeleportOf {
     RunningSystem* live;
     Act act;

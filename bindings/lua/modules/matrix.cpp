@@ -1,4 +1,5 @@
-// What matrices can do. Eigen works on copies of fixed capacity on the stack, where a Lua error can skip no destructor.
+// Operations of matrices. Eigen works on copies of fixed size on the stack, which need no destructors if a Lua error
+// occurs.
 #include "bindings/lua/modules/matrix.hpp"
 
 #include <Eigen/Cholesky>
@@ -20,7 +21,7 @@ int checked(lua_State* L, MatrixObject& result, const char* operation) {
     return 1;
 }
 
-// Making one
+// Construction
 
 int size_at(lua_State* L, int index, const char* function, const char* what) {
     int is_whole = 0;
@@ -43,7 +44,7 @@ int identity(lua_State* L) {
     return 1;
 }
 
-// Replaces a locked table, as those of `config` are, by the one behind it.
+// Replaces a read-only table, such as those of `config`, by the table behind it.
 void unlock(lua_State* L, int index) {
     if (push_behind_lock(L, index)) lua_replace(L, index);
 }
@@ -92,7 +93,7 @@ int make(lua_State* L) {
     return 1;
 }
 
-// Calculating
+// Operations
 
 int transpose(lua_State* L) {
     MatrixObject& self = matrix_self(L, "transpose");
@@ -100,7 +101,7 @@ int transpose(lua_State* L) {
     return 1;
 }
 
-// The operands of + and -, of equal sizes.
+// The operands of + and -, which must have equal sizes.
 template <class Operation>
 int combine(lua_State* L, const char* sign, Operation operation) {
     MatrixObject* left = matrix_at(L, 1);
@@ -157,8 +158,8 @@ MatrixObject& square_matrix_self(lua_State* L, const char* method) {
     return self;
 }
 
-// Whether `to` has become what times `matrix` is `right`: by LU with full pivoting, which knows a singular matrix by
-// its pivots, relative to the largest.
+// Solves `matrix` * `to` = `right` by LU decomposition with full pivoting. False if the matrix is singular, which is
+// found by comparing the pivots with the largest one.
 bool solve_into(MatrixElements to, const Work& matrix, const Work& right) {
     const Eigen::FullPivLU<Work> decomposed(matrix);
     if (!decomposed.isInvertible()) return false;
@@ -193,7 +194,7 @@ bool cholesky_into(MatrixElements to, const Work& matrix) {
 }
 
 int cholesky(lua_State* L) {
-    constexpr double tolerance = 1e-9;  // of what rounding may leave of symmetry, relative to the largest element
+    constexpr double tolerance = 1e-9;  // largest asymmetry from rounding, relative to the largest element
     MatrixObject& self = square_matrix_self(L, "cholesky");
     const double largest = self.all().cwiseAbs().maxCoeff();
     if ((self.all() - self.all().transpose()).cwiseAbs().maxCoeff() > tolerance * largest)

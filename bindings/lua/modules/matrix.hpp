@@ -1,17 +1,17 @@
-// Dense matrices for scripts, on Eigen.
+// Dense matrices for scripts, with Eigen.
 #pragma once
 
 #include <lua.hpp>
 
 namespace nezumi {
 
-/// Rows and columns that a matrix has at most: the longest operation, `solve`, then takes less than a millisecond, so
-/// that none of them needs to look at the script's budget.
+/// The largest number of rows and columns. With it the longest operation, `solve`, takes less than a millisecond, so no
+/// operation needs to check the time limit of the script.
 inline constexpr int most_matrix_rows = 64;
 
-/// Pushes the module: a table that makes a matrix of a table of rows when it is called, with `identity(n)` and
+/// Pushes the module: a table that makes a matrix from a table of rows when it is called, with `identity(n)` and
 /// `zeros(rows, columns)`; behaviors/lib/nezumi/matrix.lua describes it. A matrix is a userdata, so its elements count
-/// against the script's memory. They are finite; what would not be is an error. May raise a Lua error (memory).
+/// as memory of the script. Elements are finite; other results are errors. May raise a Lua error (memory).
 void push_matrix_module(lua_State* L);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// What every matrix has in Lua: elements, rows as `m[i]`, texts and tables.
+// Functions of all matrices in Lua: elements, rows as `m[i]`, texts and tables.
 #include "bindings/lua/modules/matrix_object.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 namespace nezumi {
 namespace {
 
-// `m[i]`: its user value is the matrix.
+// The row `m[i]`; its user value is the matrix.
 struct Row {
     MatrixObject* matrix;
     int index;
@@ -35,7 +35,7 @@ T* object_at(lua_State* L, int index, const char* key) {
     return is_one ? static_cast<T*>(lua_touserdata(L, index)) : nullptr;
 }
 
-// As tables and texts
+// Conversion to tables and texts
 
 void push_row_table(lua_State* L, MatrixObject& matrix, int row) {
     lua_createtable(L, matrix.columns, 0);
@@ -96,7 +96,7 @@ int row_to_text(lua_State* L) {
 
 // Elements
 
-// The key of an access, from 0; raises unless it is one of 1 to `count`.
+// The index of an access, counted from 0; raises an error unless it is 1 to `count`.
 int index_at(lua_State* L, int index, const MatrixObject& matrix, const char* what, int count) {
     int is_whole = 0;
     const lua_Integer number = lua_type(L, index) == LUA_TNUMBER ? lua_tointegerx(L, index, &is_whole) : 0;
@@ -147,7 +147,7 @@ int set_element(lua_State* L) {
     return 0;
 }
 
-// Fields that both kinds of objects have: nobody sees their metatables.
+// Fields of both metatables, which scripts can't see.
 void set_metatable(lua_State* L, const char* key, const char* name) {
     lua_pushstring(L, name);
     lua_setfield(L, -2, "__name");

@@ -1,4 +1,4 @@
-// A matrix as an object of Lua: a userdata with its sizes, then its elements row by row.
+// A matrix as a Lua object: a userdata with the sizes, followed by the elements row by row.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@ using MatrixElements = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::D
 struct MatrixObject {
     int rows, columns;
 
-    /// The elements of row `i`, from 0.
+    /// The elements of row `i`, counted from 0.
     double* row(int i) { return reinterpret_cast<double*>(this + 1) + static_cast<std::ptrdiff_t>(i) * columns; }
     MatrixElements all() { return {row(0), rows, columns}; }
 };
@@ -21,19 +21,20 @@ static_assert(sizeof(MatrixObject) % sizeof(double) == 0);
 /// The matrix at `index`, or null.
 MatrixObject* matrix_at(lua_State* L, int index);
 
-/// The matrix that a method was called on; raises an error that names the method if there is none.
+/// The matrix that a method was called on. If there is none, raises an error that names the method.
 MatrixObject& matrix_self(lua_State* L, const char* method);
 
-/// What messages call the value at `index`. May leave a value on the stack.
+/// The name of the value's type for messages. May leave a value on the stack.
 const char* kind_at(lua_State* L, int index);
 
-/// The number at `index`, to be an element; raises an error that names row and column, from 1, unless it is finite.
+/// The number at `index` as an element. If it is not a finite number, raises an error with row and column, counted from
+/// 1.
 double element_at(lua_State* L, int index, int row, int column);
 
-/// Pushes a matrix whose elements are to be set.
+/// Pushes a matrix whose elements must then be set.
 MatrixObject& push_matrix(lua_State* L, int rows, int columns);
 
-/// Makes what matrices share, once a state: elements, rows, texts, these methods and operators.
+/// Makes the shared metatables of matrices, once for each state: elements, rows, texts, these methods and operators.
 void make_matrix_metatables(lua_State* L, const luaL_Reg* methods, const luaL_Reg* operators);
 
 }  // namespace nezumi

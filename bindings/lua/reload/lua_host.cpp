@@ -1,4 +1,4 @@
-// Joins readers of files, maker and reloader of behaviours to what the engine asks for.
+// Implements the engine's `ScriptHost` with the readers of Lua files and the maker and reloader of behaviours.
 #include "bindings/lua/reload/lua_host.hpp"
 
 #include <map>

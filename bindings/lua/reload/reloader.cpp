@@ -1,4 +1,5 @@
-// Load all beside the ticks; then adopt all and commit all: the only step that changes anything, and can't fail.
+// Loads all versions beside the ticks. Then adopts all and commits all; only the commit changes anything, and it can't
+// fail.
 #include "bindings/lua/reload/reloader.hpp"
 
 #include <fmt/format.h>
@@ -65,20 +66,20 @@ std::vector<ScriptFile> Reloader::loaded_files() const {
 // A behaviour and its next version.
 struct Reloader::Next {
     std::string name;
-    int running = 0;  // version
+    int running = 0;  // number of the running version
     std::vector<std::string> paths;
     ScriptComponent::Loading loading;
 };
 
 struct Reloader::Prepared final : PreparedReload {
-    std::vector<std::pair<std::string, int>> running;  // every behaviour that there was, and its version
-    ChunkCache chunks;                                 // of `scripts`
+    std::vector<std::pair<std::string, int>> running;  // every behaviour with its running version
+    ChunkCache chunks;                                 // code of `scripts`
     std::vector<Next> next;
-    std::vector<std::unique_ptr<Script>> scripts;  // as `next`
+    std::vector<std::unique_ptr<Script>> scripts;  // in the order of `next`
     std::vector<ScriptFile> required;              // by the last of them
     std::optional<Error> error;
 
-    // Loads those that come from one of the files or, where there is none, from that of `source`.
+    // Loads the behaviours of these files, or without files the one of `source`.
     void load(std::vector<Next> all, std::vector<std::string> files, const SourceText& source, const Project& project);
 };
 
@@ -183,7 +184,7 @@ Expected<ActResult> Reloader::commit(PreparedReload& loaded, const Project& proj
     finish(report, "");
     for (const Change& change : changes) {
         if (change.component.state() != LifeState::error) continue;
-        // A fresh try; what fails is in the log, and the component is in ERROR as it was.
+        // Tries again. If this fails, the log has the error, and the component stays in ERROR.
         if (change.component.reset(now)) static_cast<void>(change.component.activate(now));
     }
     return report;
@@ -213,7 +214,7 @@ void Reloader::let_ports_go(ScriptComponent& component, const ScriptComponent::V
     }
 }
 
-// A port that is there again, after a slip or a rollback, gets back what it was connected to.
+// A port that exists again, after a mistake or a rollback, gets back its connections.
 void Reloader::connect_again(ActResult& report) {
     std::erase_if(lost_, [&](const System::Dropped& lost) {
         const auto source = system_.port(lost.from);
@@ -285,7 +286,7 @@ void Reloader::watch_probation(const ScriptComponent& component) {
 void Reloader::after_tick() {
     if (on_probation_.empty()) return;
     struct Relapsed {
-        std::vector<std::string> names;  // of components that failed alike
+        std::vector<std::string> names;  // of components with the same failure
         ScriptComponent::Relapse what;
         ActResult report;
     };
@@ -307,7 +308,7 @@ void Reloader::after_tick() {
         }
     }
     for (const Relapsed& each : all) {
-        // Those that had gone back with another one have nothing left to go back to.
+        // Components that went back together with another one have no version to go back to.
         std::vector<std::string> back;
         for (const Group& group :
              groups_of(each.report.components.empty() ? ActResult{.components = each.names} : each.report))

@@ -1,4 +1,4 @@
-// Reloads scripts in a running system: all that a change touches go together, or not at all.
+// Reloads scripts in a running system: all components that a change affects, or none.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace nezumi {
 
 class Reloader final : public Reloads {
 public:
-    /// Both must outlive it; the code of all versions comes into `chunks`.
+    /// Both must outlive it. `chunks` gets the code of all versions.
     Reloader(System& system, ChunkCache& chunks) : system_(system), chunks_(chunks) {}
 
     Loader loader() const override;
@@ -31,7 +31,7 @@ private:
     std::vector<ScriptComponent*> scripts() const;
     void let_ports_go(ScriptComponent& component, const ScriptComponent::Version& next, ActResult& report);
     void connect_again(ActResult& report);
-    // Says which versions run now. An empty `what` is the file of each.
+    // Reports the versions that run now. If `what` is empty, reports the file of each.
     void finish(const ActResult& report, std::string_view what);
     // Components of one file that run the same version.
     struct Group {
@@ -47,8 +47,8 @@ private:
     ChunkCache& chunks_;
     int reloads_ = 0;
     std::vector<std::string> on_probation_;  // names of components
-    std::vector<ScriptFile> attempted_;      // modules of the version that was refused last
-    std::vector<System::Dropped> lost_;      // connections that ended with a port
+    std::vector<ScriptFile> attempted_;      // modules of the last refused version
+    std::vector<System::Dropped> lost_;      // connections that ended because a port was removed
 };
 
 }  // namespace nezumi

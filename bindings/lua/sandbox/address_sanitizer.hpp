@@ -1,5 +1,5 @@
-// Whether this is built with AddressSanitizer, which clang and g++ say in different ways: NEZUMI_ADDRESS_SANITIZER.
-// It knows the blocks of `malloc` and no others.
+// Defines NEZUMI_ADDRESS_SANITIZER if this is built with AddressSanitizer, which clang and g++ announce differently. It
+// checks only blocks of `malloc`.
 #pragma once
 
 #if defined(__SANITIZE_ADDRESS__)

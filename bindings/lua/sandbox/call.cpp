@@ -1,4 +1,4 @@
-// From a Lua error to a place and a sentence.
+// Converts a Lua error to a message with its place.
 #include "bindings/lua/sandbox/call.hpp"
 
 #include <fmt/format.h>
@@ -18,9 +18,9 @@ namespace {
 
 constexpr std::size_t longest_message = 2000;  // [bytes]
 constexpr int searched_levels = 100;
-constexpr int deep_recursion = 20'000;  // calls within calls
+constexpr int deep_recursion = 20'000;  // number of nested calls
 
-// The length of "file:line: " at the start of `message`, where `file` is shortened as Lua does it.
+// The length of "file:line: " at the begin of `message`, where Lua has shortened `file`.
 std::size_t prefix_length(const char* message, const char* file, int& line) {
     const std::size_t name = std::strlen(file);
     if (std::strncmp(message, file, name) != 0 || message[name] != ':') return 0;
@@ -34,7 +34,7 @@ std::size_t prefix_length(const char* message, const char* file, int& line) {
     return end + 2;
 }
 
-// The place that the message itself names, if it names one of a function that runs, or of one that was closed; else the
+// The place that the message names, if it is a place of a running function or of one that was closed; otherwise the
 // innermost line of Lua.
 void find_error_place(lua_State* lua, CallRecord& call) {
     call.error_place.line = 0;
@@ -59,7 +59,7 @@ void find_error_place(lua_State* lua, CallRecord& call) {
     call.error_place.line = line;
 }
 
-// The deepest level of the stack that there is.
+// The deepest existing level of the stack.
 int last_level(lua_State* lua) {
     lua_Debug activation;
     int below = 1;
@@ -72,14 +72,14 @@ int last_level(lua_State* lua) {
     return there;
 }
 
-// Whether an activation is one of Lua code; its place then.
+// Whether an activation is one of Lua code; if so, gives its place.
 bool is_lua(lua_State* lua, lua_Debug& activation, CallRecord::ScriptPlace& place) {
     if (lua_getinfo(lua, "Sl", &activation) == 0 || activation.currentline <= 0) return false;
     place.set(activation);
     return true;
 }
 
-// The line of the behaviour that called the module in which an error is: the innermost one of the file in which this
+// Finds the line of the behaviour that called the module with the error: the innermost line of the file in which this
 // coroutine began.
 void find_caller(lua_State* lua, const CallRecord::ScriptPlace& error, CallRecord::ScriptPlace& caller) {
     caller.line = 0;
@@ -98,7 +98,8 @@ void find_caller(lua_State* lua, const CallRecord::ScriptPlace& error, CallRecor
     }
 }
 
-// The function that was called from outside, if the outermost one that is on the stack was called in its place.
+// Finds the function that was called from outside, if a tail call has replaced it by the outermost function on the
+// stack.
 void find_tail_caller(lua_State* lua, CallRecord& call) {
     call.tail_caller.line = 0;
     lua_Debug activation;
@@ -110,7 +111,7 @@ void find_tail_caller(lua_State* lua, CallRecord& call) {
         if (is_found) break;
     }
     if (!is_found || lua_getinfo(lua, "t", &activation) == 0 || activation.istailcall == 0) return;
-    // `call_first` has kept it.
+    // `call_first` has stored it.
     if (lua_getstack(lua, level + 1, &activation) == 0 || lua_checkstack(lua, 2) == 0) return;
     if (lua_getlocal(lua, &activation, 1) == nullptr) return;
     if (lua_type(lua, -1) != LUA_TFUNCTION || lua_iscfunction(lua, -1) != 0) return lua_pop(lua, 1);
@@ -121,7 +122,7 @@ void find_tail_caller(lua_State* lua, CallRecord& call) {
     call.tail_caller_end = activation.lastlinedefined;
 }
 
-// What is known of an error on top of the stack of `lua`, a coroutine that has failed, whose stack is as it was then.
+// Stores the facts about an error on top of the stack of `lua`, a failed coroutine, whose stack is as it was then.
 void note_error(lua_State* lua, CallRecord& call) {
     lua_Debug activation;
     call.is_deep_recursion = lua_getstack(lua, deep_recursion, &activation) != 0;
@@ -149,7 +150,7 @@ std::string describe_value(lua_State* lua, std::size_t prefix) {
             std::size_t length = 0;
             const char* text = lua_tolstring(lua, -1, &length);
             if (prefix <= length) {
-                // What is raised again and again has its place as often, once for each.
+                // An error that was raised several times has its place several times.
                 const std::string_view place(text, prefix);
                 do {
                     text += prefix, length -= prefix;
@@ -173,9 +174,9 @@ CallError error_of_memory(const LuaState& state, bool is_refused, const CallReco
     return {{message, to_place(call.error_place)}, false};
 }
 
-// Ends what a failed call has open. What its closers raise takes the place of the error on top of its stack.
+// Closes the variables of a failed call. An error of closing replaces the error on top of its stack.
 void close_thread(lua_State* from, lua_State* thread, CallRecord& call) {
-    if (lua_status(thread) == LUA_OK) return;  // it did not even begin
+    if (lua_status(thread) == LUA_OK) return;  // it did not begin
     const void* const raised = lua_topointer(thread, -1);
     note_closed(thread);
     close_coroutine(thread, from);
@@ -190,8 +191,8 @@ int convert_to_text(lua_State* lua) {
     return 1;
 }
 
-// Leaves the text of an error value on top of the stack, if it has one. Returns the status of the call that failed
-// last: if this fails, it is another error.
+// Leaves the text of an error value on top of the stack, if it has one. Returns the status of the last failed call; if
+// the conversion fails, this is another error.
 int convert_error(lua_State* from, lua_State* thread, int status, CallRecord& call) {
     if (status != LUA_ERRRUN || lua_type(thread, -1) == LUA_TSTRING || lua_checkstack(thread, 2) == 0) return status;
     lua_pushvalue(thread, -1);
@@ -210,16 +211,16 @@ int convert_error(lua_State* from, lua_State* thread, int status, CallRecord& ca
     return converted;
 }
 
-// Calls its first argument with the others. What C calls can't yield, so that a script's pcall is left when it has
-// failed, as it is outside of coroutines, and does not wait on the stack for what it called.
+// Calls its first argument with the others. Calls from C can't yield; so a script's pcall is left when it has failed,
+// as outside of coroutines, and does not remain on the stack.
 int call_first(lua_State* lua) {
     lua_pushvalue(lua, 1);
-    lua_insert(lua, 1);  // stays, for errors that ask who called
+    lua_insert(lua, 1);  // stays on the stack, for the search of the caller
     lua_call(lua, lua_gettop(lua) - 2, LUA_MULTRET);
     return lua_gettop(lua) - 1;
 }
 
-// What went wrong in `thread`, which is empty again then; or it was stopped, and nothing may run in it any more.
+// The error of `thread`, which is empty afterwards. If it was stopped, nothing may run in it any more.
 CallError take_error(lua_State* from, lua_State* thread, int status, bool is_memory_refused, CallRecord& call) {
     const LuaState& state = LuaState::of(thread);
     if (call.expired == 0) {
@@ -236,7 +237,7 @@ CallError take_error(lua_State* from, lua_State* thread, int status, bool is_mem
     } else if (status == LUA_ERRMEM || call.slice_status == LUA_ERRMEM) {
         error = error_of_memory(state, is_memory_refused, call);
     } else {
-        // What could not be handled is not the message whose place was found.
+        // If the error could not be handled, it is not the message whose place was found.
         error = {{describe_value(thread, status == LUA_ERRERR ? 0 : call.error_prefix), to_place(call.error_place)},
                  false};
         if (call.error_caller.line != 0 && lua_type(thread, -1) == LUA_TSTRING)
@@ -254,7 +255,7 @@ CallError take_error(lua_State* from, lua_State* thread, int status, bool is_mem
     return error;
 }
 
-// What is said of a call that had to be left in the middle of Lua's own code.
+// The error of a call that was abandoned inside Lua's own C code.
 CallError lost_error(double budget_seconds) {
     return {{"ran for more than " + shown_number(budget_seconds) +
              " s inside Lua itself, where it could not be stopped: the script is lost, load it again"},
@@ -278,7 +279,7 @@ void note_closed(lua_State* coroutine) {
         call.closes = *activation.what != 'C';
     }
     if (!call.closes) return;
-    // The function may be gone, and its source with it, when the error is handled.
+    // The function and its source may be gone when the error is handled.
     call.closed.set(activation);
     std::memcpy(call.closed_file, activation.short_src, sizeof call.closed_file);
 }
@@ -325,7 +326,7 @@ CallResult protected_call(lua_State* lua, int arguments, int results, Budget bud
     if (status != LUA_OK && call.expired != 0) poison(thread);
     state.give_back_thread(lua, thread);
     if (!error) return {};
-    // What the script had gathered is garbage now; nobody may call it again for a long time.
+    // The memory of the script is garbage now; it may not be called again for a long time.
     if (state.memory() > state.memory_limit() / 2) lua_gc(lua, LUA_GCCOLLECT);
     return tl::unexpected(std::move(*error));
 }

@@ -1,4 +1,4 @@
-// The one protected call through which all Lua runs.
+// The protected call: all Lua runs within it.
 #pragma once
 
 #include <lua.hpp>
@@ -10,23 +10,23 @@
 
 namespace nezumi {
 
-/// Why a call into Lua did not return. `place` is the script's line where that is known, and not part of `message`.
+/// The error of a call into Lua. `place` is the line of the script if known; `message` does not contain it.
 struct CallError : Error {
-    bool over_budget = false;  ///< it ran for too long: in a headless run, the run itself could not be made
-    double used_seconds = 0;   ///< of CPU time, to within the few milliseconds between two looks at the clock
+    bool over_budget = false;  ///< it ran out of time: a headless run then could not be made
+    double used_seconds = 0;   ///< CPU time, accurate to a few milliseconds
 };
 
-/// What a call into Lua gives; its results are on Lua's stack.
+/// The result of a call into Lua; the returned values are on Lua's stack.
 using CallResult = tl::expected<void, CallError>;
 
-/// Calls the function below its `arguments` on the stack, as lua_pcall does. Pops both; pushes `results` values, or as
-/// many as there are for LUA_MULTRET, and nothing after an error. Costs a few tens of nanoseconds above lua_pcall.
-/// May be used within a call, on the same state or another.
+/// Calls the function below its `arguments` on the stack, like lua_pcall. Pops both; pushes `results` values, or all
+/// for LUA_MULTRET, and nothing after an error. Takes a few tens of nanoseconds more than lua_pcall. Calls may be
+/// nested, on the same state or another.
 CallResult protected_call(lua_State* lua, int arguments, int results, Budget budget);
 
-/// Runs `body(lua_State*)`, which may raise Lua errors: for our own work on Lua values, which may run out of memory at
-/// any push of a string or table. It returns how many values on top of the stack to keep, and gets none to begin with.
-/// Nothing in it may need a destructor.
+/// Runs `body(lua_State*)`, which may raise Lua errors: for work on Lua values by the engine, which may run out of
+/// memory whenever it pushes a string or table. It begins with an empty stack, and returns how many values on top of
+/// the stack to keep. It must not contain objects that need destructors.
 template <class Body>
 CallResult protect(lua_State* lua, Budget budget, Body&& body) {
     using Callable = std::remove_reference_t<Body>;
@@ -40,10 +40,10 @@ CallResult protect(lua_State* lua, Budget budget, Body&& body) {
     return protected_call(lua, 1, LUA_MULTRET, budget);
 }
 
-/// Keeps the place of the error on top of a coroutine that has failed in a slice: it will be raised again elsewhere.
+/// Stores the place of the error on top of a coroutine that has failed, because the error is raised again elsewhere.
 void note_slice_error(lua_State* coroutine, int status);
 
-/// Keeps what is to be known of a coroutine that is about to be closed: an error of that has no place any more.
+/// Stores the origin of a coroutine before it is closed, because an error of closing has no place.
 void note_closed(lua_State* coroutine);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Compiles in a state of its own, and keeps the bytecode.
+// Compiles in a separate state, and keeps the bytecode.
 #include "bindings/lua/sandbox/compile.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace nezumi {
 namespace {
 
-// Gives Lua the text piece by piece, and stops it where compiling takes too long: no hook runs in the compiler.
+// Gives the text to Lua in pieces, and stops if compiling takes too long, because no hook runs in the compiler.
 struct SourceReader {
     std::string_view rest;
     std::size_t piece;
@@ -35,7 +35,7 @@ int append_bytecode(lua_State*, const void* bytes, std::size_t size, void* text)
     return 0;
 }
 
-// Lua ends its message with the token, however long or odd it is: "unexpected symbol near 'x'".
+// Lua's message ends with the token, which may be long or unprintable: "unexpected symbol near 'x'".
 std::string with_shown_token(std::string_view message) {
     constexpr std::string_view near = " near '";
     const std::size_t at = message.find(near);
@@ -44,7 +44,8 @@ std::string with_shown_token(std::string_view message) {
     return fmt::format("{}{}{}'", visible(message.substr(0, at)), near, shown(token));
 }
 
-// What Lua finds only at the end of a block, it tells with the line itself: "break outside loop at line 3 near <eof>".
+// Some errors are found only at the end of a block, and their message names the line: "break outside loop at line 3
+// near <eof>".
 Error at_its_line(Error error) {
     constexpr std::string_view at_line = " at line ";
     const bool is_jump = error.message.starts_with("break ") || error.message.starts_with("no visible label ") ||
@@ -60,7 +61,7 @@ Error at_its_line(Error error) {
     return error;
 }
 
-// "file:12: text" into place and text. Lua shortens a long name to its last bytes.
+// Separates "file:12: text" into place and text. Lua shortens a long name to its last bytes.
 Error place_of_syntax_error(std::string_view message, const std::string& file) {
     std::size_t at = std::min<std::size_t>(file.size(), LUA_IDSIZE - 1);
     int line = 0;
@@ -91,7 +92,7 @@ Expected<Chunk> compile(std::string_view source, const std::string& file) {
     const int status = lua_load(lua, SourceReader::read, &reader, chunk_name.c_str(), "t");
     if (status == LUA_ERRMEM) return failure("not enough memory to compile it", {file});
     if (status != LUA_OK && std::string_view(lua_tostring(lua, -1)) == "C stack overflow") {
-        // Lua does not say where. Read byte by byte, the text shows how far Lua came.
+        // Lua does not tell the place. If the text is read byte by byte, it shows how far Lua came.
         reader = {source, 1, deadline};
         lua_load(lua, SourceReader::read, &reader, chunk_name.c_str(), "t");
         const std::string_view seen = source.substr(0, source.size() - reader.rest.size());

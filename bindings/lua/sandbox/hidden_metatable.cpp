@@ -1,4 +1,4 @@
-// A mark in the metatable under a key that no script can have.
+// The mark is a field of the metatable, with a key that scripts can't have.
 #include "bindings/lua/sandbox/hidden_metatable.hpp"
 
 namespace nezumi {

@@ -1,4 +1,4 @@
-// Tries each table in one line, and takes several where that is too long.
+// Tries each table in one line, and uses several lines if it is too long.
 #include "bindings/lua/sandbox/inspect.hpp"
 
 #include <algorithm>
@@ -17,14 +17,15 @@
 namespace nezumi {
 namespace {
 
-constexpr int most_free_visits = 4;  // at a table whose entries have been counted
+constexpr int most_free_visits = 4;  // to a table whose entries have been counted
 
-// The functions below run under `protect` and may raise Lua errors: what has a destructor lies outside, in here.
+// The functions below run under `protect` and may raise Lua errors. Objects with destructors are outside of them, in
+// this class.
 class Inspector {
 public:
     Inspector(const InspectOptions& options, InspectWork& work) : options_(options), work_(work) {}
 
-    // Looks at the value at index 1 of the coroutine in which it is called.
+    // Shows the value at index 1 of the coroutine in which it is called.
     void look(lua_State* lua, bool quote) {
         lua_ = lua;
         value(1, 0, 0, quote);
@@ -50,9 +51,9 @@ private:
     InspectWork& work_;
     std::string out_;
     std::string scratch_;
-    std::map<const void*, int> counted_;  // looks at tables with few entries: one line is tried before several
-    std::vector<const void*> open_;       // the tables around the one that is shown
-    std::size_t limit_ = 0;               // of `out_` while a table is tried in one line; 0: none
+    std::map<const void*, int> counted_;  // visits to tables with few entries; one line is tried before several
+    std::vector<const void*> open_;       // the outer tables of the one that is shown
+    std::size_t limit_ = 0;               // limit of `out_` while a table is tried in one line; 0: none
 };
 
 void quote_into(std::string& out, std::string_view text) noexcept { out += lua_quoted(text); }
@@ -63,8 +64,7 @@ bool has_metafield(lua_State* L, int index, const char* name) {
     return true;
 }
 
-// Whether the value is shown by its entries: a table, or an object as `config`, that does not say itself what its text
-// is.
+// Whether the value is shown by its entries: a table, or an object such as `config` without its own text.
 bool has_entries(lua_State* L, int index) {
     const int type = lua_type(L, index);
     if (type != LUA_TTABLE && !(type == LUA_TUSERDATA && has_metafield(L, index, "__pairs"))) return false;
@@ -99,14 +99,14 @@ void Inspector::value(int index, int depth, std::size_t indent, bool quote) {
     if (has_entries(lua_, index)) return table(index, depth, indent);
     std::size_t length = 0;
     const char* shown = push_text(lua_, index, &length);
-    // What an object says may take several lines; within a table its first is enough.
+    // The text of an object may have several lines; within a table only the first is shown.
     std::string_view given(shown, length);
     if (depth > 0) given = given.substr(0, given.find('\n'));
     out_ += given;
     lua_pop(lua_, 1);
 }
 
-// Says what is before the value of a pair. Stack: key, value.
+// Writes the part before the value of a pair. Stack: key, value.
 void Inspector::key(bool& in_sequence, lua_Integer& next) {
     if (in_sequence && lua_isinteger(lua_, -2) != 0 && lua_tointeger(lua_, -2) == next) {
         ++next;
@@ -134,7 +134,7 @@ void Inspector::key(bool& in_sequence, lua_Integer& next) {
     out_ += " = ";
 }
 
-// Whether the entries of a table are few enough to be put in order; counts what it looks at.
+// Whether a table has few enough entries to sort them; counts the entries that it visits.
 bool Inspector::can_count(int index) {
     if (luaL_getmetafield(lua_, index, "__pairs") != LUA_TNIL) return lua_pop(lua_, 1), true;
     const void* const self = lua_topointer(lua_, index);
@@ -146,13 +146,13 @@ bool Inspector::can_count(int index) {
     for (lua_pushnil(lua_); entries <= work_.steps && lua_next(lua_, table) != 0; lua_pop(lua_, 1)) ++entries;
     lua_settop(lua_, top);
     const bool few = entries <= work_.steps;
-    // Half of them are left for others, however many tables are as large as this one.
+    // Half of the steps are left for other tables, however many large ones there are.
     work_.steps -= few ? entries : (work_.steps + 1) / 2;
     if (few) counted_.emplace(self, 0);
     return few;
 }
 
-// False: there is no room for another one, or it is not known, which has been said.
+// False: there is no room for another one, or this is unknown, and has been written.
 bool Inspector::begin_entry(std::size_t indent, bool flat, std::size_t& count, bool is_known) {
     const bool fits = ++count <= options_.items && out_.size() < work_.bytes && is_known;
     if (!flat) {
@@ -168,7 +168,7 @@ void Inspector::all_entries(int index, int depth, std::size_t indent, bool flat,
     const int top = lua_gettop(lua_);
     lua_pushcfunction(lua_, ordered_pairs);
     lua_pushvalue(lua_, index);
-    lua_call(lua_, 1, 3);  // iterator, what it goes over, first key
+    lua_call(lua_, 1, 3);  // iterator, table, first key
     bool in_sequence = true;
     lua_Integer next = 1;
     for (;;) {
@@ -198,7 +198,7 @@ void Inspector::first_elements(int index, int depth, std::size_t indent, bool fl
     lua_settop(lua_, top);
 }
 
-// Returns false as soon as it is clear that one line is not enough.
+// Returns false as soon as one line is too short.
 bool Inspector::entries(int index, int depth, std::size_t indent, bool flat) {
     std::size_t count = 0;
     out_ += '{';
@@ -234,7 +234,7 @@ void Inspector::table(int index, int depth, std::size_t indent) {
     if (limit_ != 0) {
         entries(index, depth, indent, true);
     } else {
-        // Where the line began: what stands before the table counts as well.
+        // The begin of the line; the text before the table counts as well.
         const std::size_t line = out_.rfind('\n') == std::string::npos ? 0 : out_.rfind('\n') + 1;
         limit_ = line + options_.width;
         const bool fits = entries(index, depth, indent, true);
@@ -255,8 +255,8 @@ int show_table(lua_State* L) {
     return 1;
 }
 
-// Pushes the text of the table at `index`. What its metamethods do wrong is told in the place of the text: to print a
-// table must not cost a robot its behaviour. What ends the script's call is raised.
+// Pushes the text of the table at `index`. An error of its metamethods replaces the text, because printing a table must
+// not stop a behaviour. The end of the script's time is raised.
 void push_table_text(lua_State* L, int index, InspectWork& work) {
     int status = LUA_OK;
     {

@@ -1,4 +1,4 @@
-// Any value of Lua as text for people: what the console shows, and what `print` and `log` say.
+// Converts any Lua value to readable text, for the console, `print` and `log`.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,7 @@
 
 namespace nezumi {
 
-/// How much is looked at and said, so that showing a value never takes longer than a moment, however large it is. What
-/// several calls share they use up together.
+/// Limits for the work and for the text, so that showing a value is always fast. Several calls may share them.
 struct InspectWork {
     std::size_t steps = 2000;                    ///< entries of tables
     std::size_t bytes = std::size_t{64} * 1024;  ///< of text
@@ -16,20 +15,20 @@ struct InspectWork {
 
 struct InspectOptions {
     std::size_t width = 100;      ///< [characters] of a line; a table that does not fit gets several
-    int depth = 6;                ///< of tables in tables; deeper ones are {...}
+    int depth = 6;                ///< depth of nested tables; deeper ones are {...}
     std::size_t items = 100;      ///< of each table; the rest is "..."
     std::size_t text = 2000;      ///< [bytes] of each string
-    bool quote = true;            ///< a string itself in quotes; those in tables always are
-    InspectWork* work = nullptr;  ///< shared with other calls; null: of this call alone
+    bool quote = true;            ///< quotes around a string itself; strings in tables always have quotes
+    InspectWork* work = nullptr;  ///< shared with other calls; null: only for this call
 };
 
-/// The value at `index`: tables as Lua writes them, their keys in the order of `pairs`, `__tostring` honoured, a table
-/// within itself as <cycle>. Of a table with more entries than may be looked at, what it has from 1 on is shown. Calls
-/// metamethods, within a budget of 10 ms. Raises no Lua error: what can't be shown says why.
+/// The value at `index`: tables in Lua syntax, keys in the order of `pairs`, with `__tostring`, a table within itself
+/// as <cycle>. If a table has too many entries, only its elements from 1 on are shown. Calls metamethods within a time
+/// limit of 10 ms. Raises no Lua error: a value that can't be shown gives the reason.
 std::string inspect(lua_State* L, int index, const InspectOptions& options = {});
 
-/// Pushes what `print` and `log` say of all values on the stack: tables as above, everything else as `tostring` gives
-/// it, tabs between. Runs within the call that prints, in its time: the same in every run. May raise a Lua error.
+/// Pushes the text of `print` and `log` for all values on the stack: tables as above, other values as `tostring`, with
+/// tabs between. Runs within the call that prints, in its time, so it is the same in every run. May raise a Lua error.
 void push_line(lua_State* L);
 
 }  // namespace nezumi

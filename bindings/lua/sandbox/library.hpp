@@ -1,4 +1,4 @@
-// The parts that the sandbox's library is put together from.
+// The parts of the sandbox's library.
 #pragma once
 
 #include <initializer_list>
@@ -8,14 +8,14 @@
 
 namespace nezumi::library {
 
-/// A function of the library and what it is called.
+/// A function of the library and its name.
 struct LibraryFunction {
     const char* name;
     lua_CFunction function;
 };
 using Entries = std::vector<LibraryFunction>;
 
-/// Each room of the library: the functions that scripts see, stock ones where those are safe as they are.
+/// The functions of each library, for scripts. They are Lua's own functions where these are safe.
 const Entries& basic();
 const Entries& math();
 const Entries& string();
@@ -23,21 +23,22 @@ const Entries& table();
 const Entries& utf8();
 const Entries& coroutine();
 
-/// The arithmetic that makes "10" + 1 work, for the metatable of strings.
+/// The arithmetic of strings ("10" + 1), for their metatable.
 const Entries& string_metamethods();
 
-/// Functions of Lua's own library by name, found once by opening it in a state of its own. `library` is empty for the
-/// basic ones, and "string metatable" for the metamethods of strings. A name that is not there is a mistake of ours.
+/// A function of Lua's own library by name. They are found once, by opening the library in a separate state. `library`
+/// is empty for basic functions, and "string metatable" for metamethods of strings. An unknown name is a programming
+/// error.
 lua_CFunction stock(std::string_view library, std::string_view name);
 Entries stock(std::string_view library, std::initializer_list<const char*> names);
 
-/// What a function of `table` does with its first argument.
+/// How a function of `table` uses its first argument.
 enum TableAccess : unsigned { reads = 1, writes = 2, has_length = 4 };
 
-/// Raises an error unless the value at `index` is a table, or behaves like one as far as `access` goes.
+/// Raises an error unless the value at `index` is a table, or supports this `access`.
 void check_table(lua_State* lua, int index, unsigned access);
 
-/// Numbers of elements beyond which the functions of `table` refuse to work: more than fit into the memory of a state.
+/// The largest number of elements for functions of `table`: more do not fit into the memory of a state.
 inline constexpr lua_Integer count_limit = lua_Integer{1} << 24;
 
 }  // namespace nezumi::library

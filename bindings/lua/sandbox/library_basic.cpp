@@ -1,4 +1,4 @@
-// The basic functions: those of Lua that can neither swallow the end of a budget nor undermine the sandbox.
+// The basic functions, without those that could catch the end of a time limit or break the sandbox.
 #include "bindings/lua/sandbox/hidden_metatable.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/library.hpp"
@@ -11,7 +11,7 @@
 namespace nezumi::library {
 namespace {
 
-// What a protected call returns: true and the results, or false and the error. `below` values lie under the results.
+// The results of a protected call: true and the results, or false and the error. `below` values are under the results.
 int finish_protected(lua_State* lua, int status, lua_KContext below) {
     if (status == LUA_OK || status == LUA_YIELD) return lua_gettop(lua) - static_cast<int>(below);
     poll_budget(lua);  // a script can't catch the end of its time
@@ -27,7 +27,8 @@ int pcall(lua_State* lua) {
     return finish_protected(lua, lua_pcallk(lua, lua_gettop(lua) - 2, LUA_MULTRET, 0, 0, finish_protected), 0);
 }
 
-// Upvalue: the script's handler. It would run inside the hook that ends the script's time, where nothing can end it.
+// Upvalue: the handler of the script. It would run inside the hook that ends the script's time, where it could not be
+// stopped.
 int guard_handler(lua_State* lua) {
     if (current_call->expired != 0) return 1;
     lua_settop(lua, 1);
@@ -55,7 +56,7 @@ void refuse_field(lua_State* lua, const char* field, const char* reason) {
     lua_pop(lua, 1);
 }
 
-// Lua looks for what calls a `__call` that is no function in turn, for ever where they go round in a circle.
+// If `__call` is no function, Lua searches its own `__call` in turn; a circle would never end.
 void refuse_caller(lua_State* lua) {
     lua_pushliteral(lua, "__call");
     const int type = lua_rawget(lua, 2);
@@ -94,7 +95,7 @@ template <int (*get)(lua_State*, int, lua_Integer)>
 int next_element(lua_State* lua) {
     int is_integer = 0;
     lua_Integer last = lua_tointegerx(lua, 2, &is_integer);
-    if (is_integer == 0) last = luaL_checkinteger(lua, 2);  // says what is wrong
+    if (is_integer == 0) last = luaL_checkinteger(lua, 2);  // raises the error
     const auto next = static_cast<lua_Integer>(static_cast<lua_Unsigned>(last) + 1);
     lua_pushinteger(lua, next);
     return get(lua, 1, next) == LUA_TNIL ? 1 : 2;

@@ -1,4 +1,4 @@
-// `coroutine`: coroutines that the watchdog follows, and that run in slices.
+// The library `coroutine`: the watchdog follows its coroutines, and they can pause with their task.
 #include <cstdint>
 #include <utility>
 
@@ -17,8 +17,9 @@ lua_State* check_coroutine(lua_State* lua, int index) {
     return coroutine;
 }
 
-// One that has paused goes on in the next slice of its own: a bit of its pointer, which nothing reads meanwhile, keeps
-// others away. On top of the stack of each is the coroutine in it that has paused, if the pause did not begin there.
+// A coroutine that has paused continues only with its task. Meanwhile a bit of its pointer, which nothing else reads,
+// prevents other uses. On top of the stack of each is the inner coroutine that has paused, unless the pause began
+// there.
 constexpr std::uintptr_t paused_bit = 1;
 static_assert(alignof(LuaState) > paused_bit);
 
@@ -27,7 +28,7 @@ bool has_paused(lua_State* coroutine) { return (mark_of(coroutine) & paused_bit)
 void set_paused(lua_State* coroutine) { mark_of(coroutine) |= paused_bit; }
 void unset_paused(lua_State* coroutine) { mark_of(coroutine) &= ~paused_bit; }
 
-// Frees one and all in it that have paused, as they won't go on.
+// Removes the bit from a coroutine and all inner ones that have paused, because they will not continue.
 void unset_all_paused(lua_State* coroutine) {
     while (coroutine != nullptr && has_paused(coroutine)) {
         unset_paused(coroutine);
@@ -35,7 +36,7 @@ void unset_all_paused(lua_State* coroutine) {
     }
 }
 
-// lua_resume, watched. Raises the error of an expired budget.
+// Like lua_resume, with the watchdog. Raises an error at the end of the time.
 int resume_watched(lua_State* lua, lua_State* coroutine, int arguments, int& results) {
     CallRecord& call = *current_call;
     unset_paused(coroutine);
@@ -58,9 +59,9 @@ int resume_watched(lua_State* lua, lua_State* coroutine, int arguments, int& res
 
 constexpr int failed = -1;
 
-// Runs `coroutine`, with `arguments` values on top of its stack, until it yields, returns or fails. Returns how many
-// results lie on top of the caller's stack, or `failed` with the error there. Where a slice ends in it, the caller, on
-// top of whose stack it is, pauses as well, and `go_on` takes up from there.
+// Runs `coroutine`, with `arguments` values on top of its stack, until it yields, returns or fails. Returns the number
+// of results on top of the caller's stack, or `failed` with the error there. If it pauses, the caller pauses as well,
+// with the coroutine on top of its stack, and `go_on` continues.
 int run(lua_State* lua, lua_State* coroutine, int arguments, lua_KFunction go_on) {
     int results = 0;
     const int status = resume_watched(lua, coroutine, arguments, results);
@@ -78,7 +79,7 @@ int run(lua_State* lua, lua_State* coroutine, int arguments, lua_KFunction go_on
     return results;
 }
 
-// Moves the arguments of the caller over; returns false, with an error on the caller's stack, where that can't be.
+// Moves the arguments of the caller; returns false, with an error on the caller's stack, if this is impossible.
 bool give_arguments(lua_State* lua, lua_State* coroutine, int count) {
     check_c_stack(lua);
     if (has_paused(coroutine)) {
@@ -110,13 +111,13 @@ int resume(lua_State* lua) {
     return finish_resume(lua, run(lua, coroutine, arguments, go_on_resume));
 }
 
-// Ends what is open in a coroutine that is not running; `closes` is true meanwhile. Returns whether that went well;
-// else an error is on its stack.
+// Closes the variables of a coroutine that is not running; `closes` is true meanwhile. Returns whether this succeeded;
+// otherwise an error is on its stack.
 bool reset(lua_State* lua, lua_State* coroutine, bool& closes) {
     check_c_stack(lua);
     current_call->running = coroutine;
-    const bool closed_before = std::exchange(closes, true);  // a closer may have others closed
-    const int status = close_coroutine(coroutine, lua);      // catches what closers raise
+    const bool closed_before = std::exchange(closes, true);  // closing may close other coroutines
+    const int status = close_coroutine(coroutine, lua);      // catches errors of closing
     closes = closed_before;
     current_call->running = lua;
     poll_budget(lua);
@@ -264,7 +265,7 @@ int pause(lua_State* lua, lua_KContext context, lua_KFunction go_on) {
 
 bool close_slices(lua_State* lua, lua_State* coroutine, bool& closes) {
     if (is_poisoned(coroutine)) return true;
-    const bool has_failed = lua_status(coroutine) != LUA_YIELD;  // with an error that is known
+    const bool has_failed = lua_status(coroutine) != LUA_YIELD;  // with a known error
     luaL_checkstack(lua, 1, nullptr);
     library::unset_all_paused(coroutine);
     note_closed(coroutine);

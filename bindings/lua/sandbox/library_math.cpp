@@ -1,4 +1,4 @@
-// `math`: Lua's own functions, with random numbers that belong to the state.
+// The library `math`: Lua's own functions, and random numbers of the state.
 #include <bit>
 #include <cstdint>
 
@@ -33,7 +33,7 @@ int random(lua_State* lua) {
     return 1;
 }
 
-// Without a seed it goes back to the state's own: a script sees no clock.
+// Without a seed it uses the seed of the state, never a clock.
 int seed_random(lua_State* lua) {
     LuaState& state = LuaState::of(lua);
     std::uint64_t seed = state.random_seed();
@@ -41,7 +41,7 @@ int seed_random(lua_State* lua) {
     if (lua_gettop(lua) > 0) {
         int is_integer = 0;
         lua_Integer integer = lua_tointegerx(lua, 1, &is_integer);
-        if (is_integer == 0) {  // any other number seeds by its bits
+        if (is_integer == 0) {  // the bits of any other number are the seed
             integer = std::bit_cast<lua_Integer>(luaL_checknumber(lua, 1));
         }
         seed = static_cast<std::uint64_t>(integer);

@@ -1,4 +1,4 @@
-// find, match, gmatch, gsub: from Lua's stack to the matcher and back.
+// find, match, gmatch, gsub: convert arguments for the matcher, and results for Lua.
 #include "bindings/lua/sandbox/library_patterns.hpp"
 
 #include <cstring>
@@ -21,7 +21,8 @@ void check_matcher(lua_State* lua, const PatternMatcher& matcher) {
     if (matcher.error() != nullptr) luaL_error(lua, matcher.error(), matcher.error_number());
 }
 
-// Pushes capture `index`, from 0; the whole match, from `start` to `end`, is capture 0 of a pattern without any.
+// Pushes capture `index`, counted from 0. In a pattern without captures, capture 0 is the whole match from `start` to
+// `end`.
 void push_capture(lua_State* lua, const PatternMatcher& matcher, int index, const char* start, const char* end) {
     if (index >= matcher.capture_count()) {
         if (index != 0) luaL_error(lua, "invalid capture index %%%d", index + 1);
@@ -43,7 +44,7 @@ int push_captures(lua_State* lua, const PatternMatcher& matcher, const char* sta
     return count;
 }
 
-// From an argument that counts from 1, or from the end if negative, to an offset.
+// Converts an argument that counts from 1, or from the end if negative, to an offset.
 std::size_t start_offset(lua_Integer position, std::size_t length) {
     if (position > 0) return static_cast<std::size_t>(position) - 1;
     if (position == 0 || position < -static_cast<lua_Integer>(length)) return 0;
@@ -95,7 +96,7 @@ int search(lua_State* lua, bool wants_place) {
     return 1;
 }
 
-// Upvalues: subject, pattern, where to go on, where the last match ended (or -1).
+// Upvalues: subject, pattern, where to continue, end of the last match (or -1).
 int next_match(lua_State* lua) {
     const std::string_view subject = check_text(lua, lua_upvalueindex(1));
     const std::string_view pattern = check_text(lua, lua_upvalueindex(2));
@@ -114,7 +115,7 @@ int next_match(lua_State* lua) {
     return 0;
 }
 
-// Appends the replacement text with its %0 to %9 filled in.
+// Appends the replacement text, with %0 to %9 replaced.
 void add_replacement_text(lua_State* lua, luaL_Buffer& buffer, const PatternMatcher& matcher, const char* start,
                           const char* end) {
     std::size_t length = 0;
@@ -141,7 +142,7 @@ void add_replacement_text(lua_State* lua, luaL_Buffer& buffer, const PatternMatc
     }
 }
 
-// Appends what stands in place of the match; returns whether that differs from a copy of it.
+// Appends the replacement of the match; returns whether it differs from the match.
 bool add_replacement(lua_State* lua, luaL_Buffer& buffer, const PatternMatcher& matcher, const char* start,
                      const char* end) {
     switch (lua_type(lua, 3)) {

@@ -5,7 +5,7 @@
 
 namespace nezumi::library {
 
-/// `find`, `match`, `gmatch`, `gsub` as in Lua 5.4, under the step budget of the call into Lua that they run in.
+/// `find`, `match`, `gmatch`, `gsub` as in Lua 5.4, with the step limit of the call into Lua.
 int find_pattern(lua_State* lua);
 int match_pattern(lua_State* lua);
 int match_all(lua_State* lua);

@@ -1,4 +1,4 @@
-// `string`: the functions without patterns.
+// The library `string`, without the functions of patterns.
 #include <cstring>
 
 #include "bindings/lua/sandbox/library.hpp"
@@ -9,7 +9,7 @@
 namespace nezumi::library {
 namespace {
 
-constexpr std::size_t longest_layout = 10000;  // [bytes] of a format that stock functions walk without looking up
+constexpr std::size_t longest_layout = 10000;  // [bytes] of a format that Lua reads without checking the time
 
 int repeat(lua_State* lua) {
     std::size_t length = 0;
@@ -18,7 +18,7 @@ int repeat(lua_State* lua) {
     const lua_Integer count = luaL_checkinteger(lua, 2);
     const char* separator = luaL_optlstring(lua, 3, "", &gap);
     const std::size_t piece = length + gap;
-    // Nothing, said often enough to be a slip, is refused as well.
+    // Repeating an empty text very often is refused as well, as a mistake.
     const std::size_t most = LuaState::of(lua).memory_limit() / (piece > 0 ? piece : 1);
     if (count > 0 && static_cast<std::size_t>(count) > most) return luaL_error(lua, "resulting string too large");
     if (count <= 0 || piece == 0) {
@@ -33,7 +33,7 @@ int repeat(lua_State* lua) {
     if (filled < total) {
         std::memcpy(start + filled, separator, gap);
         filled += gap;
-        while (filled < total) {  // whole pieces double, so this takes few rounds
+        while (filled < total) {  // each round doubles the text, so there are few rounds
             const std::size_t more = filled < total - filled ? filled : total - filled;
             std::memcpy(start + filled, start, more);
             filled += more;
@@ -43,19 +43,19 @@ int repeat(lua_State* lua) {
     return 1;
 }
 
-// Goes from conversion to conversion of a format: each call returns the place of the next one's letter, or null.
+// Finds the conversions of a format: each call returns the place of the letter of the next one, or null.
 const char* next_conversion(const char* at, const char* end) {
     while (at < end) {
         if (*at++ != '%') continue;
         at += std::strspn(at, "-+ #0123456789.");
-        if (at >= end) return nullptr;  // stock says what is wrong
+        if (at >= end) return nullptr;  // Lua's own function reports the error
         if (*at != '%') return at;
         ++at;
     }
     return nullptr;
 }
 
-// Replaces the value that a %p would show by a text for %s.
+// Replaces the value of a %p by a text for %s.
 void replace_pointer(lua_State* lua, int argument) {
     switch (lua_type(lua, argument)) {
         case LUA_TNIL:
@@ -66,7 +66,7 @@ void replace_pointer(lua_State* lua, int argument) {
     lua_replace(lua, argument);
 }
 
-// Gives Lua's own function texts where it would show an address.
+// Lua's own `format`, with texts instead of addresses.
 int format(lua_State* lua) {
     static const lua_CFunction stock_format = stock("string", "format");
     std::size_t length = 0;

@@ -1,4 +1,4 @@
-// `table`: every count is checked before work begins, and every loop can be stopped.
+// The library `table`: every count is checked before the work begins, and every loop can be stopped.
 #include "bindings/lua/sandbox/library.hpp"
 #include "bindings/lua/sandbox/sort.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
@@ -102,7 +102,7 @@ int concatenate(lua_State* lua) {
             return luaL_error(lua, "invalid value (at index %I) in table for 'concat'", static_cast<LUAI_UACINT>(i));
         }
         luaL_addvalue(&buffer);
-        if (i == last) break;  // `last` may be the greatest integer
+        if (i == last) break;  // `last` may be the largest integer
         luaL_addlstring(&buffer, separator, gap);
     }
     luaL_pushresult(&buffer);

@@ -1,5 +1,5 @@
-// A hook of Lua's for lines and returns. It calls nothing that raises an error or takes memory of the state, so that
-// the script runs as it would without; its time is given back to the calls that it is taken from.
+// A Lua hook for lines and returns. It calls nothing that raises an error or takes memory of the state, so the script
+// runs as without it. Its time does not count for the traced calls.
 #include "bindings/lua/sandbox/line_trace.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace nezumi {
 namespace {
 
 constexpr int most_elements = 6;
-// Whoever asks how their behaviour came to something has not written these: they are stepped over.
+// Lines of installed modules are skipped, because the user has not written them.
 constexpr std::string_view installed_modules = "behaviors/lib/nezumi/";
 
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a hook finds its thread's trace by it
@@ -37,7 +37,7 @@ std::string text_of_string(std::string_view text) {
     return shown + "\"";
 }
 
-// The value on top of the stack; "" for what says nothing, as functions.
+// The value on top of the stack as text; "" for values without a text, such as functions.
 std::string text_of(lua_State* lua, bool within = false);
 
 std::string text_of_table(lua_State* lua) {
@@ -107,13 +107,13 @@ void put(std::vector<LineTrace::Value>& values, LineTrace::Value value) {
     }
 }
 
-// Of two of one name the later one counts: the inner one is meant.
+// Of two variables with one name, the inner one counts, which comes later.
 void add_value(std::vector<LineTrace::Value>& values, lua_State* lua, const char* name) {
     std::string text = text_of(lua);
     if (!text.empty()) put(values, {name, std::move(text)});
 }
 
-// Of the table on top of the stack: "state.count" and so on.
+// The fields of the table on top of the stack: "state.count" and so on.
 void add_fields(std::vector<LineTrace::Value>& values, lua_State* lua, const char* name) {
     if (lua_type(lua, -1) != LUA_TTABLE) return;
     lua_pushnil(lua);
@@ -138,7 +138,7 @@ LineTrace::LineTrace(std::vector<Table> tables)
     : outer_(std::exchange(current_trace, this)), tables_(std::move(tables)) {}
 
 LineTrace::~LineTrace() {
-    current_trace = outer_;  // the hooks go by themselves
+    current_trace = outer_;  // the hooks remove themselves
 }
 
 void LineTrace::follow(lua_State* coroutine) {
@@ -149,14 +149,14 @@ void LineTrace::follow(lua_State* coroutine) {
 void LineTrace::on_event(lua_State* lua, lua_Debug* event) {
     LineTrace* const trace = current_trace;
     if (trace == nullptr || trace->seen_.is_cut) {
-        // The watchdog's may have come meanwhile: that one stays, or comes again.
+        // The watchdog may have set its hook meanwhile; that one must stay.
         if (lua_gethook(lua) == on_event) lua_sethook(lua, nullptr, 0, 0);
         return;
     }
     const std::int64_t began = thread_time();
     try {
         trace->note(lua, event);
-    } catch (const std::exception&) {  // no memory: there are no errors to be thrown through Lua
+    } catch (const std::exception&) {  // no memory; C++ exceptions must not cross Lua
         trace->seen_.is_cut = true;
     }
     charge_calls(began - thread_time());
@@ -188,7 +188,7 @@ void LineTrace::note(lua_State* lua, lua_Debug* event) {
     lua_pop(lua, 1);  // the function
 }
 
-// When the last lines are the fourth turn of a loop in a row, the third one goes.
+// If the last lines are the fourth equal round of a loop, removes the third round.
 void LineTrace::fold_loop() {
     std::vector<TracedLines::Line>& lines = seen_.lines;
     const auto is_same = [&](std::size_t a, std::size_t b) {
@@ -210,7 +210,7 @@ void LineTrace::fold_loop() {
     }
 }
 
-// Variables of the file that the function on top of the stack uses, its own, and fields of the tables.
+// Variables of the file that the function on top of the stack uses, its own variables, and fields of the tables.
 std::vector<LineTrace::Value> LineTrace::values_in_sight(lua_State* lua, lua_Debug* event) const {
     std::vector<Value> values;
     for (int i = 1; const char* name = lua_getupvalue(lua, -1, i); ++i) {
@@ -229,14 +229,15 @@ std::vector<LineTrace::Value> LineTrace::values_in_sight(lua_State* lua, lua_Deb
     return values;
 }
 
-// What ran in this function until now has run, and all that it called. The function is on top of the stack.
+// The line that this function was executing has ended, with everything that it called. The function is on top of the
+// stack.
 void LineTrace::end_line(lua_State* lua, lua_Debug* event, int depth, const void* function) {
     std::erase_if(frames_, [&](const Frame& each) { return each.lua == lua && each.depth > depth; });
     const auto frame = std::find_if(frames_.begin(), frames_.end(),
                                     [&](const Frame& each) { return each.lua == lua && each.depth == depth; });
     if (frame == frames_.end()) return;
     if (frame->function == function) {
-        // What was in sight before and is no more, as a loop's variables, stays as it was.
+        // Variables that are no longer visible, such as those of a loop, keep their last value.
         for (Value& value : values_in_sight(lua, event)) put(seen_.lines[frame->line].values, std::move(value));
     }
     frames_.erase(frame);

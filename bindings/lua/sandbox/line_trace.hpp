@@ -1,5 +1,5 @@
-// The lines of Lua that run in one call, and what their variables hold behind each: a look that costs nothing while
-// nobody looks, and changes nothing of what is looked at.
+// Records the executed lines of one call and the values of their variables. It takes no time while it is not used, and
+// does not change the execution.
 #pragma once
 
 #include <cstddef>
@@ -14,43 +14,42 @@ namespace nezumi {
 
 class LineTrace {
 public:
-    /// Lines that are noted, looks at what Lua does, calls within calls, variables of a line, bytes of a value: what is
-    /// more is left out.
+    /// Limits: recorded lines, events, nested calls, variables of a line, bytes of a value. More is omitted.
     static constexpr std::size_t most_lines = 300, most_events = 5000;
     static constexpr int deepest = 30;
     static constexpr std::size_t most_values = 48, longest_value = 60;
     static constexpr int most_fields = 12;
-    /// Of a loop's turns of at most so many lines the first two and the last are kept.
+    /// Loops with rounds of at most so many lines are shortened to the first two rounds and the last one.
     static constexpr std::size_t longest_turn = 40;
 
     using Value = TracedLines::Value;
 
-    /// A table that scripts have by this name; `push` pushes it, raises nothing and takes no memory.
+    /// A table that scripts know by this name. `push` pushes it, raises no error and takes no memory.
     struct Table {
         const char* name;
         void (*push)(lua_State* lua);
     };
 
-    /// While it lives, what this thread runs is noted; of the tables the fields count as variables.
+    /// Records what this thread executes during its lifetime. The fields of the tables count as variables.
     explicit LineTrace(std::vector<Table> tables = {});
     ~LineTrace();
     LineTrace(const LineTrace&) = delete;
     LineTrace& operator=(const LineTrace&) = delete;
 
-    /// A coroutine that is about to run: if this thread notes lines, those of that one.
+    /// Called for a coroutine that is about to run: if this thread records lines, also records those of the coroutine.
     static void follow(lua_State* coroutine);
 
-    /// Without their texts. The values are of the variables in sight once a line had run, and of those that ended
-    /// with it.
+    /// The lines without their texts. Values are those of the visible variables after a line, and of variables that
+    /// ended with it.
     TracedLines take() { return std::move(seen_); }
 
 private:
-    // A function that is being called, and its line that runs.
+    // A function on the call stack, with its present line.
     struct Frame {
         lua_State* lua;
         int depth;
         const void* function;
-        std::size_t line;  // of seen_.lines
+        std::size_t line;  // index into seen_.lines
     };
 
     static void on_event(lua_State* lua, lua_Debug* event);

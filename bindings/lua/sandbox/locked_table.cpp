@@ -1,5 +1,5 @@
-// An empty table with a metatable that reads elsewhere and refuses to write. What a copy reads from is in the copy
-// itself, so that its metatable can be that of all.
+// An empty table with a metatable that reads from another table and refuses to write. A copy contains the table behind
+// it, so all copies share one metatable.
 #include "bindings/lua/sandbox/locked_table.hpp"
 
 #include "bindings/lua/sandbox/text.hpp"
@@ -7,11 +7,11 @@
 namespace nezumi {
 namespace {
 
-// Their addresses are keys that no script can have: of the table behind, in the metatable or in the copy; of a copy's
-// owner and key; of the copies' metatable in the registry.
+// Their addresses are keys that no script can have: for the table behind, in the metatable or in the copy; for the
+// owner and key of a copy; for the copies' metatable in the registry.
 constexpr char table_behind = 0, copy_owner = 0, copy_key = 0, copies_metatable = 0;
 
-// Upvalues: what the table is called, and why it can't be changed.
+// Upvalues: the name of the table, and why it can't be changed.
 int refuse_write(lua_State* lua) {
     const char* name = lua_tostring(lua, lua_upvalueindex(1));
     const char* why = lua_tostring(lua, lua_upvalueindex(2));
@@ -26,7 +26,7 @@ int length_behind(lua_State* lua) {
     return 1;
 }
 
-// Upvalue: what is to be said of a name that is not there.
+// Upvalue: the message about a missing name.
 int read_behind(lua_State* lua) {
     lua_settop(lua, 2);
     lua_rawgetp(lua, 1, &table_behind);
@@ -41,7 +41,7 @@ void lock_table(lua_State* lua, const char* name, const char* why) {
     luaL_checkstack(lua, 6, nullptr);
     lua_newtable(lua);
     lua_createtable(lua, 0, 5);
-    lua_rotate(lua, -3, 2);  // the locked table, its metatable, what is behind it
+    lua_rotate(lua, -3, 2);  // the read-only table, its metatable, the table behind
     lua_pushvalue(lua, -1);
     lua_rawsetp(lua, -3, &table_behind);
     lua_setfield(lua, -2, "__index");
@@ -59,7 +59,7 @@ void lock_table(lua_State* lua, const char* name, const char* why) {
 void open_copies(lua_State* lua, lua_CFunction refuse, lua_CFunction missing) {
     luaL_checkstack(lua, 3, nullptr);
     lua_createtable(lua, 0, 5);
-    lua_pushboolean(lua, 1);  // what is behind, the copy has
+    lua_pushboolean(lua, 1);  // the table behind, the copy has
     lua_rawsetp(lua, -2, &table_behind);
     lua_pushcfunction(lua, missing);
     lua_pushcclosure(lua, read_behind, 1);

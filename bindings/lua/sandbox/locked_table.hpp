@@ -1,28 +1,29 @@
-// Tables that a script can read and not change.
+// Tables that a script can read but not change.
 #pragma once
 
 #include <lua.hpp>
 
 namespace nezumi {
 
-/// Replaces the table on top of the stack by an empty one that reads from it; every assignment to it is an error that
-/// says of `name` why it can't be. `getmetatable` gives false, `rawset` and `setmetatable` refuse it, `pairs`, `next`,
-/// `rawget` and `#` see what is behind it. Reading a field costs one hop more than in an open table. May raise a Lua
+/// Replaces the table on top of the stack by an empty one that reads from it. An assignment to it is an error with
+/// `name` and the reason. `getmetatable` returns false, `rawset` and `setmetatable` refuse it, and `pairs`, `next`,
+/// `rawget` and `#` see the table behind. Reading a field takes one step more than in a normal table. May raise a Lua
 /// error (memory).
 void lock_table(lua_State* lua, const char* name, const char* why = "is read-only");
 
-/// The same for the copies that objects of the engine give, often: a third of the work to make one, a call for each
-/// field that is read. All of a state share one metatable, in which `refuse` is told of every assignment (table, key,
-/// value); it raises the error. `missing` is told of every look at a name that is not there (table, key, what is behind
-/// it, nil); it raises an error or returns the nil. Called once for a state.
+/// The same for copies, which objects of the engine return often: making one takes a third of the work, but reading a
+/// field takes a call. All copies of a state share one metatable. `refuse` is called for every assignment (table, key,
+/// value) and raises the error. `missing` is called for every read of a missing name (table, key, the table behind,
+/// nil); it raises an error or returns the nil. Call this once for each state.
 void open_copies(lua_State* lua, lua_CFunction refuse, lua_CFunction missing);
-/// Locks the table on top of the stack as a copy of what `owner` has under `key`, both at absolute indices.
+/// Makes the table on top of the stack a read-only copy of the value that `owner` has for `key`, both at absolute
+/// indices.
 void lock_copy(lua_State* lua, int owner, int key);
-/// Pushes owner and key of the copy at `index`, or returns false when it is none.
+/// Pushes owner and key of the copy at `index`; returns false for other values.
 bool push_origin(lua_State* lua, int index);
 
-/// Whether the value at `index` is a table that is locked in either way. Then the table behind it is pushed. Raises no
-/// error and runs nothing.
+/// Whether the value at `index` is a read-only table of either kind; if so, pushes the table behind it. Raises no error
+/// and runs no Lua.
 bool push_behind_lock(lua_State* lua, int index);
 
 }  // namespace nezumi

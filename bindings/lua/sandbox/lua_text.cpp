@@ -1,4 +1,4 @@
-// Reads the loaded libraries and the interrupted registers.
+// Reads the list of loaded libraries, and the registers of interrupted code.
 #include "bindings/lua/sandbox/lua_text.hpp"
 
 #include <link.h>
@@ -26,7 +26,7 @@ int look_into_library(dl_phdr_info* library, std::size_t, void*) {
         const std::uintptr_t begin = library->dlpi_addr + segment.p_vaddr;
         const Range text{begin, begin + segment.p_memsz};
         if (!text.holds(reinterpret_cast<std::uintptr_t>(&lua_newstate))) continue;
-        // Linked into the program, Lua's code can't be told from ours.
+        // If Lua is linked statically, its code can't be distinguished from ours.
         if (!text.holds(reinterpret_cast<std::uintptr_t>(&was_in_lua))) lua_text = text;
         return 1;
     }

@@ -1,4 +1,4 @@
-// Names of Lua that scripts don't have, and what there is instead.
+// Names that scripts do not have, and their replacements.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace nezumi {
 
-/// Functions of Lua 5.1 to 5.3, those of 5.4 that the sandbox leaves out, and words of other languages: "unpack",
+/// Functions of Lua 5.1 to 5.3, functions of 5.4 that the sandbox omits, and words of other languages: "unpack",
 /// "math.atan2", "null".
 const std::vector<Instead>& missing_names();
 

@@ -1,4 +1,4 @@
-// Sorted keys for `pairs` and `next`.
+// Sorts the keys for `pairs` and `next`.
 #include "bindings/lua/sandbox/ordered.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 enum class KeyKind : unsigned char { integer, real, text, boolean };
 
-// A key outside of Lua. A text lives as long as its table has it.
+// A key as a C++ value. A text is valid as long as its table has it.
 struct Key {
     union {
         lua_Integer integer;  // 0 or 1 for a boolean
@@ -49,7 +49,7 @@ Key read_key(lua_State* lua, int index) {
             key.kind = KeyKind::boolean;
             break;
         default:
-            // The same text whichever such key comes first: that differs from run to run.
+            // The same text for all such keys, because their order differs from run to run.
             luaL_error(lua,
                        "a table with a table or function as a key can't be traversed: use numbers, strings or booleans"
                        " as keys");
@@ -66,7 +66,7 @@ void push_key(lua_State* lua, const Key& key) {
     }
 }
 
-// A real key is never an integer's value: Lua turns such keys into integers.
+// A real key is never a whole number: Lua converts those to integers.
 bool less_than(lua_Integer a, lua_Number b) {
     if (b >= 0x1p63) return true;
     if (b < -0x1p63) return false;
@@ -92,7 +92,7 @@ bool in_sequence(const Key& key, lua_Integer length) {
     return key.kind == KeyKind::integer && key.integer >= 1 && key.integer <= length;
 }
 
-// Pushes an array of the keys of the table at `table` that are not in 1..length, in order; nothing if there are none.
+// Pushes a sorted array of the keys of the table at `table` that are not in 1..length; nothing if there are none.
 bool push_sorted_keys(lua_State* lua, int table, lua_Integer length) {
     luaL_checkstack(lua, 5, nullptr);
     Key few[keys_on_c_stack];
@@ -126,8 +126,8 @@ bool push_sorted_keys(lua_State* lua, int table, lua_Integer length) {
     return true;
 }
 
-// Pushes the key and value of the first entry, from place `at` of the sorted keys on, that the table still has. Returns
-// its place, or 0 with nothing pushed.
+// Pushes key and value of the next existing entry, from index `at` of the sorted keys on. Returns its index, or 0 with
+// nothing pushed.
 lua_Integer push_entry(lua_State* lua, int table, int keys, lua_Integer at) {
     for (;; ++at) {
         poll_budget(lua);
@@ -147,7 +147,7 @@ bool push_element(lua_State* lua, int table, lua_Integer position) {
     return false;
 }
 
-// The iterator of one `pairs`. Upvalues: the table; the sorted keys, nil while in 1..n; the place of the last one.
+// The iterator of `pairs`. Upvalues: the table; the sorted keys, nil while in 1..n; the index of the last one.
 int step(lua_State* lua) {
     constexpr int table = lua_upvalueindex(1);
     constexpr int keys = lua_upvalueindex(2);
@@ -181,10 +181,9 @@ int step(lua_State* lua) {
 
 int after_pairs_metamethod(lua_State*, int, lua_KContext) { return 3; }
 
-const char cache_key = 0;  // its address is the registry's key of the table from table to sorted keys, for `next`
+const char cache_key = 0;  // its address is the key of the registry's table that maps tables to sorted keys, for `next`
 
-// Pushes the sorted keys that `next` made for the table at `table`, or nil. Makes the cache that they are in when asked
-// to.
+// Pushes the sorted keys that `next` made for the table at `table`, or nil. Creates the cache if `make`.
 int push_cached_keys(lua_State* lua, int table, bool make) {
     if (!make && !LuaState::of(lua).has_next_cache) {
         lua_pushnil(lua);
@@ -208,7 +207,7 @@ int push_cached_keys(lua_State* lua, int table, bool make) {
     return type;
 }
 
-// Remembers the value on top, which is popped, of the table.
+// Stores the keys on top of the stack for the table, and pops them.
 void cache_keys(lua_State* lua, int table) {
     push_cached_keys(lua, table, true);
     lua_pop(lua, 1);
@@ -219,7 +218,7 @@ void cache_keys(lua_State* lua, int table) {
     lua_pop(lua, 1);
 }
 
-// The place of the first of the sorted keys on top of the stack that is greater than `key`.
+// The index of the first of the sorted keys on top of the stack that is greater than `key`.
 lua_Integer place_after(lua_State* lua, const Key& key) {
     lua_Integer low = 1;
     auto high = static_cast<lua_Integer>(lua_rawlen(lua, -1)) + 1;
@@ -262,7 +261,7 @@ int first_entry(lua_State* lua) {
     }
     lua_settop(lua, 2);
     if (least.kind == KeyKind::integer && least.integer > 1) {
-        lua_pushboolean(lua, 1);  // the next call must not take it for a place in 1..n
+        lua_pushboolean(lua, 1);  // the next call must not take it for an index in 1..n
         cache_keys(lua, 1);
     }
     lua_pushvalue(lua, 2);
@@ -310,7 +309,7 @@ int ordered_next(lua_State* lua) {
     lua_Integer at = 1;
     if (cached == LUA_TTABLE) {
         at = place_after(lua, key);
-        if (may_be_in_sequence) {  // where a table is traversed twice at a time, one may still be there
+        if (may_be_in_sequence) {  // the cache may still exist if a table is traversed twice at a time
             lua_rawgeti(lua, -1, at - 1);
             const bool in_others = lua_rawequal(lua, 2, -1) != 0;
             lua_pop(lua, 1);

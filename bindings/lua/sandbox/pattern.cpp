@@ -13,7 +13,7 @@ bool is_digit(unsigned char c) { return is_between(c, '0', '9'); }
 bool is_letter(unsigned char c) { return is_lower(c) || is_upper(c); }
 unsigned char to_lower(unsigned char c) { return is_upper(c) ? static_cast<unsigned char>(c + ('a' - 'A')) : c; }
 
-// Whether `c` belongs to the class %name. ASCII only: a match must not depend on the machine's language.
+// Whether `c` belongs to the class %name. Only ASCII, because a match must not depend on the language of the machine.
 bool class_matches(unsigned char c, unsigned char name) {
     bool belongs = false;
     switch (to_lower(name)) {
@@ -33,7 +33,7 @@ bool class_matches(unsigned char c, unsigned char name) {
     return is_upper(name) ? !belongs : belongs;
 }
 
-// Whether `c` is in the set [...] that begins at `p` and whose ']' is at `close`.
+// Whether `c` is in the set [...] that begins at `p` and ends with ']' at `close`.
 bool set_matches(unsigned char c, const char* p, const char* close) {
     bool found = true;
     ++p;
@@ -56,7 +56,7 @@ bool set_matches(unsigned char c, const char* p, const char* close) {
     return !found;
 }
 
-// Steps to compare one character with the item from `p` to `after`: a long set takes long.
+// Number of steps for comparing one character with the item from `p` to `after`; a long set takes more.
 std::int64_t item_cost(const char* p, const char* after) { return 1 + (after - p) / 4; }
 
 }  // namespace
@@ -90,7 +90,7 @@ const char* PatternMatcher::match(const char* s, const char* p) {
     return end;
 }
 
-// Single characters without a repetition need no backtracking, so this loops over them; all else goes deeper.
+// Single characters without a repetition need no backtracking, so this loops over them; other items recurse.
 const char* PatternMatcher::match_items(const char* s, const char* p) {
     for (;;) {
         if (error_ != nullptr || !take_steps(1)) return nullptr;
@@ -167,7 +167,7 @@ const char* PatternMatcher::match_shortest(const char* s, const char* p, const c
     }
 }
 
-// %bxy: from an x to the y that balances it.
+// %bxy: from an x to the matching y.
 const char* PatternMatcher::match_balance(const char* s, const char* p) {
     if (p + 1 >= pattern_end()) return fail("malformed pattern (missing arguments to '%%b')");
     if (s == subject_end() || *s != p[0]) return nullptr;
@@ -183,7 +183,7 @@ const char* PatternMatcher::match_balance(const char* s, const char* p) {
     return nullptr;
 }
 
-// %f[set]: between a character that is not in the set and one that is; the ends of the subject count as '\0'.
+// %f[set]: between a character outside of the set and one in the set; the ends of the subject count as '\0'.
 const char* PatternMatcher::match_frontier(const char* s, const char* p) {
     if (p >= pattern_end() || *p != '[') return fail("missing '[' after '%%f' in pattern");
     const char* after = item_end(p);
@@ -194,14 +194,14 @@ const char* PatternMatcher::match_frontier(const char* s, const char* p) {
     return match(s, after);
 }
 
-// %1 to %9: what a capture captured, again.
+// %1 to %9: the text of a capture again.
 const char* PatternMatcher::match_repeat(const char* s, const char* p) {
     const int index = p[1] - '1';
     if (index < 0 || index >= capture_count_ || captures_[index].kind == PatternCapture::Kind::open) {
         return fail("invalid capture index %%%d", index + 1);
     }
     const PatternCapture& again = captures_[index];
-    // A captured position has no text, and Lua matches none with it.
+    // A captured position has no text; as in Lua, it never matches.
     if (again.kind == PatternCapture::Kind::position) return nullptr;
     if (static_cast<std::size_t>(subject_end() - s) < again.length) return nullptr;
     if (!take_steps(static_cast<std::int64_t>(again.length))) return nullptr;
@@ -228,7 +228,7 @@ const char* PatternMatcher::close_capture(const char* s, const char* p) {
     return end;
 }
 
-// Where the single-character item at `p` ends, without its repetition.
+// The end of the single-character item at `p`, without its repetition.
 const char* PatternMatcher::item_end(const char* p) {
     const char first = *p++;
     if (first == '%') {
@@ -237,7 +237,7 @@ const char* PatternMatcher::item_end(const char* p) {
     }
     if (first != '[') return p;
     if (p < pattern_end() && *p == '^') ++p;
-    do {  // a ']' that comes first stands for itself
+    do {  // a ']' in the first place is a normal character
         if (p == pattern_end()) return fail("malformed pattern (missing ']')");
         if (*p++ == '%' && p < pattern_end()) ++p;
     } while (p == pattern_end() || *p != ']');

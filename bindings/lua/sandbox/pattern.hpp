@@ -1,4 +1,4 @@
-// Lua's patterns, with a limit to the work that a match may take.
+// Matches Lua's patterns with a limited number of steps.
 #pragma once
 
 #include <cstddef>
@@ -7,31 +7,34 @@
 
 namespace nezumi {
 
-/// What a pattern captured: a part of the subject, or a position in it.
+/// A capture of a pattern: a part of the subject, or a position in it.
 struct PatternCapture {
     const char* start = nullptr;
     std::size_t length = 0;
     enum class Kind : unsigned char { text, position, open } kind = Kind::open;
 };
 
-/// One subject and one pattern. Backtracks as Lua's own matcher does, so results and errors are the same; every step is
-/// taken from a budget, because backtracking can take time without end. Calls no Lua and raises nothing.
+/// One subject and one pattern. Backtracks like Lua's own matcher, so results and errors are the same. Every step is
+/// counted, because backtracking can take very long. Calls no Lua and raises no error.
 class PatternMatcher {
 public:
     static constexpr int captures_limit = 32;
     static constexpr int depth_limit = 200;
 
-    /// `steps` is counted down. The texts must outlive the matcher; a '^' at the start must have been taken off.
+    /// `steps` is counted down. The texts must outlive the matcher. A '^' at the begin must have been removed.
     PatternMatcher(std::string_view subject, std::string_view pattern, std::int64_t& steps)
         : subject_(subject), pattern_(pattern), steps_(steps) {}
 
-    /// Matches at exactly this place in the subject. Returns the end of the match, or null: then `error` tells.
+    /// Matches at exactly this place in the subject. Returns the end of the match, or null; then `error` may have the
+    /// reason.
     const char* match_at(const char* place);
 
     int capture_count() const { return capture_count_; }
-    const PatternCapture& capture(int index) const { return captures_[index]; }  ///< from 0, below `capture_count`
+    const PatternCapture& capture(int index) const {
+        return captures_[index];
+    }  ///< index from 0, below `capture_count`
 
-    /// Null while nothing is wrong; a text for luaL_error with at most one %d, which is `error_number`.
+    /// Null if nothing is wrong; otherwise a text for luaL_error with at most one %d, for `error_number`.
     const char* error() const { return error_; }
     int error_number() const { return error_number_; }
 

@@ -1,4 +1,4 @@
-// The generator behind `math.random`: xoshiro256**, the same numbers on every machine.
+// The random numbers of `math.random`: xoshiro256**, the same on every machine.
 #pragma once
 
 #include <bit>
@@ -6,7 +6,7 @@
 
 namespace nezumi {
 
-/// xoshiro256** 1.0 by D. Blackman and S. Vigna (https://prng.di.unimi.it), started through splitmix64.
+/// xoshiro256** 1.0 by D. Blackman and S. Vigna (https://prng.di.unimi.it), seeded with splitmix64.
 class Random {
 public:
     explicit constexpr Random(std::uint64_t seed = 0, std::uint64_t more = 0) {
@@ -36,11 +36,11 @@ public:
     /// Uniform in [0, 1), with 53 random bits.
     constexpr double next_fraction() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
 
-    /// Uniform in [0, limit], limit included.
+    /// Uniform in [0, limit], including the limit.
     constexpr std::uint64_t next_up_to(std::uint64_t limit) {
         if (limit == 0) return 0;
         const int unused_bits = std::countl_zero(limit);
-        for (;;) {  // at most half of the draws are refused
+        for (;;) {  // at most half of the draws are rejected
             const std::uint64_t draw = next() >> unused_bits;
             if (draw <= limit) return draw;
         }

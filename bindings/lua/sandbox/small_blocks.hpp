@@ -1,4 +1,4 @@
-// The first small blocks of a Lua state, side by side in one region.
+// Memory for the first small blocks of a Lua state, in one region.
 #pragma once
 
 #include <array>
@@ -11,22 +11,21 @@
 
 namespace nezumi {
 
-/// Lua asks for most of its objects in blocks of a few words. Here they come without the header that `malloc` puts
-/// before each, one beside the other, and come back at the cost of a pointer. Once the region is full, which is about
-/// when a script of usual size is loaded, others follow from elsewhere: what a script holds on to here and does not use
-/// is never more than the region.
+/// Most objects of Lua are small. Here they need no header as in `malloc`, lie next to each other, and are released
+/// quickly. When the region is full, which is about when a script of usual size is loaded, further blocks come from
+/// elsewhere. So a script never wastes more than the region.
 class SmallBlocks {
 public:
     static constexpr std::size_t most = 128;  ///< [bytes] of a block
     static constexpr std::size_t region =
-        8192;  ///< [bytes] measured: a smaller one gains less, a larger one is not full
+        8192;  ///< [bytes] measured: a smaller region gains less, a larger one is not full
 
     SmallBlocks() = default;
     ~SmallBlocks() { std::free(begin_); }
     SmallBlocks(const SmallBlocks&) = delete;
     SmallBlocks& operator=(const SmallBlocks&) = delete;
 
-    /// A block of so many bytes, 1 or more, aligned as a pointer; null when there is no room for it here.
+    /// A block of this size (1 or more), aligned for pointers; null if there is no room.
     void* take(std::size_t bytes) {
         if (bytes > most) return nullptr;
         Free*& first = free_[kind_of(bytes)];
@@ -44,12 +43,12 @@ public:
     bool owns(const void* block) const {
         return reinterpret_cast<std::uintptr_t>(block) - reinterpret_cast<std::uintptr_t>(begin_) < used_;
     }
-    /// A block of its own, of so many bytes or that has been given more.
+    /// Releases a block of this region. `bytes` is its size, or less.
     void give_back(void* block, std::size_t bytes) {
         Free*& first = free_[kind_of(bytes)];
         first = new (block) Free{first};
     }
-    /// Begins anew. The region stays taken, with all that is in it.
+    /// Begins again. The old region with its blocks stays allocated.
     void abandon() {
         begin_ = nullptr;
         used_ = 0;

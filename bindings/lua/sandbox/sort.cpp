@@ -1,4 +1,4 @@
-// A bottom-up merge sort of places, over elements that stay where they are.
+// A bottom-up merge sort of indices; the elements stay where they are.
 #include "bindings/lua/sandbox/sort.hpp"
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace {
 
 using Place = std::uint32_t;
 
-// Sorts `places` stably by `less(a, b)`, which may answer anything and may leave by a Lua error.
+// Sorts `places` stably by `less(a, b)`, which may return anything and may raise a Lua error.
 template <class Less>
 const Place* merge_sort(lua_State* lua, Place* places, Place* other, std::size_t count, Less less) {
     for (std::size_t width = 1; width < count; width *= 2) {
@@ -25,7 +25,7 @@ const Place* merge_sort(lua_State* lua, Place* places, Place* other, std::size_t
             const std::size_t end = middle + width < count ? middle + width : count;
             std::size_t left = begin;
             std::size_t right = middle;
-            // A run that is in order already costs one comparison.
+            // A sorted run takes only one comparison.
             if (middle == end || !less(places[middle], places[middle - 1])) {
                 std::memcpy(other + begin, places + begin, (end - begin) * sizeof(Place));
                 continue;
@@ -40,7 +40,7 @@ const Place* merge_sort(lua_State* lua, Place* places, Place* other, std::size_t
     return places;
 }
 
-// A number or a text outside of Lua, for comparing without calling Lua.
+// A number or a text as a C++ value, for comparing without calling Lua.
 union Plain {
     lua_Number number;
     struct {
@@ -49,13 +49,13 @@ union Plain {
     } text;
 };
 
-// Where things lie on the stack of `sort_table`; 3 is the memory for the places.
+// Stack indices of `sort_table`; 3 is the memory for the indices.
 constexpr int sorted_table = 1;
 constexpr int comparison = 2;
 constexpr int elements = 4;
 constexpr int plain_memory = 5;
 
-// Integers beyond this are not exact as floats: Lua compares those itself.
+// Integers beyond this are not exact as floats, so Lua compares them.
 constexpr lua_Integer exact_integers = lua_Integer{1} << 53;
 
 bool fits_plain(lua_State* lua, int type) {
@@ -65,7 +65,7 @@ bool fits_plain(lua_State* lua, int type) {
     return -exact_integers <= number && number <= exact_integers;
 }
 
-// Fills `plain` if all elements are numbers or all are strings, and returns which; else returns LUA_TNONE.
+// Fills `plain` if all elements are numbers or all are strings, and returns this type; otherwise returns LUA_TNONE.
 int read_plain(lua_State* lua, Plain* plain, std::size_t count) {
     int all = LUA_TNONE;
     for (std::size_t i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// Memory accounting, the collector's pace and the life of a Lua state.
+// Memory accounting, settings of the garbage collector, and the life of a Lua state.
 #include "bindings/lua/sandbox/state.hpp"
 
 #include <algorithm>
@@ -14,19 +14,19 @@
 namespace nezumi {
 namespace {
 
-// Small steps keep the longest pause short: measured 10 times shorter than the defaults on a heap of 2 MB.
+// Small steps keep pauses short: measured 10 times shorter than the defaults on a heap of 2 MB.
 constexpr int gc_pause = 200;        // [%] of the live memory before a new cycle begins
 constexpr int gc_step_speed = 10;    // work per allocation
 constexpr int gc_step_size_log = 8;  // [log2 bytes] between two steps
 
-// All of Lua runs under protected_call, so this is a mistake of ours. The text goes out before the process ends.
+// All of Lua runs under protected_call, so this is a programming error. Prints the text before the process ends.
 int panic(lua_State* lua) {
     const char* message = lua_type(lua, -1) == LUA_TSTRING ? lua_tostring(lua, -1) : "unknown";
     std::fprintf(stderr, "nezumi: Lua error outside a protected call: %s\n", message);
     std::abort();
 }
 
-// A call has one, and those within it: more are seldom wanted at a time.
+// A call needs one coroutine, and nested calls one each; more are rarely needed at a time.
 constexpr std::size_t most_idle_threads = 4;
 
 // Returns a new coroutine, which the registry keeps alive.
@@ -37,7 +37,7 @@ int new_thread(lua_State* lua) {
     return 1;
 }
 
-// A lost state can't be closed: it was left in the middle of Lua's own code.
+// A lost state can't be closed, because it was abandoned inside Lua's own C code.
 void leave_to_leak([[maybe_unused]] const lua_State* lost) {
 #if defined(NEZUMI_ADDRESS_SANITIZER)
     __lsan_ignore_object(lost);
@@ -67,7 +67,7 @@ bool LuaState::open() {
 }
 
 LuaState* LuaState::replace_lost() {
-    lua_gc(lua_, LUA_GCSTOP);  // for what may still look at the old one
+    lua_gc(lua_, LUA_GCSTOP);  // for code that may still use the old one
     leave_to_leak(lua_);
     small_.abandon();
     memory_ = 0;
@@ -98,7 +98,7 @@ lua_State* LuaState::take_thread(lua_State* lua, int values) {
 void LuaState::give_back_thread(lua_State* lua, lua_State* thread) {
     if (!is_poisoned(thread) && idle_threads_.size() < most_idle_threads) return idle_threads_.push_back(thread);
     lua_pushnil(lua);
-    lua_rawsetp(lua, LUA_REGISTRYINDEX, thread);  // a key that is there: this takes no memory
+    lua_rawsetp(lua, LUA_REGISTRYINDEX, thread);  // the key exists, so this takes no memory
 }
 
 void LuaState::seed_random(std::uint64_t seed) {
@@ -108,7 +108,7 @@ void LuaState::seed_random(std::uint64_t seed) {
 
 void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::size_t new_size) {
     LuaState& state = *static_cast<LuaState*>(self);
-    const std::size_t held = block != nullptr ? old_size : 0;  // without a block, old_size is a kind of object
+    const std::size_t held = block != nullptr ? old_size : 0;  // without a block, old_size is the type of the object
     if (new_size == 0) {
         if (block != nullptr) state.free(block, held);
         state.memory_ -= held;
@@ -123,7 +123,7 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
     return grown;
 }
 
-// `block` may be null. The result is null where there is no memory; never for a block that shrinks.
+// `block` may be null. The result is null if there is no memory; never for a block that shrinks.
 void* LuaState::resize(void* block, std::size_t old_size, std::size_t new_size) {
     const bool is_small = block != nullptr && small_.owns(block);
     if (block != nullptr && !is_small) return std::realloc(block, new_size);

@@ -1,4 +1,4 @@
-// One Lua state with an exact memory limit: the box that a script lives in.
+// A Lua state with an exact memory limit, for one script.
 #pragma once
 
 #include <cstddef>
@@ -16,26 +16,26 @@
 
 namespace nezumi {
 
-/// How a Lua state is made.
+/// Options for a new Lua state.
 struct StateOptions {
     std::size_t memory_limit = std::size_t{64} << 20;  ///< [bytes], exact; at least 64 KB
     std::uint64_t seed = 1;                            ///< of `math.random`
-    /// Takes what `print` was given, one line without its end. Must not throw. Empty: the line is dropped.
+    /// Gets each line of `print`, without its end. Must not throw. Empty: the line is dropped.
     std::function<void(std::string_view)> print{};
 };
 
-/// Owns one `lua_State`. Many live in one process; each may be used from any thread, but from one at a time.
-/// Everything that may raise a Lua error, running out of memory included, goes through `protected_call` or `protect`
+/// Owns one `lua_State`. A process may have many; each may be used from any thread, but only from one at a time.
+/// Everything that may raise a Lua error, also for lack of memory, must go through `protected_call` or `protect`
 /// (call.hpp).
 class LuaState {
 public:
-    /// A bare state: no library is open, the collector is set to small steps. Fails only for want of memory.
+    /// A new state without libraries, with small steps of the garbage collector. Fails only for lack of memory.
     static Expected<std::unique_ptr<LuaState>> create(StateOptions options = {});
     ~LuaState();
     LuaState(const LuaState&) = delete;
     LuaState& operator=(const LuaState&) = delete;
 
-    /// The owner of a state or of any of its coroutines: a pointer read, no look-up.
+    /// The owner of a state or of any of its coroutines; reads one pointer.
     static LuaState& of(lua_State* lua) { return **static_cast<LuaState**>(lua_getextraspace(lua)); }
 
     /// The main thread of the state.
@@ -45,22 +45,22 @@ public:
     std::size_t memory_limit() const { return memory_limit_; }  ///< [bytes]
     void set_memory_limit(std::size_t bytes) { memory_limit_ = bytes; }
 
-    /// Starts `math.random` anew. The layer above derives the seed from (run seed, component's name, version).
+    /// Seeds `math.random`. The caller derives the seed from (run seed, component's name, version).
     void seed_random(std::uint64_t seed);
     Random& random() { return random_; }
-    std::uint64_t random_seed() const { return random_seed_; }  ///< what `math.randomseed()` goes back to
+    std::uint64_t random_seed() const { return random_seed_; }  ///< used by `math.randomseed()`
 
-    /// Where `print` goes; may be replaced at any time.
+    /// Sets the function for `print`; may be called at any time.
     void set_print(std::function<void(std::string_view)> print) { print_ = std::move(print); }
     void print(std::string_view line) const {
         if (print_) print_(line);
     }
 
-    /// Adds a hint to the text of an error that leaves a call, such as what a nil upvalue means after a reload. Gets
-    /// the error as it is told; what it returns is appended. Empty: no hints. Must not throw.
+    /// Sets a function that adds a hint to the error of a call, such as what a nil upvalue means after a reload. It
+    /// gets the error and returns the text to append. Empty: no hints. Must not throw.
     void set_hint(std::function<std::string(const Error&)> hint) { hint_ = std::move(hint); }
-    /// Tells the lines of tail calls in the function of a file that goes from line `first` to `last`: in an error such
-    /// a call has left no trace. Empty: they are not known. Must not throw.
+    /// Sets a function that returns the lines of tail calls in a function of a file, from line `first` to `last`,
+    /// because a tail call is not visible in an error. Empty: unknown. Must not throw.
     using TailCalls = std::function<std::vector<int>(std::string_view file, int first, int last)>;
     void set_tail_calls(TailCalls tail_calls) { tail_calls_ = std::move(tail_calls); }
     std::vector<int> tail_calls(std::string_view file, int first, int last) const {
@@ -68,21 +68,21 @@ public:
     }
     std::string hint(const Error& error) const { return hint_ ? hint_(error) : std::string(); }
 
-    /// An empty coroutine for a call made from `lua`, with room for so many values; null for want of memory. When the
-    /// call fails, its stack stays as it was: the place of any error can be looked up after Lua has returned.
+    /// An empty coroutine for a call from `lua`, with room for so many values; null for lack of memory. If the call
+    /// fails, its stack is unchanged, so the place of any error can be found after Lua has returned.
     lua_State* take_thread(lua_State* lua, int values);
     /// Takes it back, empty or poisoned.
     void give_back_thread(lua_State* lua, lua_State* thread);
 
-    /// How often the memory limit was reached. All that the allocator does about it: Lua may be in the middle of
-    /// anything when it asks for memory, with no stack that can be read.
+    /// How often the memory limit was reached. The allocator does nothing else, because Lua may be in any condition
+    /// when it asks for memory, and its stack may not be readable.
     std::uint64_t memory_refusals() const { return memory_refusals_; }
 
-    /// The next number that tells a table, function, userdata or coroutine from the others in its text ("table: 1").
+    /// The next number for the text of a table, function, userdata or coroutine ("table: 1").
     std::int64_t next_identity() { return ++identities_; }
 
-    /// A lost state was left in the middle of Lua's own code (watchdog.hpp). Its main thread is then an empty state, so
-    /// that what is done with it does no harm, and every call fails.
+    /// A lost state was abandoned inside Lua's own C code (watchdog.hpp). Its main thread is then an empty state, so
+    /// using it does no harm, and every call fails.
     bool is_lost() const { return lost_; }
     /// Marks the state as lost and puts it at the head of the list. Safe in a signal handler.
     void lose(LuaState*& list) {
@@ -90,13 +90,13 @@ public:
         next_lost_ = list;
         list = this;
     }
-    /// Puts an empty state in the place of the lost one, whose memory stays taken. Returns the next of the list.
+    /// Replaces a lost state by an empty one; its memory stays allocated. Returns the next state of the list.
     LuaState* replace_lost();
 
-    /// Whether `next` has ever had to remember keys.
+    /// Whether `next` has ever stored keys.
     bool has_next_cache = false;
-    /// The text of an error between the C++ that found it and the Lua error (values/bridge.hpp): out of reach of the
-    /// jump.
+    /// The text of an error while it passes from C++ to a Lua error (values/bridge.hpp). It is stored here, because the
+    /// jump of the error would skip its destructor.
     std::string kept_error;
 
 private:
@@ -106,7 +106,7 @@ private:
     void* resize(void* block, std::size_t old_size, std::size_t new_size);
     void free(void* block, std::size_t size);
 
-    SmallBlocks small_;  // first: what is in it dies before
+    SmallBlocks small_;  // first member, so it outlives the others
     std::size_t memory_ = 0;
     std::size_t memory_limit_;
     std::uint64_t memory_refusals_ = 0;
@@ -122,7 +122,7 @@ private:
     TailCalls tail_calls_;
 };
 
-/// Closes what a coroutine has open, as lua_resetthread. Lua counts calls from `from` on, where it can.
+/// Closes the variables of a coroutine, like lua_resetthread. If possible, Lua counts nested calls from `from` on.
 inline int close_coroutine(lua_State* coroutine, [[maybe_unused]] lua_State* from) {
 #if LUA_VERSION_RELEASE_NUM >= 50406
     return lua_closethread(coroutine, from);
@@ -131,7 +131,7 @@ inline int close_coroutine(lua_State* coroutine, [[maybe_unused]] lua_State* fro
 #endif
 }
 
-/// A coroutine that was stopped inside its hook can't be watched any more: nothing of it may run again.
+/// A coroutine that was stopped inside its hook can't be watched any more; no code may run in it.
 inline bool is_poisoned(lua_State* coroutine) { return *static_cast<void**>(lua_getextraspace(coroutine)) == nullptr; }
 inline void poison(lua_State* coroutine) { *static_cast<void**>(lua_getextraspace(coroutine)) = nullptr; }
 

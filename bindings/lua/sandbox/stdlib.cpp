@@ -44,7 +44,7 @@ StockFunctions find_stock_functions() {
     return functions;
 }
 
-// Copies lua_State's functions that need no upvalues; those that do are not among what we take.
+// Copies functions without upvalues; no function that is taken needs any.
 void push_entries(lua_State* lua, const Entries& entries, int more = 0) {
     lua_createtable(lua, 0, static_cast<int>(entries.size()) + more);
     for (const LibraryFunction& entry : entries) {
@@ -71,7 +71,7 @@ void push_utf8(lua_State* lua) {
     lua_setfield(lua, -2, "charpattern");
 }
 
-// What strings have: methods from the value on top of the stack, which stays there, and arithmetic.
+// Sets the metatable of strings: methods from the table on top of the stack, which stays there, and arithmetic.
 void set_string_metatable(lua_State* lua) {
     lua_pushliteral(lua, "");
     push_entries(lua, string_metamethods(), 2);
@@ -83,7 +83,7 @@ void set_string_metatable(lua_State* lua) {
     lua_pop(lua, 1);
 }
 
-// Leaves the open table of the functions of strings on the stack.
+// Leaves the writable table of string functions on the stack.
 void push_string(lua_State* lua) {
     push_entries(lua, string());
     set_string_metatable(lua);
@@ -99,10 +99,10 @@ constexpr Library libraries[] = {
     {"table", [](lua_State* lua) { push_entries(lua, table()); }},         {"utf8", push_utf8},
 };
 
-// Puts it into the globals, whatever these refuse.
+// Adds it to the globals, without their metatable.
 void open(lua_State* lua, const Library& library) {
     luaL_checkstack(lua, 10, nullptr);
-    // Lua looks here for the name of a function that is called under none.
+    // Lua searches here for the name of a function that was called without a name.
     luaL_getsubtable(lua, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
     library.push(lua);
     lua_pushvalue(lua, -1);
@@ -115,9 +115,9 @@ void open(lua_State* lua, const Library& library) {
     lua_pop(lua, 3);
 }
 
-// The first method of a string that is looked for.
+// Runs at the first use of a method of a string.
 int find_first_method(lua_State* lua) {
-    open_library(lua, "string");  // which puts its functions into the metatable
+    open_library(lua, "string");  // it puts its functions into the metatable
     lua_settop(lua, 2);
     luaL_getmetafield(lua, 1, "__index");
     lua_insert(lua, 2);
@@ -150,7 +150,7 @@ const Entries& utf8() {
 Expected<void> open_sandbox(LuaState& state, Libraries libraries) {
     const auto opened = protect(state.lua(), Budget{10.0}, [libraries](lua_State* lua) {
         luaL_getsubtable(lua, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
-        // The globals are not there: a script puts functions of its own among them, under other names.
+        // Not from the globals, because a script may define its own under other names.
         library::push_entries(lua, library::basic());
         lua_setfield(lua, -2, LUA_GNAME);
         lua_pushglobaltable(lua);

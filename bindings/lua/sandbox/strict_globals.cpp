@@ -10,7 +10,7 @@
 namespace nezumi {
 namespace {
 
-constexpr int callbacks_index = lua_upvalueindex(1);  // a table from each callback's name to true
+constexpr int callbacks_index = lua_upvalueindex(1);  // a table from the name of each callback to true
 
 bool is_callback(lua_State* lua, int key) {
     lua_pushvalue(lua, key);
@@ -31,7 +31,7 @@ void collect_names(lua_State* lua, int table, std::vector<std::string_view>& nam
     lua_pop(lua, 1);
 }
 
-// Apart from the function that raises the error, so that nothing is left to destroy there.
+// A separate function, so that no object is left to destroy when the error is raised.
 void write_complaint(lua_State* lua, char* text, std::size_t size) noexcept {
     std::size_t length = 0;
     const char* name = lua_type(lua, 2) == LUA_TSTRING ? lua_tolstring(lua, 2, &length) : luaL_typename(lua, 2);

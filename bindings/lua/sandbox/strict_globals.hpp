@@ -1,4 +1,4 @@
-// Globals that a script can't invent: the net under `check_globals`, at run time.
+// Refuses unknown globals at run time, in addition to the check of the text (`check_globals`).
 #pragma once
 
 #include <lua.hpp>
@@ -9,9 +9,8 @@
 
 namespace nezumi {
 
-/// From now on reading a global that is not there, or assigning a new one, is an error with the nearest name. Only the
-/// `callbacks` may be assigned; one that is not defined reads as nil. For the main thread of a state, once its globals
-/// hold all words.
+/// Makes reading a missing global, or assigning a new one, an error with the nearest name. Only the `callbacks` may be
+/// assigned; an undefined callback is nil. For the main thread of a state, after all its globals are set.
 Expected<void> make_globals_strict(lua_State* lua, const std::vector<std::string_view>& callbacks);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// `tostring` with numbers in the place of addresses.
+// `tostring` with numbers instead of addresses.
 #include "bindings/lua/sandbox/text.hpp"
 
 #include "bindings/lua/sandbox/state.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 const char identities_key = 0;  // its address is the key of the registry's table from value to number
 
-// Pushes the table that knows the numbers of values that still exist.
+// Pushes the table with the numbers of existing values.
 void push_identities(lua_State* lua) {
     if (lua_rawgetp(lua, LUA_REGISTRYINDEX, &identities_key) == LUA_TTABLE) return;
     lua_pop(lua, 1);

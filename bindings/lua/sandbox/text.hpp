@@ -1,4 +1,4 @@
-// Values as text, without the addresses that Lua would show.
+// Converts values to text, without the addresses that Lua would show.
 #pragma once
 
 #include <cstddef>
@@ -7,15 +7,15 @@
 
 namespace nezumi {
 
-/// Pushes the text of the value at `index`, as `tostring` gives it, and returns it. `__tostring` and `__name` are
-/// honoured. A table, function, userdata or coroutine is "table: 1", numbered in the order in which the state first
-/// asked for its text, so that equal texts mean the same value, in every run. May raise a Lua error.
+/// Pushes the text of the value at `index`, as `tostring` gives it, and returns it. Supports `__tostring` and `__name`.
+/// A table, function, userdata or coroutine is "table: 1", numbered in the order in which the state first needed its
+/// text; so equal texts mean the same value, in every run. May raise a Lua error.
 const char* push_text(lua_State* lua, int index, std::size_t* length = nullptr);
 
-/// Pushes the text of the identity of the value at `index` ("table: 1"), `__tostring` not asked.
+/// Pushes the text for the identity of the value at `index` ("table: 1"), without `__tostring`.
 void push_identity(lua_State* lua, int index);
 
-/// The string at `index`, all of it: Lua's may hold zero bytes. As long as that value lives.
+/// The whole string at `index`, which may contain zero bytes. Valid as long as the value.
 inline std::string_view string_at(lua_State* lua, int index) {
     std::size_t length = 0;
     const char* text = lua_tolstring(lua, index, &length);

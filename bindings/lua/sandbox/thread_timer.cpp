@@ -1,4 +1,4 @@
-// The kernel's timers, and the thread that stands in for them.
+// Timers of the kernel, and a thread that replaces them.
 #include "bindings/lua/sandbox/thread_timer.hpp"
 
 #include <pthread.h>
@@ -14,8 +14,8 @@
 #include "engine/base/thread_sanitizer.hpp"
 
 #if defined(NEZUMI_THREAD_SANITIZER)
-// ThreadSanitizer holds signals back until the thread calls into libc, which an endless loop never does. This name is
-// the same function, not intercepted.
+// ThreadSanitizer delays signals until the thread calls into libc, which an endless loop never does. This name is the
+// same function, but not intercepted.
 extern "C" int __sigaction(int, const struct sigaction*, struct sigaction*);
 #define NEZUMI_SIGACTION __sigaction
 #else
@@ -26,7 +26,7 @@ namespace nezumi {
 namespace {
 
 int timer_signal() { return SIGRTMIN + 5; }
-// One that needs no place in the queue of signals that wait, and that processes ignore by default.
+// A signal that needs no place in the queue of waiting signals, and that processes ignore by default.
 constexpr int watcher_signal = SIGURG;
 
 sigset_t both_signals() {
@@ -109,7 +109,7 @@ bool ThreadTimer::restart(Handler handler) {
 
 void ThreadTimer::stop() {
     if (process_ == getpid()) {
-        mask_signals(SIG_BLOCK);  // a signal that is under way must not find the thread's variables gone
+        mask_signals(SIG_BLOCK);  // a signal that is on its way must not use destroyed variables of the thread
         if (watched_ != nullptr) {
             const Lock lock(watched_->mutex);
             watched_->has_ended = true;
@@ -117,7 +117,7 @@ void ThreadTimer::stop() {
             timer_delete(timer_);
         }
     }
-    // The child of a fork has neither.
+    // The child of a fork has neither of them.
     watched_ = nullptr;
     process_ = 0;
 }

@@ -1,4 +1,4 @@
-// A signal to a thread after every few milliseconds of its own CPU time.
+// Sends a signal to a thread after every few milliseconds of its own CPU time.
 #pragma once
 
 #include <sys/types.h>
@@ -10,10 +10,10 @@
 
 namespace nezumi {
 
-/// Belongs to the thread that makes it. A thread that is idle is not woken.
+/// Belongs to the thread that makes it. Does not wake an idle thread.
 class ThreadTimer {
 public:
-    /// Between two signals [ns].
+    /// Time between two signals [ns].
     static constexpr std::int64_t period = 5'000'000;
     using Handler = void (*)(int signal, siginfo_t* info, void* context);
 
@@ -22,13 +22,13 @@ public:
     ThreadTimer(const ThreadTimer&) = delete;
     ThreadTimer& operator=(const ThreadTimer&) = delete;
 
-    /// Begins (again, in the child of a fork). `handler` is the same for all threads. Where the kernel gives no timer,
-    /// as when all signals that may wait are taken (RLIMIT_SIGPENDING), another thread looks at the clock of this one.
-    /// False where that can't be had either.
+    /// Starts the timer (again, in the child of a fork). `handler` is the same for all threads. If the kernel has no
+    /// timer left (RLIMIT_SIGPENDING), another thread watches the clock of this one. False if this is impossible as
+    /// well.
     bool restart(Handler handler);
     void stop();
 
-    /// A handler that is left by a jump has the thread's signals blocked.
+    /// Call this after a handler was left by a jump, because its signals are still blocked.
     static void unblock();
 
 private:
@@ -36,9 +36,9 @@ private:
     bool start_kernel_timer();
     bool start_watcher(Handler handler);
 
-    pid_t process_ = 0;  // in which it began; 0: it does not run
+    pid_t process_ = 0;  // the process in which it started; 0: it does not run
     timer_t timer_{};
-    std::shared_ptr<Watched> watched_;  // by a thread; null: by the kernel
+    std::shared_ptr<Watched> watched_;  // watched by a thread; null: by the kernel
 };
 
 }  // namespace nezumi

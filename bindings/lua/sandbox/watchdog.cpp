@@ -19,13 +19,13 @@
 #include "engine/base/thread_sanitizer.hpp"
 
 #if defined(NEZUMI_THREAD_SANITIZER)
-// ThreadSanitizer has to see every jump, or it loses count of the calls; Debian's Lua jumps by a name that it does not
-// know.
+// ThreadSanitizer must see every jump, or its count of calls becomes wrong; Debian's Lua jumps with a function that it
+// does not know.
 extern "C" void __longjmp_chk(jmp_buf target, int value) { longjmp(target, value); }
-// The sanitizer notes each call of a function: a handler that does so while its own code is interrupted waits for
-// itself.
+// The sanitizer records each call of a function. In a handler that interrupts the sanitizer itself, this would be a
+// deadlock.
 #define NEZUMI_IN_SIGNAL __attribute__((disable_sanitizer_instrumentation))
-// Nor may the handler call what it intercepts.
+// The handler must not call functions that the sanitizer intercepts.
 #define NEZUMI_CLOCK_GETTIME(clock, time) syscall(SYS_clock_gettime, clock, time)
 #define NEZUMI_CAN_LEAVE false
 #else
@@ -59,17 +59,17 @@ NEZUMI_IN_SIGNAL std::int64_t nanoseconds(const timespec& time) {
     return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
 }
 
-// What Lua's own code may use on top of a budget before it is left in the middle. It gets to the next instruction of
-// the script, where a hook ends it, in far less, unless the script has seen to it that it does not.
+// Additional time for Lua's own C code before it is abandoned. Normally it reaches the next instruction of the script,
+// where a hook ends it, much sooner, unless the script prevents this on purpose.
 NEZUMI_IN_SIGNAL std::int64_t grace_ns(double budget_seconds) {
     const auto half = static_cast<std::int64_t>(budget_seconds * 0.5e9);
     if (half < shortest_grace_ns) return shortest_grace_ns;
     return half < longest_grace_ns ? half : longest_grace_ns;
 }
 
-// Whether that is used up. A virtual machine counts as the thread's own what its host gave to others, so the clock
-// alone proves nothing: the thread must also have been found at it again and again, up to four ticks apart (how finely
-// systems look at such timers).
+// Whether the additional time is over. A virtual machine counts time of its host as time of the thread, so the clock is
+// not enough: the timer must also have found the thread there repeatedly, at intervals of up to four ticks (the
+// resolution of timers of some systems).
 NEZUMI_IN_SIGNAL bool grace_is_over(const CallRecord& call, std::int64_t now) {
     const std::int64_t grace = grace_ns(call.budget_seconds);
     return now - call.expired_at > grace && call.looks_since_expiry > grace / (4 * ThreadTimer::period);
@@ -81,16 +81,16 @@ NEZUMI_IN_SIGNAL std::int64_t time_in_signal() {
     return nanoseconds(time);
 }
 
-// The hook that stops a script. Removes itself when there is nothing to do.
+// The hook that stops a script. Removes itself if there is nothing to do.
 void watch_hook(lua_State* lua, lua_Debug*) {
     CallRecord* const call = current_call;
     if (call == nullptr) return lua_sethook(lua, nullptr, 0, 0);
     if (call->expired == 0) return lua_sethook(lua, nullptr, 0, 0);  // left by a call that was stopped
-    // From here on every instruction ends here: neither handlers nor closers of variables run on.
+    // From here on every instruction ends here, also of handlers and of closing variables.
     raise_expiry(lua);
 }
 
-// Out of Lua from within its own code, over the frames of C and C++ functions that its own errors jump over as well.
+// Jumps out of Lua's own C code, over frames of C and C++ functions that Lua errors skip as well.
 NEZUMI_IN_SIGNAL void leave_lua(CallRecord* innermost) {
     CallRecord* outermost = innermost;
     while (outermost->outer != nullptr) outermost = outermost->outer;
@@ -103,8 +103,8 @@ NEZUMI_IN_SIGNAL void leave_lua(CallRecord* innermost) {
     _longjmp(outermost->escape, 1);
 }
 
-// Runs in the thread that is watched, between any two of its instructions. It only looks at the clock and calls
-// lua_sethook, which Lua allows here.
+// Runs in the watched thread, between any two of its instructions. It only reads the clock and calls lua_sethook, which
+// Lua allows here.
 NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t*, void* context) {
     const int saved_errno = errno;
     CallRecord* const innermost = current_call;
@@ -114,14 +114,14 @@ NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t*, void* context) {
         if (call->seen == 0) call->seen = now;
         if (now - call->seen >= call->budget_ns || is_set(call->stop)) expired = call;
     }
-    // A call waits for those within it: they end with it.
+    // Inner calls end with the outer call that waits for them.
     for (CallRecord* call = expired != nullptr ? innermost : nullptr; call != nullptr; call = call->outer) {
         call->budget_seconds = expired->budget_seconds;
         if (call->expired == 0) call->expired_at = now;
         call->expired = 1;
         ++call->looks_since_expiry;
-        // Setting a hook visits every function that is being called, which may take longer than the time between two
-        // ticks: then the script would never get to the instruction that raises the error.
+        // Setting a hook visits every function on the stack, which may take longer than the time between two ticks;
+        // then the script would never reach the instruction that raises the error.
         if (now >= call->next_hook) {
             lua_sethook(call->running, watch_hook, LUA_MASKCOUNT, 1);
             const std::int64_t done = time_in_signal();
@@ -141,7 +141,7 @@ constinit thread_local Watch watch = Watch::not_yet;
 void forget_timer() { watch = Watch::not_yet; }
 
 struct WatchTimer : ThreadTimer {
-    ~WatchTimer() { watch = Watch::impossible; }  // for what the thread still does at its end
+    ~WatchTimer() { watch = Watch::impossible; }  // for calls at the end of the thread
 };
 
 }  // namespace
@@ -151,7 +151,7 @@ bool watch_this_thread() {
     if (watch == Watch::impossible) return false;
     static const int once = [] {
         find_lua_text();
-        // The child of a fork has its parent's variables and none of its timers.
+        // The child of a fork has the variables of its parent, but not its timers.
         return pthread_atfork(nullptr, nullptr, forget_timer);
     }();
     static_cast<void>(once);
@@ -193,7 +193,7 @@ void finish_escape(CallRecord& outermost) {
 void raise_expiry(lua_State* lua) {
     CallRecord& call = *current_call;
     if (call.expiry_place.line == 0) find_place(lua, call.expiry_place);
-    lua_pushnil(lua);  // no text: that could need memory, and protected_call makes its own
+    lua_pushnil(lua);  // no text, because it could need memory; protected_call makes its own
     lua_error(lua);
 }
 

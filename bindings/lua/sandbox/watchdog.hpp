@@ -1,10 +1,10 @@
-// Ends a call into Lua that runs for too long: the record of the call, and the timer that looks at it.
+// Ends a call into Lua that runs for too long: the record of a call, and the timer that checks it.
 //
-// A count hook slows Lua down whatever its interval, so none is set while a call is in time. Entering a call links a
-// record into its thread, which costs a few nanoseconds; a timer on the thread's CPU time interrupts the thread every
-// few milliseconds, and its signal handler sees how long the record has been there. Only when that exceeds the budget
-// does the handler set a hook on the coroutine that runs, and again at each interruption until the call has returned:
-// what a script catches on the way (pcall, coroutines, __close) is raised again.
+// A count hook slows Lua down, whatever its interval, so none is set while a call is within its time. Entering a call
+// adds a record to its thread, which takes a few nanoseconds. A timer of the thread's CPU time interrupts the thread
+// every few milliseconds, and its signal handler checks the age of the record. Only if this exceeds the limit, the
+// handler sets a hook on the running coroutine, and again at each interruption until the call has returned; so the
+// error is raised again if the script catches it (pcall, coroutines, __close).
 #pragma once
 
 #include <atomic>
@@ -20,10 +20,10 @@ namespace nezumi {
 
 class LuaState;
 
-/// Steps that the pattern functions may take in one call into Lua.
+/// The limit of steps of pattern functions in one call into Lua.
 inline constexpr std::int64_t pattern_step_budget = 5'000'000;
 
-/// One call into Lua, on the C++ stack of the thread that makes it. Made by `protected_call` only.
+/// One call into Lua, on the C++ stack of its thread. Made only by `protected_call`.
 class CallRecord {
 public:
     /// `thread`: the coroutine in which it will run.
@@ -32,67 +32,67 @@ public:
     CallRecord(const CallRecord&) = delete;
     CallRecord& operator=(const CallRecord&) = delete;
 
-    /// A place in a script, in plain memory: it is filled where nothing may fail.
+    /// A place in a script, in plain memory, because it is written where no error may occur.
     struct ScriptPlace {
         int line = 0;    ///< 0: not known
         char file[256];  ///< set when `line` is
         void set(const lua_Debug& activation);
     };
 
-    lua_State* const base;                   ///< the coroutine that the call was given: to the script it is none
-    lua_State* volatile running;             ///< the coroutine that runs: the one to interrupt
-    CallRecord* const outer;                 ///< the call within which this one was made
-    volatile std::sig_atomic_t expired = 0;  ///< the budget, or that of a call around this one, is used up
-    volatile std::int64_t seen = 0;          ///< [ns] of CPU time, when the timer first found this call
+    lua_State* const base;                   ///< the coroutine of the call; the script does not see it as a coroutine
+    lua_State* volatile running;             ///< the coroutine that runs and would be interrupted
+    CallRecord* const outer;                 ///< the call around this one
+    volatile std::sig_atomic_t expired = 0;  ///< the time limit of this call, or of one around it, is reached
+    volatile std::int64_t seen = 0;          ///< [ns] CPU time when the timer first found this call
     std::int64_t next_hook = 0;              ///< [ns] when the timer may set the hook again
-    std::int64_t budget_ns;                  ///< so long after that, the budget is used up
-    const std::atomic<bool>* const stop;     ///< when this is set, the budget is used up at once; may be null
-    std::int64_t expired_at = 0;             ///< [ns] when the timer found it used up
-    int looks_since_expiry = 0;              ///< how often the timer has found it used up
+    std::int64_t budget_ns;                  ///< [ns] from `seen` to the end of the time limit
+    const std::atomic<bool>* const stop;     ///< if this is set, the time limit counts as reached; may be null
+    std::int64_t expired_at = 0;             ///< [ns] when the timer found the limit reached
+    int looks_since_expiry = 0;              ///< how often the timer has found the limit reached
     double budget_seconds;                   ///< for the message
     std::int64_t pattern_steps = pattern_step_budget;
-    const char* stack_base;  ///< where the C stack was at the thread's outermost call
+    const char* stack_base;  ///< the C stack at the outermost call of the thread
 
-    /// The way out of Lua's own code, where no hook runs: set by the thread's outermost call, while `can_escape`.
+    /// The way out of Lua's own C code, where no hook runs. Set by the outermost call of the thread, while
+    /// `can_escape`.
     std::jmp_buf escape;
     volatile bool can_escape = false;
 
-    lua_State* slice = nullptr;  ///< the coroutine that runs a slice of its work, if one does
-    bool can_pause = false;      ///< what runs in it may end the slice
-    bool pausing = false;        ///< it has, and all coroutines in between yield
+    lua_State* slice = nullptr;  ///< the coroutine that runs a slice, if one does
+    bool can_pause = false;      ///< code in it may end the slice
+    bool pausing = false;        ///< it has ended, and all coroutines in between yield
 
-    ScriptPlace expiry_place;        ///< where the script was when it was stopped
-    ScriptPlace error_place;         ///< where an error was raised
-    ScriptPlace error_caller;        ///< the behaviour's line that called the module in which that was, if one did
-    ScriptPlace tail_caller;         ///< the function that was called, where its tail call has taken its place
-    int tail_caller_end = 0;         ///< its last line
-    std::size_t error_prefix = 0;    ///< bytes of the message that say that place
-    bool is_deep_recursion = false;  ///< it was raised within a deep recursion
-    bool closes = false;             ///< a coroutine was closed that is gone when an error of that is handled
-    ScriptPlace closed;              ///< the file of the function in which it began; set when `closes` is
-    char closed_file[LUA_IDSIZE];    ///< the same as Lua shortens it in messages
-    int slice_status = LUA_OK;       ///< how a slice failed, whose error is raised again and has its place already
+    ScriptPlace expiry_place;      ///< where the script was stopped
+    ScriptPlace error_place;       ///< where an error was raised
+    ScriptPlace error_caller;      ///< the line of the behaviour that called the module with the error, if there is one
+    ScriptPlace tail_caller;       ///< the function that was called, if a tail call has replaced it
+    int tail_caller_end = 0;       ///< its last line
+    std::size_t error_prefix = 0;  ///< bytes of the message that contain the place
+    bool is_deep_recursion = false;  ///< the error was raised within a deep recursion
+    bool closes = false;             ///< a coroutine was closed that no longer exists when its error is handled
+    ScriptPlace closed;              ///< the file of the function in which it began; set if `closes`
+    char closed_file[LUA_IDSIZE];    ///< the same, as Lua shortens it in messages
+    int slice_status = LUA_OK;       ///< the error of a failed slice, which is raised again and already has its place
 };
 
 /// The innermost call of this thread, or null. Constant-initialised, hence a plain load.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler finds its thread's call by it
 extern constinit thread_local CallRecord* current_call;
 
-/// Whether this is what the innermost call or its slice runs in: a coroutine to Lua, and none to the script.
+/// Whether this is the coroutine of the innermost call or its slice: a coroutine for Lua, but not for the script.
 inline bool is_outside_coroutines(lua_State* lua) { return lua == current_call->base || lua == current_call->slice; }
 
-/// Raises the error of an expired budget if it has expired. Library functions that loop call this in their loops.
+/// Raises the error of the time limit if it is reached. Library functions call this in their loops.
 void raise_expiry(lua_State* lua);
 inline void poll_budget(lua_State* lua) {
     if (current_call->expired != 0) raise_expiry(lua);
 }
 
-/// What an outermost call does where setjmp on its `escape` has returned a second time: the states of all calls that
-/// were under way are replaced by empty ones.
+/// Called by the outermost call after the jump to `escape`: replaces the states of all active calls by empty ones.
 void finish_escape(CallRecord& outermost);
 
-/// While this lives, the calls that are under way on this thread wait: their time does not count, and what is called
-/// meanwhile is on its own. For functions that Lua calls and that let simulated time pass.
+/// During its lifetime, the active calls of this thread are paused: their time does not count, and new calls are
+/// independent of them. For functions that Lua calls and that let simulated time pass.
 class CallPause {
 public:
     CallPause();
@@ -105,28 +105,28 @@ private:
     std::int64_t began_;
 };
 
-/// From now on the calls of this thread end as if their budgets were used up while `flag` is set, a few milliseconds of
-/// CPU time later. It must outlive them.
+/// While `flag` is set, calls of this thread end as if their time limits were reached, after a few milliseconds of CPU
+/// time. It must outlive them.
 void end_calls_when(const std::atomic<bool>& flag);
 
-/// Counts what another thread did for the calls of this one as their own time [ns], and ends them at their next step
-/// when it is used up or their flag is set.
+/// Adds time that another thread used for the calls of this one [ns]. Ends them at their next step if the limit is
+/// reached or their flag is set.
 void charge_calls(std::int64_t nanoseconds);
 
-/// Ends the innermost call as if its budget were used up, whatever the script tries to catch. Raises a Lua error;
-/// nothing around it may need a destructor. When the call's state was lost during a pause, leaves it by a jump.
+/// Ends the innermost call as if its time limit were reached; the script can't catch this. Raises a Lua error, so no
+/// object around it may need a destructor. If the state of the call was lost during a pause, jumps out of it.
 [[noreturn]] void end_call(lua_State* lua);
 
-/// Begins to watch the calls of this thread. False where that can't be: then nothing may be called.
+/// Starts watching the calls of this thread. False if this is impossible; then nothing may be called.
 bool watch_this_thread();
 
-/// Whether nesting through C functions has used up what scripts may use of this thread's C stack, 1 MB.
+/// Whether nested calls through C functions have used the C stack that scripts may use in this thread, 1 MB.
 bool c_stack_is_used_up();
 
-/// Raises "C stack overflow" then. For functions that call Lua where Lua itself does not count: coroutines.
+/// Raises "C stack overflow" in this case. For functions that call Lua where Lua itself does not count: coroutines.
 void check_c_stack(lua_State* lua);
 
-/// Fills `place` with the innermost line of Lua code that runs.
+/// Stores the innermost line of running Lua code in `place`.
 void find_place(lua_State* lua, CallRecord::ScriptPlace& place);
 
 /// CPU time of this thread [ns].

@@ -1,4 +1,4 @@
-// From an entry of a system file to a component that runs its script.
+// Makes a component that runs a script, from an entry of a system file.
 #include "bindings/lua/script/behavior_maker.hpp"
 
 namespace nezumi {

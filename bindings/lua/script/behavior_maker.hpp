@@ -1,4 +1,4 @@
-// Makes the behaviours of a system file: what `build_system` asks the composition root for.
+// Makes the behaviours of a system file, for `build_system`.
 #pragma once
 
 #include <memory>
@@ -9,18 +9,18 @@
 
 namespace nezumi {
 
-/// What all behaviours of a run have in common.
+/// Settings for all behaviours of a run.
 struct BehaviorSettings {
-    Project project;                                   ///< where their modules are found
-    Budget budget = paced_budget;                      ///< `headless_budget` in runs without a clock
+    Project project;                                   ///< the project of their modules
+    Budget budget = paced_budget;                      ///< `headless_budget` in runs that do not follow real time
     std::size_t memory_limit = std::size_t{64} << 20;  ///< [bytes] of each
-    ChunkCache* chunks = nullptr;  ///< must outlive the behaviours; null: every behaviour compiles its own
+    ChunkCache* chunks = nullptr;  ///< must outlive the behaviours; null: every behaviour compiles its own code
 };
 
-/// Finds the modules of a project.
+/// Returns a function that finds the modules of a project.
 ModuleFinder modules_of(const Project& project);
 
-/// What an entry gives its parameters: those of the set in use before its `config`.
+/// The initial parameter values of an entry: those of the set in use come before its `config`.
 ParameterValues values_at_start(const BehaviorEntry& entry);
 
 /// For `Makers::behavior`.

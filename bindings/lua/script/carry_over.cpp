@@ -1,4 +1,4 @@
-// Values by name, and lines for the log.
+// Compares values by name, and writes lines for the log.
 #include "bindings/lua/script/carry_over.hpp"
 #include "engine/values/value_text.hpp"
 
@@ -9,7 +9,7 @@
 namespace nezumi {
 namespace {
 
-// Gives a parameter the value that it has without a set: that of the system file or, where that is unfit, its default.
+// Gives a parameter its value without a set: the value of the system file, or its default if that does not fit.
 void follow_config(const Component& component, const std::string& name, Parameters& settings) {
     const auto given = component.configured.find(name);
     if (given == component.configured.end() || !settings.set(name, given->second)) settings.follow_default(name);

@@ -1,4 +1,4 @@
-// What a new version of a script takes over of the parameters and the state of the one before, and what is said of it.
+// Parameters and state that a new version of a script takes over from the version before, and the messages about it.
 #pragma once
 
 #include <string>
@@ -10,29 +10,29 @@
 
 namespace nezumi {
 
-/// Whether a version that was loaded with the one would be the same with the other; both are of one version.
+/// Whether both sets of values would load the same version; both belong to one version.
 bool same_values(const Parameters& one, const Parameters& other);
 
-/// Says which values went with their parameters, and which no longer fit. `before` may be without the set that
+/// Reports the values whose parameters are gone, and those that no longer fit. `before` may lack the parameter set that
 /// `running` has in use.
 void describe_lost(const Parameters& running, const Parameters& before, const Parameters& after,
                    std::vector<std::string>& warnings);
 
-/// "speed_x = 0.3 (its default is 0.2)": values that a reload kept, where that may surprise: somebody set them since
-/// the start, or the file has another default now, which they do not follow.
+/// "speed_x = 0.3 (its default is 0.2)": the values that a reload kept although the file has another default, because
+/// somebody set them since the start, or because the default has changed.
 std::string kept_text(const Parameters& before, const Parameters& after, const ParameterValues& configured);
 
-/// Whether the set in use is one that these parameters take whole.
+/// Checks that all values of the parameter set in use fit these parameters.
 Expected<void> check_set(const Component& component, Parameters parameters);
 
-/// Makes `settings` what they would be without the set in use, but for what was set since.
+/// Changes `settings` to what they would be without the parameter set in use, except for values that were set later.
 void leave_set(const Component& component, Parameters& settings);
 
-/// Makes of `settings`, which an earlier version had, what somebody's choice of a set since then has made of those that
-/// run: the parameters of all sets but those that were set since. `with_own`: also by the component itself.
+/// Applies the choice of a parameter set since an earlier version to `settings` of that version: changes the parameters
+/// of all sets, except those that were set later. `with_own`: also choices by the component itself.
 void follow_use(const Component& component, const Parameters& running, bool with_own, Parameters& settings);
 
-/// Says which values of `state` were dropped.
+/// Reports the values of `state` that were dropped.
 void describe_dropped(const std::vector<Dropped>& dropped, std::vector<std::string>& warnings);
 
 }  // namespace nezumi

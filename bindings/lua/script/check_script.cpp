@@ -1,5 +1,4 @@
-// Reading finds every diagnostic of the text at once, then loading those of the declarations, and then those of their
-// uses.
+// Three steps: reading the text, loading its declarations, and checking the use of parameters.
 #include "bindings/lua/script/check_script.hpp"
 
 namespace nezumi {
@@ -9,7 +8,7 @@ std::vector<Error> check_behavior(const SourceText& source, const ScriptContext&
     ScriptContext collecting = context;
     collecting.diagnostics = &diagnostics;
     auto script = Script::load(source, std::move(collecting));
-    // What ends the loading after a diagnostic may well follow from it.
+    // An error that ends loading may be a result of a wrong declaration.
     if (!diagnostics.empty()) return diagnostics;
     if (!script) return {std::move(script.error())};
     return {};

@@ -1,4 +1,4 @@
-// The options of a behaviour's declarations: every one, its meaning and what may stand in it.
+// The options of a behaviour's declarations, with documentation and limits.
 #pragma once
 
 #include "bindings/lua/script/script.hpp"

@@ -1,4 +1,4 @@
-// Keeps of a line's values those that it names.
+// Keeps only the values that a line names.
 #include "bindings/lua/script/line_texts.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-// The variables that each line of a text names: "config" and "config.speed" where it says the latter.
+// The variables that each line of a text names: "config", or "config.speed" if the line has this.
 std::map<int, std::vector<std::string>> names_by_line(std::string_view text) {
     using Kind = SyntaxNode::Kind;
     std::map<int, std::vector<std::string>> named;
@@ -39,7 +39,7 @@ std::map<int, std::vector<std::string>> names_by_line(std::string_view text) {
     return named;
 }
 
-// Those values that have one of the names, in the order of the names.
+// The values with one of the names, in the order of the names.
 std::vector<TracedLines::Value> values_of(const std::vector<std::string>& names,
                                           const std::vector<TracedLines::Value>& values) {
     std::vector<TracedLines::Value> named;

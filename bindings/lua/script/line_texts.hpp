@@ -1,4 +1,4 @@
-// The texts of lines that ran.
+// The source text of executed lines.
 #pragma once
 
 #include "bindings/lua/script/script.hpp"
@@ -6,7 +6,7 @@
 
 namespace nezumi {
 
-/// Adds the text of each line, as far as the script knows it, and leaves of its values those that the text names.
+/// Adds the text of each line if the script knows it, and removes values that this text does not name.
 void add_texts(TracedLines& traced, const Script& script);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// A probe's value is checked and copied while the script runs; who looks reads the copy.
+// Checks and copies the value of a probe while the script runs. Readers get the copy.
 #include "bindings/lua/script/probes.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ constexpr std::string_view expected = "expected a number, a truth value, a text 
 
 bool is_scalar(int type) { return type == LUA_TNUMBER || type == LUA_TBOOLEAN || type == LUA_TSTRING; }
 
-// The table at `index` is flat and small. Raises nothing, and leaves the stack as it was.
+// Whether the table at `index` is flat and small. Raises no error, and leaves the stack unchanged.
 Expected<void> check_flat(lua_State* L, int index) {
     const int top = lua_gettop(L);
     const int table = push_behind_lock(L, index) ? lua_gettop(L) : index;
@@ -36,7 +36,7 @@ Expected<void> check_flat(lua_State* L, int index) {
     return {};
 }
 
-// A copy of the value at index 2, which is the topmost.
+// A copy of the value at index 2, the top of the stack.
 Expected<PlainData> read_probe(lua_State* L, Budget budget) {
     const int type = lua_type(L, 2);
     if (type == LUA_TTABLE) {
@@ -93,7 +93,7 @@ Expected<void> Probes::set(std::string_view name, PlainData value, double second
 }
 
 void set_probe_global(lua_State* L, Script& script) {
-    // Past the metatable, which takes new globals for slips.
+    // Without the metatable, which takes new globals for mistakes.
     lua_pushliteral(L, "probe");
     lua_pushlightuserdata(L, &script);
     lua_pushcclosure(L, global_probe, 1);

@@ -1,4 +1,4 @@
-// Values that a script shows of its inside: `probe(name, value)`.
+// Internal values that a script shows with `probe(name, value)`.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace nezumi {
 
 class Script;
 
-/// The probes of one version of a script. They are seen from outside and recorded, and no part of the trace hash.
+/// The probes of one version of a script. They can be shown and recorded, and are not part of the trace hash.
 class Probes {
 public:
     static constexpr std::size_t most = 64;          ///< of a component
@@ -22,10 +22,10 @@ public:
     static constexpr std::size_t most_text = 1000;   ///< [bytes] of all texts of a value
     static constexpr std::size_t longest_name = 100;
 
-    /// Sets one. An error when its name is no identifier, or when there are too many.
+    /// Sets a probe. An error if the name is no identifier, or if there are too many probes.
     Expected<void> set(std::string_view name, PlainData value, double seconds);
     void clear() { probes_.clear(); }
-    /// In the order in which they came.
+    /// In the order of their first use.
     const std::vector<Probe>& all() const { return probes_; }
 
 private:

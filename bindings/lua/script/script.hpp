@@ -1,4 +1,4 @@
-// One version of a script: its own Lua state, and what the file declared when it was loaded.
+// One version of a script: its Lua state, and the declarations of its file.
 #pragma once
 
 #include <array>
@@ -28,45 +28,45 @@ namespace nezumi {
 
 class Script;
 
-/// What a script is loaded for.
+/// The context in which a script is loaded.
 struct ScriptContext {
     std::string component;                             ///< its name
     std::uint64_t seed = 0;                            ///< of the run
-    int version = 1;                                   ///< the number this version will have
-    Budget budget = paced_budget;                      ///< of every call into the script, its loading included
+    int version = 1;                                   ///< the number of this version
+    Budget budget = paced_budget;                      ///< of every call into the script, also of loading
     std::size_t memory_limit = std::size_t{64} << 20;  ///< [bytes]
     ModuleFinder find_module;                          ///< empty: there are no modules
-    ChunkCache* chunks = nullptr;  ///< shares compiled code among components; may be null, must outlive them
-    ParameterValues configured;    ///< values of a system file, so that the file's top level reads them
+    ChunkCache* chunks = nullptr;  ///< shares compiled code between components; may be null, must outlive them
+    ParameterValues configured;    ///< values of a system file, which the top level can read
     double tick_rate = 100;        ///< [Hz]; `dt` before the first execution
     double seconds = 0;            ///< `now()` while it loads
-    std::vector<Error>* diagnostics = nullptr;  ///< takes what is wrong with declarations, and loading goes on; null:
-                                                ///< the first ends it
+    std::vector<Error>* diagnostics = nullptr;  ///< gets the errors of declarations while loading continues; null:
+                                                ///< the first error ends loading
 };
 
 /// `input(...)` or `output(...)`.
 struct PortDeclaration {
     Direction direction = Direction::in;
     std::string name;
-    std::size_t type = 0;  ///< in `message_types`
+    std::size_t type = 0;  ///< index in `message_types`
     std::string doc;
-    std::size_t queue = 0;    ///< of an in-port
-    std::vector<Value> safe;  ///< of an out-port, if it has one: a payload is large
+    std::size_t queue = 0;    ///< length of the queue of an in-port
+    std::vector<Value> safe;  ///< safe value of an out-port, if it has one; a vector because payloads are large
     Place place;
 
-    /// A port that fits this declaration.
+    /// Whether a port fits this declaration.
     bool fits(const Port& port) const {
         return port.direction() == direction && port.name() == name && port.type() == type;
     }
 };
 
-/// What a port object in Lua refers to. Its address is in the object and in its methods.
+/// The port behind a port object in Lua, which stores this address.
 struct PortSlot {
     Script* script = nullptr;
     const PortDeclaration* declaration = nullptr;
-    const void* object = nullptr;  ///< the Lua object, to know it by
+    const void* object = nullptr;  ///< the Lua object, to recognize it
     Port* port = nullptr;          ///< null while the file loads
-    bool live = false;             ///< it may be read and written: the version is the one that runs
+    bool live = false;             ///< it may be read and written, because its version is the one that runs
 };
 
 /// `about { ... }`.
@@ -75,95 +75,97 @@ struct ScriptAbout {
     bool given = false;
 };
 
-/// What a version takes over from the one before it; all may be null.
+/// What a version takes over from the version before; all may be null.
 struct Inheritance {
     const Parameters* parameters = nullptr;       ///< values that somebody set and that still fit are kept
     const PlainData* state = nullptr;             ///< the contents of `state`
-    std::vector<ScriptFile>* required = nullptr;  ///< is told of every module that is required
-    /// `state` comes later, by `take_state_over`: set where the top level looks at it before, or at the time.
+    std::vector<ScriptFile>* required = nullptr;  ///< gets every module that is required
+    /// If set, `state` follows with `take_state_over`, and this becomes true if the top level reads `state` or the
+    /// time.
     bool* looks_at_tick = nullptr;
 };
 
 class Script {
 public:
-    /// Runs the top level of a file, which declares and does not act. May run beside the tick.
+    /// Runs the top level of a file, which only declares. May run beside the tick.
     static Expected<std::unique_ptr<Script>> load(const SourceText& source, ScriptContext context,
                                                   const Inheritance& inheritance = {});
 
     Script(const Script&) = delete;
     Script& operator=(const Script&) = delete;
 
-    /// Where it came from; the text itself is let go.
+    /// The file without its text.
     const ScriptFile& file() const { return file_; }
     const ScriptContext& context() const { return context_; }
-    /// The text of it, or of a module, as messages call them; "" where that is not known any more.
+    /// The text of the file or of a module with this name in messages; "" if it is no longer known.
     std::string text_of(std::string_view shown) const;
-    /// The files that `require` loaded, directly or not.
+    /// The files that `require` loaded, directly or indirectly.
     const std::vector<ScriptFile>& modules() const { return modules_; }
     const std::list<PortDeclaration>& ports() const { return ports_; }
     std::list<PortSlot>& slots() { return slots_; }
     const std::vector<CommandDeclaration>& commands() const { return commands_; }
     const ScriptAbout& about() const { return about_; }
-    /// The comment that its file begins with.
+    /// The first comment of the file.
     const std::string& doc() const { return doc_; }
     Tasks& tasks() { return tasks_; }
     const Tasks& tasks() const { return tasks_; }
     Probes& probes() { return probes_; }
     const Probes& probes() const { return probes_; }
     bool has(Hook hook) const { return hooks_[static_cast<std::size_t>(hook)] != LUA_NOREF; }
-    /// The component's while this version is live; before, as the file declares them.
+    /// The parameters of the component while this version runs; before, those that the file declares.
     Parameters& parameters();
-    /// What the file declares, to be given to the component.
+    /// The declared parameters, for the component.
     Parameters take_parameters() { return std::exchange(parameters_, {}); }
 
-    /// From now on the script sees this component's time and name. Its ports can't be written until `go_live`.
+    /// Connects the script to this component: it sees its time and name. Its ports can't be written until `go_live`.
     void bind(Component& owner);
-    /// What every call may use up from now on.
+    /// Sets the limit of every further call.
     void set_budget(Budget budget) { context_.budget = budget; }
-    /// Where the code is that it shares from now on.
+    /// Sets the cache of shared code.
     void share(ChunkCache* chunks) { context_.chunks = chunks; }
-    /// Notes that loaded in another tick it could be another.
+    /// Notes that the result of loading may depend on the tick.
     void note_look_at_tick() {
         if (inheritance_.looks_at_tick != nullptr) *inheritance_.looks_at_tick = true;
     }
-    /// Gives it the `state` that was to come later.
+    /// Sets the `state` that was announced at loading.
     Expected<void> take_state_over(const PlainData& state);
-    /// Opens the ports, or closes them: whether this version is the one that runs. Their slots must be filled.
+    /// Opens or closes the ports: whether this version is the one that runs. Their slots must be filled.
     void go_live(bool live);
 
-    /// The part of a budget that is kept for `on_aborting`: the hooks of a tick have one budget, not one each.
+    /// The part of a budget that is reserved for `on_aborting`: all callbacks of a tick share one budget.
     static constexpr double reserve = 0.1;
-    /// Calls a callback; nothing when the script has none. Tasks start with `on_activated`, run a slice before
-    /// `on_execute`, and end before the others.
+    /// Calls a callback, if the script has it. Tasks start with `on_activated`, run before `on_execute`, and end before
+    /// the other callbacks.
     Expected<void> call(Hook hook);
-    /// Whether the call that failed last used more than the reserve: then only that is left of the tick's budget.
+    /// Whether the last failed call used more than the budget without the reserve; then only the reserve is left for
+    /// this tick.
     bool has_used_its_tick() const { return failed_seconds_ > context_.budget.seconds * reserve; }
     /// Calls `on_reload(old_version)`.
     Expected<void> call_on_reload(int old_version);
     /// Calls a command with copies of these arguments; its results are copies.
     Expected<PlainData> call_command(std::string_view name, const PlainData& arguments);
-    /// A copy of the script's `state`; what is no plain data is listed in `dropped`.
+    /// A copy of the script's `state`. `dropped` gets the values that are not plain data.
     Expected<PlainData> take_state(std::vector<Dropped>& dropped);
-    /// As much of `state` as a limit allows.
+    /// A part of `state` within a limit.
     Expected<PlainSnapshot> state_snapshot(const PlainLimit& limit, std::vector<Dropped>* dropped = nullptr);
-    /// `set_plain` of `state`.
+    /// Calls `set_plain` for `state`.
     Expected<void> set_state(const PlainData& data);
 
-    /// [bytes] that its Lua state uses.
+    /// [bytes] memory of its Lua state.
     std::size_t memory() const { return lua_->memory(); }
     /// Log lines of the top level, which nobody could be told yet.
-    /// What one execution may write into all its ports, and say in the log. The engine keeps it outside of the script's
-    /// own memory.
+    /// Limit for everything that an execution writes to its ports and to the log. The engine stores this outside of the
+    /// script's memory.
     static constexpr std::size_t most_written_bytes = std::size_t{64} << 20;
     static constexpr std::size_t most_logged_bytes = std::size_t{1} << 20;
-    /// Counts so many bytes as written in this execution. False when they are too many.
+    /// Counts written bytes of this execution. False if they are too many.
     bool may_write(std::size_t bytes) {
         written_bytes_ += bytes;
         return written_bytes_ <= most_written_bytes;
     }
     std::vector<std::pair<LogLevel, std::string>> take_early_log() { return std::exchange(early_log_, {}); }
 
-    // What the functions that scripts call use. Errors are texts without a place.
+    // Functions for the C functions that scripts call. Errors are texts without a place.
 
     enum class Phase { loading, bound, live };
     Phase phase() const { return phase_; }
@@ -173,11 +175,11 @@ public:
     double dt() const;
     void log(LogLevel level, std::string text);
 
-    /// An element that is not there, read of what a port gave: an error of the same line tells of it.
+    /// An element that a message does not have. An error of the same line names it.
     struct MissingElement {
         CallRecord::ScriptPlace place;
         lua_Integer index = 0;
-        std::size_t count = 0;  ///< of the elements that are there
+        std::size_t count = 0;  ///< number of elements that the message has
         const PortDeclaration* port = nullptr;
     };
     void note_missing(const MissingElement& element) { missing_ = element; }
@@ -188,15 +190,15 @@ public:
     Expected<void> declare_command(CommandDeclaration declaration, int function);
     Expected<void> declare_about(ScriptAbout about);
     Expected<void> declare_task(Task task);
-    /// Tasks can be started and cancelled now.
+    /// Whether tasks can be started and cancelled now.
     Expected<void> check_tasks_run(std::string_view function) const;
-    /// The hook that may be defined by this global now, with a value of this Lua type.
+    /// The callback that this global may define now, with a value of this Lua type.
     Expected<std::size_t> check_hook(std::string_view name, std::string_view type) const;
     void set_hook(std::size_t hook, int function, int line);
-    /// The registry reference of a callback; LUA_REFNIL when it is not defined, LUA_NOREF when there is no such
-    /// callback.
+    /// The registry reference of a callback; LUA_REFNIL if it is not defined, LUA_NOREF if there is no such callback.
     int hook_function(std::string_view name) const;
-    /// Finds and compiles a module; `module_chunk` is then its code, to be run before `end_module`, however it ends.
+    /// Finds and compiles a module. Its code is then `module_chunk`, which must be run before `end_module`, even if it
+    /// fails.
     Expected<void> begin_module(std::string_view name);
     void end_module();
     const Chunk& module_chunk() const { return module_chunk_; }
@@ -213,13 +215,13 @@ private:
     Expected<void> run_top_level(const SourceText& source);
     Expected<void> check_loading(std::string_view function) const;
     Expected<void> check_name(std::string_view kind, std::string_view name, bool keyword_allowed) const;
-    // What comes before each call: shows parameters that have changed, and counts anew.
+    // Prepares each call: updates parameters that have changed, and resets counters.
     Expected<void> begin_call();
     static int call_with_tasks(lua_State* L);
-    /// Takes back what waits in out-ports that have a safe value.
+    /// Discards the written values of out-ports that have a safe value.
     void discard_unsafe();
     Expected<ScriptCode> compile(const SourceText& source, ScriptKind kind) const;
-    // Each parameter that the file reads and did not declare: it would fail when that line runs for the first time.
+    // Checks that all parameters which the file reads are declared; otherwise the line would fail when it runs.
     Expected<void> check_parameters(const std::vector<ParameterUse>& uses) const;
     Error to_error(const CallError& error) const;
     std::string hint(const Error& error) const;
@@ -235,24 +237,24 @@ private:
     std::list<PortDeclaration> ports_;
     std::list<PortSlot> slots_;
     std::vector<CommandDeclaration> commands_;
-    std::vector<int> command_functions_;  // registry references, as `commands_`
+    std::vector<int> command_functions_;  // registry references, in the order of `commands_`
     ScriptAbout about_;
     Probes probes_;
     Parameters parameters_;
     std::array<int, 9> hook_lines_{};
     std::vector<std::pair<LogLevel, std::string>> early_log_;
-    double failed_seconds_ = 0;  // of CPU time, that the last call that failed had used
-    MissingElement missing_{};   // the last one, in this execution
-    // From here on, and of the last one its port, is what every tick looks at.
+    double failed_seconds_ = 0;  // CPU time of the last failed call
+    MissingElement missing_{};   // the last one of this execution
+    // The members from here on, and the port of the last one, are used in every tick.
     Tasks tasks_;
     std::array<int, 9> hooks_{};     // registry references, by Hook
     std::size_t written_bytes_ = 0;  // in this execution
-    std::size_t logged_bytes_ = 0;   // likewise
+    std::size_t logged_bytes_ = 0;   // the same
     Component* owner_ = nullptr;
     Phase phase_ = Phase::loading;
     bool was_activated_ = false;         // in this version
     std::uint64_t seen_parameters_ = 0;  // version of the parameters that `config` shows
-    std::unique_ptr<LuaState> lua_;      // last: dies first
+    std::unique_ptr<LuaState> lua_;      // last, so destroyed first
 };
 
 }  // namespace nezumi

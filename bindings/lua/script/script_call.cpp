@@ -1,4 +1,4 @@
-// Where in a script a call came from.
+// Finds the place of a call in a script.
 #include "bindings/lua/script/script_call.hpp"
 
 namespace nezumi {

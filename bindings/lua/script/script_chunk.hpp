@@ -1,4 +1,4 @@
-// The text of a script or a module as code: compiled once for all components that run it, and refused for its slips.
+// Compiles the text of a script or module, once for all its components, and finds mistakes in it.
 #pragma once
 
 #include <map>
@@ -12,10 +12,10 @@
 
 namespace nezumi {
 
-/// What a text is for: modules can't define callbacks.
+/// The purpose of a text: modules can't define callbacks.
 enum class ScriptKind { component, module };
 
-/// `config.NAME` in a text. Whether there is such a parameter is known when the text has declared its own.
+/// A use of `config.NAME` in a text. It is checked after the text has declared its parameters.
 struct ParameterUse {
     std::string name;
     int line = 0;
@@ -28,17 +28,17 @@ struct ScriptCode {
     std::vector<ParameterUse> parameters;  ///< in order of place
 };
 
-/// Compiles a text; or all that is wrong with it, in order of place.
+/// Compiles a text, or returns all its mistakes in order of place.
 tl::expected<ScriptCode, std::vector<Error>> compile_script(const SourceText& source, ScriptKind kind);
 
-/// Remembers the newest code of every file. May be used from several threads.
+/// Stores the newest code of every file. Several threads may use it.
 class ChunkCache {
 public:
-    /// The code of this text, or the first thing that is wrong with it.
+    /// The code of this text, or its first mistake.
     Expected<ScriptCode> compile(const SourceText& source, ScriptKind kind);
-    /// Takes all that another one remembers.
+    /// Takes over all code of another cache.
     void take(ChunkCache& other);
-    /// The text of this file, "" when it is another one by now.
+    /// The text of this file; "" if the file has changed since.
     std::string text_of(const ScriptFile& file) const;
 
 private:
@@ -48,7 +48,7 @@ private:
     };
 
     mutable Mutex mutex_;
-    std::map<std::string, Entry> entries_;  // by path, name shown and kind
+    std::map<std::string, Entry> entries_;  // by path, shown name and kind
 };
 
 }  // namespace nezumi

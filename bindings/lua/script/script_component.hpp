@@ -17,12 +17,13 @@ namespace nezumi {
 
 class ScriptComponent final : public Component {
 public:
-    /// A component of this name from the text of its file; INACTIVE. `context.component` is set to the name.
+    /// Makes a component with this name from the text of its file; it is INACTIVE. `context.component` is set to the
+    /// name.
     static Expected<std::unique_ptr<ScriptComponent>> load(std::string name, const SourceText& source,
                                                            ScriptContext context);
 
     int version() const override { return version_; }
-    /// The first comment of its file, and what `about` says.
+    /// The first comment of its file, and the values of `about`.
     ComponentAbout about() const override;
     Script& script() { return *script_; }
     const Script& script() const { return *script_; }
@@ -31,7 +32,7 @@ public:
     int last_reload() const override { return past_.empty() ? 0 : past_.back().replaced_by; }
     std::span<const CommandDeclaration> commands() const override { return script_->commands(); }
     Expected<PlainData> call_command(std::string_view command, const PlainData& arguments, const Time& now) override;
-    /// A copy of the script's `state`; what is no plain data is left out.
+    /// A copy of the script's `state`, without values that are not plain data.
     Expected<PlainData> copy_state() const;
     Expected<PlainSnapshot> state_snapshot(const PlainLimit& limit) const override {
         return script_->state_snapshot(limit);
@@ -39,7 +40,7 @@ public:
     std::vector<TaskStatus> tasks() const override { return script_->tasks().status(now().seconds); }
     std::span<const Probe> probes() const override { return script_->probes().all(); }
     bool visit_member(std::string_view member, const LeafVisitor& visit) const override;
-    /// What the script printed while it loaded is told first.
+    /// Output of the script while it loaded is sent first.
     void set_log(LogSink sink) override;
 
     std::int64_t trace_next() override {
@@ -49,7 +50,7 @@ public:
     std::int64_t traces() const override { return traces_; }
     TracedLines latest_trace() const override { return latest_trace_; }
 
-    // The steps of a reload. None of them is of use alone: `Reloader` makes a transaction of them.
+    // The steps of a reload. They are only useful together: `Reloader` makes a transaction of them.
 
     /// Unread messages of an in-port for which a version's queue had no room.
     struct DroppedMessages {
@@ -57,68 +58,68 @@ public:
         std::vector<AnyMessage> messages;
     };
 
-    /// A version that does not run (yet, or any more), with the ports that only it has.
+    /// A version that does not run now, with the ports that only it has.
     struct Version {
         std::unique_ptr<Script> script;
         int number = 0;
         Parameters parameters;
         std::vector<std::unique_ptr<InPortBase>> in_ports;
         std::vector<std::unique_ptr<OutPortBase>> out_ports;
-        std::vector<DroppedMessages> dropped{};  ///< when another version came, of which the queues are shorter
-        std::vector<std::string> warnings;       ///< what could not be taken over from the version before
+        std::vector<DroppedMessages> dropped{};  ///< when a version with shorter queues came
+        std::vector<std::string> warnings;       ///< parts of the version before that could not be taken over
         int replaced_by = 0;                     ///< number of the reload that replaced it
         std::string set{};                       ///< that was in use then; "": none
-        std::uint64_t uses = 0;                  ///< of sets, until then
-        int activation = 0;      ///< number of the activation it was active in: its tasks are of that one
-        int probation_left = 0;  ///< executions that it was still on probation for
+        std::uint64_t uses = 0;                  ///< number of choices of parameter sets until then
+        int activation = 0;  ///< number of the activation in which it was active: its tasks belong to this activation
+        int probation_left = 0;  ///< remaining executions of its probation
     };
 
-    /// All that it takes to load another version of a component: a copy.
+    /// A copy of everything that is needed to load another version of a component.
     struct Loading {
         SourceText source{};
         ScriptContext context;
-        Parameters parameters{};  ///< of the version that runs, with what is staged
+        Parameters parameters{};  ///< of the running version, with values that are set for the next tick
     };
-    /// Of the next version, but for its text, and for where its modules and code are.
+    /// The context of the next version, without its text, its modules and its code cache.
     Loading next_loading() const;
-    /// Loads beside the ticks, in any thread. Null: its top level looks at what is of the tick, `state` or the time,
-    /// and is to run in that of the commit. The modules that it required are added to `required`, also when it fails.
+    /// Loads a version beside the ticks, in any thread. Null: its top level reads `state` or the time, so it must be
+    /// loaded in the tick of the commit. `required` gets the modules that it required, also if it fails.
     static Expected<std::unique_ptr<Script>> load_beside(const Loading& loading, std::vector<ScriptFile>& required);
 
-    /// Makes of what was loaded a version that takes over the state and the parameters of now. What is null, or was
-    /// loaded with other parameters, is loaded here. Touches nothing.
+    /// Makes a version that takes over the present state and parameters. Loads it here if `loaded` is null, or was
+    /// loaded with other parameters. Changes nothing.
     Expected<Version> prepare(const Loading& loading, std::unique_ptr<Script> loaded, const Time& now,
                               std::vector<ScriptFile>& required);
-    /// Makes the ports that it needs and runs its `on_reload`. Touches nothing.
+    /// Makes the ports that it needs and calls its `on_reload`. Changes nothing.
     Expected<void> adopt(Version& next, const Time& now);
-    /// The ports that have no place in another version. They must be disconnected before it replaces this one.
+    /// The ports that do not exist in another version. They must be disconnected before it replaces this one.
     std::vector<Port*> ports_going(const Version& other) const;
-    /// Replaces the version that runs, between two ticks; can't fail. Ports that fit stay the same objects with what
-    /// they hold. The old version is kept to go back to.
+    /// Replaces the running version between two ticks; can't fail. Ports that fit stay the same objects and keep their
+    /// messages. The old version is kept.
     void commit(Version next, int reload);
 
-    /// The version to go back to; null when there is none.
+    /// The version before; null if there is none.
     const Version* version_before() const { return past_.empty() ? nullptr : &past_.back(); }
-    /// Goes back to it as it was, state and what is left of its probation included. Parameters keep what was set from
-    /// outside since; with `keep_settings` also what the component itself did. A set that the reload left is in use
-    /// again, unless somebody has chosen another one since. Messages that a shorter queue dropped are back after
-    /// a probation.
+    /// Goes back to the version before, with its state and the rest of its probation. Parameters keep values that were
+    /// set from outside since then; with `keep_settings` also values that the component set. A parameter set that the
+    /// reload left is in use again, unless somebody has chosen another one. After a probation, messages that a shorter
+    /// queue dropped are back.
     void go_back(bool keep_settings);
 
-    /// Executions for which a new version is on probation: when one fails, the version before takes its place.
+    /// Number of executions in the probation of a new version: if one fails, the version before replaces it.
     static constexpr int probation = 10;
-    /// A failure on probation.
+    /// A failure during probation.
     struct Relapse {
         Error error;
-        int version = 0;         ///< that failed
-        int execution = 0;       ///< which of its executions failed, from 1
-        int reload = 0;          ///< number of the reload that brought it
-        bool went_back = false;  ///< the version before has run in its place already; else the component waits
+        int version = 0;         ///< the number of the failed version
+        int execution = 0;       ///< number of the failed execution, from 1
+        int reload = 0;          ///< number of the reload that brought the version
+        bool went_back = false;  ///< the version before has already run in this tick; otherwise the component waits
     };
-    /// From now on failures do not lead to ERROR.
+    /// From now on, an error does not lead to ERROR.
     void begin_probation();
     bool on_probation() const { return probation_left_ > 0; }
-    /// What happened, once: several where a version that came back failed in the same tick.
+    /// The failures since the last call. There are several if a version that came back failed in the same tick.
     std::vector<Relapse> take_relapses() { return std::exchange(relapses_, {}); }
 
 protected:
@@ -143,7 +144,7 @@ protected:
 private:
     ScriptComponent(std::string name, std::string type) : Component(std::move(name), std::move(type)) {}
 
-    /// The number that the next version will have.
+    /// The number of the next version.
     int next_version() const { return newest_ + 1; }
     Expected<void> execute_on_probation();
     Expected<void> execute_traced();
@@ -156,10 +157,10 @@ private:
 
     std::unique_ptr<Script> script_;
     int version_ = 0;
-    int newest_ = 0;             // the highest number that a version had
+    int newest_ = 0;             // the highest number of a version
     std::vector<Version> past_;  // oldest first
-    int activation_ = 0;         // counts them
-    int probation_left_ = 0;     // executions
+    int activation_ = 0;         // number of activations
+    int probation_left_ = 0;     // remaining executions
     std::vector<Relapse> relapses_;
     bool traces_next_ = false;
     std::int64_t traces_ = 0;

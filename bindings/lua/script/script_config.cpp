@@ -1,4 +1,4 @@
-// An object without fields of its own reads from a table that scripts never get hold of.
+// The object has no fields of its own, and reads from a table that scripts can't reach.
 #include "bindings/lua/script/script_config.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr char config_values_key = 0;  // its address is a key of the registry
 
-// A value as `config` shows it, on top of the stack: arrays are locked.
+// Pushes a value as `config` shows it: arrays are read-only.
 void push_config_value(lua_State* L, const Parameters::Parameter& parameter) {
     push_payload(L, parameter.value);
     if (lua_type(L, -1) != LUA_TTABLE) return;

@@ -1,4 +1,4 @@
-// `config` as scripts see it: it shows the values of the parameters, and sets them for the next tick.
+// The object `config` of scripts: it shows the values of the parameters, and sets them for the next tick.
 #pragma once
 
 #include <lua.hpp>
@@ -7,15 +7,15 @@
 
 namespace nezumi {
 
-// All of these may raise a Lua error (memory).
+// These functions may raise a Lua error (memory).
 
-/// Pushes the object `config`, which shows nothing yet.
+/// Pushes the object `config` without values.
 void push_config(lua_State* L, Script& script);
-/// Pushes the table with the values that it shows. Raises nothing.
+/// Pushes the table with its values. Raises no error.
 void push_config_values(lua_State* L);
-/// Lets it show this value.
+/// Updates one value.
 void show_parameter(lua_State* L, const Parameters::Parameter& parameter);
-/// Lets it show all values.
+/// Updates all values.
 void show_parameters(lua_State* L, const Parameters& parameters);
 
 }  // namespace nezumi

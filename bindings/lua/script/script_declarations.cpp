@@ -1,4 +1,4 @@
-// Reads declarations strictly: an option that is not known is an error with the nearest.
+// Reads declarations strictly: an unknown option is an error with the nearest name.
 #include "bindings/lua/script/script_declarations.hpp"
 
 #include <fmt/format.h>
@@ -89,7 +89,7 @@ int global_port(lua_State* L, Direction direction) {
     if (declared) {
         push_port_object(L, *slot);
     } else {
-        lua_newtable(L);  // stands in for the port
+        lua_newtable(L);  // in place of the port
     }
     return 1;
 }
@@ -114,7 +114,7 @@ void read_choices(Fields& options, ParameterSpec& spec) {
     }
 }
 
-// An option that makes no sense for the default's type is no unknown one.
+// An option that does not fit the type of the default gets its own message.
 void check_kinds(Fields& options, const ParameterSpec& spec, unsigned kind) {
     for (const Type::Field& field : record_of<ParameterSpec>().fields) {
         const unsigned of = field.rule->of;

@@ -1,4 +1,4 @@
-// The globals with which a file declares what its component has: input, output, param, command, about.
+// The globals that declare ports, parameters and commands: input, output, param, command, about.
 #pragma once
 
 #include <lua.hpp>

@@ -1,5 +1,5 @@
-// Every global is a C function that carries its script. What it reads from Lua it reads without raising; then it
-// raises.
+// Every global is a C function with its script as an upvalue. It reads from Lua without raising errors, and raises only
+// at its end.
 #include "bindings/lua/script/script_globals.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@
 namespace nezumi {
 namespace {
 
-// Addresses that are keys of the registry.
+// Their addresses are keys of the registry.
 constexpr char state_key = 0;
 constexpr char modules_key = 0;
 
@@ -66,7 +66,8 @@ int end_module(lua_State* L) {
     return 0;
 }
 
-// Pushes a value whose closing ends the module: also where its code fails and a script's pcall catches that.
+// Pushes a value that ends the module when it is closed, also if the module fails and the script catches this with
+// pcall.
 void push_module_end(lua_State* L) {
     lua_newuserdatauv(L, 0, 0);
     lua_createtable(L, 0, 1);
@@ -99,7 +100,7 @@ int global_require(lua_State* L) {
         if (luaL_loadbufferx(L, chunk.bytecode.data(), chunk.bytecode.size(), "module", "b") != LUA_OK) lua_error(L);
         if (is_outside_coroutines(L)) {
             lua_call(L, 0, 1);
-        } else if (lua_pcall(L, 0, 1, 0) != LUA_OK) {  // nothing closes what is open in a coroutine that has failed
+        } else if (lua_pcall(L, 0, 1, 0) != LUA_OK) {  // a failed coroutine must be closed explicitly
             lua_closeslot(L, 3);
             lua_error(L);
         }
@@ -115,7 +116,7 @@ int global_require(lua_State* L) {
     return 1;
 }
 
-// Globals: callbacks are taken as they are defined; everything else is a slip.
+// Assignments to globals: callbacks are accepted, everything else is a mistake.
 
 int global_newindex(lua_State* L) {
     Script& script = script_of(L);
@@ -138,7 +139,7 @@ int global_newindex(lua_State* L) {
     return 0;
 }
 
-// `dt` costs those who read it, and nobody else, as do the globals of tasks and probes.
+// `dt` and the globals of tasks and probes cost time only for scripts that use them.
 int global_index(lua_State* L) {
     Script& script = script_of(L);
     if (lua_type(L, 2) == LUA_TSTRING && string_at(L, 2) == "dt") {
@@ -146,13 +147,13 @@ int global_index(lua_State* L) {
         return 1;
     }
     push_text(L, 2);
-    if (string_at(L, -1) == "state") {  // before it is there
+    if (string_at(L, -1) == "state") {  // before it is set
         script.note_look_at_tick();
         set_state_global(L, nullptr);
         push_state(L);
         return 1;
     }
-    // Most scripts name few of the libraries, and have no tasks and no probes: they do without the memory of these.
+    // Most scripts use few libraries, no tasks and no probes, so these are created when they are used.
     if (open_library(L, string_at(L, -1))) {
         lua_pushglobaltable(L);
         lua_pushvalue(L, 2);

@@ -1,5 +1,5 @@
-// The globals that scripts have beside Lua's library: input, output, param, config, state, now, log, about, command,
-// probe, require.
+// The globals of scripts beside Lua's library: input, output, param, config, state, now, log, about, command, probe,
+// require.
 #pragma once
 
 #include <lua.hpp>
@@ -10,11 +10,11 @@
 
 namespace nezumi {
 
-/// Puts them into a script's Lua state, but for `state`: until that is set, a script that looks at it is noted
-/// (`Script::note_look_at_tick`) and finds it empty. May raise a Lua error (memory).
+/// Adds them to the Lua state of a script, without `state`. Until `state` is set, a script that reads it gets an empty
+/// table and is marked (`Script::note_look_at_tick`). May raise a Lua error (memory).
 void install_globals(lua_State* L, Script& script);
 
-/// Sets `state` to a copy of this, or to an empty table. May raise a Lua error (memory).
+/// Sets `state` to a copy of this data, or to an empty table. May raise a Lua error (memory).
 void set_state_global(lua_State* L, const PlainData* state);
 
 /// Their names, without those of the library.

@@ -1,4 +1,4 @@
-// Each port has a metatable of its own whose methods carry the port's slot: no look-up and no string compare in a tick.
+// The methods of each port carry the slot of the port, so a tick needs no search and no comparison of strings.
 #include "bindings/lua/script/script_ports.hpp"
 
 #include <fmt/format.h>
@@ -33,8 +33,8 @@ int refuse_surplus(lua_State* L, const PortSlot& slot, const char* method, int m
     return bridge(L, [&] { return Arguments{L, 2}.at_most(title(slot) + ":" + method, most, usage); });
 }
 
-// Why the port can't be written now; empty when it can. Writing needs an ACTIVE component; on the way to ERROR and back
-// everything but a velocity may still be written.
+// The reason that the port can't be written now; empty if it can. Only an ACTIVE component can write. On the way to and
+// from ERROR, everything except velocities can still be written.
 std::string refuse_write(const PortSlot& slot) {
     if (!slot.live) return fmt::format("{}: on_reload can't write; the next execution can", title(slot));
     const Component& owner = *slot.script->owner();
@@ -65,7 +65,8 @@ int port_read(lua_State* L) {
     if (slot.port == nullptr) return refuse_while_loading(L, slot, "read");
     if constexpr (!std::is_arithmetic_v<T>) luaL_checkstack(L, 20, nullptr);
     auto& port = *static_cast<InPort<T>*>(slot.port);
-    push_value(L, slot.live ? port.read() : port.latest().data);  // on_reload may look, the version before may need it
+    push_value(L, slot.live ? port.read()
+                            : port.latest().data);  // on_reload may read, but the version before may need the message
     if constexpr (Sequence<T>) {
         lua_pushvalue(L, lua_upvalueindex(2));
         lua_setmetatable(L, -2);
@@ -73,8 +74,8 @@ int port_read(lua_State* L) {
     return 1;
 }
 
-// __index of what a port of a sequence gave: nil, as of any table; should that lead to an error in the same line, the
-// error tells of it. A C function that asks has no line.
+// __index of a received sequence: returns nil as for any table, and remembers the element, so that an error in the same
+// line can name it. A C function has no line.
 int missing_element(lua_State* L) {
     const PortSlot& slot = slot_of(L);
     lua_Debug activation;
@@ -130,7 +131,7 @@ int port_write(lua_State* L) {
     return raise_kept(L);
 }
 
-// The stamp of what a read gives: with a queue that of the message read last, once there is one.
+// The time stamp of the value that `read` returns; with a queue, that of the last message read, if any.
 template <Payload T>
 double stamp(const InPortBase& port) {
     const double taken = static_cast<const InPort<T>&>(port).current().tm;
@@ -191,7 +192,7 @@ void explain_property(lua_State* L, const PortSlot& slot) {
                               near.empty() ? fmt::format(" (it has {})", fmt::join(names, ", ")) : near));
 }
 
-// __index of the table of methods: what is no method is a property. Stack: methods, key.
+// __index of the table of methods: other names are properties. Stack: methods, key.
 int port_index(lua_State* L) {
     PortSlot& slot = slot_of(L);
     if (slot.declaration->direction == Direction::in && lua_type(L, 2) == LUA_TSTRING) {
@@ -244,7 +245,7 @@ void push_port_object(lua_State* L, PortSlot& slot) {
     lua_createtable(L, 0, 1);  // the methods
     if (in && functions.sequence) {
         lua_pushlightuserdata(L, &slot);
-        lua_createtable(L, 0, 2);  // the metatable of what it reads
+        lua_createtable(L, 0, 2);  // the metatable of received sequences
         set_closure(L, slot, "__index", missing_element);
         hide_metatable(L);
         lua_pushcclosure(L, functions.read, 2);

@@ -1,4 +1,4 @@
-// What `input` and `output` return: objects that read and write one port and know its type at compile time.
+// The objects that `input` and `output` return: each reads or writes one port.
 #pragma once
 
 #include <lua.hpp>
@@ -7,7 +7,7 @@
 
 namespace nezumi {
 
-/// Pushes the object of a port and remembers it in the slot. May raise a Lua error (memory).
+/// Pushes the object of a port and stores it in the slot. May raise a Lua error (memory).
 void push_port_object(lua_State* L, PortSlot& slot);
 
 /// "input 'in'".

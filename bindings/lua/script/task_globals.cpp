@@ -1,4 +1,4 @@
-// What the globals of tasks check and do. A wait leaves the slice, and its second half runs in a later one.
+// Checks and implements the globals of tasks. A wait function leaves the execution, and continues in a later one.
 #include "bindings/lua/script/task_globals.hpp"
 
 #include <fmt/format.h>
@@ -100,7 +100,7 @@ void begin_wait(lua_State* L, Script& script, double seconds, bool for_condition
     task.since = script.seconds();
 }
 
-// A coroutine that has waited goes on in its task. One whose task has ended is free, and no more.
+// A coroutine that has waited can continue only in its task. After the end of the task it can only be closed.
 Expected<void> check_turn(lua_State* L, const Script& script) {
     const Task* task = script.tasks().current();
     if (task != nullptr && task->waiter == L) return {};
@@ -179,7 +179,7 @@ bool is_task_global(std::string_view name) {
 }
 
 void set_task_globals(lua_State* L, Script& script) {
-    // Past the metatable, which refuses new globals.
+    // Without the metatable, which refuses new globals.
     for (const GlobalFunction& each : task_functions) {
         lua_pushstring(L, each.name);
         lua_pushlightuserdata(L, &script);

@@ -1,4 +1,5 @@
-// Which task runs when. Functions that take a Lua state may raise: nothing in them needs a destructor.
+// Decides which task runs when. Functions that take a Lua state may raise errors, so they contain no objects with
+// destructors.
 #include "bindings/lua/script/tasks.hpp"
 
 #include <fmt/format.h>
@@ -132,8 +133,8 @@ void Tasks::forget(lua_State* L, Task& task) {
 void Tasks::cancel(lua_State* L, Task& task, double now) {
     lua_State* const thread = task.thread;
     set_status(task, Task::Status::cancelled, now);
-    if (thread == nullptr) return;                   // it had not begun
-    lua_rawgeti(L, LUA_REGISTRYINDEX, task.anchor);  // stays until its closers have run
+    if (thread == nullptr) return;                   // it had not started
+    lua_rawgeti(L, LUA_REGISTRYINDEX, task.anchor);  // kept until its closing variables are closed
     forget(L, task);
     if (!close_slices(L, thread, closes_)) lua_error(L);
     lua_pop(L, 1);
@@ -145,7 +146,7 @@ void Tasks::end(lua_State* L, double now) {
     ends_ = true;
     bool well = true;
     for (Task& task : tasks_) {
-        // One that runs was ended by the clock.
+        // A task that runs was ended because of its time.
         const bool failed = task.status == Task::Status::failed || task.status == Task::Status::running;
         lua_State* const thread = task.thread;
         if (is_under_way(task) || failed) set_status(task, failed ? Task::Status::failed : Task::Status::inactive, now);
@@ -153,7 +154,7 @@ void Tasks::end(lua_State* L, double now) {
         lua_rawgeti(L, LUA_REGISTRYINDEX, task.anchor);
         forget(L, task);
         const bool closed = close_slices(L, thread, closes_);
-        if (!closed && well) lua_replace(L, 1);  // the first error; index 1 is kept free for it
+        if (!closed && well) lua_replace(L, 1);  // the first error; index 1 is reserved for it
         well = well && closed;
         lua_settop(L, 1);
     }

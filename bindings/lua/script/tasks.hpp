@@ -1,4 +1,4 @@
-// The tasks of a script: what it does one after the other, in coroutines that wait across executions.
+// The tasks of a script: coroutines that run one step after the other and wait across executions.
 #pragma once
 
 #include <deque>
@@ -15,12 +15,12 @@ namespace nezumi {
 
 /// The last argument of `task(name, fn, { ... })`.
 struct TaskOptions {
-    bool repeating = false;  ///< begins again at the execution after the one in which it has ended
+    bool repeating = false;  ///< starts again at the execution after its end
 };
 
 /// The last argument of `wait_until(fn, { ... })`.
 struct WaitOptions {
-    double within = std::numeric_limits<double>::infinity();  ///< [s] after which it gives up
+    double within = std::numeric_limits<double>::infinity();  ///< [s] after which waiting ends
 };
 
 /// One task.
@@ -33,14 +33,14 @@ struct Task {
     Place place;
 
     Status status = Status::inactive;
-    double since = 0;             ///< [s] when it got this status
-    lua_State* thread = nullptr;  ///< its coroutine, while `anchor` keeps it
+    double since = 0;             ///< [s] time of the last change of status
+    lua_State* thread = nullptr;  ///< its coroutine; `anchor` protects it from the garbage collector
     int anchor = LUA_NOREF;
 
     // While it waits.
-    lua_State* waiter = nullptr;  ///< its coroutine, or one that runs in it: whose call waits
-    int line = 0;                 ///< of that call
-    double seconds = 0;           ///< [s] how long at most; may be infinite for a condition
+    lua_State* waiter = nullptr;  ///< its coroutine, or one within it, that called the wait function
+    int line = 0;                 ///< of this call
+    double seconds = 0;           ///< [s] maximum time; may be infinite for a condition
     bool for_condition = false;
     bool ends = false;  ///< it has cancelled itself
 };
@@ -52,32 +52,32 @@ public:
     Expected<void> declare(Task task);
     const std::deque<Task>& all() const { return tasks_; }
     bool empty() const { return tasks_.empty(); }
-    /// The names, for messages: "patrol, search".
+    /// The names for messages: "patrol, search".
     std::string names() const;
-    /// The task whose slice runs; null when none does.
+    /// The running task; null if none runs.
     Task* current() const { return current_; }
-    /// Whether what a task has open is being closed.
+    /// Whether closing variables of a task run now.
     bool closes() const { return closes_; }
-    /// Whether `end` has failed, or runs.
+    /// Whether `end` runs or has failed.
     bool ends() const { return ends_; }
 
-    /// All begin at the next execution. None may be under way.
+    /// Starts all at the next execution. None may be active.
     void start_all(double now);
-    /// Begins a task at the next execution: an error while it is under way, and where there is none of this name.
+    /// Starts a task at the next execution. An error if it is active, or if no task has this name.
     Expected<void> start(std::string_view name, double now);
-    /// The task of this name that may be cancelled; null when it is not under way.
+    /// The active task with this name, to be cancelled; null if it is not active.
     Expected<Task*> find_active(std::string_view name);
 
-    // What is called within a protected call and may raise a Lua error.
+    // Call these within a protected call; they may raise Lua errors.
 
-    /// Runs a slice of each that has something to do, in the order of their declarations.
+    /// Runs each task that has something to do until it waits or ends, in the order of the declarations.
     void run(lua_State* L, double now);
-    /// Ends one: what it has open is closed.
+    /// Ends a task and closes its variables.
     void cancel(lua_State* L, Task& task, double now);
-    /// Ends all, as on deactivation. `L` has an empty stack.
+    /// Ends all tasks, as on deactivation. The stack of `L` must be empty.
     void end(lua_State* L, double now);
 
-    /// All as they are, in the order of their declarations.
+    /// The status of all tasks in the order of the declarations.
     std::vector<TaskStatus> status(double now) const;
 
 private:
@@ -87,13 +87,13 @@ private:
     Task* find(std::string_view name);
     Expected<Task*> known(std::string_view name);
 
-    std::deque<Task> tasks_;  // stay where they are
+    std::deque<Task> tasks_;  // a deque, because addresses must not change
     Task* current_ = nullptr;
-    bool closes_ = false;  // while closers run
+    bool closes_ = false;  // while closing variables run
     bool ends_ = false;
 };
 
-/// Whether `seconds` have passed from `since` to `now`, but for what rounding may have taken off.
+/// Whether `seconds` have passed from `since` to `now`, apart from rounding errors.
 inline bool has_passed(double seconds, double since, double now) { return now - since >= seconds - 1e-9; }
 
 }  // namespace nezumi

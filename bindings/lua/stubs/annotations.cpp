@@ -16,7 +16,7 @@
 namespace nezumi {
 namespace {
 
-// What scripts read is whole; in what they write, fields may be left out.
+// Values that scripts read are complete; in values that they write, fields may be omitted.
 enum class Use { read, write };
 
 std::string lua_type_of(const Type& type, Use use) {
@@ -31,7 +31,7 @@ std::string lua_type_of(const Type& type, Use use) {
     }
 }
 
-// "[m/s] speed along the robot's x axis", as far as there is something to say.
+// "[m/s] speed along the robot's x axis", or shorter if parts are missing.
 std::string remark(const Type::Field& field) {
     std::string text;
     if (!field.unit.empty()) text = fmt::format(" [{}]", field.unit);
@@ -41,7 +41,7 @@ std::string remark(const Type::Field& field) {
     return text + fmt::format(" {}..{}", min, max);
 }
 
-// A structure after those that it is made of, each once.
+// Adds a structure after the structures that it contains, each once.
 void add_structure(std::string& text, const Type& type, std::set<std::string_view>& done) {
     if (type.kind != Type::Kind::structure || !done.insert(type.name).second) return;
     for (const Type::Field& field : type.fields) add_structure(text, field.type->single(), done);
@@ -73,7 +73,7 @@ void add_ports(std::string& text, const MessageInfo& message) {
         lua_type_of(*message.payload, Use::write));
 }
 
-// `input` or `output` with an overload for each type, so that the port has its type's class.
+// Adds `input` or `output` with an overload for each type, so that the port has the class of its type.
 void add_word(std::string& text, std::string_view word, std::string_view suffix, std::string_view doc) {
     text += fmt::format("---{}\n", doc);
     for (const MessageInfo& message : message_infos()) {

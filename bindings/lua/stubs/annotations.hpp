@@ -8,18 +8,18 @@
 
 namespace nezumi {
 
-/// A definition file (`---@meta`): the message types from their descriptions, one class per type and direction, and the
-/// words of behaviours, system files, robot files and scenarios. `more` are structures that these words take and other
-/// rooms describe: the options of scenarios.
+/// A definition file (`---@meta`): message types with one class for each type and direction, and the words of
+/// behaviours, system files, robot files and scenarios. `more` are further structures that these words take: the
+/// options of scenarios.
 std::string annotations(const std::vector<RecordShape>& more);
 
 namespace detail {
-/// The parts that are not made from the message types.
+/// The parts that do not depend on the message types.
 extern const char* const behavior_annotations;
 extern const char* const scenario_annotations;
 }  // namespace detail
 
-/// A plugin for the language server that gives `config` in each file the parameters which that file declares.
+/// A plugin for the language server: in each file, `config` has the parameters that the file declares.
 extern const char* const annotations_plugin;
 
 }  // namespace nezumi

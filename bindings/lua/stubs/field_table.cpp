@@ -1,4 +1,4 @@
-// Writes the tables, and puts them where a page asks for them.
+// Writes the tables, and inserts them into a page.
 #include "bindings/lua/stubs/field_table.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 namespace nezumi {
 namespace {
 
-// A cell can't have a bar. A class that editors know is a table with its own fields, an alias a value.
+// A cell must not contain a bar. A class of editors is shown as a table with its own fields, an alias as a value.
 std::string cell(std::string text) {
     if (text == "ParameterValue[]") return "{ VALUE, ... }";
     constexpr std::string_view suffix = "Fields";

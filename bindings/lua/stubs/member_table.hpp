@@ -1,4 +1,4 @@
-// The members of components and ports, for editors and as tables of the documentation's pages.
+// The members of components and ports as annotations and as tables of the documentation.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ namespace nezumi {
 /// `---@field status ...`, a line.
 std::string annotation(const MemberInfo& member);
 
-/// A Markdown table with a line for each member, of `owner`: "X", "port".
+/// A Markdown table with a line for each member. `owner` is "X" or "port".
 std::string member_table(std::span<const MemberInfo> members, std::string_view owner);
 
 /// A page with the tables that it asks for: `<!-- members: component -->`, `<!-- members: port -->`.

@@ -1,4 +1,4 @@
-// Writes a class for every described structure, and the functions that take them.
+// Writes a class for every described structure, and the functions that take it.
 #include "bindings/lua/stubs/record_annotations.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace {
 
 using Form = SystemWord::Form;
 
-// A word whose table is described.
+// A word with a described table.
 std::string word_of_table(const RecordShape& record, Form form, bool methods) {
     const std::string table = class_of(record.name);
     const std::string receiver = methods ? "self: Scenario, " : "";
@@ -34,7 +34,7 @@ std::string word_of_table(const RecordShape& record, Form form, bool methods) {
     return text + fmt::format("function {}({}fields) end\n\n", name, form == Form::entry ? "name, " : "");
 }
 
-// Of a robot file: what one leaves out, another may have that it builds on.
+// In a robot file every field is optional, because the file may build on another one.
 RecordShape of_robot(RecordShape shape) {
     for (FieldRow& row : shape.rows) {
         if (std::exchange(row.required, false)) row.fallback = "required";
@@ -42,7 +42,7 @@ RecordShape of_robot(RecordShape shape) {
     return shape;
 }
 
-// A robot of a system has the fields of a robot file as well.
+// A robot of a system may also have the fields of a robot file.
 RecordShape robot_of_system() {
     RecordShape shape = shape_of_record<RobotEntry>();
     RecordShape model = shape_of_record<RobotSpec>();
@@ -55,7 +55,7 @@ RecordShape robot_of_system() {
     return shape;
 }
 
-// A word that takes no table.
+// A word without a table.
 std::string plain_word(const SystemWord& word, bool methods) {
     std::string text = fmt::format("---{}\n", word.help.doc), arguments;
     for (const SystemWord::Help::Parameter& each : word.help.parameters) {
@@ -139,7 +139,7 @@ std::string system_word_annotations(bool methods) {
     }
     for (const SystemWord& word : system_words()) {
         if (word.help.doc.empty()) continue;
-        // A run's seed is that of nezumi test, its values are the sweep's.
+        // In scenarios, the seed comes from nezumi test, and the values from the sweep.
         if (methods && (word.name == std::string_view("seed") || word.name == std::string_view("argument"))) continue;
         text += plain_word(word, methods);
     }

@@ -1,4 +1,4 @@
-// The tables of system, robot and behaviour files as annotations for editors, from their descriptions.
+// Annotations for the tables of system, robot and behaviour files, from their descriptions.
 #pragma once
 
 #include <string>
@@ -8,15 +8,15 @@
 
 namespace nezumi {
 
-/// Every structure that these files write as a table; one within another stands before it.
+/// Every structure that these files contain as a table; inner structures come before outer ones.
 const std::vector<RecordShape>& file_records();
 
 /// `---@class (exact) BoxFields`, with a line for each field.
 std::string annotation(const RecordShape& record);
-/// The same of one kind of the structure, under a name of its own.
+/// The same for one kind of the structure, with its own name.
 std::string annotation(const RecordShape& record, const std::string& name, std::string_view kind);
 
-/// The words of a system file: functions, or methods of a scenario's `s`.
+/// The words of a system file, as functions or as methods of a scenario's `s`.
 std::string system_word_annotations(bool methods);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Flattens a message's fields to rows: path, values, unit, meaning.
+// Lists the fields of a message as rows: path, values, unit, meaning.
 #include "bindings/lua/stubs/type_table.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The message types as text for a person: fields, units and limits.
+// Message types as readable text: fields, units and limits.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace nezumi {
 /// One message type: a line with its name and meaning, then a line for each field.
 std::string type_table(const MessageInfo& message);
 
-/// All message types, and what holds for all of them.
+/// All message types, and notes about all of them.
 std::string type_table();
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Takes comments while each stands in the line below the one before.
+// Reads comments as long as each is in the line after the one before.
 #include "bindings/lua/syntax/first_comment.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a file says of itself, in the comment that it begins with.
+// Finds the first comment of a file, which documents it.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace nezumi {
 
-/// The lines of comment at the start of a Lua file, without their dashes, at most 2000 bytes; "" when it begins with
-/// none. A long bracket (`--[[ ... ]]`) is none.
+/// The comment lines at the start of a Lua file, without their dashes, at most 2000 bytes; "" if there are none. A long
+/// bracket (`--[[ ... ]]`) does not count.
 std::string first_comment(std::string_view source);
 
 }  // namespace nezumi

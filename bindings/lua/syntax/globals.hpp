@@ -1,4 +1,4 @@
-// Every global that a Lua text reads or assigns, in branches that never run as well.
+// Finds every global that a Lua text reads or assigns, also in code that never runs.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace nezumi {
 
-/// One place where a global is named. A touch of `_ENV`, as variable, local or parameter, is one as well.
+/// A use of a global. A use of `_ENV`, as a variable, local or parameter, counts as well.
 struct GlobalUse {
     const SyntaxNode* node;  ///< a name, or the declaration of `_ENV`
     bool assigned = false;   ///< `name = ...` or `function name()`
@@ -18,32 +18,32 @@ struct GlobalUse {
     std::string_view name() const { return node->word->text; }
 };
 
-/// Every use, in order of place.
+/// All uses, in order of place.
 std::vector<GlobalUse> global_uses(const SyntaxTree& tree);
 
-/// A name that a person may expect, of a global or of a library's field ("math.atan2"), and what there is instead.
+/// A name that a person may expect, of a global or of a library's field ("math.atan2"), and its replacement.
 struct Instead {
     std::string_view name;
     std::string_view hint;
 };
 
-/// A global that is a table whose fields are known.
+/// A global that is a table with known fields.
 struct KnownLibrary {
     std::string name;
     std::vector<std::string> fields;
 };
 
-/// What a script may name.
+/// The names that a script may use.
 struct KnownGlobals {
-    std::vector<std::string_view> readable{};   ///< words that it may read and not assign
+    std::vector<std::string_view> readable{};   ///< names that it may read but not assign
     std::vector<std::string_view> callbacks{};  ///< functions that it may define: on_execute, ...
-    bool is_module = false;                     ///< of the callbacks' component: it can't define them
-    std::vector<KnownLibrary> libraries{};      ///< among those readable
+    bool is_module = false;                     ///< the text is a module, which can't define callbacks
+    std::vector<KnownLibrary> libraries{};      ///< libraries among the readable names
     std::vector<Instead> instead{};
 };
 
-/// One error for each use that is not known, in order of place: a slip with the nearest local, word or callback, an
-/// unknown `on_...`, an assignment to a word, a touch of `_ENV`, a field that a library does not have. At most 1000.
+/// One error for each unknown use, in order of place: a mistake with the nearest local, name or callback, an unknown
+/// `on_...`, an assignment to a word, a use of `_ENV`, an unknown field of a library. At most 1000.
 std::vector<Error> check_globals(const SyntaxTree& tree, const std::string& file, const KnownGlobals& known);
 
 }  // namespace nezumi

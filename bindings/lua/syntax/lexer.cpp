@@ -24,7 +24,7 @@ unsigned hex_value(char c) {
     return static_cast<unsigned>((c | 0x20) - 'a' + 10);
 }
 
-// "12", "1.5e-3", "0x1F", "0x.8p1": what Lua reads as a number.
+// "12", "1.5e-3", "0x1F", "0x.8p1": whether Lua reads this as a number.
 bool is_number(std::string_view text) {
     const bool hex = text.size() > 1 && text[0] == '0' && (text[1] | 0x20) == 'x';
     if (hex) text.remove_prefix(2);
@@ -88,7 +88,7 @@ void Lexer::skip_blanks() {
     while (at_ < source_.size() && is_blank(peek())) advance();
 }
 
-// [[ or [==[, which has the level 2.
+// [[ or [==[, which has level 2.
 bool Lexer::at_long_bracket(std::size_t& level) const {
     level = 0;
     while (peek(1 + level) == '=') ++level;

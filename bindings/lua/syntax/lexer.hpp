@@ -6,35 +6,34 @@
 
 namespace nezumi {
 
-/// One token. Blanks are left out.
+/// One token. Blanks are not tokens.
 struct Token {
     enum class Kind : unsigned char { name, keyword, number, string, sign, comment, end } kind = Kind::end;
-    std::string_view text{};  ///< as it stands in the source: a string with its quotes, a comment with its dashes
+    std::string_view text{};  ///< as in the source: a string with its quotes, a comment with its dashes
     int line = 1;             ///< from 1
     int column = 1;           ///< from 1 [bytes]
-    bool open = false;        ///< a string, or a comment in long brackets, whose end the source lacks
+    bool open = false;        ///< a string, or a comment in long brackets, without its end
     bool malformed = false;   ///< a number or string that Lua refuses: "3x", "\q", a string that a line ends
 
     bool is(std::string_view word) const { return text == word && (kind == Kind::keyword || kind == Kind::sign); }
-    /// A name, or a keyword that stands where a name is expected.
+    /// A name, or a keyword in place of a name.
     bool is_word() const { return kind == Kind::name || kind == Kind::keyword; }
     /// A string or comment in long brackets: [==[ ... ]==].
     bool is_long() const;
-    /// What a string holds, as it is written: without its quotes or brackets. Nothing for any other token.
+    /// The content of a string without its quotes or brackets, with its escapes. Nothing for any other token.
     std::string_view inside() const;
 };
 
-/// A source text without a byte order mark, and with a first line for the shell ("#!...") emptied: lines keep their
-/// numbers.
+/// A source text without a byte order mark. A first line for the shell ("#!...") becomes empty, so line numbers stay
+/// the same.
 std::string_view without_preamble(std::string_view source);
 
-/// Reads a source text token by token, as Lua does. What is no Lua gives some sequence of tokens, and always comes to
-/// an end.
+/// Splits a source text into tokens, like Lua. A text that is not Lua gives some sequence of tokens, and always ends.
 class Lexer {
 public:
     explicit Lexer(std::string_view source) : source_(source) {}
 
-    /// The next token; Kind::end for ever at the end.
+    /// The next token; at the end always Kind::end.
     Token next();
 
 private:
@@ -42,7 +41,7 @@ private:
     void advance();
     void skip_blanks();
     bool at_long_bracket(std::size_t& level) const;
-    // These set `open` and `malformed`.
+    // These functions set `open` and `malformed`.
     void skip_long_bracket(std::size_t level, Token& token);
     void skip_comment(Token& token);
     void skip_string(Token& token);

@@ -1,4 +1,4 @@
-// Looks at the tokens around the first mistake.
+// Compares the tokens around the first error.
 #include "bindings/lua/syntax/other_languages.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@ namespace nezumi {
 namespace {
 
 struct Foreign {
-    std::string_view text;  // two signs that touch
+    std::string_view text;  // two signs without a blank between
     std::string_view hint;
 };
 
@@ -29,7 +29,7 @@ constexpr Foreign signs[] = {
     {"/*", comment},
 };
 
-// The word before the mistake, in other languages.
+// Words of other languages before the error.
 constexpr Foreign words[] = {
     {"elif", "it is `elseif` in Lua"},
     {"elsif", "it is `elseif` in Lua"},

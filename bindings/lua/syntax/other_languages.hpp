@@ -1,4 +1,4 @@
-// What somebody who knows another language means where Lua finds a mistake of syntax.
+// Explains syntax of other languages at the place of a syntax error.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace nezumi {
 
-/// "it is ~= in Lua" for a text with `!=`: what to write where the text is refused. "" when that is not known.
+/// The hint for a syntax error: "it is ~= in Lua" for a text with `!=`. "" if there is none.
 std::string_view other_language_hint(const SyntaxTree& tree);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Expressions, by the priorities of Lua's operators.
+// Expressions, with the priorities of Lua's operators.
 #include <algorithm>
 #include <utility>
 
@@ -14,7 +14,7 @@ struct Priority {
 
 constexpr int unary_priority = 12;
 
-// Of a binary operator; 0 for any other token.
+// The priority of a binary operator; 0 for any other token.
 Priority priority_of(const Token& token) {
     static constexpr std::pair<std::string_view, Priority> operators[] = {
         {"+", {10, 10}},  {"-", {10, 10}}, {"*", {11, 11}}, {"%", {11, 11}}, {"^", {14, 13}}, {"/", {11, 11}},

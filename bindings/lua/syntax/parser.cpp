@@ -1,5 +1,4 @@
-// Nodes, names and statements, in the order of Lua's own parser (lparser.c of 5.4), so that what that refuses is
-// refused.
+// Nodes, names and statements, in the order of Lua's own parser (lparser.c of 5.4), so that both refuse the same texts.
 #include "bindings/lua/syntax/parser.hpp"
 
 #include <utility>
@@ -13,7 +12,7 @@ void LuaParser::read() {
     for (;;) {
         statements(root);
         if (at_end()) break;
-        wrong();  // a stray `end`
+        wrong();  // an `end` without a block
         take();
     }
     scopes_.close_function(token_);
@@ -46,7 +45,7 @@ SyntaxNode* LuaParser::open(Kind kind) {
     return node;
 }
 
-// A node that begins with one that was read.
+// A node that begins with a node that was already read.
 SyntaxNode* LuaParser::around(Kind kind, SyntaxNode* first) {
     SyntaxNode* const node = open(kind);
     node->first = first->first;
@@ -71,7 +70,7 @@ const Token* LuaParser::name() {
     return nullptr;
 }
 
-// Lua takes no keyword there. Where one stands it is meant as a name.
+// Lua accepts no keyword here. If there is one, it is taken as a name.
 const Token* LuaParser::member_name() {
     if (token_->kind != Token::Kind::keyword) return name();
     if (!keyword_members_) wrong();
@@ -198,7 +197,7 @@ SyntaxNode* LuaParser::repeat_loop() {
     statements(repeated);
     close(repeated);
     expect("until");
-    adopt(node, expression());  // sees the block's locals
+    adopt(node, expression());  // the locals of the block are visible
     scopes_.close_block(token_);
     scopes_.close_block(token_);
     return close(node);
@@ -319,7 +318,7 @@ SyntaxNode* LuaParser::expression_statement() {
     return close(node);
 }
 
-// What can be assigned.
+// Checks that the target can be assigned.
 void LuaParser::check_target(const SyntaxNode* target) {
     const bool is_place = target->is(Kind::name) || target->is(Kind::member) || target->is(Kind::subscript);
     if (!is_place) wrong();

@@ -8,8 +8,8 @@
 
 namespace nezumi {
 
-/// Recursive descent, a function for each rule. What a rule lacks is noted once and taken as given, so that each text
-/// has a tree and open nodes remain where it ends.
+/// Recursive descent, with a function for each rule. A missing part is reported once and then assumed, so each text has
+/// a tree, and nodes can be open at its end.
 class LuaParser {
 public:
     LuaParser(SyntaxTree& tree, SyntaxTree::Dialect dialect)
@@ -23,7 +23,7 @@ public:
 private:
     using Kind = SyntaxNode::Kind;
 
-    /// One more level of nesting while it lives; a text that nests too deeply is not read on.
+    /// A level of nesting during its lifetime. A text that is nested too deeply is not read further.
     class Level {
     public:
         explicit Level(LuaParser& parser) : parser_(parser) {
@@ -39,8 +39,7 @@ private:
         LuaParser& parser_;
     };
 
-    // Of expressions and statements within each other. Lua counts the same, and allows a little less
-    // (LUAI_MAXCCALLS).
+    // Limit of nested expressions and statements. Lua counts the same, with a slightly smaller limit (LUAI_MAXCCALLS).
     static constexpr int depth_limit = 200;
 
     bool at(std::string_view word) const { return token_->is(word); }

@@ -1,4 +1,4 @@
-// Keeps what is visible on stacks.
+// Stacks of visible variables and labels.
 #include "bindings/lua/syntax/scopes.hpp"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ void Scopes::add_label(const Token* name, bool is_last) {
     const auto begin = labels_.begin() + static_cast<std::ptrdiff_t>(functions_.back().first_label);
     const auto is_it = [name](const Label& label) { return label.name == name->text; };
     if (std::find_if(begin, labels_.end(), is_it) != labels_.end()) refuse(name);
-    // Behind the last statement the block's variables are gone.
+    // After the last statement, the variables of the block are no longer visible.
     const std::size_t locals = is_last ? blocks_.back().locals : visible_.size();
     labels_.push_back({name->text, locals});
     resolve_jumps(name->text, locals);
@@ -69,8 +69,8 @@ void Scopes::refuse(const Token* token) {
     if (error_ == nullptr || token < error_) error_ = token;
 }
 
-// Those of the innermost block that wait for this label; it must not lie in the scope of a variable that they don't
-// see.
+// Resolves the jumps of the innermost block that wait for this label. The label must not be in the scope of a variable
+// that the jump does not see.
 void Scopes::resolve_jumps(std::string_view name, std::size_t locals) {
     std::size_t kept = blocks_.back().jumps;
     for (std::size_t i = kept; i < jumps_.size(); ++i) {

@@ -1,4 +1,4 @@
-// Which local variables and labels are visible where, by the rules of Lua's compiler (lparser.c of 5.4).
+// The visible local variables and labels, by the rules of Lua's compiler (lparser.c of 5.4).
 #pragma once
 
 #include <cstddef>
@@ -20,19 +20,19 @@ public:
     void open_block(bool is_loop);
     void close_block(const Token* at);
 
-    /// From this token on it is visible.
+    /// From this token on the variable is visible.
     LocalName* declare(std::string_view name, const Token* place, const Token* from, bool constant);
-    /// Null: it is a global.
+    /// Null: the name is a global.
     const LocalName* find(std::string_view name) const;
-    /// Whether `...` means something here.
+    /// Whether `...` is allowed here.
     bool takes_more() const { return functions_.back().takes_more; }
 
     void add_goto(const Token* name);
     void add_break(const Token* keyword);
-    /// `is_last`: nothing but labels and semicolons follow in its block.
+    /// `is_last`: only labels and semicolons follow in its block.
     void add_label(const Token* name, bool is_last);
 
-    /// The first jump or label that Lua refuses; null when there is none.
+    /// The first jump or label that Lua refuses; null if there is none.
     const Token* error() const { return error_; }
 
 private:
@@ -43,7 +43,7 @@ private:
     struct Block {
         bool is_loop;
         bool is_function;
-        std::size_t locals;  // how many were visible before it
+        std::size_t locals;  // number of visible variables before it
         std::size_t labels;
         std::size_t jumps;
     };
@@ -65,7 +65,7 @@ private:
     std::vector<Function> functions_;
     std::vector<Block> blocks_;
     std::vector<Label> labels_;
-    std::vector<Jump> jumps_;  // that wait for their label
+    std::vector<Jump> jumps_;  // that wait for their labels
     const Token* error_ = nullptr;
 };
 

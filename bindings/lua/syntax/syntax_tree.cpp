@@ -1,4 +1,4 @@
-// What can be asked of a node alone.
+// Questions about a single node.
 #include "bindings/lua/syntax/syntax_tree.hpp"
 
 #include <algorithm>

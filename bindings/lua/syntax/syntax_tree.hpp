@@ -1,5 +1,5 @@
-// The one reader of Lua's syntax: what a source text says, as a tree, with the local variable that each name means.
-// Questions about a text are functions over the tree.
+// The one parser of Lua's syntax: a tree of a source text, with the local variable that each name means. Questions
+// about a text are functions over the tree.
 #pragma once
 
 #include <cstddef>
@@ -17,9 +17,9 @@ namespace nezumi {
 /// A local variable, a parameter, or the `self` of a method.
 struct LocalName {
     std::string_view name;
-    const Token* place = nullptr;  ///< its name where it is declared; of `self` the method's bracket
-    const Token* from = nullptr;   ///< the first token that sees it
-    const Token* to = nullptr;     ///< behind the last one
+    const Token* place = nullptr;  ///< its name in the declaration; for `self`, the bracket of the method
+    const Token* from = nullptr;   ///< the first token where it is visible
+    const Token* to = nullptr;     ///< after the last one
     bool constant = false;         ///< <const> or <close>
 };
 
@@ -77,17 +77,17 @@ struct SyntaxNode {
     SyntaxNode* next = nullptr;   ///< of the same parent
 
     bool is(Kind which) const { return kind == which; }
-    /// The source from its first token to its last.
+    /// The source from its first to its last token.
     std::string_view text() const;
     std::string_view word_text() const { return word != nullptr ? word->text : std::string_view(); }
-    /// Null when there are fewer.
+    /// Null if there are fewer.
     const SyntaxNode* at(std::size_t index) const;
     std::size_t count() const;
-    /// What a string literal holds, as it is written; nothing for any other node.
+    /// The content of a string literal, with its escapes; nothing for any other node.
     std::optional<std::string_view> string() const;
-    /// A name that means this global.
+    /// Whether this is a name of this global.
     bool is_global(std::string_view name) const;
-    /// The outermost expression that has this one as an operand: of `b` in `f(a or (b))` that is `a or (b)`.
+    /// The outermost expression that has this one as an operand: for `b` in `f(a or (b))` it is `a or (b)`.
     const SyntaxNode& operand_of() const;
 
     /// For `for (const SyntaxNode& child : node)`.
@@ -111,8 +111,8 @@ struct SyntaxNode {
 inline SyntaxNode::Children begin(const SyntaxNode& node) { return {node.child}; }
 inline SyntaxNode::Children end(const SyntaxNode& /*node*/) { return {}; }
 
-/// Reads a text of Lua 5.4. A text that Lua refuses has a tree as well, as far as it makes sense; one that ends too
-/// early has the nodes that are open there.
+/// Reads a text of Lua 5.4. A text with errors also has a tree, as far as possible; a text that ends too early has open
+/// nodes.
 class SyntaxTree {
 public:
     enum class Dialect {
@@ -120,29 +120,29 @@ public:
         console,  ///< a keyword after a dot is a name: `controller.in`
     };
 
-    /// The text must outlive the tree; of a file it is that without its preamble.
+    /// The text must outlive the tree. For a file, it is the text without its preamble.
     explicit SyntaxTree(std::string_view source, Dialect dialect = Dialect::lua);
-    SyntaxTree(const SyntaxTree&) = delete;  // nodes point at each other
+    SyntaxTree(const SyntaxTree&) = delete;  // nodes refer to each other
     SyntaxTree& operator=(const SyntaxTree&) = delete;
 
     std::string_view source() const { return source_; }
-    /// All but comments; the last one is Kind::end.
+    /// All except comments; the last one is Kind::end.
     const std::vector<Token>& tokens() const { return tokens_; }
     /// The block of the text.
     const SyntaxNode& root() const { return nodes_.front(); }
-    /// All nodes; those that are one token, in the order of the text.
+    /// All nodes. Nodes of one token are in the order of the text.
     const std::deque<SyntaxNode>& nodes() const { return nodes_; }
     const std::deque<LocalName>& locals() const { return locals_; }
 
-    /// Where Lua refuses the text first; null when it takes it. Lua's limits (200 local variables, levels of nesting)
-    /// are not looked at.
+    /// The place of the first syntax error; null if there is none. Lua's limits (200 local variables, levels of
+    /// nesting) are not checked.
     const Token* error() const { return error_; }
-    /// Whether that is because more is to come.
+    /// Whether the error is that the text ends too early.
     bool ends_early() const;
-    /// The text ends in a comment.
+    /// Whether the text ends in a comment.
     bool ends_in_comment() const { return ends_in_comment_; }
 
-    /// [bytes] where a token begins.
+    /// [bytes] offset of a token.
     std::size_t offset(const Token& token) const {
         return static_cast<std::size_t>(token.text.data() - source_.data());
     }
@@ -158,7 +158,7 @@ private:
     bool ends_in_comment_ = false;
 };
 
-/// The names of `controller.out`, or of `controller["out"].x`; nothing when the expression is anything else.
+/// The names of `controller.out`, or of `controller["out"].x`; nothing for any other expression.
 std::optional<std::vector<std::string>> name_chain(const SyntaxNode& expression);
 
 /// A field by its name.
@@ -167,10 +167,10 @@ struct FieldName {
     const Token* place;
 };
 
-/// `b` of `a.b` and `a["b"]`, for the expression `a`; nothing where it is no such part.
+/// `b` of `a.b` and `a["b"]`, for the expression `a`; nothing if it is not such a part.
 std::optional<FieldName> field_of(const SyntaxNode& expression);
 
-/// Whether the expression stands left of an `=`, or is what a `function a.b()` defines.
+/// Whether the expression is the target of an assignment, or of `function a.b()`.
 bool is_assigned(const SyntaxNode& expression);
 
 }  // namespace nezumi
