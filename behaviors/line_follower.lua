@@ -6,7 +6,7 @@ local light  = input("light", "TimedDouble", "light that the floor reflects: 0 (
 local target = output("target", "TimedVelocity2D", "target velocity")
 
 param("speed", 0.15, { min = 0.0, max = 0.3, step = 0.01, widget = "slider", unit = "m/s", doc = "along the line" })
-param("edge", 50.0, { min = 0.0, max = 100.0, doc = "light at the edge: the mean of line and floor" })
+param("edge", 50.0, { min = 0.0, max = 100.0, doc = "light at full deflection: the mean of line and floor" })
 param("kp", 0.03, { min = 0.0, unit = "rad/s", doc = "proportional gain, for each unit of light" })
 param("kd", 0.001, { min = 0.0, unit = "rad", doc = "derivative gain" })
 

@@ -214,7 +214,7 @@ Vec3 OdeWorld::rest_centre(const RobotModel& model, const Pose2D& pose, Scene::I
 Expected<void> OdeWorld::check_inside(const std::string& what, const Point2D& at) const {
     if (!inside_ || (std::abs(at.x) <= inside_->x / 2 && std::abs(at.y) <= inside_->y / 2)) return {};
     return failure(
-        fmt::format("{} at x = {:g}, y = {:g} is outside the arena of {:g} x {:g} m: put it inside, or say border = "
+        fmt::format("{} at x = {:g}, y = {:g} is outside the arena of {:g} x {:g} m: put it inside, or set border = "
                     "false",
                     what, at.x, at.y, inside_->x, inside_->y));
 }

@@ -38,7 +38,7 @@ void SoundFiles::play(const std::string& robot, const Sound& sound) {
     {
         const std::lock_guard lock(mutex_);
         if (waiting_.size() >= most_waiting) {
-            complaints_.emplace_back("sounds come faster than they can be written: some are left out");
+            complaints_.emplace_back("sounds come faster than they can be written: some are dropped");
             return;
         }
         waiting_.push_back({stem, sound});

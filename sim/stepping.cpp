@@ -66,7 +66,7 @@ void OdeWorld::step_others(int index) {
     islands_.clear();
     contacts_.find(ahead_.others());
     if (contacts_.is_full())
-        warn_("physics: too many shapes overlap: a step has no room for all contacts: some are left out");
+        warn_("physics: too many shapes overlap: a step has no room for all contacts: some are ignored");
     advance();
     contacts_.clear();
     turn_wheels();

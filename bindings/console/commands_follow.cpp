@@ -1,4 +1,4 @@
-// Commands that follow a port in time, or move something: watches, the stick, a marker.
+// Commands that follow a port over time, or move something: watches, the stick, markers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -76,7 +76,7 @@ Expected<CommandEnd> command_drive(Session::Parts& parts, const Arguments& argum
     }
     if (auto ok = parts.drive.begin(parts.live, *what, parts.options.who); !ok) return Unexpected(ok.error());
     parts.options.output.take_keys(true);
-    parts.show(fmt::format("at the edge: {}\ndriving {}: arrow keys, + and - scale, space stops, Esc ends",
+    parts.show(fmt::format("at full deflection: {}\ndriving {}: arrow keys, + and - scale, space stops, Esc ends",
                            parts.drive.full_speed(), parts.drive.path()));
     return CommandEnd::done;
 }

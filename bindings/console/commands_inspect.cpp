@@ -1,4 +1,4 @@
-// Commands that show what there is.
+// Commands that show components, ports, help and errors.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-// Lines that mention a text, of all that has a name.
+// Finds the lines of all named objects that contain a text.
 class Finder {
 public:
     explicit Finder(std::string_view text) : text_(lower(text)) {}
@@ -58,14 +58,14 @@ void find_in(Finder& finder, const Component& component) {
 
 std::string help_line(const ConsoleCommand& command) { return fmt::format("  {:40} {}", command.usage, command.help); }
 
-// The command that is asked for, by itself or by its name; null when it is none.
+// The command of an argument, given by its function or by its name; null for anything else.
 const ConsoleCommand* command_asked(const Arguments& arguments) {
     if (const ConsoleCommand* command = command_at(arguments.lua, 1)) return command;
     if (lua_type(arguments.lua, 1) != LUA_TSTRING) return nullptr;
     return find_console_command(text_at(arguments.lua, 1));
 }
 
-// The help about what is asked for. The error says what can be asked for.
+// The help for an argument. The error says what has help.
 Expected<std::string> help_asked(Session::Parts& parts, const Arguments& arguments) {
     const auto help_of = [&](const auto& find) {
         return parts.at_system([&]() -> Expected<std::string> {
@@ -74,7 +74,7 @@ Expected<std::string> help_asked(Session::Parts& parts, const Arguments& argumen
         });
     };
     if (const ObjectRef* ref = to_object(arguments.lua, 1)) {
-        if (ref->kind == ObjectKind::system) return failure("help() explains the words, ls() shows the system");
+        if (ref->kind == ObjectKind::system) return failure("help() lists the commands, ls() shows the system");
         if (ref->kind == ObjectKind::remote) return text_of_host(*parts.objects, *ref, Question::What::help);
         if (ref->kind >= ObjectKind::hosts) return failure("hosts alone shows the other hosts and their components");
         return help_of([&] { return node_of(*ref); });

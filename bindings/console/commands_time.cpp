@@ -1,4 +1,4 @@
-// Commands that drive the clock.
+// Commands that control time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace nezumi {
 namespace {
 
 Expected<void> refuse_hardware(const Session::Parts& parts) {
-    if (parts.clock.is_hardware()) return failure("real robots know only real time: this works in simulation");
+    if (parts.clock.is_hardware()) return failure("real robots run only in real time: this works in simulation");
     return {};
 }
 
@@ -78,7 +78,7 @@ Expected<CommandEnd> command_speed(Session::Parts& parts, const Arguments& argum
     return CommandEnd::done;
 }
 
-// Refuses to lose what acts have added and no file has.
+// Refuses to lose what acts have added and no file contains.
 Expected<void> check_lost(Session::Parts& parts, const std::vector<std::string>& names) {
     if (names.empty()) return {};
     const auto at = parts.at_system([&] {
@@ -86,7 +86,7 @@ Expected<void> check_lost(Session::Parts& parts, const std::vector<std::string>&
     });
     if (!at) return failure("interrupted");
     const auto& [project, file] = *at;
-    // Only what is in the system's own file is there again.
+    // Only what is in the system's own file exists after a restart.
     const bool can_write = file_to_write(writable_folder(project, file), file, {.endings = {".lua"}}).has_value();
     const std::string how = can_write ? fmt::format("save \"{}\" keeps them in the system's file", file)
                                       : "save \"FILE.lua\" and run that file to keep them";
@@ -105,13 +105,13 @@ Expected<CommandEnd> command_restart(Session::Parts& parts, const Arguments& arg
         return anyway ? Expected<void>() : check_lost(parts, prepared.lost);
     });
     if (!restarted) return Unexpected(restarted.error());
-    parts.show("started anew, time is 0");
+    parts.show("restarted, time is 0");
     return CommandEnd::done;
 }
 
 Expected<CommandEnd> command_quit(Session::Parts& parts, const Arguments&) {
     parts.jobs.clear();
-    parts.quits = Worker::Clock::now();  // once its line is answered
+    parts.quits = Worker::Clock::now();  // after its line is answered
     return CommandEnd::done;
 }
 

@@ -1,4 +1,4 @@
-// One C function serves all commands; what it finds wrong becomes a Lua error once nothing is left to destroy.
+// One C function serves all commands. It raises a Lua error for a wrong call only after all C++ objects are destroyed.
 #include "bindings/console/console_commands.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/values/codec.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 enum class Outcome : unsigned char { done, number, value, table, failed };
 
-// Lets the ticks pass that a command waits for, and nobody else decide how many they are.
+// Lets the ticks pass that a command waits for, and detects if somebody else changes time meanwhile.
 class Wait {
 public:
     explicit Wait(Session::Parts& parts)
@@ -38,7 +38,7 @@ private:
     std::int64_t end_;
 };
 
-// Runs a command between two ticks, and lets the time pass that it waits for.
+// Runs a command between two ticks, and lets time pass if it waits.
 Expected<CommandEnd> run(Session::Parts& parts, const ConsoleCommand& command, const Arguments& arguments) {
     if (command.beside) return command.run(parts, arguments);
     Expected<CommandEnd> end = failure("interrupted");
@@ -76,7 +76,7 @@ Outcome run_command(lua_State* L, Session::Parts& parts, const ConsoleCommand& c
 
 int call_with_table(lua_State* L);
 
-// Upvalues: the parts, the command's number.
+// Upvalues: the parts, the number of the command.
 int call_command(lua_State* L) {
     Session::Parts& parts = parts_of(L);
     const auto number = static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(2)));
@@ -95,15 +95,15 @@ int call_command(lua_State* L) {
     return 0;
 }
 
-// What `robot "mouse"` returns: the command again, with its name, for the table. Upvalues: as the command's, and the
-// name.
+// The function that `robot "mouse"` returns: the same command with the name, for the table. Upvalues: those of the
+// command, and the name.
 int call_with_table(lua_State* L) {
     lua_pushvalue(L, lua_upvalueindex(3));
     lua_insert(L, 1);
     return call_command(L);
 }
 
-// The command of a function of these, by its second upvalue.
+// The command of such a function, from its second upvalue.
 const ConsoleCommand& command_of(lua_State* L, int index) {
     lua_getupvalue(L, index, 2);
     const auto number = static_cast<std::size_t>(lua_tointeger(L, -1));
@@ -117,7 +117,7 @@ const std::vector<ConsoleCommand>& console_commands() {
     static const std::vector<ConsoleCommand> commands{
         {"ls",
          "ls() or ls(component) or ls \"rtm:\"",
-         "lists what there is, how it is wired and what is held; with \"rtm:\" what OpenRTM's name service has",
+         "lists components, connections and holds; with \"rtm:\" the components in OpenRTM's name service",
          1,
          command_ls,
          true,
@@ -261,11 +261,10 @@ const std::vector<ConsoleCommand>& console_commands() {
          false,
          {Offer::carried, Offer::nothing}},
         {"stop", "stop()", "emergency stop: robots brake and ignore commands until rearm()", 0, command_stop},
-        {"rearm", "rearm()", "lets robots that stand obey again what comes from now on", 0, command_rearm},
-        {"pause", "pause()", "stops time; run() lets it go on", 0, command_pause},
+        {"rearm", "rearm()", "ends an emergency stop when the robots stand: they obey new commands", 0, command_rearm},
+        {"pause", "pause()", "pauses time; run() continues", 0, command_pause},
         {"step", "step(n)", "lets n ticks pass, then pauses", 1, command_step},
-        {"run", "run(seconds) or run()", "lets so much time pass, then pauses; run() goes on without end", 1,
-         command_run},
+        {"run", "run(seconds) or run()", "runs for so many seconds, then pauses; run() does not pause", 1, command_run},
         {"speed",
          "speed(factor)",
          "how fast time passes: 1 as on the clock, \"max\" as fast as possible",
@@ -275,7 +274,7 @@ const std::vector<ConsoleCommand>& console_commands() {
          {Offer::max}},
         {"restart",
          "restart() or restart \"anyway\"",
-         "reads the system file again and begins anew",
+         "reads the system file again and starts at time 0",
          1,
          command_restart,
          true,
@@ -288,7 +287,7 @@ const std::vector<ConsoleCommand>& console_commands() {
          command_rollback,
          false,
          {Offer::component}},
-        {"errors", "errors()", "lists what is in ERROR, and the last warnings and errors", 0, command_errors},
+        {"errors", "errors()", "lists components in ERROR, and the last warnings and errors", 0, command_errors},
         {"log_level",
          "log_level \"debug\"",
          "shows the log from this level on: debug, info, warn, error",

@@ -1,4 +1,4 @@
-// The stick's place, held on a port.
+// Holds the position of the stick on a port.
 #include "bindings/console/drive.hpp"
 
 #include <fmt/format.h>
@@ -12,20 +12,20 @@ namespace nezumi {
 namespace {
 
 // What a port of this type is sent for the stick's place; nothing when the type is none to drive with.
-std::optional<Value> payload(std::size_t type, double x, double y) {
-    if (type == type_index<std::vector<float>>())
+std::optional<Value> payload(const MessageType* type, double x, double y) {
+    if (type == message_of<std::vector<float>>())
         return Value{std::vector<float>{static_cast<float>(x), static_cast<float>(y)}};
-    if (type == type_index<std::vector<double>>()) return Value{std::vector<double>{x, y}};
-    if (type == type_index<Velocity2D>())
+    if (type == message_of<std::vector<double>>()) return Value{std::vector<double>{x, y}};
+    if (type == message_of<Velocity2D>())
         return Value{Velocity2D{.vx = y * Drive::speed_of_px, .va = 0.0 + x * Drive::turn_of_px}};
     return std::nullopt;
 }
 
-// The port of a component that a stick stands for.
+// The port of a component that the stick drives.
 std::string port_to_drive(const Component& component) {
     if (dynamic_cast<const Joystick*>(&component) != nullptr) return component.name() + ".stick";
     if (const Port* pos = component.find_out_port("pos")) return component.name() + "." + pos->name();
-    const auto fits = [](const auto& port) { return port->type() == type_index<Velocity2D>(); };
+    const auto fits = [](const auto& port) { return port->type() == message_of<Velocity2D>(); };
     if (dynamic_cast<const Robot*>(&component) != nullptr) {
         const auto& ports = component.in_ports();
         if (const auto in = std::find_if(ports.begin(), ports.end(), fits); in != ports.end())
@@ -41,7 +41,7 @@ constexpr std::size_t usual_scale = 5;
 static_assert(Drive::scales[usual_scale] == 1);
 
 double press(double place, double by) {
-    if (place * by < 0) return 0;  // the other way: first to the middle
+    if (place * by < 0) return 0;  // the opposite key goes to the middle first
     return std::clamp(place + by, -Drive::edge, Drive::edge);
 }
 
@@ -65,7 +65,7 @@ Expected<void> Drive::begin(RunningSystem& live, const std::string& what, const 
     who_ = who;
     x_ = y_ = 0;
     scale_ = usual_scale;
-    is_velocity_ = (*port)->type() == type_index<Velocity2D>();
+    is_velocity_ = (*port)->type() == message_of<Velocity2D>();
     ending_ = false;
     if (auto held = send(live); !held) {
         path_.clear();
@@ -76,13 +76,13 @@ Expected<void> Drive::begin(RunningSystem& live, const std::string& what, const 
 
 Expected<void> Drive::send(RunningSystem& live) {
     const auto port = live.system().port(path_);
-    if (!port) return failure("what was driven is gone");
+    if (!port) return failure("the driven port is gone");
     const Actor* holder = live.system().holder(path_);
     const bool has_it = holder != nullptr && *holder == who_ && (*port)->override() == Override::held;
     const double x = x_ * scales[scale_], y = y_ * scales[scale_];
     if (has_it && sent_x_ == x && sent_y_ == y) return {};
     auto value = payload((*port)->type(), x, y);
-    if (!value) return failure("what was driven is gone");
+    if (!value) return failure("the driven port is gone");
     if (auto held = live.act(Hold{path_, std::move(*value)}, who_); !held)
         return failure("driving has ended: " + held.error().message);
     sent_x_ = x;
@@ -107,7 +107,7 @@ void Drive::key(Key key, RunningSystem& live) {
             break;
         case Key::escape: return end(live);
     }
-    static_cast<void>(send(live));  // a port that is gone is told after the tick
+    static_cast<void>(send(live));  // a port that is gone is reported after the tick
 }
 
 std::string Drive::full_speed() const {
@@ -126,7 +126,7 @@ void Drive::end(RunningSystem& live) {
 Expected<void> Drive::after_tick(RunningSystem& live) {
     if (path_.empty()) return {};
     if (ending_) {
-        static_cast<void>(live.act(Release{path_}, who_));  // a port that is gone needs none
+        static_cast<void>(live.act(Release{path_}, who_));  // if the port is gone, there is nothing to release
         path_.clear();
         return {};
     }

@@ -1,4 +1,4 @@
-// Takes the specification that the system was built from, and brings it up to date.
+// Updates the specification that the system was built from.
 #include "bindings/console/save_system.hpp"
 
 #include <fmt/format.h>
@@ -17,8 +17,8 @@
 namespace nezumi {
 namespace {
 
-// Puts each value that the file would not give where it counts: into the set in use if that names it, else into
-// `config`, which loses what no parameter takes any more.
+// Puts each value that differs from the file into the parameter set in use if the set has it, otherwise into `config`.
+// Removes values of parameters that no longer exist.
 void bring_up_to_date(ParameterValues& config, ParameterValues* set, const Component& component) {
     for (const auto& parameter : component.parameters().all()) {
         const std::string& name = parameter.spec.name;
@@ -56,8 +56,8 @@ Expected<void> bring_up_to_date(ComponentEntry& entry, const Component& componen
     return {};
 }
 
-// How a person would name this file within `named_in`: the shortest name that finds it again, else its path from there
-// when both are in the project, else its whole path.
+// The name that a person would write for this file within `named_in`: the shortest name that finds it, or its relative
+// path if both are in the project, or its whole path.
 std::string name_of(const Project& project, const std::filesystem::path& file, const std::filesystem::path& named_in) {
     const std::filesystem::path working = project.files().working_folder();
     const auto whole = (working / file).lexically_normal();
@@ -83,9 +83,8 @@ std::string counted(std::size_t count, std::string_view what) {
 // The twins of real robots belong to a run, not to its file.
 void leave_out_twins(SystemSpec& spec) {
     std::vector<std::string> twins;
-    for (const Entry& entry : spec.entries) {
-        const auto* robot = std::get_if<RobotEntry>(&entry);
-        if (robot != nullptr && !robot->twin_of.empty()) twins.push_back(robot->name);
+    for (const RobotEntry* robot : entries_of<RobotEntry>(spec)) {
+        if (!robot->twin_of.empty()) twins.push_back(robot->name);
     }
     for (const std::string& twin : twins) {
         const std::string ports = twin + ".";
@@ -96,7 +95,7 @@ void leave_out_twins(SystemSpec& spec) {
     }
 }
 
-// What was removed is no RTC any more.
+// Removed components are no longer exported as RTCs.
 void leave_out_rtm(SystemSpec& spec) {
     if (!spec.rtm) return;
     std::erase_if(spec.rtm->exported, [&](const std::string& name) {
@@ -105,12 +104,11 @@ void leave_out_rtm(SystemSpec& spec) {
     });
 }
 
-// The behaviour whose script this file is; "" for none.
+// The behaviour with this script; "" if there is none.
 std::string user_of_script(const SystemSpec& spec, const std::filesystem::path& file) {
-    for (const Entry& entry : spec.entries) {
-        const auto* behavior = std::get_if<BehaviorEntry>(&entry);
+    for (const BehaviorEntry* behavior : entries_of<BehaviorEntry>(spec)) {
         std::error_code none;
-        if (behavior != nullptr && std::filesystem::equivalent(behavior->path, file, none)) return behavior->name;
+        if (std::filesystem::equivalent(behavior->path, file, none)) return behavior->name;
     }
     return "";
 }
@@ -133,7 +131,7 @@ Expected<PresentSystem> present_system(const RunningSystem& live) {
         const auto done = std::visit(
             [&](auto& each) {
                 const Component& component = *system.find(each.name);
-                each.active = component.state() != LifeState::inactive;  // what is in ERROR is to work
+                each.active = component.state() != LifeState::inactive;  // a component in ERROR is saved as active
                 return bring_up_to_date(each, component, live);
             },
             entry);

@@ -1,4 +1,4 @@
-// Takes inputs one after the other through Lua, and tells what came of them.
+// Runs inputs one after the other in Lua, and reports the results.
 #include "bindings/console/session.hpp"
 
 #include <fmt/format.h>
@@ -24,14 +24,15 @@ constexpr Budget input_budget{5.0};
 constexpr std::chrono::seconds stuck_after{2};
 constexpr std::chrono::seconds session_farewell{1};
 
-// One line of an input needs no place; of several, the line says more than the input's name.
+// An error of an input with one line needs no place. With several lines, the line number replaces the name of the
+// input.
 std::string error_text(const Error& error, std::string_view input) {
     if (error.place.file != input_name || error.place.line <= 0) return describe(error);
     if (input.find('\n') == std::string_view::npos) return error.message;
     return fmt::format("line {}: {}", error.place.line, error.message);
 }
 
-// Of all values above `base`.
+// Shows all values above `base`.
 void show_results(Session::Parts& parts, lua_State* L, int base) {
     const int count = lua_gettop(L);
     if (count == base) return;
@@ -47,7 +48,7 @@ void show_results(Session::Parts& parts, lua_State* L, int base) {
     parts.show(fmt::format("{}", fmt::join(texts, several_lines ? "\n" : "\t")));
 }
 
-// Whoever types the bare word that leaves wants to leave, not to read what it does.
+// A person who types only `quit` or `exit` wants to leave, not to read what the command does.
 bool is_goodbye(std::string_view text) {
     text = trimmed(text);
     return text == "quit" || text == "exit";
@@ -63,7 +64,7 @@ Expected<std::unique_ptr<Session::Parts>> make_parts(RunningSystem& live, ClockC
     try {
         return std::make_unique<Session::Parts>(live, clock, std::move(options));
     } catch (const std::system_error& error) {
-        return failure(fmt::format("there is no thread for another console: {}", error.code().message()));
+        return failure(fmt::format("no thread is left for another console: {}", error.code().message()));
     }
 }
 
@@ -153,7 +154,7 @@ Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 
 Session::~Session() {
     close();
-    // A thread that does not end keeps what it works on.
+    // A thread that does not end keeps the objects that it uses.
     if (!parts_->worker.join(*closed_ + session_farewell)) static_cast<void>(parts_.release());
 }
 
@@ -161,7 +162,7 @@ void Session::close() {
     if (closed_) return;
     Parts& parts = *parts_;
     if (parts.drive.is_on()) parts.drive.end(parts.live);
-    static_cast<void>(parts.drive.after_tick(parts.live));  // lets the port go
+    static_cast<void>(parts.drive.after_tick(parts.live));  // releases the port
     if (parts.quits) parts.clock.quit();
     parts.worker.close([&parts] {
         parts.state.reset();
@@ -176,7 +177,7 @@ bool Session::is_complete(std::string_view text) { return is_complete_input(text
 
 void Session::submit(std::string text) {
     if (is_goodbye(text)) text = "quit()";
-    // Nobody who types this in a hurry wants to read what it does.
+    // A person who types `stop` in a hurry means the command, not its help.
     if (trimmed(text) == "stop") text = "stop()";
     parts_->jobs.push_back({.text = std::move(text)});
 }
@@ -193,7 +194,7 @@ bool Session::is_waiting() const {
                            (takes_more && !takes_more()));
 }
 
-// A behaviour that executes soon is waited for: whoever asked by --eval leaves then.
+// Waits for a behaviour that executes soon, because a caller of --eval leaves after the answer.
 bool Session::explains_soon() const {
     return !parts_->options.batch && !parts_->clock.is_paused() &&
            std::any_of(parts_->explained.begin(), parts_->explained.end(), [&](const Explained& each) {
@@ -237,7 +238,7 @@ void Session::begin_next() {
     });
 }
 
-// Leaves a job alone that does not end: it hangs in a file, or in code that nothing can end.
+// Abandons a job that does not end: it waits for a file, or runs code that can't be stopped.
 void Session::replace_stuck() {
     auto fresh = make_parts(parts_->live, parts_->clock, parts_->options);
     if (fresh) {
@@ -264,7 +265,7 @@ void Session::serve(Worker::Clock::time_point until) {
     quit_if_asked();
 }
 
-// Whoever asks for the end gets an answer first, unless the rest of the line takes its time.
+// Sends the answer before the end of the run, unless the rest of the line takes long.
 void Session::quit_if_asked() {
     constexpr std::chrono::milliseconds patience{200};
     if (parts_->quits && (!parts_->job || Worker::Clock::now() - *parts_->quits > patience)) parts_->clock.quit();
@@ -334,7 +335,7 @@ void Session::key(Key key) {
     const bool was_on = parts.drive.is_on();
     parts.drive.key(key, parts.live);
     if (parts.drive.is_on() && (key == Key::faster || key == Key::slower))
-        parts.show("at the edge: " + parts.drive.full_speed());
+        parts.show("at full deflection: " + parts.drive.full_speed());
     if (was_on && !parts.drive.is_on() && parts.options.output.take_keys) parts.options.output.take_keys(false);
 }
 

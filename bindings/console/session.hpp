@@ -43,13 +43,13 @@ struct SessionOutput {
     std::function<bool(LogLevel level)> log_level{};
 };
 
-/// The kinds of drawings of `picture`, `graph` and `save "x.xml"`.
+/// What `picture`, `graph` and `save "x.xml"` draw.
 enum class Drawn : unsigned char {
-    world,    ///< seen from above
+    world,    ///< from above
     wiring,   ///< components, ports and connections
-    profile,  ///< the same as a file for RTSystemEditor
+    profile,  ///< the same as the file of RTSystemEditor
 };
-/// Draws the copied state to a file that ends in .png or .svg, a profile in .xml. Any thread may call it.
+/// Draws the copied state to a file that ends in .png or .svg, a profile in .xml; any thread may call it.
 using Drawing = std::function<Expected<void>(const std::string& file)>;
 /// Copies the state of the system between two ticks. Another thread then calls the result.
 using DrawingMaker = std::function<Drawing(Drawn what)>;

@@ -146,7 +146,7 @@ struct Session::Parts {
     }
 
     double number = 0;       ///< the result of a command
-    Value value;             ///< the same for a command that returns a table
+    Value value;             ///< the result of a command that returns a table
     std::int64_t ticks = 0;  ///< that a command waits for
     std::unique_ptr<Objects> objects;
     std::unique_ptr<LuaState> state;

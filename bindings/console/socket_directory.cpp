@@ -1,5 +1,5 @@
-// Sockets are reached through their folder's descriptor, so that what was checked is what is used, however long its
-// path.
+// Opens sockets through the descriptor of their folder: so the checked folder is the one that is used, and its path may
+// be long.
 #include "bindings/console/socket_directory.hpp"
 
 #include <dirent.h>
@@ -27,7 +27,7 @@ constexpr std::string_view suffix = ".sock";
 
 std::string why() { return std::strerror(errno); }
 
-// Opens the folder if it is there, is a folder, ours, and closed to all others.
+// Opens the folder if it is a folder of this user that is closed to all others.
 Expected<Descriptor> open_folder(const std::filesystem::path& path) {
     Descriptor folder(::open(path.c_str(), O_DIRECTORY | O_NOFOLLOW | O_RDONLY | O_CLOEXEC));
     struct stat status {};
@@ -36,11 +36,11 @@ Expected<Descriptor> open_folder(const std::filesystem::path& path) {
     if (status.st_uid != geteuid())
         return failure("the console's folder " + path.string() + " belongs to another user: remove it");
     if ((status.st_mode & 077) != 0)
-        return failure("others can enter the console's folder " + path.string() + ": run chmod 700 on it");
+        return failure("other users can enter the console's folder " + path.string() + ": run chmod 700 on it");
     return folder;
 }
 
-// What a system is called in the folder: a file's name without what no file's name may have.
+// The name of a system as a file name, without characters that file names can't have.
 std::string plain_name(std::string_view name) {
     constexpr std::size_t longest = NAME_MAX - std::string_view("-4194304.sock").size();
     std::string plain(name);
@@ -51,11 +51,11 @@ std::string plain_name(std::string_view name) {
     if (plain.empty()) plain = "system";
     if (plain.size() <= longest) return plain;
     std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(plain[end]) & 0xc0) == 0x80) --end;  // within a letter
+    while (end > 0 && (static_cast<unsigned char>(plain[end]) & 0xc0) == 0x80) --end;  // within a character
     return plain.substr(0, end);
 }
 
-// What a person calls a system: by its name, or by its file.
+// The name of a system for what a person gave: its name or its file.
 std::string name_meant(std::string_view which) {
     const std::filesystem::path path(which);
     return path.extension() == ".lua" ? path.stem().string() : std::string(which);
@@ -69,7 +69,7 @@ sockaddr_un address_in(const Descriptor& folder, std::string_view name) {
     return address;
 }
 
-// A system that is stopped takes nobody in: those who wait at its door are let go after a while, with EAGAIN.
+// A stopped system accepts no connection: clients that wait for it give up after this time, with EAGAIN.
 constexpr timeval longest_wait{.tv_sec = 2, .tv_usec = 0};
 
 Descriptor connect_in(const Descriptor& folder, std::string_view name, bool wait) {
@@ -78,7 +78,7 @@ Descriptor connect_in(const Descriptor& folder, std::string_view name, bool wait
     const auto let_sends_wait = [&](const timeval& time) {
         return setsockopt(socket.get(), SOL_SOCKET, SO_SNDTIMEO, &time, sizeof time) == 0;
     };
-    // Its name may be longer than an address: the socket itself is opened, which gives it a short one.
+    // Its path may be longer than the address of a socket allows, so the socket is opened to get a short path.
     const Descriptor file(openat(folder.get(), std::string(name).c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC));
     if (!file) return Descriptor();
     sockaddr_un address{};
@@ -126,7 +126,7 @@ Expected<Listener> Listener::open(std::string_view name, const std::filesystem::
 
     const std::string process = std::to_string(getpid());
     const std::string file = plain_name(name) + "-" + process + std::string(suffix);
-    // It gets its name once it listens: whoever looks before would take it for one that nobody listens at.
+    // It gets its name only when it listens; otherwise other processes would take it for a dead socket.
     const std::string unready = "." + process;
 
     Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
@@ -183,7 +183,7 @@ Expected<ReachedSystem> connect_to_system(std::string_view which, const std::fil
                        "; running: " + list_of(*systems));
     }
     if (fitting.size() > 1)
-        return failure("several systems are running, say which by its name or its process: " + list_of(fitting));
+        return failure("several systems are running, choose one by its name or process number: " + list_of(fitting));
 
     const auto folder = open_folder(path);
     if (!folder) return Unexpected(folder.error());

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/messages/message_catalog.hpp"
+
 namespace nezumi::dds {
 namespace {
 
-constexpr bool is_velocity(std::size_t type) { return type == type_index<Velocity2D>(); }
+bool is_velocity(const MessageType* type) { return type == message_of<Velocity2D>(); }
 
 // The queue for a slow host: one second of a port that publishes at 100 Hz.
 constexpr int most_waiting = 128;
@@ -19,12 +21,12 @@ constexpr int most_pictures = 2;
 
 }  // namespace
 
-Topic topic_of(std::string_view host, std::string_view port, std::size_t type) {
-    const bool picture = type == type_index<CameraImage>();
+Topic topic_of(std::string_view host, std::string_view port, const MessageType* type) {
+    const bool picture = type == message_of<CameraImage>();
     // Names of topics consist of letters, digits, '_' and '/' (DDS 1.4, annex B).
     const std::size_t dot = port.find('.');
     return {.name = fmt::format("nezumi/{}/{}/{}", host, port.substr(0, dot), port.substr(dot + 1)),
-            .type = fmt::format("nezumi::{}", message_type_names[type]),
+            .type = fmt::format("nezumi::{}", wire_name(*type)),
             .reliable = !is_velocity(type),
             .depth = is_velocity(type) ? 1
                      : picture         ? most_pictures
@@ -40,7 +42,7 @@ void Outlet::send(const Time& now, std::uint64_t run, double clock) {
     });
 }
 
-Inlet::Inlet(std::size_t type, std::unique_ptr<Reader> reader, Progress& progress)
+Inlet::Inlet(const MessageType* type, std::unique_ptr<Reader> reader, Progress& progress)
     : type_(type), reader_(std::move(reader)), progress_(progress) {}
 
 void Inlet::receive(std::optional<std::uint64_t> run, double clock, const Give& give) {

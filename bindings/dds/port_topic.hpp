@@ -24,7 +24,7 @@
 namespace nezumi::dds {
 
 /// The topic of the out-port "name.port" of a host with messages of this type.
-Topic topic_of(std::string_view host, std::string_view port, std::size_t type);
+Topic topic_of(std::string_view host, std::string_view port, const MessageType* type);
 
 /// Updates a map of published ports, by "name.port", to the present ports; drops entries whose port was removed or has
 /// another type.
@@ -61,7 +61,7 @@ private:
 /// Reads a message of a type, as CDR with header, after the described head. Returns nothing if it is invalid or
 /// contains a number that is not finite.
 template <class... Head>
-std::optional<Value> read_message(std::size_t type, std::span<const std::uint8_t> bytes, Head&... head) {
+std::optional<Value> read_message(const MessageType* type, std::span<const std::uint8_t> bytes, Head&... head) {
     Value value = make_payload(type);
     const CdrFormat format{.order = std::endian::little, .header = true};
     if (!read_cdr(bytes, format, head..., value) || !is_finite(value)) return std::nullopt;
@@ -88,7 +88,7 @@ public:
     using Give = std::function<void(Value value)>;
 
     /// `type`: of the port. `progress` continues from an earlier inlet, and must outlive this one.
-    Inlet(std::size_t type, std::unique_ptr<Reader> reader, Progress& progress);
+    Inlet(const MessageType* type, std::unique_ptr<Reader> reader, Progress& progress);
 
     /// Gives the received messages; only those of this run of the other host count.
     void receive(std::optional<std::uint64_t> run, double clock, const Give& give);
@@ -97,7 +97,7 @@ public:
 private:
     void take(const Octets& bytes, std::uint64_t run, double clock, const Give& give);
 
-    std::size_t type_;
+    const MessageType* type_;
     std::unique_ptr<Reader> reader_;
     MessageAge age_;
     Progress& progress_;

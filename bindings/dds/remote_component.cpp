@@ -12,7 +12,7 @@ namespace nezumi::dds {
 RemoteComponent::RemoteComponent(std::string_view host, std::string_view component, std::function<double()> clock)
     : Device(fmt::format("{}/{}", host, component), "RemoteComponent"), host_(host), clock_(std::move(clock)) {}
 
-Port& RemoteComponent::port(const std::string& name, std::size_t type, Direction direction) {
+Port& RemoteComponent::port(const std::string& name, const MessageType* type, Direction direction) {
     if (Port* found = find_port(name)) return *found;
     const std::string doc = fmt::format("of host {}", host_);
     if (direction == Direction::in) return *in_ports_.emplace_back(make_in_port(type, name, doc, 0));

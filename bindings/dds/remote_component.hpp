@@ -22,7 +22,7 @@ public:
 
     const std::string& host() const { return host_; }
     /// Returns the port of this name; makes it if missing.
-    Port& port(const std::string& name, std::size_t type, Direction direction);
+    Port& port(const std::string& name, const MessageType* type, Direction direction);
 
     /// From now on this out-port gives the messages of `reader`; nullptr: none.
     void receive(OutPortBase& port, std::unique_ptr<Reader> reader);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "engine/base/visible.hpp"
+#include "engine/messages/message_catalog.hpp"
 
 namespace nezumi::dds {
 namespace {
@@ -171,7 +172,7 @@ Expected<bool> SystemNetwork::can_be(const Ends& ends, const Announcement& host)
     const auto ours = std::as_const(system_).port(without_host(our_end));
     const AnnouncedPort* theirs = HostTable::find_port(host, without_host(their_end));
     if (!ours || theirs == nullptr) return false;
-    if (theirs->type == (*ours)->type_name()) return true;
+    if (theirs->type == wire_name(*(*ours)->type())) return true;
     return failure(
         fmt::format("types differ: {} is {}, {} is {}", our_end, (*ours)->type_name(), their_end, shown(theirs->type)));
 }
@@ -305,8 +306,7 @@ void SystemNetwork::tell_problem(const std::string& path) {
 std::vector<AnnouncedPort> SystemNetwork::own_ports() const {
     std::vector<AnnouncedPort> all;
     const auto add = [&](const Component& component, const Port& port) {
-        all.push_back(
-            {nezumi::path(component, port), std::string(port.type_name()), port.direction() == Direction::in});
+        all.push_back({nezumi::path(component, port), wire_name(*port.type()), port.direction() == Direction::in});
     };
     for (const auto& component : system_.components()) {
         if (is_remote(component->name())) continue;

@@ -58,13 +58,16 @@ OtherForms forms_with(const ScriptHost& scripts) {
 }
 
 OtherForms forms_with(const PartReader& parts) {
-    return {.read = [&parts](const Json& json, const ValuePlace& out) {
-        const auto entries = [](SystemSpec & spec) -> auto& { return spec.entries; };
-        const auto markers = [](SystemSpec & spec) -> auto& { return spec.arena.markers; };
-        if (out.type == &type_of<Entry>()) return read_part(json, out.as<Entry>(), parts, "an entry", entries);
-        assert(out.type == &type_of<MarkerSpec>());
-        return read_part(json, out.as<MarkerSpec>(), parts, "a marker", markers);
-    }};
+    return {.read =
+                [&parts](const Json& json, const ValuePlace& out) {
+                    const auto entries = [](SystemSpec & spec) -> auto& { return spec.entries; };
+                    const auto markers = [](SystemSpec & spec) -> auto& { return spec.arena.markers; };
+                    if (out.type == &type_of<Entry>())
+                        return read_part(json, out.as<Entry>(), parts, "an entry", entries);
+                    assert(out.type == &type_of<MarkerSpec>());
+                    return read_part(json, out.as<MarkerSpec>(), parts, "a marker", markers);
+                },
+            .message = [&parts](const std::string& name) { return parts.find_message(name); }};
 }
 
 // The act of this name, as it is when nothing is said; nothing when there is none.

@@ -100,21 +100,21 @@ Expected<std::unique_ptr<Replay>> Replay::read(const fs::path& file, const std::
         if (!ok) return Unexpected(ok.error());
         at = end + 1;
     }
-    if (!replay->files_) return replay->wrong(1, "is no journal: its first line is not whole");
+    if (!replay->files_) return replay->wrong(1, "is not a journal: its first line is incomplete");
     return replay;
 }
 
 Expected<void> Replay::read_header(const std::string& line, const std::string& version) {
     const Json json = Json::parse(line, nullptr, false);
-    if (!json.is_object() || !json.contains("journal")) return wrong(1, "is no journal of nezumi run --journal");
+    if (!json.is_object() || !json.contains("journal")) return wrong(1, "is not a journal of nezumi run --journal");
     const auto written_by = field<std::string>(json, "version");
     if (written_by != version || field<int>(json, "journal") != 1) {
         return failure(fmt::format("{} is a journal of nezumi {}, this is {}: only the same version replays it",
                                    file_.string(), shown(written_by.value_or("of another time")), version));
     }
     if (field<bool>(json, "hardware").value_or(false)) {
-        return failure(fmt::format(
-            "{} is the journal of a run on hardware: it tells what was done, and can't be replayed", file_.string()));
+        return failure(fmt::format("{} is the journal of a run on hardware: it is only a record, and can't be replayed",
+                                   file_.string()));
     }
     const auto system = field<std::string>(json, "system");
     const auto working = field<std::string>(json, "working_folder");
@@ -256,9 +256,9 @@ std::string Replay::cause(const ActTime& now) const {
     };
     const auto last = std::find_if(ended_.rbegin(), ended_.rend(), is_before);
     if (last == ended_.rend()) return "";
-    return fmt::format("; the clock had ended a call of {} at {}, and what that left in locals is in no journal{}",
-                       last->component, text_of(last->when),
-                       last->lost.empty() ? "" : ", nor is all of its state: " + last->lost);
+    return fmt::format(
+        "; in the run, a call of {} ran out of time at {}, and the journal does not have the locals that it left{}",
+        last->component, text_of(last->when), last->lost.empty() ? "" : ", nor all of its state: " + last->lost);
 }
 
 Expected<void> Replay::perform(RunningSystem& live, const Entry& entry) {

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 #include <utility>
@@ -21,12 +23,14 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view base64_key = "base64:";
 
 // The type that has this name in JSON; nullptr where there is none.
-const Type* find_type(const std::string& name) {
+const Type* find_type(const std::string& name, const OtherForms& others) {
     for (const PlainType& each : plain_types()) {
         if (each.name == name) return each.type;
     }
     const auto message = find_message_type(name);
-    return message ? message_infos()[*message].payload : nullptr;
+    if (message) return (*message)->payload;
+    const MessageType* defined = others.message ? others.message(name) : nullptr;
+    return defined != nullptr ? defined->payload : nullptr;
 }
 
 Json write_any(const Value& value, const OtherForms& others) {
@@ -36,7 +40,7 @@ Json write_any(const Value& value, const OtherForms& others) {
         Json json = value_to_json(value, others);
         return value.type().is_single() ? json : Json{{each.name, std::move(json)}};
     }
-    return Json{{message_type_names[message_index(value.type())], value_to_json(value, others)}};
+    return Json{{message_name(value.type()), value_to_json(value, others)}};
 }
 
 std::string read_any(const Json& json, Value& out, const OtherForms& others) {
@@ -56,7 +60,7 @@ std::string read_any(const Json& json, Value& out, const OtherForms& others) {
         if (!held.is_number_unsigned()) return expected_in_json("a table's number", held);
         return out = TableRef{held.get<std::uint64_t>()}, "";
     }
-    const Type* type = find_type(name);
+    const Type* type = find_type(name, others);
     return type != nullptr ? read_as(*type, held) : find_message_type(name).error().message;
 }
 
@@ -75,7 +79,7 @@ std::string read_fields(const Json& json, const ValuePlace& out, const OtherForm
     }
     if (known != json.size()) return "there is a field that it does not have";
     const bool is_plain = out.type == &type_of<PlainData>();
-    return !is_plain || is_sound(out.as<PlainData>()) ? "" : "a table is not there, or a key is none";
+    return !is_plain || is_sound(out.as<PlainData>()) ? "" : "a table is missing, or a key is wrong";
 }
 
 std::string read_elements(const Json& json, const ValuePlace& out, const OtherForms& others) {
@@ -93,10 +97,12 @@ std::string read_elements(const Json& json, const ValuePlace& out, const OtherFo
 
 template <class T>
 std::string read_whole(const Json& json, T& out) {
-    if (!json.is_number_integer() ||
-        static_cast<std::int64_t>(static_cast<T>(json.get<std::int64_t>())) != json.get<std::int64_t>())
+    constexpr auto largest = std::uint64_t{std::numeric_limits<T>::max()};
+    if (json.is_number_unsigned() ? json.get<std::uint64_t>() > largest
+                                  : !json.is_number_integer() || !std::is_signed_v<T> ||
+                                        json.get<std::int64_t>() < std::int64_t{std::numeric_limits<T>::min()})
         return expected_in_json("a whole number of its range", json);
-    out = static_cast<T>(json.get<std::int64_t>());
+    out = json.get<T>();
     return "";
 }
 
@@ -185,6 +191,7 @@ Json value_to_json(const ValueView& value, const OtherForms& others) {
             return text_to_json(std::string(octets.begin(), octets.end()));
         }
         case Type::Kind::text: return text_to_json(value.as<std::string>());
+        case Type::Kind::enumeration: return value.type->choices[value.choice()];
         case Type::Kind::any: return write_any(value.as<Value>(), others);
         case Type::Kind::other: return others.write(value);
         default:
@@ -217,6 +224,16 @@ std::string read_value(const Json& json, const ValuePlace& out, const OtherForms
             if (!json.is_boolean()) return expected_in_json("true or false", json);
             out.as<bool>() = json.get<bool>();
             return "";
+        case Type::Kind::enumeration: {
+            const auto& choices = out.type->choices;
+            const auto found = json.is_string()
+                                   ? std::find(choices.begin(), choices.end(), json.get_ref<const std::string&>())
+                                   : choices.end();
+            if (found == choices.end())
+                return expected_in_json(fmt::format("one of {}", fmt::join(choices, ", ")), json);
+            out.set_choice(static_cast<std::size_t>(found - choices.begin()));
+            return "";
+        }
         case Type::Kind::any: return read_any(json, out.as<Value>(), others);
         case Type::Kind::other: return others.read(json, out);
         default:

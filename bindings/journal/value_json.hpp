@@ -27,6 +27,8 @@ std::string read_number(const nlohmann::ordered_json& json, double& out);
 struct OtherForms {
     std::function<nlohmann::ordered_json(const ValueView& value)> write{};
     std::function<std::string(const nlohmann::ordered_json& json, const ValuePlace& out)> read{};
+    /// A message type that a file defines, by name; null for none. May be empty.
+    std::function<const MessageType*(const std::string& name)> message{};
 };
 
 /// A value by its type's table: a structure as its fields, without those that hold nothing. A value of any type within

@@ -37,7 +37,7 @@ void Inbox::open_to(const std::map<std::string, const Port*, std::less<>>& ports
 
 PutAnswer Inbox::put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes,
                      std::endian order, std::string& problem) {
-    std::size_t type = 0;
+    const MessageType* type = nullptr;
     {
         const std::lock_guard lock(mutex_);
         const auto port = ports_.find(path);
@@ -64,13 +64,13 @@ PutAnswer Inbox::put(std::string_view path, std::string_view from, std::span<con
 void Inbox::put_zero(std::string_view path, std::string_view from) {
     const std::lock_guard lock(mutex_);
     const auto port = ports_.find(path);
-    if (port == ports_.end() || port->second.type != type_index<Velocity2D>()) return;
+    if (port == ports_.end() || port->second.type != message_of<Velocity2D>()) return;
     keep(port->second, {std::string(path), std::string(from), Velocity2D{}});
 }
 
 void Inbox::keep(Waiting& waiting, Arrival arrival) {
     arrival.came = Clock::now();
-    if (waiting.type == type_index<Velocity2D>()) {
+    if (waiting.type == message_of<Velocity2D>()) {
         waiting.arrivals.clear();
         waiting.bytes = 0;
     }

@@ -64,7 +64,7 @@ public:
 private:
     struct Waiting {
         const Port* port = nullptr;
-        std::size_t type = 0;
+        const MessageType* type = nullptr;
         std::deque<Arrival> arrivals{};
         std::size_t bytes = 0;
     };

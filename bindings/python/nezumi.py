@@ -109,7 +109,7 @@ def attach(which="", timeout=10.0):
     if not fitting:
         raise Ended("no system '%s' is running; running: %s" % (which, listed))
     if len(fitting) > 1:
-        raise Error("several systems are running, say which by its name or its process: %s" % listed)
+        raise Error("several systems are running, choose one by its name or process number: %s" % listed)
     return Console(_connect(fitting[0]), timeout)
 
 

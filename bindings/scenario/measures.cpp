@@ -1,4 +1,4 @@
-// Columns come in the order in which runs have them first.
+// Columns are in the order of their first runs.
 #include "bindings/scenario/measures.hpp"
 
 #include <fmt/format.h>
@@ -96,7 +96,7 @@ std::string text_of(const MeasureSummary& summary) {
     std::string text = fmt::format("{}: {} run{}{}", title_of_measure(summary.name, summary.unit, summary.scenario),
                                    summary.values.count, summary.values.count == 1 ? "" : "s", text_of(summary.values));
     if (summary.left_out > 0)
-        text += fmt::format(" ({} with a component in ERROR, or not run to the end, left out)", summary.left_out);
+        text += fmt::format(" ({} with a component in ERROR, or not run to the end, omitted)", summary.left_out);
     return text;
 }
 

@@ -1,4 +1,4 @@
-// Each part writes the same bytes under a name of its own, so that parts may share a folder.
+// Each part writes the same bytes to a file of its own, so parts may share a folder.
 #include "bindings/scenario/plan_file.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ constexpr std::string_view magic = "nezumi plan 2\n";
 constexpr std::string_view prefix = "plan-";
 constexpr std::size_t largest_plan = std::size_t{1} << 30;
 
-// A run's values as texts.
+// The values of a run as texts.
 struct TextPoint {
     std::vector<std::string> names;
     std::vector<std::string> values;
@@ -101,7 +101,7 @@ std::vector<fs::path> plans_in(const fs::path& folder) {
     for (fs::directory_iterator entry(ResultStore::folder_in(folder), problem), end; !problem && entry != end;
          entry.increment(problem)) {
         const std::string name = entry->path().filename().string();
-        // "plan-1-of-2.new" is being written, or was when its writer died.
+        // "plan-1-of-2.new" is not complete: its writer still writes it, or has died.
         if (name.starts_with(prefix) && !name.ends_with(".new")) plans.push_back(entry->path());
     }
     std::sort(plans.begin(), plans.end());
@@ -160,7 +160,7 @@ Expected<KeptPlan> find_plan(const std::vector<fs::path>& folders) {
             return failure("is given twice: leave one of them out", {.file = folder.string()});
         const std::vector<fs::path> plans = plans_in(folder);
         if (plans.empty())
-            return failure("has no results of nezumi test --shard: expected a folder that one wrote by -o",
+            return failure("has no results of nezumi test --shard: expected a folder that it wrote with -o",
                            {.file = folder.string()});
         for (const fs::path& plan : plans) {
             auto bytes = read_whole(plan, plan.string(), largest_plan);

@@ -1,4 +1,4 @@
-// The two words of a scenario file, and strict reading of what they are given.
+// The words `scenario` and `range` of a scenario file, with strict checks of their arguments.
 #include "bindings/scenario/scenario_file.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ namespace {
 constexpr char functions_key = 0;
 constexpr char range_key = 0;
 
-constexpr double most_steps = 9007199254740992.0;  // 2^53: whole numbers up to here are numbers
+constexpr double most_steps = 9007199254740992.0;  // 2^53: up to here, doubles hold all whole numbers
 
 const SweepRange* to_range(lua_State* lua, int index) {
     if (lua_type(lua, index) != LUA_TUSERDATA || lua_getmetatable(lua, index) == 0) return nullptr;
@@ -33,7 +33,7 @@ const SweepRange* to_range(lua_State* lua, int index) {
     return is_range ? static_cast<const SweepRange*>(lua_touserdata(lua, index)) : nullptr;
 }
 
-// Raw fields of the table at `index` (absolute) with names; an error for any other key.
+// The names of the fields of the table at `index` (absolute), read without metamethods; an error for any other key.
 Expected<std::vector<std::string>> names_of(lua_State* lua, int index, std::string_view what) {
     std::vector<std::string> names;
     bool all_texts = true;
@@ -58,7 +58,7 @@ bool has_run_called(const Scenario& swept, const Scenario& other) {
     return point && text_of(*point) == values;
 }
 
-// Results, folders of failures and --filter know a run by its name.
+// The name must identify a run in results, folders of failures, and --filter.
 Expected<void> check_names_of_runs(const Scenario& scenario, const Scenario& before) {
     const std::string what = fmt::format("scenario '{}'", shown(scenario.name));
     const std::string where = fmt::format("the scenario of {}:{}", before.place.file, before.place.line);
@@ -156,7 +156,7 @@ int ScenarioFile::range_word(lua_State* lua) {
         if (range.hi < range.lo || (stepped && !(range.step > 0)))
             return failure("range: expected lo <= hi, and a step above 0");
         if (stepped && !((range.hi - range.lo) / range.step < most_steps))
-            return failure("range: the step is too small for numbers to tell its values apart: leave it out");
+            return failure("range: the step is too small, its values would be equal: leave it out");
         range.whole = stepped && lua_isinteger(lua, 1) != 0 && lua_isinteger(lua, 3) != 0;
         return {};
     };

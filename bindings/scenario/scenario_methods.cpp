@@ -1,4 +1,4 @@
-// How the methods of `s` are found and called, and those that let time pass.
+// Finds and calls the methods of `s`. Contains the methods that let time pass.
 #include "bindings/scenario/scenario_methods.hpp"
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/scenario/measures.hpp"
@@ -39,13 +39,13 @@ bool is_early(std::string_view name) {
            std::find(words.begin(), words.end(), name) != words.end();
 }
 
-// Words of a system that would have no effect here: `s.seed` is the seed of the run, whose values are the sweep's.
+// Words of system files that have no effect in a scenario: `s.seed` is the seed of the run, and the sweep gives values.
 bool is_of_files_alone(std::string_view word) { return word == "seed" || word == "argument"; }
 
-// Whether two values are equal as Lua has it, or are tables of which all entries are. `where` says where they are
-// not: "pose.x", "" for the values themselves.
+// Whether two values are equal in Lua, or are tables with equal entries. `where` names the first difference: "pose.x",
+// or "" for the values themselves.
 bool is_deeply_equal(lua_State* lua, int a, int b, std::string& where, int depth) {
-    constexpr int deepest = 100;  // a table may be within itself
+    constexpr int deepest = 100;  // a table may contain itself
     if (lua_rawequal(lua, a, b) != 0) return true;
     if (lua_type(lua, a) != LUA_TTABLE || lua_type(lua, b) != LUA_TTABLE) return false;
     if (depth == deepest || lua_checkstack(lua, 10) == 0) return false;
@@ -71,7 +71,7 @@ bool is_deeply_equal(lua_State* lua, int a, int b, std::string& where, int depth
     return true;
 }
 
-// Methods that let time pass, or wait for it.
+// Methods that let time pass, or wait.
 bool needs_time(std::string_view name) {
     constexpr std::string_view all[] = {"always", "never", "wait_until", "eventually", "maintain", "run"};
     return std::find(std::begin(all), std::end(all), name) != std::end(all);
@@ -138,7 +138,8 @@ int ScenarioRun::Methods::index(lua_State* lua) {
     return raise_kept(lua);
 }
 
-// What a method refuses is a mistake of the scenario, which then could not be run, unless it catches that.
+// A wrong call of a method is a mistake of the scenario: the run counts as not possible, unless the scenario catches
+// the error.
 void ScenarioRun::Methods::note_diagnostic(ScenarioRun& run, lua_State* lua) {
     const std::string& text = run.file_.state().kept_error;
     if (!run.setup_error_ || text.find(run.setup_error_->message) == std::string::npos)
@@ -160,7 +161,7 @@ int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
     if (!run.has_world()) {
         const auto known = names();
         if (!is_method && name != "world") return raise(run, unknown_method("s", name, known));
-        return raise(run, fmt::format("s.{}: there is no world yet: s:load a system, or say s:robot, s:behavior ...",
+        return raise(run, fmt::format("s.{}: there is no world yet: s:load a system, or use s:robot, s:behavior ...",
                                       shown(name)));
     }
     if (is_method) return 1;
@@ -221,7 +222,7 @@ Expected<double> ScenarioRun::Methods::seconds(lua_State* lua, int index, std::s
     return value;
 }
 
-// Stops the run because of something that the scenario itself found wrong, at its line.
+// Ends the run with a failure that the scenario itself detected, at its line.
 bool ScenarioRun::Methods::fails(ScenarioRun& run, lua_State* lua, std::string text) {
     Place place = calling_place(lua);
     if (place.file.empty()) place = run.scenario_.place;
@@ -243,7 +244,7 @@ int ScenarioRun::Methods::expect(ScenarioRun& run, lua_State* lua, Expectation::
         return raise(run, fmt::format("'{}': expected options (a table) or a function, got {}", terms.name,
                                       Arguments{lua}.kind(3)));
     if (lua_type(lua, function) != LUA_TFUNCTION)
-        return raise(run, fmt::format("'{}': expected a function that says true or false, got {}", terms.name,
+        return raise(run, fmt::format("'{}': expected a function that returns true or false, got {}", terms.name,
                                       Arguments{lua}.kind(function)));
     const bool watches = kind == Expectation::Kind::always || kind == Expectation::Kind::never;
     if (has_options) {
@@ -280,7 +281,7 @@ int ScenarioRun::Methods::run_seconds(ScenarioRun& run, lua_State* lua) {
     return run.pass_time(lua, *value) ? 0 : static_cast<int>(end_run);
 }
 
-// What is told of a check that fails is a text, or a number as Lua writes it.
+// The message of a check is a text, or a number as Lua shows it.
 std::optional<int> ScenarioRun::Methods::wrong_message(ScenarioRun& run, lua_State* lua, int index) {
     if (lua_isnoneornil(lua, index) || lua_isstring(lua, index) != 0) return std::nullopt;
     return raise(run, fmt::format("expected a message (a text), got {}", Arguments{lua}.kind(index)));
@@ -307,7 +308,7 @@ int ScenarioRun::Methods::near(ScenarioRun& run, lua_State* lua) {
     if (!(tolerance >= 0)) return raise(run, "expected a tolerance from 0 on");
     if (auto refused = wrong_message(run, lua, 5)) return *refused;
     const double off = std::abs(actual - expected);
-    if (off <= tolerance || actual == expected) return 0;  // infinities are as near as can be
+    if (off <= tolerance || actual == expected) return 0;  // equal infinities have no difference
     std::string text = fmt::format("near failed: {} is off {} by {:.6g}, more than the tolerance of {}", actual,
                                    expected, off, tolerance);
     if (std::isnan(actual) || std::isnan(expected))

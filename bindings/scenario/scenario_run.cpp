@@ -1,4 +1,4 @@
-// From the scenario's function to a result.
+// Runs the function of a scenario and gives the result.
 #include "bindings/scenario/scenario_run.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 namespace nezumi {
 namespace {
 
-// What the scenario's own code may take, apart from its conditions and from what it waits for.
+// Time limit of the scenario's own code, without its conditions and without waiting.
 constexpr Budget scenario_budget{2.0};
 constexpr std::size_t most_printed = std::size_t{64} << 10;  // [bytes]
 
@@ -32,8 +32,8 @@ ScenarioRun::~ScenarioRun() = default;
 void ScenarioRun::print(std::string_view line) {
     if (printed_bytes_ > most_printed) return;
     printed_bytes_ += line.size() + 1;
-    if (printed_bytes_ > most_printed) line = "... (more is left out)";
-    std::string_view rest = line;  // a table may have several
+    if (printed_bytes_ > most_printed) line = "... (the rest is omitted)";
+    std::string_view rest = line;  // a table may have several lines
     for (std::size_t end = 0; (end = rest.find('\n')) != std::string_view::npos; rest.remove_prefix(end + 1))
         result_.printed.emplace_back(rest.substr(0, end));
     result_.printed.emplace_back(rest);
@@ -102,7 +102,7 @@ RunResult ScenarioRun::run() {
     return std::move(result_);
 }
 
-// Whether Lua has raised what a word or a method refused.
+// Whether the Lua error is the one that a word or a method gave.
 bool ScenarioRun::is_setup_error(const CallError& error) const {
     if (error.message.find(not_seen) != std::string::npos) return true;
     if (!file_.refused().empty() && error.message.find(file_.refused()) != std::string::npos) return true;
@@ -113,7 +113,7 @@ void ScenarioRun::take_outcome(const CallResult& called) {
     if (stopped_) return;
     if (!called) {
         const CallError& error = called.error();
-        // The error of a word or of a system is the one that Lua raised, unless the scenario caught that.
+        // The error of a word or of a system is the one that Lua raised, unless the scenario caught it.
         if (setup_error_ && is_setup_error(error)) return stop(RunOutcome::could_not_run, *setup_error_);
         Error plain{one_line(error.message), error.place};
         if (plain.place.file.empty()) plain.place = scenario_.place;
@@ -122,7 +122,7 @@ void ScenarioRun::take_outcome(const CallResult& called) {
     }
     if (auto ok = settle(); !ok) return stop(RunOutcome::could_not_run, ok.error());
     if (!check_components()) return;
-    // What no tick has come after is looked at once, now: it must be able to fail.
+    // A condition that no tick has followed is evaluated once now, because it must be able to fail.
     for (const auto& watch : watches_) {
         if (!watch->sampled && !sample(file_.state().lua(), *watch)) return;
     }

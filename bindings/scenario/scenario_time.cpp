@@ -1,4 +1,4 @@
-// How time passes in a run: tick, look at every condition, decide.
+// Lets time pass in a run: tick, evaluate every condition, decide.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -67,7 +67,7 @@ bool ScenarioRun::sample(lua_State* lua, Watched& watched) {
     const bool as_expected = *is_true != (kind == Expectation::Kind::never);
     if (as_expected && kind != Expectation::Kind::wait_until && kind != Expectation::Kind::eventually) {
         const auto margin = margin_of(comparisons, *is_true);
-        // What has just become true is at its limit, and was not near failing there.
+        // A condition that has just become true is at its limit; this is not a small margin.
         const bool grows = margin && watched.growing && margin->distance >= *watched.growing;
         watched.growing = grows ? std::optional(margin->distance) : std::nullopt;
         if (margin && (grows || !watched.margin || margin->distance < watched.margin->distance)) {
@@ -82,7 +82,7 @@ bool ScenarioRun::sample(lua_State* lua, Watched& watched) {
 }
 
 bool ScenarioRun::pass_time(lua_State* lua, double seconds) {
-    // What was asked for may have ended between two ticks: then the rest counts.
+    // The end of s:run may have been between two ticks; then the rest counts from there.
     const double from = asked_until_ > worlds_.now() && asked_until_ < worlds_.next() ? asked_until_ : worlds_.now();
     asked_until_ = from + seconds;
     if (!check_components()) return false;
@@ -94,7 +94,7 @@ bool ScenarioRun::pass_time(lua_State* lua, double seconds) {
 
 bool ScenarioRun::wait(lua_State* lua, Watched& watched) {
     if (!check_components()) return false;
-    // What is so already needs no tick; before the first tick there is nothing to look at.
+    // A condition that is already true needs no tick. Before the first tick there is nothing to evaluate.
     if (worlds_.ticks() > 0 && !sample(lua, watched)) return false;
     while (watched.expectation.verdict() == Verdict::open) {
         if (!advance(lua, &watched) || !sample(lua, watched)) return false;
@@ -102,7 +102,7 @@ bool ScenarioRun::wait(lua_State* lua, Watched& watched) {
     return true;
 }
 
-// What a system does whose behaviour is in ERROR says nothing about the behaviour, so the run ends there.
+// After a behaviour went to ERROR, the system says nothing about the behaviour, so the run ends.
 bool ScenarioRun::check_components() {
     for (std::size_t i = 0; i < worlds_.size(); ++i) {
         const RunningSystem& live = worlds_[i];
@@ -118,7 +118,7 @@ bool ScenarioRun::check_components() {
             stop(RunOutcome::failed, {text, error.place});
             result_.component_failed = true;
             result_.facts.push_back(
-                fmt::format("s:allow_error(\"{}\") before that lets the scenario go on", component->name()));
+                fmt::format("s:allow_error(\"{}\") before that lets the scenario continue", component->name()));
         }
     }
     return !stopped_;
@@ -165,7 +165,7 @@ void ScenarioRun::tell_ports(const std::vector<PortAt>& ports) {
     };
     for (const PortAt& at : ports) tell(*at.live, *at.component, *at.port);
     if (!told.empty()) return;
-    // It looked at no port: then all that is published says most.
+    // It has read no port, so all published values are shown.
     for (std::size_t i = 0; i < worlds_.size(); ++i) {
         const RunningSystem& live = worlds_[i];
         for (const auto& component : live.system().components()) {

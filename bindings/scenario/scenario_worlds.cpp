@@ -1,4 +1,4 @@
-// The worlds of a run: from the system's words and loaded files to systems that tick.
+// Builds the worlds of a run from words and from loaded files.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
     all.insert(all.end(), more.begin(), more.end());
 }
 
-// What words said before a file was loaded belongs to the world that it makes.
+// Words before `s:load` belong to the world of the loaded file.
 void merge(SystemSpec& spec, const SystemSpec& more) {
     append(spec.entries, more.entries);
     append(spec.connections, more.connections);
@@ -104,7 +104,7 @@ Expected<void> ScenarioRun::settle() {
     return must_rebuild ? rebuild(present) : add_new(present);
 }
 
-// What can't be built could not be run.
+// A world that can't be built ends the run as not possible.
 Expected<void> ScenarioRun::settle_or_note() {
     auto settled = settle();
     if (!settled) {
@@ -158,11 +158,11 @@ Expected<void> ScenarioRun::rebuild(Described& described) {
                                                                           : "arena";
     if (worlds_.ticks(world) > 0) {
         return failure(
-            fmt::format("{}: can't change once time has moved: say it before s:run and all that waits", word),
+            fmt::format("{}: can't change after time has passed: call it before s:run and all methods that wait", word),
             word_host_.called);
     }
     if (described.live->options().build.real_time)
-        return failure(fmt::format("{}: with --hw it is said before robots are looked at", word), word_host_.called);
+        return failure(fmt::format("{}: with --hw, call it before robots are used", word), word_host_.called);
     if (auto ok = described.live->rebuild(spec); !ok) return ok;
     described.entries = spec.entries.size();
     described.connections = spec.connections.size();
@@ -176,9 +176,8 @@ Expected<void> ScenarioRun::add_new(Described& described) {
     while (described.entries < spec.entries.size()) {
         const Entry& entry = spec.entries[described.entries++];
         if (live.options().build.real_time && std::holds_alternative<RobotEntry>(entry))
-            return failure(
-                fmt::format("robot '{}': with --hw all robots are said before one is looked at", name_of(entry)),
-                place_of(entry));
+            return failure(fmt::format("robot '{}': with --hw, declare all robots before one is used", name_of(entry)),
+                           place_of(entry));
         if (auto added = live.act(Add{entry}, scenario_actor); !added) return Unexpected(added.error());
         // A component that can't be activated is in ERROR, as at the start of a system.
         if (std::visit([](const auto& e) { return e.active; }, entry))
@@ -204,7 +203,7 @@ Expected<void> ScenarioRun::load(const std::string& name, const Expected<Value>&
     }
     const auto path = file_.project().find(FileKind::system, name, place.file);
     if (!path) return failure("load: " + path.error().message, place);
-    // A system of another project is read as that project's; what the scenario adds is its own.
+    // A system of another project is read as part of that project; additions of the scenario belong to its own.
     const Project theirs = Project::of(*path, file_.project().installed());
     auto spec = read_system_file(*path, theirs,
                                  {.seed = settings_.seed, .print = [this](std::string_view line) { print(line); }});

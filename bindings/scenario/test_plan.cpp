@@ -1,4 +1,4 @@
-// Files in the order of the paths, scenarios in the order of their files, points in the order of their sweeps.
+// Order of runs: files in the order of the paths, scenarios as in their files, points as in their sweeps.
 #include "bindings/scenario/test_plan.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ std::string text_of_paths(const std::vector<fs::path>& paths) {
     return out;
 }
 
-// How often each combination is made.
+// The repetitions of each combination.
 std::vector<Repetition> repetitions(const Scenario& scenario, const std::optional<SeedRange>& seeds) {
     std::vector<Repetition> all;
     if (scenario.seed) return {Repetition{}};
@@ -44,10 +44,10 @@ std::string name_of_values(const Scenario& scenario, const SweepPoint& point) {
     return point.empty() ? scenario.name : scenario.name + " " + text_of(point);
 }
 
-// Numbers that tables and other programs keep exactly.
+// Numbers that tables and other programs store exactly.
 std::uint64_t seed_of_run(std::uint64_t session, std::string_view name) { return mix(session, name) >> 11; }
 
-// Draws at random: of a sweep that is compared in pairs, each draw with every value of that key.
+// Random draws. In a sweep that is compared in pairs, each draw is made with every value of the key.
 std::vector<SweepPoint> drawn_points(const Scenario& scenario, std::uint64_t seed) {
     const std::uint64_t own = seed_of(seed, scenario.name);
     Sweep rest = scenario.sweep, compared;
@@ -80,7 +80,7 @@ std::vector<PlannedRun> runs_of(const TestPlan& plan, std::size_t file, std::siz
     return runs;
 }
 
-// How well a filter fits: a whole name means no other run.
+// How well a filter fits: the whole name of a run selects only this run.
 enum class Fit { none, part, whole };
 
 Fit fit(const std::string& filter, const Scenario& scenario, const PlannedRun& run) {
@@ -89,7 +89,7 @@ Fit fit(const std::string& filter, const Scenario& scenario, const PlannedRun& r
     return run.name.find(filter) != std::string::npos ? Fit::part : Fit::none;
 }
 
-// The runs of a random sweep that the filter names, whether or not they are drawn this time.
+// The runs of a random sweep that the filter names, whether or not they would be drawn.
 std::vector<PlannedRun> named_runs(const std::string& filter, const TestPlan& plan, std::size_t file, std::size_t index,
                                    const std::vector<Repetition>& repeated) {
     const Scenario& scenario = plan.files[file].scenarios[index];
@@ -106,7 +106,7 @@ std::vector<PlannedRun> named_runs(const std::string& filter, const TestPlan& pl
     return named;
 }
 
-// Where a project keeps its scenarios.
+// The folders of a project that can contain scenarios.
 std::vector<fs::path> scenario_folders(const fs::path& root) {
     std::vector<fs::path> folders;
     std::error_code none;
@@ -116,7 +116,7 @@ std::vector<fs::path> scenario_folders(const fs::path& root) {
     return folders;
 }
 
-// Compares the runs of every scenario that can be by this key.
+// Compares the runs in pairs by this key, for every scenario that has it.
 Expected<void> pair(TestPlan& plan, const std::string& name) {
     if (name.empty()) return {};
     std::optional<Error> why;
@@ -128,7 +128,7 @@ Expected<void> pair(TestPlan& plan, const std::string& name) {
                 scenario.paired = name;
                 paired = true;
             } else if (!why || fits.error().message.size() > why->message.size()) {
-                why = fits.error();  // the one that has a nearest name
+                why = fits.error();  // the error with a nearest name
             }
         }
     }
@@ -136,10 +136,10 @@ Expected<void> pair(TestPlan& plan, const std::string& name) {
     return failure("--paired: " + why->message);
 }
 
-// Where scenarios are when nobody says where.
+// The folder of scenarios if no path is given.
 fs::path scenario_root(const Project& project) { return project.root().empty() ? fs::current_path() : project.root(); }
 
-// Results, folders of failures and --filter know a run by its name.
+// The name must identify a run in results, folders of failures, and --filter.
 Expected<void> check_runs(const TestPlan& plan) {
     if (plan.runs.size() > most_runs)
         return failure(fmt::format("these are {} runs, more than {}: choose some by --filter, or fewer seeds",
@@ -158,7 +158,7 @@ Project project_here() { return Project::of(fs::current_path() / "any"); }
 }  // namespace
 
 Expected<std::vector<fs::path>> find_scenarios_called(const std::string& name) {
-    // "tests/deep/explorer" as well.
+    // Also accepts "tests/deep/explorer".
     std::error_code none;
     const fs::path whole = name + (name.ends_with("_test") ? ".lua" : "_test.lua");
     if (fs::is_regular_file(whole, none)) return std::vector<fs::path>{whole};
@@ -174,7 +174,7 @@ Expected<std::vector<fs::path>> find_scenarios_called(const std::string& name) {
         }
     }
     if (!files.empty()) return files;
-    // Of a name another name is meant, of a path another path.
+    // The nearest name for a name, the nearest path for a path.
     std::string near = did_you_mean(name, {known.begin(), known.end()});
     if (fs::path(name).has_parent_path() || name.ends_with(".lua") || near.empty()) {
         if (const std::string path = did_you_mean_path(name); !path.empty()) near = path;
@@ -191,7 +191,7 @@ Expected<std::vector<fs::path>> find_scenario_files(const std::vector<fs::path>&
         looked = scenario_folders(root);
         if (looked.empty()) {
             return failure(fmt::format(
-                "there is no folder tests/ or behaviors/ in {}: say which files or folders to test", root.string()));
+                "there is no folder tests/ or behaviors/ in {}: name the files or folders to test", root.string()));
         }
     }
     for (const fs::path& path : looked) {

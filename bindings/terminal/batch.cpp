@@ -117,7 +117,7 @@ std::optional<std::string> Batch::give_up_input() {
 
 bool Batch::is_cut_off() {
     if (client_.is_open() || bye_) return false;
-    if (!std::exchange(told_, true)) tell(place("the connection with the system is lost"));
+    if (!std::exchange(told_, true)) tell(place("the connection to the system is lost"));
     return true;
 }
 

@@ -67,7 +67,7 @@ void put_in_order(std::vector<Hub::Incoming>& waiting, std::size_t from, Hub::In
 Hub::Hub(AccessControl access, StaticFiles files, PartReader parts, std::string hello)
     : access_(std::move(access)),
       files_(std::move(files)),
-      parts_(std::move(parts)),
+      parts_{std::move(parts.project), parts.scripts},
       hello_(std::move(hello)),
       news_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 

@@ -40,7 +40,7 @@ void Pictures::look(const System& system, const std::vector<std::string>& ports,
     }
     for (const std::string& path : ports) {
         const auto port = system.port(path);
-        if (!port || (*port)->type() != type_index<CameraImage>() || (*port)->count() == 0) continue;
+        if (!port || (*port)->type() != message_of<CameraImage>() || (*port)->count() == 0) continue;
         Seen& seen = seen_[path];
         if (seen.count == (*port)->count() || now - seen.at < std::chrono::duration<double>(1 / most)) continue;
         seen = {(*port)->count(), now};

@@ -117,7 +117,7 @@ void StateReader::add_members(State& state, const Watch& wanted) const {
 void StateReader::add_ports(State& state, const Watch& wanted) {
     for (const std::string& name : wanted.ports) {
         const auto port = live_.system().port(name);
-        if (!port || (*port)->type() == type_index<CameraImage>()) continue;
+        if (!port || (*port)->type() == message_of<CameraImage>()) continue;
         const auto [seen, is_new] = counts_.try_emplace(name, 0);
         const std::uint64_t count = (*port)->count();
         if (!is_new && seen->second == count) continue;

@@ -43,7 +43,7 @@ void add(Json& types, const Type& type) {
 Json types_to_json() {
     Json types = Json::object();
     add(types, type_of<CdrTime>());
-    for (const MessageInfo& message : message_infos()) {
+    for (const MessageType& message : compiled_message_types()) {
         add(types, *message.payload);
         const std::string name(message.name);
         Json fields = Json::array();

@@ -22,14 +22,14 @@ struct WebRobot {
     bool operator==(const WebRobot&) const = default;
 
     static constexpr std::tuple fields{
-        Field{"index", &WebRobot::index, "", "its place in the system's robots"},
+        Field{"index", &WebRobot::index, "", "its index among the system's robots"},
         Field{"x", &WebRobot::x, "m", ""},
         Field{"y", &WebRobot::y, "m", ""},
         Field{"z", &WebRobot::z, "m", "height over the floor"},
         Field{"yaw", &WebRobot::yaw, "rad", ""},
         Field{"pitch", &WebRobot::pitch, "rad", "before the yaw; positive: its front goes down"},
         Field{"roll", &WebRobot::roll, "rad", "before the pitch"},
-        Field{"is_truth", &WebRobot::is_truth, "", "the world's truth; else its odometry"},
+        Field{"is_truth", &WebRobot::is_truth, "", "the true pose in a simulation; otherwise its odometry"},
         Field{"collided", &WebRobot::collided, "", "it touches something but the floor"},
         Field{"touches", &WebRobot::touches, "", "what that is"},
         Field{"contacts", &WebRobot::contacts, "m", "where"},
@@ -60,7 +60,7 @@ struct WebRay {
     bool operator==(const WebRay&) const = default;
 
     static constexpr std::tuple fields{
-        Field{"robot", &WebRay::robot, "", "its place in the system's robots"},
+        Field{"robot", &WebRay::robot, "", "its index among the system's robots"},
         Field{"from", &WebRay::from, "m", ""},
         Field{"to", &WebRay::to, "m", "where it hits or ends"},
         Field{"hit", &WebRay::hit, "", ""},
@@ -73,7 +73,7 @@ struct WebPort {
     Octets payload{};
 
     static constexpr std::tuple fields{
-        Field{"index", &WebPort::index, "", "its place in what is watched"},
+        Field{"index", &WebPort::index, "", "its index among the watched values"},
         Field{"count", &WebPort::count, "", "messages since the last one that was shown"},
         Field{"payload", &WebPort::payload, "", "the latest message, as CDR"},
     };

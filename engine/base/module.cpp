@@ -31,12 +31,12 @@ Expected<void*> load_function(const Module& module) {
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr)
         return failure(
-            fmt::format("the part of nezumi for {} can't be loaded: {}. Install nezumi anew, with what it needs: sudo "
+            fmt::format("the part of nezumi for {} can't be loaded: {}. Install nezumi again, with what it needs: sudo "
                         "apt install {}",
                         module.part, dlerror(), module.needs));
     void* function = dlsym(library, std::string(module.function).c_str());
     if (function == nullptr)
-        return failure(fmt::format("{} is of another version of nezumi: install it anew", file.string()));
+        return failure(fmt::format("{} is of another version of nezumi: install it again", file.string()));
     return function;
 }
 

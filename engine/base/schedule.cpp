@@ -46,7 +46,7 @@ Expected<int> steps_per_tick(double rate, double physics_step) {
     const std::string nearest =
         slower == faster ? fmt::format("the nearest rate is {} Hz", rate_of(slower))
                          : fmt::format("the nearest rates are {} or {} Hz", rate_of(slower), rate_of(faster));
-    return failure(fmt::format("rate: a tick of {} Hz is no whole number of physics steps of {} s{}; {}", rate,
+    return failure(fmt::format("rate: a tick of {} Hz is not a whole number of physics steps of {} s{}; {}", rate,
                                physics_step, steps > most_steps ? fmt::format(" up to {}", most_steps) : "", nearest));
 }
 

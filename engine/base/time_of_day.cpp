@@ -6,7 +6,8 @@
 namespace nezumi {
 
 double time_of_day() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+    const auto now = std::chrono::system_clock::now();  // the wall clock: RTCs' stamps are by it
+    return std::chrono::duration<double>(now.time_since_epoch()).count();
 }
 
 }  // namespace nezumi

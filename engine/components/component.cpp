@@ -182,7 +182,7 @@ void Component::latch_inputs(const Time& now) {
         port->latch(now);
         if (port->dropped() > dropped_before && port->tells_overflow()) {
             log(LogLevel::warn,
-                fmt::format("input '{}': its queue of {} is full, the oldest message was dropped (said once)",
+                fmt::format("input '{}': its queue of {} is full, the oldest message was dropped (reported once)",
                             port->name(), port->queue()));
         }
     }
@@ -208,7 +208,7 @@ Expected<void> Component::run_without_velocities(Hook hook) {
     for (const auto& port : out_ports_) before.push_back(port->pending());
     auto ok = run(hook, [&] { return hook == Hook::on_aborting ? on_aborting() : on_error(); });
     for (std::size_t i = 0; i < before.size(); ++i) {
-        if (out_ports_[i]->type() == type_index<Velocity2D>()) out_ports_[i]->discard_after(before[i]);
+        if (out_ports_[i]->type() == message_of<Velocity2D>()) out_ports_[i]->discard_after(before[i]);
     }
     return ok;
 }

@@ -1,4 +1,4 @@
-// Work beside the tick: given at t, its result is there at t + latency.
+// Work beside the ticks: given at time t, its result is available at t + latency.
 #pragma once
 
 #include <cassert>
@@ -13,40 +13,40 @@
 
 namespace nezumi {
 
-/// One piece of work at a time, on a thread of its own. Simulated time decides when the result comes, so that a run is
-/// the same however fast the machine is: who asks too early on the clock waits.
+/// One task at a time, in a separate thread. Simulated time determines when the result is available, so a run does not
+/// depend on the speed of the machine: it waits if the result is not ready in time.
 template <class Result>
 class DelayedTask {
 public:
-    /// Between `start` and the `take` or `finish` that gave the result.
+    /// Whether it is between `start` and the `take` or `finish` that gave the result.
     bool busy() const { return future_.valid(); }
 
-    /// Starts `work`, a function without arguments, whose result is due `latency` [s] from now. It must not be busy.
-    /// What it throws (a library's, or for want of memory) comes out of `take` as an error.
+    /// Starts `work`, a function without arguments. The result is due `latency` [s] from now. Not while it is busy.
+    /// Exceptions of `work` (of a library, or for lack of memory) become an error of `take`.
     template <class Work>
     void start(const Time& now, double latency, Work&& work) {
         assert(!busy());
         due_ = now.seconds + latency;
-        // Where no thread can be had, `take` does the work itself.
+        // If there is no thread, `take` does the work itself.
         future_ = std::async(std::launch::async | std::launch::deferred,
                              [work = std::forward<Work>(work)]() mutable { return run(work); });
     }
 
-    /// The result, or nothing when it is not there yet. With `wait` (simulation) it is there when it is due, and this
-    /// waits for it; without (hardware) as soon as it is ready, whatever the latency.
+    /// The result, or nothing if it is not available yet. With `wait` (simulation), waits for the result when it is
+    /// due; without (hardware), returns it as soon as it is ready, whatever the latency.
     std::optional<Expected<Result>> take(const Time& now, bool wait) {
         if (!busy()) return std::nullopt;
         if (wait ? now.seconds < due_ - half_a_step : !is_ready()) return std::nullopt;
         return future_.get();
     }
 
-    /// Waits for what is under way, if anything, and forgets it.
+    /// Waits for a running task, if there is one, and drops its result.
     void finish() {
         if (busy()) static_cast<void>(future_.get());
     }
 
 private:
-    static constexpr double half_a_step = 1e-6;  // [s] ticks are no exact numbers
+    static constexpr double half_a_step = 1e-6;  // [s] times of ticks are not exact
 
     template <class Work>
     static Expected<Result> run(Work& work) {
@@ -55,7 +55,7 @@ private:
         } catch (const std::exception& thrown) {
             return failure(thrown.what());
         } catch (...) {
-            return failure("failed and did not say why");
+            return failure("failed without a reason");
         }
     }
 

@@ -145,7 +145,7 @@ std::string choice_broken(const ParameterSpec& spec, const Value& value) {
         if (const auto* text = choice.get_if<std::string>()) texts.emplace_back(*text);
     }
     const auto* text = value.get_if<std::string>();
-    return fmt::format("{} is none of its choices {}{}", lua_text(value), list,
+    return fmt::format("{} is not one of its choices {}{}", lua_text(value), list,
                        text != nullptr ? did_you_mean(*text, texts) : "");
 }
 

@@ -1,4 +1,4 @@
-// The options of a parameter's declaration: every one, its meaning and what may stand in it.
+// The options of a parameter's declaration, with documentation and limits.
 #pragma once
 
 #include <limits>
@@ -8,14 +8,13 @@
 
 namespace nezumi {
 
-/// The ways in which a person is shown a parameter, named as in OpenRTM.
+/// The widgets for parameters, with the names of OpenRTM.
 inline constexpr std::array<std::string_view, 6> widgets{"slider", "spin", "radio", "checkbox", "ordered_list", "text"};
 
 template <>
 struct Describe<ParameterSpec> {
     static constexpr std::string_view name = "parameter_options";
-    static constexpr std::string_view doc =
-        "Options of a parameter. Bounds are inclusive and hold whoever sets the value.";
+    static constexpr std::string_view doc = "Options of a parameter. Limits are inclusive and apply to every change.";
     static constexpr std::array<std::string_view, 4> kinds{"numbers", "arrays of numbers", "other arrays",
                                                            "all others"};
     static constexpr double any = std::numeric_limits<double>::max();

@@ -44,7 +44,7 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
     declare({.name = "pixel_format",
              .initial = std::string(),
              .doc = "what a real camera sends, four letters as v4l2-ctl --list-formats shows them: \"MJPG\", \"YUYV\"; "
-                    "empty: what it likes"});
+                    "empty: the camera's choice"});
     declare({.name = "width", .initial = Integer{640}, .min = least_picture, .max = largest_picture, .unit = "px"});
     declare({.name = "height", .initial = Integer{480}, .min = least_picture, .max = largest_picture, .unit = "px"});
     declare(

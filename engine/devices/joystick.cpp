@@ -21,8 +21,8 @@ Joystick::Joystick(std::string name, Open open)
       axes_(add_out_port<std::vector<float>>("axes", "a real gamepad's axes, each -1 to 1, in the order of Linux")),
       buttons_(add_out_port<std::vector<bool>>("buttons", "a real gamepad's buttons, in the order of Linux")) {
     for (const auto& [parameter, doc] :
-         {std::pair{"device", "a real gamepad's device; empty: the first there is"},
-          {"dead_man_button", "of a real gamepad, as BTN_TL: its stick counts only while this is held"},
+         {std::pair{"device", "device of a real gamepad; empty: the first one"},
+          {"dead_man_button", "of a real gamepad, such as BTN_TL: its stick works only while this button is held"},
           {"stop_button", "of a real gamepad, as BTN_SELECT: an emergency stop of all robots"}}) {
         const auto ok = parameters_.declare({.name = parameter, .initial = std::string(), .doc = doc});
         assert(ok);

@@ -57,8 +57,8 @@ void add_results(const Explanation& explanation, std::string& text) {
     for (const auto& port : explanation.outputs) text += "\n  " + text_of(port, "->");
     for (const auto& robot : explanation.robots) {
         text += fmt::format(
-            "\n  {} was told vx = {:g} m/s, va = {:g} rad/s; within its limits ({:g} m/s, {:g} rad/s) now vx = {:g}, "
-            "va = {:g}",
+            "\n  {} was commanded vx = {:g} m/s, va = {:g} rad/s; within its limits ({:g} m/s, {:g} rad/s) it now has "
+            "vx = {:g}, va = {:g}",
             robot.robot, robot.asked.vx, robot.asked.va, robot.speed, robot.yaw_rate, robot.limited.vx,
             robot.limited.va);
         text += robot.wheels_told ? fmt::format("\n  {}'s wheels: left {:g} m/s, right {:g} m/s", robot.robot,

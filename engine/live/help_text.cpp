@@ -41,7 +41,7 @@ void add_fields(std::string& text, const Type& type, const std::string& path) {
 
 std::string port_help(const TreeNode& node) {
     const Port& port = *node.port();
-    const MessageInfo& message = message_infos()[port.type()];
+    const MessageType& message = *port.type();
     std::string text = fmt::format("{}.{}  {} {}: {}", node.component()->name(), port.name(),
                                    port.direction() == Direction::in ? "in" : "out", message.name, message.doc);
     text += indented(port.doc());

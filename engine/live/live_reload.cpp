@@ -42,7 +42,7 @@ void LiveReload::take_changes() {
         const auto file =
             std::find_if(files.begin(), files.end(), [&](const auto& each) { return each.path == loss.path; });
         const std::string& shown = file != files.end() ? file->shown : loss.path;
-        live_.system().log(LogLevel::warn, fmt::format("{}: {}: what was loaded from it goes on", shown, loss.why));
+        live_.system().log(LogLevel::warn, fmt::format("{}: {}: the loaded version continues", shown, loss.why));
     }
     // A module that was missing or wrong may have been saved: scripts that failed without it are tried again.
     if (watcher_.take_others() || !scripts.empty()) scripts.insert(scripts.end(), failed_.begin(), failed_.end());

@@ -55,9 +55,7 @@ Expected<SystemSpec> read_spec(const std::filesystem::path& file, const Project&
 std::unique_ptr<Behaviors> load_behaviors(const SystemSpec& spec, const MakerContext& context, const Project& project,
                                           const LiveOptions& options) {
     auto behaviors = options.scripts->behaviors(options.budget);
-    for (const Entry& entry : spec.entries) {
-        if (const auto* behavior = std::get_if<BehaviorEntry>(&entry)) behaviors->load(*behavior, context, project);
-    }
+    for (const BehaviorEntry* behavior : entries_of<BehaviorEntry>(spec)) behaviors->load(*behavior, context, project);
     // The world reads its picture itself, and says what is wrong with it.
     if (spec.arena.floor) static_cast<void>(project.read(spec.arena.floor->image));
     return behaviors;

@@ -73,7 +73,7 @@ Expected<ActResult> RunningSystem::perform_and_tell(const Act& act, const Actor&
 }
 
 Expected<void> RunningSystem::check(const PreparedAct& prepared) const {
-    if (!fits(prepared)) return failure("the system has changed while this was read: say it again");
+    if (!fits(prepared)) return failure("the system has changed while this was read: try again");
     for (const std::string& line : prepared.printed) {
         if (options_.print) options_.print(line);
     }

@@ -143,7 +143,7 @@ ActTime RunningSystem::when() const { return {starts_, running_->system->now().t
 void RunningSystem::let_go(const Actor& who) {
     for (const std::string& path : running_->system->held_by(who)) {
         const auto port = running_->system->port(path);
-        if (port && (*port)->type() == type_index<Velocity2D>()) {
+        if (port && (*port)->type() == message_of<Velocity2D>()) {
             static_cast<void>(act(Hold{path, Velocity2D{}}, who));
             endings_.push_back({path, who, running_->system->now().tick});
         } else {
@@ -199,7 +199,7 @@ Expected<std::int64_t> RunningSystem::explain_next(std::string_view name) {
     const auto component = running_->system->component(name);
     if (!component) return Unexpected(component.error());
     if ((*component)->script_file() == nullptr)
-        return failure(fmt::format("{} is no behaviour: it has no lines", name));
+        return failure(fmt::format("{} is not a behaviour: it has no lines", name));
     if ((*component)->state() != LifeState::active)
         return failure(fmt::format("{} is {}: nothing of it is executed", name, to_text((*component)->state())));
     return (*component)->trace_next();

@@ -143,8 +143,8 @@ public:
     TreeNode tree() const { return TreeNode(system()); }
     const Project& project() const { return project_; }
     const LiveOptions& options() const { return options_; }
-    PartReader part_reader() const { return {project_, options_.scripts}; }
-    /// The files that its start has read, once, until it is activated: for a journal.
+    PartReader part_reader() const { return {project_, options_.scripts, defined_messages(system())}; }
+    /// What its start has found of files, once, until it is activated: what a journal keeps.
     FilesSeen take_files() { return std::exchange(files_, {}); }
     /// Of everything since the start; after a restart, also of the hash before.
     std::uint64_t trace_hash() const;

@@ -1,6 +1,11 @@
 // Replaces a script language if there is none.
 #include "engine/live/script_host.hpp"
 
+#include <algorithm>
+
+#include "engine/messages/message_catalog.hpp"
+#include "engine/tree/node.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -54,6 +59,23 @@ public:
 };
 
 }  // namespace
+
+const MessageType* PartReader::find_message(std::string_view name) const {
+    const auto found =
+        std::find_if(types.begin(), types.end(), [&](const MessageType* each) { return each->name == name; });
+    return found != types.end() ? *found : MessageCatalog::shared().find(name);
+}
+
+std::vector<const MessageType*> defined_messages(const System& system) {
+    std::vector<const MessageType*> all;
+    for (const auto& component : system.components()) {
+        for (const Port* port : ports_of(*component)) {
+            if (!port->type()->is_compiled() && std::find(all.begin(), all.end(), port->type()) == all.end())
+                all.push_back(port->type());
+        }
+    }
+    return all;
+}
 
 const ScriptHost& no_scripts() {
     static const NoScripts host;

@@ -111,11 +111,19 @@ const ScriptHost& no_scripts();
 struct PartReader {
     Project project;            ///< finds the files of entries
     const ScriptHost* scripts;  ///< must outlive it
+    /// The message types of its ports that files define.
+    std::vector<const MessageType*> types{};
 
-    /// Names are searched beside `file`.
+    /// `file` is the one beside which names are looked up.
+    /// A message type by name: one of `types`, else the one that was defined last; null for none.
+    const MessageType* find_message(std::string_view name) const;
+
     Expected<SystemSpec> read(std::string_view text, const std::string& file) const {
         return scripts->read_system_text(text, file, project, {.is_part = true});
     }
 };
+
+/// The message types of a system's ports that files define.
+std::vector<const MessageType*> defined_messages(const System& system);
 
 }  // namespace nezumi

@@ -16,7 +16,7 @@ Expected<void> add_twins(SystemSpec& spec) {
     std::vector<Entry> entries;
     for (Entry& entry : spec.entries) {
         const auto* real = std::get_if<RobotEntry>(&entry);
-        if (real == nullptr || real->backend.empty() || real->backend == simulated) {
+        if (real == nullptr || !real->is_real()) {
             entries.push_back(std::move(entry));
             continue;
         }

@@ -221,74 +221,61 @@ struct SeenMarker {
     };
 };
 
-/// A message type: its name on ports, and the payload it carries beside its stamp `tm`.
+/// A message type that is compiled in: its name on ports, and the payload it carries beside its stamp `tm`.
 template <class T>
-struct MessageType {
+struct CompiledMessage {
     using Payload = T;
     std::string_view name;
     std::string_view doc;
 };
 
-/// Every message type there is: the one list from which bindings, checks, docs, stubs and recordings are made.
-inline constexpr std::tuple message_types{
-    MessageType<bool>{"TimedBoolean", "one truth value"},
-    MessageType<std::int16_t>{"TimedShort", "one 16-bit integer"},
-    MessageType<std::int32_t>{"TimedLong", "one 32-bit integer"},
-    MessageType<float>{"TimedFloat", "one 32-bit number"},
-    MessageType<double>{"TimedDouble", "one 64-bit number"},
-    MessageType<std::string>{"TimedString", "one text"},
-    MessageType<std::vector<bool>>{"TimedBooleanSeq", "a sequence of truth values"},
-    MessageType<std::vector<std::int16_t>>{"TimedShortSeq", "a sequence of 16-bit integers"},
-    MessageType<std::vector<std::int32_t>>{"TimedLongSeq", "a sequence of 32-bit integers"},
-    MessageType<std::vector<float>>{"TimedFloatSeq", "a sequence of 32-bit numbers"},
-    MessageType<std::vector<double>>{"TimedDoubleSeq", "a sequence of 64-bit numbers"},
-    MessageType<std::vector<std::string>>{"TimedStringSeq", "a sequence of texts"},
-    MessageType<Velocity2D>{"TimedVelocity2D", "a velocity in the robot's own frame"},
-    MessageType<Pose2D>{"TimedPose2D", "a place and heading on the floor"},
-    MessageType<Pose3D>{"TimedPose3D", "a place and orientation in space"},
-    MessageType<RangeData>{"RangeData", "distances measured by a ranger"},
-    MessageType<CameraImage>{"CameraImage", "a picture"},
-    MessageType<CameraIntrinsics>{"CameraIntrinsics", "how a camera maps what is before it to pixels"},
-    MessageType<std::vector<SeenMarker>>{"SeenMarkerSeq", "fiducial markers in sight"},
+/// Every message type that is compiled in. Others are defined by files (engine/messages).
+inline constexpr std::tuple compiled_messages{
+    CompiledMessage<bool>{"TimedBoolean", "one truth value"},
+    CompiledMessage<std::int16_t>{"TimedShort", "one 16-bit integer"},
+    CompiledMessage<std::int32_t>{"TimedLong", "one 32-bit integer"},
+    CompiledMessage<float>{"TimedFloat", "one 32-bit number"},
+    CompiledMessage<double>{"TimedDouble", "one 64-bit number"},
+    CompiledMessage<std::string>{"TimedString", "one text"},
+    CompiledMessage<std::vector<bool>>{"TimedBooleanSeq", "a sequence of truth values"},
+    CompiledMessage<std::vector<std::int16_t>>{"TimedShortSeq", "a sequence of 16-bit integers"},
+    CompiledMessage<std::vector<std::int32_t>>{"TimedLongSeq", "a sequence of 32-bit integers"},
+    CompiledMessage<std::vector<float>>{"TimedFloatSeq", "a sequence of 32-bit numbers"},
+    CompiledMessage<std::vector<double>>{"TimedDoubleSeq", "a sequence of 64-bit numbers"},
+    CompiledMessage<std::vector<std::string>>{"TimedStringSeq", "a sequence of texts"},
+    CompiledMessage<Velocity2D>{"TimedVelocity2D", "a velocity in the robot's own frame"},
+    CompiledMessage<Pose2D>{"TimedPose2D", "a place and heading on the floor"},
+    CompiledMessage<Pose3D>{"TimedPose3D", "a place and orientation in space"},
+    CompiledMessage<RangeData>{"RangeData", "distances measured by a ranger"},
+    CompiledMessage<CameraImage>{"CameraImage", "a picture"},
+    CompiledMessage<CameraIntrinsics>{"CameraIntrinsics", "how a camera maps what is before it to pixels"},
+    CompiledMessage<std::vector<SeenMarker>>{"SeenMarkerSeq", "fiducial markers in sight"},
 };
 
-inline constexpr std::size_t message_type_count = std::tuple_size_v<decltype(message_types)>;
+inline constexpr std::size_t compiled_message_count = std::tuple_size_v<decltype(compiled_messages)>;
 
-/// The payload type at this place in `message_types`.
+namespace detail {
+
+/// The payload type at this place in `compiled_messages`.
 template <std::size_t I>
-using PayloadAt = typename std::tuple_element_t<I, decltype(message_types)>::Payload;
+using PayloadAt = typename std::tuple_element_t<I, decltype(compiled_messages)>::Payload;
 
-/// The place of payload T in `message_types`.
+/// The place of payload T in `compiled_messages`.
 template <class T>
-constexpr std::size_t type_index() {
+constexpr std::size_t place_of_payload() {
     return []<std::size_t... I>(std::index_sequence<I...>) {
-        std::size_t found = message_type_count;
+        std::size_t found = compiled_message_count;
         ((std::is_same_v<PayloadAt<I>, T> ? (found = I, 0) : 0), ...);
         return found;
     }
-    (std::make_index_sequence<message_type_count>{});
+    (std::make_index_sequence<compiled_message_count>{});
 }
 
-/// A payload that some message type carries.
+}  // namespace detail
+
+/// A payload that some compiled message type carries.
 template <class T>
-concept Payload = type_index<T>()
-< message_type_count;
-
-/// The names of all message types, in the order of `message_types`.
-inline constexpr auto message_type_names =
-    std::apply([](const auto&... type) { return std::array{type.name...}; }, message_types);
-
-/// Calls `make.template operator()<T>()` for the payload type with this index; all calls must return the same type.
-template <class Make>
-decltype(auto) with_payload_type(std::size_t index, Make&& make) {
-    using Result = decltype(make.template operator()<bool>());
-    using Entry = Result (*)(Make&);
-    static constexpr auto table = []<std::size_t... I>(std::index_sequence<I...>) {
-        return std::array<Entry, message_type_count>{
-            [](Make& m) -> Result { return m.template operator()<PayloadAt<I>>(); }...};
-    }
-    (std::make_index_sequence<message_type_count>{});
-    return table[index](make);
-}
+concept Payload = detail::place_of_payload<T>()
+< compiled_message_count;
 
 }  // namespace nezumi

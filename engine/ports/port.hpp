@@ -29,14 +29,66 @@ struct Message {
     MessageView view() const { return {data, tm}; }
 };
 
-template <Payload T>
+/// What a port holds: a compiled message type's payload, or a `Value` of that of a type that a file defines.
+template <class T>
+concept Held = Payload<T> || std::is_same_v<T, Value>;
+
+namespace detail {
+
+// The value of a message type that nothing was said of yet.
+template <Held T>
+struct Zero {
+    explicit Zero(const MessageType*) {}
+    const T& get() const {
+        static const T value{};
+        return value;
+    }
+};
+template <>
+struct Zero<Value> {
+    Value value;
+    explicit Zero(const MessageType* type) : value(*type->payload) {}
+    const Value& get() const { return value; }
+};
+
+template <Held T>
+const T& held_in(const Value& value) {
+    if constexpr (std::is_same_v<T, Value>) {
+        return value;
+    } else {
+        return value.get<T>();
+    }
+}
+template <Held T>
+T held_in(Value&& value) {
+    if constexpr (std::is_same_v<T, Value>) {
+        return std::move(value);
+    } else {
+        return std::move(value).get<T>();
+    }
+}
+
+}  // namespace detail
+
+/// A velocity command falls back to standing still; nothing else is safe by itself.
+template <Held T>
+std::optional<T> default_safe() {
+    if constexpr (std::is_same_v<T, Velocity2D>) {
+        return Velocity2D{};
+    } else {
+        return std::nullopt;
+    }
+}
+
+template <Held T>
 class InPort;
 
-template <Payload T>
+template <Held T>
 class OutPort final : public OutPortBase {
 public:
-    explicit OutPort(std::string name, std::string doc = "", std::optional<T> safe = default_safe())
-        : OutPortBase(std::move(name), type_index<T>(), Direction::out, std::move(doc)), safe_(std::move(safe)) {}
+    explicit OutPort(std::string name, std::string doc = "", std::optional<T> safe = default_safe<T>(),
+                     const MessageType* type = message_of<T>())
+        : OutPortBase(std::move(name), type, Direction::out, std::move(doc)), zero_(type), safe_(std::move(safe)) {}
 
     /// Writes a message. Invisible until the port is latched, then: a queue gets every one of a tick, the others the
     /// last.
@@ -44,7 +96,7 @@ public:
     /// A slot to fill in place instead of `write`; it holds some old payload.
     T& next_pending() {
         Few<Message<T>>& slots = slots_[filling_];
-        if (pending_ == slots.size()) slots.push_back({});
+        if (pending_ == slots.size()) slots.push_back({zero_.get()});
         Message<T>& slot = slots[pending_++];
         slot.tm = unstamped;
         return slot.data;
@@ -62,8 +114,8 @@ public:
             slots[0].data = value;
         }
     }
-    /// The value published last; T{} before.
-    const T& read() const { return latched_ > 0 ? published()[latched_ - 1].data : zero(); }
+    /// The value published last; the type's zero value before.
+    const T& read() const { return latched_ > 0 ? published()[latched_ - 1].data : zero_.get(); }
     /// The messages of the last publication, oldest first.
     std::span<const Message<T>> messages() const { return {published().data(), latched_}; }
 
@@ -93,10 +145,10 @@ public:
         if (found != readers_.end()) readers_.erase(found);
     }
     void discard() override { pending_ = 0; }
-    void write_any(const Value& value) override { write(value.get<T>()); }
+    void write_any(const Value& value) override { write(detail::held_in<T>(value)); }
     bool has_safe() const override { return safe_.has_value(); }
     void set_safe_any(const Value* safe) override {
-        safe_ = safe != nullptr ? std::optional<T>(safe->get<T>()) : default_safe();
+        safe_ = safe != nullptr ? std::optional<T>(detail::held_in<T>(*safe)) : default_safe<T>();
     }
     void write_safe() override {
         if (safe_) write(*safe_);
@@ -108,7 +160,7 @@ public:
     MessageView message(std::size_t index) const override { return messages()[index].view(); }
     Value value() const override { return read(); }
     void hold(Value value) override {
-        held_ = std::make_unique<T>(std::move(value).get<T>());
+        held_ = std::make_unique<T>(detail::held_in<T>(std::move(value)));
         override_ = Override::held;
     }
     void freeze() override {
@@ -122,18 +174,6 @@ public:
     }
 
 private:
-    /// A velocity command falls back to standing still.
-    static std::optional<T> default_safe() {
-        if constexpr (std::is_same_v<T, Velocity2D>) {
-            return Velocity2D{};
-        } else {
-            return std::nullopt;
-        }
-    }
-    static const T& zero() {
-        static const T value{};
-        return value;
-    }
     void apply_override() {
         pending_ = 0;
         if (override_ != Override::dropped) write(*held_);
@@ -150,15 +190,17 @@ private:
     Few<InPort<T>*> readers_;    // connected to it
     std::uint32_t filling_ = 0;  // the place that is filled
     std::array<Few<Message<T>>, places> slots_;
+    [[no_unique_address]] detail::Zero<T> zero_;
     std::optional<T> safe_;
     std::unique_ptr<T> held_;
 };
 
-template <Payload T>
+template <Held T>
 class InPort final : public InPortBase {
 public:
-    explicit InPort(std::string name, std::string doc = "", std::size_t queue = 0)
-        : InPortBase(std::move(name), type_index<T>(), std::move(doc), queue) {}
+    explicit InPort(std::string name, std::string doc = "", std::size_t queue = 0,
+                    const MessageType* type = message_of<T>())
+        : InPortBase(std::move(name), type, std::move(doc), queue), zero_(type) {}
 
     /// The latest message, or with a queue the oldest unread one (the last one read when none waits). Only the owner
     /// reads.
@@ -196,18 +238,18 @@ public:
         unread_ = 0;
         queued_bytes_ = 0;
         skip();
-        own_ = {};
-        taken_ = {};
+        own_ = {zero_.get()};
+        taken_ = {zero_.get()};
         tm_ = 0;
         arrived_.clear();
         arrival_tick_ = -1;
         arrived_at_ = 0;
     }
-    void inject(const Value& value) override { injected_.push_back({value.get<T>(), 0.0}); }
+    void inject(const Value& value) override { injected_.push_back({detail::held_in<T>(value), 0.0}); }
     std::vector<AnyMessage> set_queue(std::size_t queue) override {
         if (queue == capacity_) return {};
         std::vector<Message<T>> unread = take_unread();
-        if (capacity_ == 0) taken_ = unread_ > 0 ? Message<T>{} : *latest_;
+        if (capacity_ == 0) taken_ = unread_ > 0 ? Message<T>{zero_.get()} : *latest_;
         capacity_ = queue;
         return set_unread(std::move(unread));
     }
@@ -215,7 +257,7 @@ public:
         if (capacity_ == 0) return;
         std::vector<Message<T>> unread;
         unread.reserve(dropped.size() + unread_);
-        for (AnyMessage& each : dropped) unread.push_back({std::move(each.data).get<T>(), each.tm});
+        for (AnyMessage& each : dropped) unread.push_back({detail::held_in<T>(std::move(each.data)), each.tm});
         overflow_ -= unread.size();
         for (Message<T>& each : take_unread()) unread.push_back(std::move(each));
         set_unread(std::move(unread));
@@ -225,7 +267,7 @@ public:
     MessageView message(std::size_t index) const override { return arrived_[index].view(); }
     Value value() const override { return latest_->data; }
     void hold(Value value) override {
-        held_ = std::make_unique<T>(std::move(value).get<T>());
+        held_ = std::make_unique<T>(detail::held_in<T>(std::move(value)));
         override_ = Override::held;
     }
     void freeze() override {
@@ -401,8 +443,9 @@ private:
     std::uint64_t looked_sequence_ = 0;      // of which publication
     Few<Source> sources_;
     std::vector<Message<T>> injected_;
-    Message<T> own_;                 // when it is no source's
-    Message<T> taken_;               // with a queue: what was read last
+    [[no_unique_address]] detail::Zero<T> zero_;
+    Message<T> own_{zero_.get()};    // when it is no source's
+    Message<T> taken_{zero_.get()};  // with a queue: what was read last
     std::vector<Message<T>> queue_;  // a ring of `capacity_`, empty until something arrives
     std::size_t head_ = 0;
     std::size_t queued_bytes_ = 0;     // of texts and sequences in the queue

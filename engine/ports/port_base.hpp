@@ -58,9 +58,8 @@ public:
     const std::string& doc() const { return texts_->doc; }
     void set_doc(std::string doc) { texts_->doc = std::move(doc); }
     Direction direction() const { return direction_; }
-    /// Place of its message type in `message_types`.
-    std::size_t type() const { return type_; }
-    std::string_view type_name() const { return message_type_names[type_]; }
+    const MessageType* type() const { return type_; }
+    std::string_view type_name() const { return type_->name; }
     Override override() const { return override_; }
     /// What a person should know about it, for example that its values are clamped; "" for nothing.
     const std::string& note() const { return texts_->note; }
@@ -90,10 +89,8 @@ public:
     void release() { override_ = Override::none; }
 
 protected:
-    Port(std::string name, std::size_t type, Direction direction, std::string doc)
-        : texts_(new Texts{std::move(name), std::move(doc), {}}),
-          type_(static_cast<unsigned char>(type)),
-          direction_(direction) {}
+    Port(std::string name, const MessageType* type, Direction direction, std::string doc)
+        : texts_(new Texts{std::move(name), std::move(doc), {}}), type_(type), direction_(direction) {}
 
     static constexpr double shortest_stale = 0.1;  // [s]
     static constexpr double rounding = 1e-9;       // [s] sums of periods are no exact numbers
@@ -110,8 +107,7 @@ protected:
     std::uint64_t count_ = 0;
 
 private:
-    static_assert(message_type_count <= 256);
-    unsigned char type_;
+    const MessageType* type_;
     Direction direction_;
 
 protected:
@@ -258,7 +254,7 @@ protected:
     virtual void move_behind(const OutPortBase& source, std::span<const OutPortBase* const> before) = 0;
     virtual void detach(const OutPortBase& source) = 0;
 
-    InPortBase(std::string name, std::size_t type, std::string doc, std::size_t queue)
+    InPortBase(std::string name, const MessageType* type, std::string doc, std::size_t queue)
         : Port(std::move(name), type, Direction::in, std::move(doc)), capacity_(queue) {}
 
     mutable bool followed_ = false;  // who looks may ask for it: it changes nothing of what the port does
@@ -276,12 +272,11 @@ private:
     bool overflow_told_ = false;
 };
 
-/// Makes a port of the message type at this index of `message_types`.
-std::unique_ptr<InPortBase> make_in_port(std::size_t type, std::string name, std::string doc, std::size_t queue);
-std::unique_ptr<OutPortBase> make_out_port(std::size_t type, std::string name, std::string doc,
+std::unique_ptr<InPortBase> make_in_port(const MessageType* type, std::string name, std::string doc, std::size_t queue);
+std::unique_ptr<OutPortBase> make_out_port(const MessageType* type, std::string name, std::string doc,
                                            std::optional<Value> safe = std::nullopt);
 
-/// The index of a message type by name, or an error that names the nearest.
-Expected<std::size_t> find_message_type(std::string_view name);
+/// A compiled message type by name, or an error that names the nearest.
+Expected<const MessageType*> find_message_type(std::string_view name);
 
 }  // namespace nezumi

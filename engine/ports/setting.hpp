@@ -159,7 +159,7 @@ const Type& written_type_of();
 
 template <class T>
 Type make_written() {
-    Type type{.size = sizeof(T), .storage = storage_of<T>()};
+    Type type = table_for<T>();
     if constexpr (std::is_enum_v<T>) {
         type.kind = Type::Kind::enumeration;
         type.choices.assign(Choices<T>::names.begin(), Choices<T>::names.end());
@@ -180,11 +180,10 @@ Type make_written() {
 
 template <Recorded T>
 Type make_record() {
-    Type type{.kind = Type::Kind::structure,
-              .name = std::string(Describe<T>::name),
-              .doc = std::string(Describe<T>::doc),
-              .size = sizeof(T),
-              .storage = storage_of<T>()};
+    Type type = table_for<T>();
+    type.kind = Type::Kind::structure;
+    type.name = Describe<T>::name;
+    type.doc = Describe<T>::doc;
     if constexpr (requires { Describe<T>::kinds; })
         type.kinds.assign(Describe<T>::kinds.begin(), Describe<T>::kinds.end());
     const T sample{};

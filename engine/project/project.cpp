@@ -19,6 +19,7 @@ std::string_view word(FileKind kind) {
         case FileKind::module: return "module";
         case FileKind::system: return "system file";
         case FileKind::data: return "file";
+        case FileKind::message: return "message";
     }
     return "file";
 }
@@ -101,6 +102,7 @@ Project Project::of(const fs::path& file, std::vector<fs::path> installed, const
 std::vector<fs::path> Project::folders(FileKind kind, const fs::path& naming) const {
     std::vector<fs::path> folders{naming.parent_path()};
     const auto add_behaviors_of = [&](const fs::path& root) {
+        if (kind == FileKind::message) return folders.push_back(root / "behaviors/messages");
         if (kind == FileKind::system) folders.push_back(root / "behaviors/systems");
         folders.push_back(root / "behaviors");
         if (kind == FileKind::module) folders.push_back(root / "behaviors/lib");

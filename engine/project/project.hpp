@@ -15,12 +15,13 @@ namespace nezumi {
 
 /// The kind of a file, which determines the folders for the search and the ending that may be omitted.
 enum class FileKind {
-    script,  ///< a behaviour: `NAME.lua` in `behaviors/`
-    model,   ///< a robot: `NAME.lua` in `behaviors/`, or for installed ones in `engine/robots/`
-    module,  ///< what `require "a.b"` names: `a/b.lua` in `behaviors/` or `behaviors/lib/`
-    system,  ///< a system: `NAME.lua` in `behaviors/systems/` or `behaviors/`
-    data,    ///< a map, a table, a picture: the complete name, in `behaviors/`, or for installed ones in
-             ///< `engine/robots/`
+    script,   ///< a behaviour: `NAME.lua` in `behaviors/`
+    model,    ///< a robot: `NAME.lua` in `behaviors/`, or for installed ones in `engine/robots/`
+    module,   ///< what `require "a.b"` names: `a/b.lua` in `behaviors/` or `behaviors/lib/`
+    system,   ///< a system: `NAME.lua` in `behaviors/systems/` or `behaviors/`
+    data,     ///< a map, a table, a picture: the complete name, in `behaviors/`, or for installed ones in
+              ///< `engine/robots/`
+    message,  ///< what defines message types: in `behaviors/messages/`, with any of their endings
 };
 
 class Project {
@@ -53,7 +54,13 @@ public:
     /// The names of all files that `find` could find, sorted.
     std::vector<std::string> names(FileKind kind, const std::filesystem::path& named_in) const;
 
-    /// The content of a file; its place in errors is the path as `shown` shows it.
+    /// Where such a file is looked for, in this order: beside the file `named_in`, in the project, among the installed
+    /// ones.
+    std::vector<std::filesystem::path> places(FileKind kind, const std::filesystem::path& named_in) const {
+        return folders(kind, (working_ / named_in).lexically_normal());
+    }
+
+    /// The whole of a file; its place in errors is the path as `shown` shows it.
     Expected<std::string> read(const std::filesystem::path& path) const;
     /// The text of a script, with the name `shown` in messages.
     Expected<SourceText> read_source(const std::string& path) const;

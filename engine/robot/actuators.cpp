@@ -48,9 +48,9 @@ Expected<void> Actuators::add(std::size_t index, InPortBase& port, bool off_when
     }
     if (off_when_silent && actuator.kind != Kind::leds && actuator.kind != Kind::buzzer) {
         const auto [kind, why] = actuator.kind == Kind::servo    ? std::pair("servo", "it holds its angle")
-                                 : actuator.kind == Kind::screen ? std::pair("screen", "it keeps its picture")
+                                 : actuator.kind == Kind::screen ? std::pair("screen", "it keeps its last picture")
                                                                  : std::pair("speaker", "it is silent after each text");
-        return failure(fmt::format("silence = \"off\" means nothing to the {} '{}': {}", kind, actuator.name, why));
+        return failure(fmt::format("silence = \"off\" has no meaning for the {} '{}': {}", kind, actuator.name, why));
     }
     channels_.push_back(
         {.actuator = index, .port = &port, .off_when_silent = off_when_silent, .speed = actuator.speed});
@@ -159,7 +159,8 @@ void Actuators::show(RobotBody& body, Channel& channel, const std::function<void
         const std::string expected =
             bits > 0 ? fmt::format("{} bytes", bytes) : "a width, a height and bpp, its bits a pixel: 24 of rgb8";
         warn(fmt::format(
-            "input '{}': a picture of {} x {} pixels of {} bits with {} bytes is not shown (said once): expected {}",
+            "input '{}': a picture of {} x {} pixels of {} bits with {} bytes is not shown (reported once): expected "
+            "{}",
             channel.port->name(), picture.width, picture.height, picture.bpp, picture.pixels.size(), expected));
     }
 }

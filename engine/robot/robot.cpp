@@ -92,9 +92,9 @@ bool Robot::hears_what_it_needs(const Time& now) {
             (is_silent ? lost : back).push_back(spec_.sensors[needed.sensor].name);
     }
     if (!lost.empty())
-        log(LogLevel::warn, fmt::format("stands: without {} it may not drive, and there is no word from {}",
+        log(LogLevel::warn, fmt::format("stands: it needs readings of {} to drive, and gets none from {}",
                                         fmt::join(lost, ", "), lost.size() == 1 ? "it" : "them"));
-    if (!back.empty()) log(LogLevel::info, fmt::format("there is word again from {}", fmt::join(back, ", ")));
+    if (!back.empty()) log(LogLevel::info, fmt::format("gets readings again from {}", fmt::join(back, ", ")));
     return hears;
 }
 
@@ -207,20 +207,21 @@ void Robot::command(const Velocity2D& velocity, const Time& now) {
                 const std::string note =
                     fmt::format("limited to {} m/s and {} rad/s", guard_.limits().speed, guard_.limits().yaw_rate);
                 velocity_in_->set_note(note);
-                log(LogLevel::warn, fmt::format("input '{}': a command of {} m/s and {} rad/s was {} (said once)",
+                log(LogLevel::warn, fmt::format("input '{}': a command of {} m/s and {} rad/s was {} (reported once)",
                                                 velocity_in_->name(), velocity.vx, velocity.va, note));
             }
             break;
         case VelocityGuard::Verdict::not_finite:
             if (!std::exchange(said_not_finite_, true)) {
-                log(LogLevel::warn, fmt::format("input '{}': a command that is not finite stops the robot (said once)",
-                                                velocity_in_->name()));
+                log(LogLevel::warn,
+                    fmt::format("input '{}': a command that is not finite stops the robot (reported once)",
+                                velocity_in_->name()));
             }
             return;
     }
     if (velocity.vy != 0 && !std::exchange(said_sideways_, true)) {
         log(LogLevel::warn,
-            fmt::format("input '{}': vy = {} m/s is ignored: two wheels can't drive sideways (said once)",
+            fmt::format("input '{}': vy = {} m/s is ignored: two wheels can't drive sideways (reported once)",
                         velocity_in_->name(), velocity.vy));
     }
 }
@@ -299,7 +300,7 @@ void Robot::take_pose() {
             odometry_.set_pose(pose);
         } else if (!std::exchange(said_lost_, true)) {
             log(LogLevel::warn,
-                fmt::format("input '{}': a pose that is not finite is ignored (said once)", pose_in_->name()));
+                fmt::format("input '{}': a pose that is not finite is ignored (reported once)", pose_in_->name()));
         }
     }
 }

@@ -202,7 +202,7 @@ Expected<void> Robot::add_output(const PortSpec& port) {
         if (!sensor) return Unexpected(sensor.error());
         sensors.push_back(*sensor);
     }
-    return with_payload_type(*type, [&]<class T>() -> Expected<void> {
+    return with_payload_type(**type, [&]<class T>() -> Expected<void> {
         if constexpr (!carries_values<T>()) {
             return failure(fmt::format("a {} can't carry sensors' values", port.type));
         } else {
@@ -259,7 +259,7 @@ Expected<void> Robot::add_output(const PortSpec& port) {
 }
 
 Expected<void> Robot::add_input(const PortSpec& port) {
-    if (port.items.size() != 1) return failure("goes to one thing only");
+    if (port.items.size() != 1) return failure("'to' must name exactly one target");
     const std::string& item = port.items.front();
     const auto is_type = [&](std::string_view type) -> Expected<void> {
         if (port.type == type) return {};

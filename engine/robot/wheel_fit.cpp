@@ -77,7 +77,9 @@ Expected<WheelFit> fit_wheels(const std::vector<MeasuredDrive>& drives, const Wh
         }
         const auto decomposed = slopes.colPivHouseholderQr();
         if (decomposed.rank() < 3)
-            return failure("these drives do not tell the wheels: drive straight, and squares both ways round");
+            return failure(
+                "these drives do not determine the wheel parameters: drive a straight line, and squares in both "
+                "directions");
         const Scales change = decomposed.solve(-now);
         scales += change;
         if (!((scales - Scales::Ones()).cwiseAbs().maxCoeff() < largest_change))

@@ -1,4 +1,4 @@
-// The tables that acts on robots, markers and ports take: every field, its unit and its meaning.
+// The tables of acts on robots, markers and ports: every field with unit and documentation.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace nezumi {
 
-/// Where a robot is put.
+/// The new pose of a robot.
 struct RobotPlace {
     double x = 0;        ///< [m]
     double y = 0;        ///< [m]
@@ -26,7 +26,7 @@ struct Describe<RobotPlace> {
     };
 };
 
-/// Where a marker is carried; what is left out stays.
+/// The new pose of a marker; omitted fields do not change.
 struct MarkerPlace {
     std::optional<double> x, y, z, heading;
 };
@@ -43,7 +43,7 @@ struct Describe<MarkerPlace> {
     };
 };
 
-/// What `hold` takes after the value.
+/// The options of `hold`.
 struct HoldOptions {
     bool take = false;
 };
@@ -60,7 +60,7 @@ struct Describe<HoldOptions> {
 template <>
 struct Describe<VelocityConstraint> {
     static constexpr std::string_view name = "velocity_constraint";
-    static constexpr std::string_view doc = "Speeds forced on a robot, as by a hand that holds it.";
+    static constexpr std::string_view doc = "Velocities that are forced on a robot.";
     static constexpr std::array<std::string_view, 2> kinds{"a component's disturb", "s:disturb"};
     static constexpr unsigned at_once = 1U << 0U, in_scenarios = 1U << 1U;
     static constexpr std::tuple fields{

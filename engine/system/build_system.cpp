@@ -196,10 +196,8 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
     // The bodies come first, to lie side by side in memory: each physics step visits all of them, and a thousand robots
     // with their scripts' states in between cost a third more. What is wrong with one is told in the order of the file.
     std::vector<Body> bodies;
-    for (const Entry& entry : spec.entries) {
-        if (const auto* robot = std::get_if<RobotEntry>(&entry))
-            bodies.push_back(add_body(*system, as_run(*robot, spec, makers), spec, makers));
-    }
+    for (const RobotEntry* robot : entries_of<RobotEntry>(spec))
+        bodies.push_back(add_body(*system, as_run(*robot, spec, makers), spec, makers));
     std::set<std::string, std::less<>> left_out;
     const auto is_left_out = [&](std::string_view port) { return left_out.contains(port.substr(0, port.find('.'))); };
     auto body = bodies.begin();
@@ -211,7 +209,7 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
         if (added) continue;
         if (!options.keep_going || !std::holds_alternative<BehaviorEntry>(entry)) return Unexpected(added.error());
         left_out.insert(name_of(entry));
-        system->log(LogLevel::error, describe(added.error()) + ": left out, and the others go on");
+        system->log(LogLevel::error, describe(added.error()) + ": omitted, and the others continue");
     }
     if (spec.network || spec.ros) {
         const Place& place = spec.network ? spec.network->place : spec.ros->place;

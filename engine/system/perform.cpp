@@ -10,6 +10,7 @@
 #include "engine/ports/setting.hpp"
 #include "engine/system/published.hpp"
 #include "engine/system/system_spec.hpp"
+#include "engine/values/limits.hpp"
 
 namespace nezumi {
 namespace {
@@ -32,11 +33,13 @@ Expected<Port*> port_here(System& system, const std::string& path) {
 
 // Whether the port may have such a value.
 Expected<void> check_fits(const Port& port, const std::string& path, const Value& value) {
-    if (port.type() != message_index(value.type())) {
+    if (port.type() != message_of(value.type())) {
         return failure(
             fmt::format("types differ: {} is {}, the value is {}", path, port.type_name(), message_name(value.type())));
     }
     if (!is_finite(value)) return failure(fmt::format("{}: a number of the value is not finite", path));
+    if (const std::string wrong = find_misfit(value); !wrong.empty())
+        return failure(fmt::format("{}: {}", path, wrong));
     return {};
 }
 

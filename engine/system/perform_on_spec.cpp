@@ -53,9 +53,8 @@ Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const Remo
     if (!component) return Unexpected(component.error());
     if (const auto* robot = dynamic_cast<const Robot*>(*component); robot != nullptr && robot->is_real())
         return failure(fmt::format("{} is a real robot: it stays until the run ends", act.component));
-    for (const Entry& entry : spec.entries) {
-        const auto* carried = std::get_if<ComponentEntry>(&entry);
-        if (carried != nullptr && carried->on == act.component)
+    for (const ComponentEntry* carried : entries_of<ComponentEntry>(spec)) {
+        if (carried->on == act.component)
             return failure(fmt::format("{} carries {}: remove that first", act.component, carried->name));
     }
     ActResult result;

@@ -6,7 +6,7 @@
 namespace nezumi {
 
 bool commands_robots(const System& system, const OutPortBase& port) {
-    if (port.type() != type_index<Velocity2D>()) return false;
+    if (port.type() != message_of<Velocity2D>()) return false;
     const auto robots = system.robots();
     return std::none_of(robots.begin(), robots.end(), [&](const Robot* robot) {
         const auto& own = robot->out_ports();

@@ -35,7 +35,7 @@ public:
         if (!is_new) return;
         for (std::size_t i = 0; i < port_->message_count(); ++i) give(port_->message(i));
     }
-    std::size_t type() const { return type_; }
+    const MessageType* type() const { return type_; }
     bool commands() const { return commands_; }
     /// Continues with the port of the same name and type that has replaced the port.
     void follow(const OutPortBase& port) {
@@ -47,8 +47,8 @@ public:
 
 private:
     const System* system_;
-    const OutPortBase* port_;  // may be destroyed before another one is followed
-    std::size_t type_;
+    const OutPortBase* port_;  // may be gone until another one is followed
+    const MessageType* type_;
     std::uint64_t seen_;
     bool commands_;
 };

@@ -25,8 +25,6 @@ constexpr std::array limits{Limit{&LimitChanges::speed, &Limits::speed, "m/s"},
                             Limit{&LimitChanges::acceleration, &Limits::acceleration, "m/s^2"},
                             Limit{&LimitChanges::yaw_acceleration, &Limits::yaw_acceleration, "rad/s^2"}};
 
-bool is_simulated(const RobotEntry& entry) { return entry.backend.empty() || entry.backend == simulated; }
-
 double most_of(const Limit& limit, const DriveSpec& drive) {
     return std::min(drive.limits.*limit.value, drive.hardware_limits.*limit.value);
 }
@@ -38,13 +36,13 @@ Limits limits_of(const RobotEntry& entry, const DriveSpec& drive) {
     for (const Limit& limit : limits) {
         double& value = all.*limit.value;
         value = (entry.limits.*limit.asked).value_or(value);
-        if (!is_simulated(entry)) value = std::min(value, most_of(limit, drive));
+        if (entry.is_real()) value = std::min(value, most_of(limit, drive));
     }
     return all;
 }
 
 std::string lowered_limits(const RobotEntry& entry, const DriveSpec& drive) {
-    if (is_simulated(entry)) return "";
+    if (!entry.is_real()) return "";
     std::vector<std::string> lowered, after_calibration;
     for (const Limit& limit : limits) {
         const auto asked = entry.limits.*limit.asked;
@@ -56,7 +54,7 @@ std::string lowered_limits(const RobotEntry& entry, const DriveSpec& drive) {
     if (lowered.empty()) return "";
     return fmt::format("limits: the real robot gets {}: {}", fmt::join(lowered, ", "),
                        after_calibration.empty()
-                           ? "its model allows no more, and only in simulation may a system raise that"
+                           ? "its model allows no more, and a system can raise that only in simulation"
                            : fmt::format("once its odometry is calibrated (nezumi calibrate odometry) it gets {}",
                                          fmt::join(after_calibration, ", ")));
 }

@@ -61,10 +61,10 @@ void System::take_network(std::unique_ptr<Network> network) { network_ = std::mo
 Expected<Component*> System::add(std::unique_ptr<Component> component) {
     const std::string& name = component->name();
     if (!is_component_name(name)) {
-        return failure(
-            fmt::format("'{}' is no name: letters, digits and _, not beginning with a digit, and no keyword of Lua",
-                        name),
-            component->place);
+        return failure(fmt::format("'{}' is not a valid name: expected letters, digits and _, not beginning with a "
+                                   "digit, and no keyword of Lua",
+                                   name),
+                       component->place);
     }
     if (is_reserved_name(name))
         return failure(fmt::format("'{}' is a word of the console: choose another name", name), component->place);
@@ -233,8 +233,7 @@ Expected<void> System::connect(std::string_view from, std::string_view to) {
     if (made->to->sources().size() == 2 && dynamic_cast<Device*>(made->to_component) != nullptr) {
         log(LogLevel::warn,
             fmt::format(
-                "{} is fed by several connections: the last one in the order of the connect lines wins (said once)",
-                to));
+                "{} has several connections: the last one in the order of the connect lines wins (reported once)", to));
     }
     return {};
 }

@@ -1,4 +1,4 @@
-// The words of a system file: every field, its unit, its meaning and what may stand in it.
+// The words of a system file: every field with unit, documentation and limits.
 #pragma once
 
 #include "engine/base/schedule.hpp"
@@ -27,9 +27,9 @@ struct Describe<RobotEntry> {
         Setting{"backend", &RobotEntry::backend, "",
                 "\"sim\": simulated with --hw as well; or the driver that --hw uses"},
         Setting{"calibrated", &RobotEntry::calibrated, "",
-                "in simulation too it is as `NAME.calibration.lua` beside this file says"},
+                "use `NAME.calibration.lua` beside this file also in simulation"},
         Setting{"odometry_at_pose", &RobotEntry::odometry_at_pose, "",
-                "its odometry starts at `pose`, in the arena's coordinates; else where it stands is 0, 0, 0"},
+                "its odometry starts at `pose`, in the arena's coordinates; otherwise at 0, 0, 0"},
         Setting{"active", &RobotEntry::active, "", "whether it is activated at the start"},
         Internal{&RobotEntry::name},
         Internal{&RobotEntry::place},
@@ -51,7 +51,8 @@ struct Describe<BehaviorEntry> {
                 {.required = true}},
         Setting{"config", &BehaviorEntry::config, "", "values of its parameters"},
         Setting{"sets", &BehaviorEntry::sets, "", "values of parameters that are chosen together, by the set's name"},
-        Setting{"set", &BehaviorEntry::set, "", "the set in use; what it leaves out keeps the value of `config`"},
+        Setting{"set", &BehaviorEntry::set, "",
+                "the parameter set in use; omitted parameters have the values of `config`"},
         Setting{"rate",
                 &BehaviorEntry::rate,
                 "Hz",
@@ -83,6 +84,8 @@ struct Describe<ComponentEntry> {
         Setting{"yaw", &ComponentEntry::yaw, "rad", "on that robot, counter-clockwise"},
         Setting{"backend", &ComponentEntry::backend, "", "\"sim\": simulated with --hw as well"},
         Setting{"active", &ComponentEntry::active, "", "whether it is activated at the start"},
+        Setting{"calibration", &ComponentEntry::calibration, "",
+                "a Camera's: the file that ROS's camera_calibration wrote, for example \"ost.yaml\""},
         Internal{&ComponentEntry::name},
         Internal{&ComponentEntry::place},
         Internal{&ComponentEntry::places},
@@ -90,7 +93,7 @@ struct Describe<ComponentEntry> {
 };
 
 namespace detail {
-/// [1] the last domain whose ports there are (RTPS 2.5, 9.6.2.3)
+/// [1] the last domain that has ports (RTPS 2.5, 9.6.2.3)
 inline constexpr std::int64_t last_domain = 232;
 }  // namespace detail
 
@@ -122,17 +125,17 @@ struct Describe<NetworkSpec> {
         Setting{"lockstep", &NetworkSpec::lockstep, "",
                 "simulations that are connected advance together, the same each time"},
         Setting{"hosts", &NetworkSpec::hosts, "",
-                "hosts that lockstep waits for before it begins, beside those that connections name"},
+                "hosts that lockstep waits for before it begins, in addition to those of connections"},
         Internal{&NetworkSpec::secret_path},
         Internal{&NetworkSpec::place},
     };
 };
 
-/// One entry of `publish` or `subscribe`, where a name alone does not say enough.
+/// One entry of `publish` or `subscribe`, if a name alone is not enough.
 template <>
 struct Describe<RosTopic> {
     static constexpr std::string_view name = "ros_topic";
-    static constexpr std::string_view doc = "A topic of ROS 2, where its name alone does not say enough.";
+    static constexpr std::string_view doc = "A topic of ROS 2, if a name alone is not enough.";
     static constexpr std::tuple fields{
         Setting{"topic", &RosTopic::topic, "", "of `publish`: its name, for example \"/odom\""},
         Setting{"port", &RosTopic::port, "", "of `subscribe`: the in-port, \"name.port\""},
@@ -159,7 +162,7 @@ struct Describe<RosSpec> {
         Setting{"domain",
                 &RosSpec::domain,
                 "",
-                "what is ROS_DOMAIN_ID for the other nodes",
+                "the ROS_DOMAIN_ID of the other nodes",
                 {.min = 0, .max = detail::last_domain}},
         Setting{"interface",
                 &RosSpec::interface,
@@ -194,7 +197,7 @@ struct Describe<RtmSpec> {
     };
 };
 
-/// What the word `physics` sets.
+/// The fields of the word `physics`.
 struct PhysicsFields {
     double step = SystemSpec{}.physics_step;
 };

@@ -1,4 +1,4 @@
-// A system as data: what there is, how it is set and how it is wired, as a system file says it.
+// The description of a system, as in a system file.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,10 @@
 
 namespace nezumi {
 
-/// What a system file sets of a robot's limits; the rest is the model's. Units as in `Limits`.
+/// The backend of simulated components, and the default.
+inline constexpr std::string_view simulated = "sim";
+
+/// Limits of a robot that a system file changes; the others are those of the model. Units as in `Limits`.
 struct LimitChanges {
     std::optional<double> speed, yaw_rate, acceleration, yaw_acceleration;
     bool operator==(const LimitChanges&) const = default;
@@ -29,30 +32,31 @@ struct RobotEntry {
     Pose2D pose;
     LimitChanges limits;
     std::string backend;            ///< key of `Makers::bodies`; "": "sim"
-    bool calibrated = false;        ///< it is as it was measured in simulation too
+    bool calibrated = false;        ///< also the simulated robot has the measured values
     bool odometry_at_pose = false;  ///< its odometry starts at `pose`, else at 0, 0, 0
     bool active = true;
     Place place;
     std::string description;  ///< key of `SystemSpec::models` of this robot's own; "": `model`
-    std::string changes;      ///< the fields of a robot file in which it differs from its model, as a table's text
+    std::string changes;      ///< the fields of a robot file that differ from its model, as the text of a table
     std::string twin_of;      ///< the real robot before it that this one is the twin of; "": none
 
     /// The key of its description in `SystemSpec::models`.
     const std::string& described_by() const { return description.empty() ? model : description; }
+    bool is_real() const { return !backend.empty() && backend != simulated; }
 };
 
-/// The places of the fields within a table, by path: "config.speed_x".
+/// The places of the fields of a table, by path: "config.speed_x".
 using FieldPlaces = std::map<std::string, Place, std::less<>>;
 
 /// `behavior NAME { script, config, sets, set, rate, active }`.
 struct BehaviorEntry {
     std::string name;
-    std::string script;  ///< as the file says it
+    std::string script;  ///< as in the file
     std::string path;    ///< where it was found
     ParameterValues config;
     std::map<std::string, ParameterValues, std::less<>> sets;
     std::string set;  ///< "" for none
-    double rate = 0;  ///< [Hz]; 0: the tick's
+    double rate = 0;  ///< [Hz]; 0: the rate of ticks
     bool active = true;
     Place place;
     FieldPlaces places{};  ///< of the values in `config` and `sets`
@@ -63,12 +67,15 @@ struct ComponentEntry {
     std::string name;
     std::string type;
     ParameterValues config;
-    double rate = 0;      ///< [Hz]; 0: the type's own
+    double rate = 0;      ///< [Hz]; 0: the default of the type
     std::string on;       ///< the robot that carries it; "" for none
     Point3D at{};         ///< [m] in that robot's body frame
     double yaw = 0;       ///< [rad]
     std::string backend;  ///< key of its type's makers; "": "sim"
     bool active = true;
+    /// A Camera's: the file that ROS's camera_calibration wrote. Its values are in `config` after it was read, and this
+    /// is "".
+    std::string calibration{};
     Place place;
     FieldPlaces places{};  ///< of the values in `config`
 };
@@ -79,7 +86,7 @@ using Entry = std::variant<RobotEntry, BehaviorEntry, ComponentEntry>;
 const std::string& name_of(const Entry& entry);
 const Place& place_of(const Entry& entry);
 
-/// `network { name, domain, interface, peers, secret, open, lockstep, hosts }`: this system is a host among others.
+/// `network { name, domain, interface, peers, secret, open, lockstep, hosts }`: this system is one of several hosts.
 struct NetworkSpec {
     std::string name;
     std::int64_t domain = 0;
@@ -89,7 +96,7 @@ struct NetworkSpec {
     std::string secret_path{};  ///< where it was found; "": nowhere
     bool open = false;
     bool lockstep = false;
-    std::vector<std::string> hosts{};  ///< that lockstep waits for before its first tick, beside those of connections
+    std::vector<std::string> hosts{};  ///< lockstep also waits for these before the first tick
     Place place{};
 };
 
@@ -148,5 +155,24 @@ struct SystemSpec {
     std::optional<RtmSpec> rtm;      ///< none: no RTC sees the system
     std::vector<std::string> files;  ///< every file it was read from: system, models, maps
 };
+
+/// The entries of one kind, in the order of the file.
+template <class AnEntry, class Spec>
+auto entries_of(Spec& spec) {
+    std::vector<decltype(std::get_if<AnEntry>(spec.entries.data()))> found;
+    for (auto& entry : spec.entries) {
+        if (auto* each = std::get_if<AnEntry>(&entry)) found.push_back(each);
+    }
+    return found;
+}
+
+/// The entry of this kind with this name; null if there is none.
+template <class AnEntry, class Spec>
+auto find_entry(Spec& spec, std::string_view name) -> decltype(std::get_if<AnEntry>(spec.entries.data())) {
+    for (auto* each : entries_of<AnEntry>(spec)) {
+        if (each->name == name) return each;
+    }
+    return nullptr;
+}
 
 }  // namespace nezumi

@@ -44,7 +44,7 @@ Error no_such(const TreeNode& owner, std::string_view name) {
     const Component& component = *owner.component();
     const MemberInfo* member = find_member(component_members(), name);
     if (member != nullptr && member->robot && !member->called && owner.robot() == nullptr)
-        return {fmt::format("{} has no {}: it is no robot", component.name(), name), {}};
+        return {fmt::format("{} has no {}: it is not a robot", component.name(), name), {}};
     std::vector<std::string> names = changing_members(owner);
     for (const Port* port : ports_of(component)) names.push_back(port->name());
     return {fmt::format("{} has no port '{}'{}", component.name(), shown(name),
@@ -180,7 +180,7 @@ void Channel::visit_latest(const LeafVisitor& given) const {
     });
 }
 
-bool Channel::has_pictures() const { return is_port() && node_->port()->type() == type_index<CameraImage>(); }
+bool Channel::has_pictures() const { return is_port() && node_->port()->type() == message_of<CameraImage>(); }
 
 void Channel::append_to(Series& series, double seconds) const {
     // What holds its value has one before it changes.

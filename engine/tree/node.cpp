@@ -140,7 +140,7 @@ std::string_view TreeNode::doc() const {
 
 const Type* TreeNode::whole_type() const {
     if (parameter_ != nullptr) return &parameter_->value.type();
-    if (is_of_value()) return message_infos()[port_->type()].payload;
+    if (is_of_value()) return port_->type()->payload;
     if (member_ != nullptr && member_->kind == Kind::truth) return &type_of<Truth>();
     if (member_ == nullptr || member_->kind != Kind::value || member_->value == nullptr) return nullptr;
     const auto value = member_->value(*this, {});
@@ -325,8 +325,7 @@ Expected<TreeNode> TreeNode::to_set(std::string_view name) const {
         case Kind::component: break;
         case Kind::port:
             return failure(fmt::format("{}: nothing of it can be set; write a value with :write(value)", path));
-        case Kind::truth:
-            return failure("what is true can't be set: use teleport for the pose, disturb for the velocity");
+        case Kind::truth: return failure("the truth can't be set: use teleport for the pose, disturb for the velocity");
         default: return failure(fmt::format("{} can't be set", shown(name)));
     }
     const std::string whole = fmt::format("{}.{}", path, shown(name));

@@ -24,7 +24,7 @@ std::size_t min_cdr_size(const Type& type) {
         case Type::Kind::structure: {
             std::size_t size = 0;
             for (const Type::Field& field : type.fields) size += min_cdr_size(*field.type);
-            return size;
+            return std::max(size, std::size_t{1});
         }
         case Type::Kind::array: return type.length * min_cdr_size(*type.element);
         case Type::Kind::boolean:
@@ -102,6 +102,7 @@ void CdrWriter::write(const ValueView& value) {
             return write_bytes(octets.data(), octets.size());
         }
         case Type::Kind::boolean: out_.push_back(value.as<bool>() ? 1 : 0); return;
+        case Type::Kind::enumeration: return write_length(value.choice());
         case Type::Kind::any: return write_any(value.as<Value>());
         case Type::Kind::nothing: return;
         default: assert(value.type->is_number()); return write_numbers(value.type->size, value.at, 1);
@@ -200,6 +201,7 @@ void CdrReader::read(const ValuePlace& value) {
         case Type::Kind::text: return read_text(value.as<std::string>());
         case Type::Kind::octets: return read_octets(value.as<Octets>());
         case Type::Kind::boolean: value.as<bool>() = read_truth(); return;
+        case Type::Kind::enumeration: return read_choice(value);
         case Type::Kind::any: return read_any(value.as<Value>());
         case Type::Kind::nothing: return;
         default: assert(value.type->is_number()); return read_numbers(value.type->size, value.at, 1);
@@ -261,6 +263,14 @@ bool CdrReader::read_truth() {
     if (byte == nullptr || *byte <= 1) return byte != nullptr && *byte == 1;
     fail(at_ - 1, fmt::format("expected a truth value (0 or 1), got {}", *byte));
     return false;
+}
+
+void CdrReader::read_choice(const ValuePlace& value) {
+    std::uint32_t choice = 0;
+    read_numbers(sizeof choice, &choice, 1);
+    const std::size_t count = value.type->choices.size();
+    if (choice < count) return value.set_choice(choice);
+    fail(at_ - sizeof choice, fmt::format("expected a choice from 0 to {}, got {}", count - 1, choice));
 }
 
 void CdrReader::read_text(std::string& text) {

@@ -3,8 +3,8 @@
 //
 // A number is aligned to its size, counted from the start of the stream. A truth value is one byte, a text its length
 // (with the final 0), its bytes and a 0, a sequence its length and its elements, an array its elements, a structure its
-// fields in order, a value of any type its type's place among `plain_types` in one byte and itself. What is written is
-// a function of the value alone: padding is 0.
+// fields in order, a choice of an enumeration its place in 4 bytes, a value of any type its type's place among
+// `plain_types` in one byte and itself. What is written is a function of the value alone: padding is 0.
 #pragma once
 
 #include <bit>
@@ -89,6 +89,7 @@ private:
     /// A sequence's length, 0 if its elements of at least `element_size` bytes can't be in what is left.
     std::size_t read_length(std::size_t element_size);
     bool read_truth();
+    void read_choice(const ValuePlace& value);
     void read_text(std::string& text);
     void read_octets(Octets& octets);
     void fail(std::size_t at, const std::string& what);

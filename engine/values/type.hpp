@@ -7,6 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
+#include <memory>
+#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +27,15 @@ namespace nezumi {
 
 class Value;
 struct Rule;
+struct MessageType;
+
+/// What may stand in a field of a message, beside what its type says. Bounds are inclusive.
+struct FieldLimits {
+    double min = -std::numeric_limits<double>::infinity();  ///< of a number, or of each number in it
+    double max = std::numeric_limits<double>::infinity();
+    std::size_t length = std::numeric_limits<std::size_t>::max();  ///< the most elements, or bytes of a text
+    bool operator==(const FieldLimits&) const = default;
+};
 
 /// Takes an element of a map and its name.
 using EntryVisitor = std::function<void(const std::string& name, const void* element)>;
@@ -86,13 +98,15 @@ struct Type {
         Numbers numbers = Numbers::finite;
         /// Of a table that a person writes (engine/ports/setting.hpp).
         const Rule* rule = nullptr;
+        /// Of a message that a file defines; null for none.
+        std::shared_ptr<const FieldLimits> limits{};
         std::string lua_type{};  ///< where no member holds it (its type is `nothing`): Lua's, as editors know it
     };
 
     /// The elements of a sequence or an optional in memory.
     struct Elements {
         std::size_t (*count)(const void* value) = nullptr;
-        void (*resize)(void* value, std::size_t count) = nullptr;
+        void (*resize)(const Type& type, void* value, std::size_t count) = nullptr;
         /// The first; the others follow. Null where single bits are truth values.
         const void* (*first)(const void* value) = nullptr;
         bool (*bit)(const void* value, std::size_t index) = nullptr;
@@ -105,11 +119,12 @@ struct Type {
         void* (*add)(void* map, const std::string& name) = nullptr;              ///< or the one that is there
     };
 
-    /// How a value is made in memory of its own, and ended.
+    /// How a value begins and ends in memory that is there.
     struct Storage {
-        void* (*make)(const Type& type) = nullptr;
-        void* (*copy)(const Type& type, const void* value) = nullptr;
-        void (*destroy)(const Type& type, void* value) = nullptr;
+        void (*construct)(const Type& type, void* at) = nullptr;
+        void (*copy)(const Type& type, void* at, const void* from) = nullptr;  ///< begins as a copy
+        void (*assign)(const Type& type, void* to, const void* from) = nullptr;
+        void (*destroy)(const Type& type, void* at) = nullptr;
     };
 
     Kind kind = Kind::other;
@@ -117,6 +132,7 @@ struct Type {
     std::string doc{};                      ///< of a structure that a person writes as a table
     std::vector<std::string_view> kinds{};  ///< of such a structure that comes in kinds: their names
     std::size_t size = 0;                   ///< [bytes] in memory, without what it refers to
+    std::size_t alignment = 1;              ///< [bytes]
     std::vector<Field> fields{};
     const Type* element = nullptr;
     std::size_t length = 0;
@@ -124,6 +140,11 @@ struct Type {
     Entries entries{};
     std::vector<std::string> choices{};  ///< of an enumeration, in order
     Storage storage{};
+    bool is_flat = false;  ///< its bytes are all of it: they can be copied
+    /// What such a value is by itself, where its table was made at run time.
+    std::shared_ptr<const Value> initial{};
+    /// The message type that a file defines and of which this is the payload.
+    const MessageType* message = nullptr;
 
     /// Of a sequence its elements' type, else itself.
     const Type& single() const { return kind == Kind::sequence ? *element : *this; }
@@ -184,7 +205,7 @@ Type::Elements elements_of() {
             return static_cast<const T*>(value)->size();
         }
     };
-    made.resize = [](void* value, std::size_t count) {
+    made.resize = [](const Type&, void* value, std::size_t count) {
         T& all = *static_cast<T*>(value);
         if constexpr (IsOptional<T>::value) {
             count == 0 ? all.reset() : static_cast<void>(all.emplace());
@@ -233,14 +254,26 @@ inline std::size_t place_in(const auto& structure, const auto& member) {
 
 template <class T>
 Type::Storage storage_of() {
-    return {.make = [](const Type&) -> void* { return new T{}; },
-            .copy = [](const Type&, const void* value) -> void* { return new T(*static_cast<const T*>(value)); },
-            .destroy = [](const Type&, void* value) { delete static_cast<T*>(value); }};
+    return {
+        .construct = [](const Type&, void* at) { new (at) T{}; },
+        .copy = [](const Type&, void* at, const void* from) { new (at) T(*static_cast<const T*>(from)); },
+        .assign = [](const Type&, void* to, const void* from) { *static_cast<T*>(to) = *static_cast<const T*>(from); },
+        .destroy = [](const Type&, void* at) { static_cast<T*>(at)->~T(); }};
+}
+
+// A table that says how a T lies in memory, and nothing else yet.
+template <class T>
+Type table_for() {
+    return {.size = sizeof(T),
+            .alignment = alignof(T),
+            .storage = storage_of<T>(),
+            .is_flat = std::is_trivially_copyable_v<T>};
 }
 
 template <class T>
 Type make_type() {
-    Type type{.kind = kind_of<T>(), .size = sizeof(T), .storage = storage_of<T>()};
+    Type type = table_for<T>();
+    type.kind = kind_of<T>();
     if constexpr (Described<T>) {
         type.name = Describe<T>::name;
         const T sample{};

@@ -26,7 +26,8 @@ public:
         if constexpr (detail::is_scalar<Held>()) {
             new (scalar_) Held(value);
         } else {
-            apart_ = new Held(std::forward<T>(value));
+            apart_ = ::operator new(sizeof(Held));
+            new (apart_) Held(std::forward<T>(value));
         }
     }
     // NOLINTNEXTLINE(google-explicit-constructor): a text as any other
@@ -35,24 +36,40 @@ public:
     Value(const char* text) : Value(std::string(text)) {}
     /// A value of this type, as it is by itself.
     explicit Value(const Type& type) : type_(&type) {
-        if (!type.is_scalar()) apart_ = type.storage.make(type);
+        if (type.is_scalar()) return;
+        apart_ = ::operator new(type.size);
+        type.storage.construct(type, apart_);
     }
     /// A copy of a value that lies elsewhere.
     explicit Value(const ValueView& view) : type_(view.type) {
         if (type_->is_scalar()) {
             std::memcpy(scalar_, view.at, type_->kind == Type::Kind::nothing ? 0 : type_->size);
         } else {
-            apart_ = type_->storage.copy(*type_, view.at);
+            apart_ = ::operator new(type_->size);
+            type_->storage.copy(*type_, apart_, view.at);
         }
     }
     Value(const Value& other) : Value(ValueView(other)) {}
     Value(Value&& other) noexcept : Value() { swap(other); }
-    Value& operator=(Value other) noexcept {
-        swap(other);
+    /// A value of the same type keeps its memory.
+    Value& operator=(const Value& other) {
+        if (type_ == other.type_ && !type_->is_scalar()) {
+            type_->storage.assign(*type_, apart_, other.apart_);
+        } else {
+            Value copy(other);
+            swap(copy);
+        }
+        return *this;
+    }
+    Value& operator=(Value&& other) noexcept {
+        Value taken(std::move(other));
+        swap(taken);
         return *this;
     }
     ~Value() {
-        if (!type_->is_scalar()) type_->storage.destroy(*type_, apart_);
+        if (type_->is_scalar()) return;
+        type_->storage.destroy(*type_, apart_);
+        ::operator delete(apart_);
     }
 
     const Type& type() const { return *type_; }

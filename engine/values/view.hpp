@@ -69,8 +69,10 @@ struct ValuePlace {
     }
     std::size_t count() const { return view().count(); }
     void* first() const { return const_cast<void*>(view().first()); }
+    /// The value becomes what it is by itself.
+    void reset() const;
     /// Of a sequence or an optional: gives it so many elements.
-    void resize(std::size_t count) const { type->elements.resize(at, count); }
+    void resize(std::size_t count) const { type->elements.resize(*type, at, count); }
 };
 
 /// Calls `visit(element)` with the element of this index, from 0.

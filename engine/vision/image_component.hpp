@@ -1,4 +1,4 @@
-// What components that look at pictures have in common: a picture in, work beside the tick, one detection at a time.
+// The common base of components that analyse pictures: one detection at a time, beside the ticks.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,31 +18,31 @@
 
 namespace nezumi {
 
-/// Looks at the pictures that come to its in-port `image`. Those that come while it looks are passed over but for the
-/// newest. `Seen` is what a picture shows; `Seen{}`: nothing.
+/// Analyses pictures of its in-port `image`. While one is analysed, only the newest of the next pictures is kept.
+/// `Seen` is the result for a picture; `Seen{}`: nothing.
 template <class Seen>
 class ImageComponent : public Component {
 protected:
-    /// A picture and what is looked for in it: called once, on a thread of its own, while the component lives. Whatever
-    /// of the component it uses must outlive it: then the component's destructor calls `finish`.
+    /// A detection in one picture: called once, in a separate thread, while the component exists. Members of the
+    /// component that it uses must outlive it, so the component's destructor calls `finish`.
     using DetectionTask = std::function<Seen()>;
 
-    /// `wait`: what was seen in the picture of t is published at t + latency exactly (simulation), else as soon as it
-    /// is known (hardware).
+    /// `wait`: the result for the picture of time t is published at exactly t + latency (simulation), otherwise as soon
+    /// as it is known (hardware).
     ImageComponent(std::string name, std::string type, bool wait)
         : Component(std::move(name), std::move(type)),
           wait_(wait),
           image_(add_in_port<CameraImage>("image", "a camera's picture")) {}
 
-    /// What there is to do with this picture. An error says why nothing can be seen in it: it is told once in the log.
-    /// The picture is the port's, and may change or go while the task runs. The task reads a copy in memory that the
-    /// component keeps for it, 0.03 ms of a tick at 640 x 480 in colour, and does the rest (smoothing alone takes
-    /// twenty times as long) beside the tick.
+    /// Prepares the detection in this picture. The error says why nothing can be detected; it is logged once. The
+    /// picture belongs to the port, and may change while the task runs. So the task uses a copy in memory of the
+    /// component, which takes 0.03 ms of a tick at 640 x 480 in colour, and does the rest (smoothing alone takes twenty
+    /// times as long) beside the tick.
     virtual Expected<DetectionTask> detection_task(const CameraImage& image) = 0;
-    /// Writes what was seen, which gets the stamp of its picture.
+    /// Writes a result, which gets the time stamp of its picture.
     virtual void publish(const Seen& seen) = 0;
 
-    /// A parameter, as a part of the component's constructor.
+    /// Declares a parameter, in the component's constructor.
     void declare(ParameterSpec spec) {
         const auto ok = parameters_.declare(std::move(spec));
         assert(ok);
@@ -54,14 +54,14 @@ protected:
                  .min = 0,
                  .max = 10,
                  .unit = "s",
-                 .doc = "from a picture to what it shows, in simulated time"});
+                 .doc = "from a picture to its result, in simulated time"});
     }
     template <class T>
     const T& value(std::string_view parameter) const {
         return parameters_.find(parameter)->value.template get<T>();
     }
     InPortBase& image_port() { return image_; }
-    /// Waits for the detection that is under way, if there is one, and forgets what it saw.
+    /// Waits for the running detection, if there is one, and drops its result.
     void finish() { detection_.finish(); }
 
 private:
@@ -99,7 +99,7 @@ private:
         if (!fault_.empty() && !told_) log(LogLevel::warn, fault_ + ": nothing can be seen in it");
         told_ = !fault_.empty();
         publish(**seen);
-        // What is known of the world is as old as the picture.
+        // The result is as old as the picture.
         for (const auto& port : out_ports()) {
             if (port->pending() > 0) port->stamp(exposed_at_);
         }
@@ -108,14 +108,13 @@ private:
 
     bool wait_;
     InPort<CameraImage>& image_;
-    double exposed_at_ = 0;  // [s] stamp of the picture that is looked at
-    std::string fault_;      // why nothing can be seen in the picture that is looked at
+    double exposed_at_ = 0;  // [s] time stamp of the picture that is analysed
+    std::string fault_;      // why nothing can be detected in the picture that is analysed
     bool told_ = false;
     DelayedTask<Seen> detection_;
 };
 
-/// Makes the component `entry`, a `T`; what `Makers::components` wants for its type in a simulation. An error when it
-/// has an `on`.
+/// Makes the component `entry`, a `T`, for `Makers::components` in a simulation. An error if it has an `on`.
 template <class T>
 Expected<std::unique_ptr<Component>> make_image_component(const ComponentEntry& entry, System& system) {
     if (!entry.on.empty()) {

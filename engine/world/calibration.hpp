@@ -1,4 +1,4 @@
-// What one robot really is like, where it differs from its model: measured by `nezumi calibrate`, kept in a file.
+// The measured properties of one robot, which differ from its model: from `nezumi calibrate`, stored in a file.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ struct WheelCalibration {
     bool operator==(const WheelCalibration&) const = default;
 };
 
-/// What a range sensor says at distances.
+/// Measured values of a range sensor.
 struct RangeCalibration {
     std::string sensor;                        ///< its name in the robot file
     std::vector<ResponseTable::Point> points;  ///< in ascending order of distance
@@ -34,11 +34,12 @@ struct Calibration {
     std::string serial;         ///< of its computer; "": not known
     WheelCalibration odometry;  ///< as long as it is there
     std::vector<RangeCalibration> ranges;
-    std::map<std::string, CameraIntrinsics, std::less<>> cameras;  ///< that it carries, by their names in the system
+    std::map<std::string, CameraIntrinsics, std::less<>> cameras;  ///< its cameras, by name in the system
 };
 
-/// Makes a model's description that of the robot. With a calibrated odometry its hardware may do what its model may. An
-/// error when a sensor is not there, or when its points make no table. Cameras are components, not the model's.
+/// Changes the description of a model to that of the robot. With a calibrated odometry, the limits of the hardware are
+/// those of the model. An error if a sensor does not exist, or if its points make no table. Cameras are components, so
+/// they are not part of the model.
 Expected<void> apply(const Calibration& calibration, RobotSpec& spec);
 
 template <>
@@ -73,13 +74,13 @@ struct Describe<Calibration> {
         Setting{"model", &Calibration::model, "", "that it was measured with", {.required = true}},
         Setting{"serial", &Calibration::serial, "", "number of its computer: on another one the file is refused"},
         Setting{"odometry", &Calibration::odometry, "", "its wheels, by `nezumi calibrate odometry`"},
-        Extra{
-            "sensors",
-            "table<string, { table: number[][] }>",
-            "",
-            "what its range sensors say at distances [m], by `nezumi calibrate ir`: `right_front = { table = { { 0.02, "
-            "795 }, ... } }`",
-            {.by_hand = true}},
+        Extra{"sensors",
+              "table<string, { table: number[][] }>",
+              "",
+              "values of its range sensors at distances [m], from `nezumi calibrate ir`: `right_front = { table = { { "
+              "0.02, "
+              "795 }, ... } }`",
+              {.by_hand = true}},
         Extra{"cameras",
               "table<string, { width: integer, height: integer, fx: number, fy: number, cx: number, cy: number, k1: "
               "number, k2: number, p1: number, p2: number, k3: number }>",

@@ -141,7 +141,7 @@ Expected<OccupancyFacts> read_occupancy_facts(std::string_view text, const std::
     }
     for (const char* key : {"image", "resolution", "origin"}) {
         if (!yaml_field(*yaml, key).IsDefined())
-            return failure(fmt::format("is no map of ROS: it has no '{}:'", key), {file});
+            return failure(fmt::format("is not a map of ROS: it has no '{}:'", key), {file});
     }
     return facts;
 }

@@ -1,4 +1,4 @@
-// A robot file's tables: every field, its unit, its meaning and what may stand in it.
+// The tables of a robot file: every field with unit, documentation and limits.
 #pragma once
 
 #include "engine/ports/setting.hpp"
@@ -6,17 +6,17 @@
 
 namespace nezumi {
 
-inline constexpr double least_robot_length = 1e-3;  ///< [m] of a hull or between wheels: smaller can't be simulated
+inline constexpr double least_robot_length = 1e-3;  ///< [m] of a hull or between wheels; less can't be simulated
 inline constexpr double least_robot_mass = 1e-3;    ///< [kg]
-inline constexpr double hull_clearance = 0.01;      ///< [m] below a hull whose height nobody gave
+inline constexpr double hull_clearance = 0.01;      ///< [m] below a hull without a given height
 
-/// What may stand in a limit; where `S` changes a model's, one that is left out is the model's.
+/// The rule of a limit. If `S` changes the limits of a model, an omitted limit is the model's.
 template <class S>
 inline constexpr Rule limit_rule{
     .range = NumberRange::positive,
     .fallback = std::is_same_v<decltype(S::speed), double> ? std::string_view() : "as of the model"};
 
-/// The four limits of `S`, a structure that has them under these names.
+/// The four limits of `S`, a structure with these members.
 template <class S>
 inline constexpr std::tuple limit_fields{
     Setting{"speed", &S::speed, "m/s", "along x, both ways", limit_rule<S>},
@@ -92,7 +92,7 @@ struct Describe<DriveSpec> {
         Setting{"skid",
                 &DriveSpec::skid,
                 "m",
-                "how far the skids stand before and behind the axis",
+                "distance of the skids from the axis",
                 {.range = NumberRange::positive, .fallback = "0.4 of the hull's length"}},
         Setting{"coasts_until_commanded", &DriveSpec::coasts_until_commanded, "",
                 "the wheels roll freely until the first command after activation"},
@@ -148,7 +148,7 @@ struct Describe<SensorSpec> {
         Setting{"rays",
                 &SensorSpec::rays,
                 "",
-                "that share the cone: the nearest counts; a scan tells the distance of each, from right to left",
+                "rays in the cone: the nearest hit counts; a scan gives the distance of each, from right to left",
                 {.min = 1, .max = 1000, .of = ranging, .fallback = "5 with a `cone`, else 1; of a scan 360"}},
         Setting{"noise",
                 &SensorSpec::noise,
@@ -215,7 +215,8 @@ template <>
 struct Describe<ActuatorSpec> {
     static constexpr std::string_view name = "actuator";
     static constexpr std::string_view doc =
-        "An actuator beside the wheels. A screen takes a CameraImage; a speaker a TimedString: `beep`, `tone,HZ,MS` or "
+        "An actuator in addition to the wheels. A screen takes a CameraImage; a speaker a TimedString: `beep`, "
+        "`tone,HZ,MS` or "
         "a text to speak.";
     static constexpr auto& kinds = Choices<ActuatorSpec::Kind>::names;
     static constexpr unsigned leds_only = 1U << 0U, servo_only = 1U << 2U;
@@ -252,7 +253,7 @@ struct Choices<PortSpec::Quantity> {
 template <>
 struct Describe<PortSpec> {
     static constexpr std::string_view name = "port";
-    static constexpr std::string_view doc = "A port of the robot, and what it stands for.";
+    static constexpr std::string_view doc = "A port of the robot, with its sensors or its actuator.";
     static constexpr std::array<std::string_view, 2> kinds{"out-port", "in-port"};
     static constexpr unsigned out_only = 1U << 0U, in_only = 1U << 1U;
     static constexpr std::tuple fields{
@@ -267,7 +268,7 @@ struct Describe<PortSpec> {
                 "",
                 "`\"drive\"`, `\"odometry\"` (sets it) or an actuator",
                 {.of = in_only, .fallback = "required"}},
-        Setting{"doc", &PortSpec::doc, "", "what editors and the console say about it"},
+        Setting{"doc", &PortSpec::doc, "", "documentation for editors and the console"},
         Setting{"rate",
                 &PortSpec::rate,
                 "Hz",
@@ -288,7 +289,7 @@ struct Describe<PortSpec> {
         Setting{"silence",
                 &PortSpec::off_when_silent,
                 "",
-                "when nothing came for 0.5 s: the actuator holds or goes off",
+                "after 0.5 s without a message: the actuator holds or goes off",
                 {.words = {"hold", "off"}, .of = in_only}},
         Internal{&PortSpec::name},
         Internal{&PortSpec::is_input},
@@ -319,13 +320,13 @@ struct Describe<RobotSpec> {
     static constexpr std::string_view name = "robot_model";
     static constexpr std::string_view doc = "A model of robot: `return robot_model { ... }` is a robot file.";
     static constexpr std::tuple fields{
-        Extra{
-            "base",
-            "string",
-            "",
-            "a robot file that this one builds on: what it leaves out is as there. Tables with names merge, lists and "
-            "places are replaced whole, `false` takes a thing away",
-            {.by_hand = true}},
+        Extra{"base",
+              "string",
+              "",
+              "a robot file that this one builds on: omitted fields are those of the base. Tables with names are "
+              "merged, lists "
+              "and positions are replaced as a whole, `false` removes an entry",
+              {.by_hand = true}},
         Setting{"doc", &RobotSpec::doc, "", "what it is"},
         Setting{"mass",
                 &RobotSpec::mass,
@@ -340,8 +341,8 @@ struct Describe<RobotSpec> {
         Setting{"noise",
                 &RobotSpec::noise,
                 "",
-                "in simulation: standard deviation of each sensor that measures, as a part of its value (0.05: 5 %), "
-                "beside the sensor's own `noise`",
+                "in simulation: standard deviation of each sensor that measures, relative to its value (0.05: 5 %), in "
+                "addition to the sensor's own `noise`",
                 {.range = NumberRange::not_negative, .most = 1}},
         Setting{"drive", &RobotSpec::drive, "", "wheels, skids and limits", {.required = true, .by_hand = true}},
         Setting{"body",

@@ -17,7 +17,7 @@ Expected<CameraIntrinsics> read_ros_calibration(std::string_view text, const std
     if (!yaml) return Unexpected(yaml.error());
     const auto refuse = [&](const std::string& key, const YAML::Node& value, std::string_view expected) {
         if (!value.IsDefined())
-            return failure(fmt::format("is no camera calibration of ROS: it has no '{}:'", key), {file});
+            return failure(fmt::format("is not a camera calibration of ROS: it has no '{}:'", key), {file});
         return failure(fmt::format("'{}': expected {}, got '{}'", key, expected, shown(yaml_text(value))),
                        yaml_place(value, file));
     };

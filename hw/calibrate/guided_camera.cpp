@@ -13,15 +13,6 @@ namespace {
 
 constexpr double picture_patience = 30;  // [s] to wait for a picture
 
-template <class AnEntry>
-const AnEntry* find_entry(const SystemSpec& spec, const std::string& name) {
-    for (const Entry& entry : spec.entries) {
-        const auto* found = std::get_if<AnEntry>(&entry);
-        if (found != nullptr && found->name == name) return found;
-    }
-    return nullptr;
-}
-
 }  // namespace
 
 Expected<std::unique_ptr<GuidedCamera>> GuidedCamera::make(SystemSpec spec, const std::string& name,

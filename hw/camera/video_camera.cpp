@@ -104,7 +104,7 @@ std::optional<double> VideoCamera::look(double now) {
 }
 
 tl::expected<void, std::string> VideoCamera::find() {
-    std::string why = fmt::format("none is plugged in: there is none in {}", dev_);
+    std::string why = fmt::format("none is connected: there is none in {}", dev_);
     for (const std::string& node : wanted_.empty() ? numbered_nodes(dev_, "video") : std::vector{wanted_}) {
         const int code = why_not(node, settings_);
         if (code == 0) {

@@ -38,7 +38,7 @@ Examination examine(const MachineRoots& roots) {
         examine_ev3(roots, findings);
     } else {
         findings.push_back({"robot", Finding::State::wrong, "this machine is neither a Raspberry Pi Mouse nor an EV3",
-                            "run nezumi doctor on the robot; here systems are simulated, which needs nothing more"});
+                            "run nezumi doctor on the robot; here systems are simulated, so nothing more is needed"});
     }
     examine_media(roots, findings);
     return examination;

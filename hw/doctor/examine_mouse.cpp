@@ -127,7 +127,7 @@ private:
                     ? std::string("the driver has not found the counters on I2C. ") + counters_on_i2c
                 : missing.size() == count
                     ? "load the driver: sudo modprobe rtmouse"
-                    : "load the driver anew, and look at what dmesg says: sudo modprobe -r rtmouse, "
+                    : "load the driver again, and look at what dmesg says: sudo modprobe -r rtmouse, "
                       "then sudo modprobe rtmouse");
         if (!denied.empty()) {
             const std::string group = group_that_may(node(denied.front().c_str()));

@@ -50,7 +50,7 @@ tl::expected<DevicePath, std::string> DeviceClass::find(std::string_view driver,
         return tl::unexpected(
             fmt::format("nothing is plugged in at {}, expected a {}: look at its cable", port, driver));
     return tl::unexpected(
-        fmt::format("a {} is plugged in at {}, expected a {}: change their cables, or say port = ... "
+        fmt::format("a {} is plugged in at {}, expected a {}: change their cables, or set port = ... "
                     "in the robot file",
                     shown(other), port, driver));
 }

@@ -35,7 +35,7 @@ Expected<std::unique_ptr<WheelMotors>> WheelMotors::make(const DevicePath& folde
 
 tl::expected<void, std::string> WheelMotors::prepare() {
     for (Wheel& wheel : wheels_) {
-        wheel.told = Wheel::Told::nothing;
+        wheel.mode = Wheel::Mode::unknown;
         if (!wheel.motor.is_found()) {
             if (auto ok = wheel.motor.find(); !ok) return ok;
         }
@@ -48,7 +48,7 @@ tl::expected<void, std::string> WheelMotors::prepare() {
     }
     for (Wheel& wheel : wheels_) {
         if (auto ok = wheel.motor.prepare(); !ok) return ok;
-        wheel.told = Wheel::Told::roll;
+        wheel.mode = Wheel::Mode::coast;
     }
     return {};
 }
@@ -65,15 +65,15 @@ std::vector<std::string> WheelMotors::take_faults() {
     return all;
 }
 
-bool WheelMotors::turns() const { return wheels_[0].told == Wheel::Told::run || wheels_[1].told == Wheel::Told::run; }
+bool WheelMotors::turns() const { return wheels_[0].mode == Wheel::Mode::run || wheels_[1].mode == Wheel::Mode::run; }
 
 // Each on its own: a motor that fails must not keep the other one running.
 void WheelMotors::stop_all() {
     for (Wheel& wheel : wheels_) {
-        wheel.told = Wheel::Told::nothing;
+        wheel.mode = Wheel::Mode::unknown;
         if (!wheel.motor.is_found()) continue;
         if (const auto ok = wheel.motor.hold(); ok) {
-            wheel.told = Wheel::Told::hold;
+            wheel.mode = Wheel::Mode::hold;
         } else {
             health_.lost(ok.error());
         }
@@ -100,26 +100,27 @@ double WheelMotors::reachable(const Wheel& wheel, double rate, double elapsed) c
     // Ticks are slightly irregular. After a gap the speed must not jump.
     constexpr double unevenness = 1.5, longest_gap = 0.1;
     if (!std::isfinite(rate)) return 0;
-    const double held = wheel.told == Wheel::Told::run ? wheel.told_rate : 0;
+    const double held = wheel.mode == Wheel::Mode::run ? wheel.commanded_rate : 0;
     const double most = (held * rate > 0 ? std::abs(held) : 0) +
                         std::max(1.0, acceleration_ * unevenness * std::clamp(elapsed, 0.0, longest_gap));
     return std::clamp(rate, -most, most);
 }
 
 tl::expected<void, std::string> WheelMotors::tell(Wheel& wheel, const Command& command, double rate, double now) {
-    using Told = Wheel::Told;
+    using Mode = Wheel::Mode;
     const int whole = static_cast<int>(std::lround(rate));
-    const Told wanted = !command.drives ? Told::roll : whole == 0 ? Told::hold : Told::run;
-    if (wanted == wheel.told && (wanted != Told::run || (whole == wheel.told_rate && now - wheel.told_at < tell_again)))
+    const Mode wanted = !command.drives ? Mode::coast : whole == 0 ? Mode::hold : Mode::run;
+    if (wanted == wheel.mode &&
+        (wanted != Mode::run || (whole == wheel.commanded_rate && now - wheel.commanded_at < tell_again)))
         return {};
-    wheel.told = Told::nothing;
-    auto ok = wanted == Told::roll   ? wheel.motor.coast()
-              : wanted == Told::hold ? wheel.motor.hold()
+    wheel.mode = Mode::unknown;
+    auto ok = wanted == Mode::coast  ? wheel.motor.coast()
+              : wanted == Mode::hold ? wheel.motor.hold()
                                      : wheel.motor.run(whole);
     if (!ok) return ok;
-    wheel.told = wanted;
-    wheel.told_rate = whole;
-    wheel.told_at = now;
+    wheel.mode = wanted;
+    wheel.commanded_rate = whole;
+    wheel.commanded_at = now;
     return {};
 }
 
@@ -155,7 +156,7 @@ tl::expected<void, std::string> WheelMotors::read_positions() {
     return {};
 }
 
-// The wheels' motors are told to go on: what is in their way may go.
+// Reports stalled motors. They keep their commands, because the obstacle may go away.
 void WheelMotors::look_for_stalls(double now) {
     constexpr double period = 0.1;  // [s]
     if (now - looked_at_ < period) return;

@@ -60,9 +60,9 @@ private:
         Wheel(const DevicePath& folder, const std::string& port) : motor(folder, "lego-ev3-l-motor", port) {}
         TachoMotor motor;
         PulseRate rate;
-        enum class Told { nothing, roll, hold, run } told = Told::nothing;
-        int told_rate = 0;
-        double told_at = 0;  // [s] time of the last run command
+        enum class Mode { unknown, coast, hold, run } mode = Mode::unknown;  // of the last command
+        int commanded_rate = 0;
+        double commanded_at = 0;  // [s] time of the last run command
     };
 
     WheelMotors(const DevicePath& folder, const std::array<std::string, count>& ports, double acceleration)

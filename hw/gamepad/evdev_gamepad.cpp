@@ -139,7 +139,7 @@ tl::expected<void, std::string> EvdevGamepad::find() {
                                               shown(libevdev_get_name(device->get()))));
         return take(std::move(*device), wanted_);
     }
-    std::string why = fmt::format("none is plugged in: there is none in {}", folder_);
+    std::string why = fmt::format("none is connected: there is none in {}", folder_);
     for (const std::string& node : numbered_nodes(folder_, "event")) {
         auto device = open(node);
         if (!device) {

@@ -174,7 +174,7 @@ double Motors::run() {
     has_to_stop(now, state_.power);
     if (guard_.trouble() && !health_.is_lost()) reopen(with_advice(*guard_.trouble()));
     if (const int losses = commanded_->driver_losses; std::exchange(driver_losses_, losses) != losses)
-        reopen("the driver's nodes have gone: it was loaded anew, or unloaded. The robot stands until they are back");
+        reopen("the driver's nodes have gone: it was loaded again, or unloaded. The robot stands until they are back");
     if (health_.is_lost()) {
         if (now < retry_at_) return retry_at_ - now;
         retry_at_ = now + retry_period;

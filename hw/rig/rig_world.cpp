@@ -161,11 +161,9 @@ Expected<Rig> open_rig(const SystemSpec& spec, const std::map<std::string, std::
     std::vector<Witness> witnesses;
     std::vector<Pose2D> poses;
     std::vector<std::vector<std::size_t>> buttons;  // of each robot, by sensor
-    for (const Entry& entry : spec.entries) {
-        const auto* robot = std::get_if<RobotEntry>(&entry);
-        const auto path = sockets.find(name_of(entry));
-        if (robot == nullptr || path == sockets.end() || robot->backend.empty() || robot->backend == simulated)
-            continue;
+    for (const RobotEntry* robot : entries_of<RobotEntry>(spec)) {
+        const auto path = sockets.find(robot->name);
+        if (path == sockets.end() || !robot->is_real()) continue;
         std::vector<std::string> sensors;
         std::vector<std::size_t> pressed;
         for (const SensorSpec& sensor : spec.models.at(robot->described_by()).sensors) {

@@ -39,7 +39,7 @@ void Speaker::play(const Sound& sound) {
         waiting_.push_back(sound);
         queue_health_.works();
     } else {
-        queue_health_.lost("sounds come faster than they can be played: some are left out");
+        queue_health_.lost("sounds come faster than they can be played: some are dropped");
     }
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bindings/lua/script/script_component.hpp"
+#include "engine/messages/message_catalog.hpp"
 #include "tests/bench/report.hpp"
 
 using namespace nezumi;
@@ -119,6 +120,76 @@ std::unique_ptr<ScriptComponent> load(const char* text, ChunkCache* chunks = nul
     return std::move(*component);
 }
 
+constexpr const char* velocity_script = R"(
+local from = input("in", "TimedVelocity2D")
+local to   = output("out", "TimedVelocity2D")
+function on_execute()
+  local v = from:read()
+  to:write { vx = v.vx, vy = v.vy, va = v.va }
+end
+)";
+constexpr const char* described_script = R"(
+local from = input("in", "Four")
+local to   = output("out", "Four")
+function on_execute()
+  local v = from:read()
+  to:write { a = v.a, b = v.b, c = v.c, d = v.d }
+end
+)";
+constexpr const char* bytes_script = R"(
+local from = input("in", "Bytes")
+local to   = output("out", "Bytes")
+function on_execute() to:write(from:read()) end
+)";
+
+// Message types that a file would define: of four numbers, of bytes.
+const MessageType* defined(std::string_view name) {
+    MessageDefinition definition{.name = std::string(name), .place = {"bench.lua"}};
+    if (name == "Four") {
+        for (const char* field : {"a", "b", "c", "d"}) definition.fields.push_back({.name = field, .kind = "double"});
+    } else {
+        definition.fields.push_back({.name = "data", .kind = "bytes"});
+    }
+    return *MessageCatalog::shared().define(definition, [](const auto&) { return failure("none"); });
+}
+
+// One execution that reads what came and writes as much, in ns.
+double exchange(const char* script, const Value& value, int calls) {
+    auto component = ScriptComponent::load("c", {"exchange.lua", "exchange.lua", script},
+                                           {.find_message = [](std::string_view name, std::string_view,
+                                                               std::vector<SourceText>*) -> Expected<FoundMessage> {
+                                               if (const auto compiled = find_message_type(name))
+                                                   return FoundMessage{*compiled};
+                                               return FoundMessage{defined(name)};
+                                           }});
+    if (!component || !(*component)->activate({})) std::exit(2);
+    const auto source = make_out_port(message_of(value.type()), "source", "");
+    (*component)->find_in_port("in")->connect(*source);
+    Time now;
+    const double took = nanoseconds(calls, [&](int) {
+        now = {now.tick + 1, static_cast<double>(now.tick + 1) / 100};
+        source->write_any(value);
+        source->latch(now);
+        (*component)->latch_inputs(now);
+        (*component)->execute(now);
+        (*component)->latch_outputs(now);
+    });
+    if (!((*component)->find_out_port("out")->value() == value)) std::puts("what was read is not what was written");
+    return took;
+}
+
+void measure_described() {
+    const double velocity = exchange(velocity_script, Velocity2D{.vx = 1}, 20'000);
+    const double described = exchange(described_script, make_payload(defined("Four")), 20'000);
+    std::printf(
+        "read and write a TimedVelocity2D   %.0f ns; a described message of 4 numbers %.0f ns, %.2f times (limit 1.5: "
+        "%s)\n",
+        velocity, described, described / velocity, bench::verdict(described / velocity, 1.5));
+    Value bytes = make_payload(defined("Bytes"));
+    ValuePlace(bytes).field(bytes.type().fields[0]).as<Octets>().assign(std::size_t{1} << 20, 7);
+    std::printf("read and write 1 MB of bytes       %.2f ms\n", exchange(bytes_script, bytes, 100) / 1e6);
+}
+
 long resident_kilobytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -147,6 +218,8 @@ int main() {
     });
     std::printf("port, write to read                %.1f ns (limit 30: %s)%s\n", port, bench::verdict(port, 30),
                 sum > 0 ? "" : " (lost!)");
+
+    measure_described();
 
     constexpr int count = 1000;
     ChunkCache chunks;

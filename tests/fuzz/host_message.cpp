@@ -47,9 +47,10 @@ void step(std::span<const std::uint8_t> bytes) {
     dds::Step read;
     if (!read_cdr(bytes, {.header = true}, read)) return;
     for (const dds::StepMessage& message : read.messages) {
-        for (std::size_t type = 0; type < message_type_count; ++type) {
+        for (const MessageType& each : compiled_message_types()) {
+            const MessageType* const type = &each;
             const auto value = dds::read_message(type, message.payload);
-            require(!value || (message_index(value->type()) == type && is_finite(*value)));
+            require(!value || (message_of(value->type()) == type && is_finite(*value)));
         }
     }
 }
@@ -70,16 +71,16 @@ void request(std::span<const std::uint8_t> bytes) {
     require(read_cdr(written, {.header = true}, again).has_value() && (again == data || !is_finite(data)));
 }
 
-void receive(std::size_t type, std::span<const std::uint8_t> bytes) {
+void receive(const MessageType* type, std::span<const std::uint8_t> bytes) {
     dds::Progress progress;
     dds::Inlet inlet(type, std::make_unique<OneMessage>(bytes), progress);
-    inlet.receive(1, 1, [&](const Value& value) { require(message_index(value.type()) == type && is_finite(value)); });
+    inlet.receive(1, 1, [&](const Value& value) { require(message_of(value.type()) == type && is_finite(value)); });
 }
 
 void subscribe(const ros::Mapping& mapping, std::span<const std::uint8_t> bytes) {
     if (mapping.subscribe == nullptr) return;
     mapping.subscribe(std::make_unique<OneMessage>(bytes))->receive(1, [&](const Value& value) {
-        require(message_index(value.type()) == mapping.port_type && is_finite(value));
+        require(message_of(value.type()) == mapping.port_type && is_finite(value));
     });
 }
 
@@ -88,7 +89,7 @@ void subscribe(const ros::Mapping& mapping, std::span<const std::uint8_t> bytes)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     const std::span<const std::uint8_t> bytes(data + 1, size - 1);
-    const std::size_t kinds = 3 + message_type_count + ros::mappings().size();
+    const std::size_t kinds = 3 + compiled_message_count + ros::mappings().size();
     std::size_t kind = data[0] % kinds;
     if (kind == 0) {
         announce(bytes);
@@ -97,10 +98,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(!dds::unseal(bytes, {.name = "a", .type = "b"}, dds::Secret{}).has_value());
     } else if (kind == kinds - 1) {
         request(bytes);
-    } else if (kind -= 2; kind < message_type_count) {
-        receive(kind, bytes);
+    } else if (kind -= 2; kind < compiled_message_count) {
+        receive(&compiled_message_types()[kind], bytes);
     } else {
-        subscribe(ros::mappings()[kind - message_type_count], bytes);
+        subscribe(ros::mappings()[kind - compiled_message_count], bytes);
     }
     return 0;
 }

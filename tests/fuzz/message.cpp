@@ -18,7 +18,7 @@ namespace {
 constexpr Budget budget{0.02};
 
 // Reads the value on top of the stack as a message of this type, and writes what was read.
-void check(lua_State* lua, std::size_t type) {
+void check(lua_State* lua, const MessageType* type) {
     const int top = lua_gettop(lua);
     const auto read = read_payload(lua, top, type);
     require(lua_gettop(lua) == top);
@@ -26,7 +26,7 @@ void check(lua_State* lua, std::size_t type) {
         require_line(read.error().message);
         return;
     }
-    require(message_index(read->type()) == type && is_finite(*read));
+    require(message_of(read->type()) == type && is_finite(*read));
     const auto pushed = protect(lua, budget, [&](lua_State* inside) {
         push_payload(inside, *read);
         return 1;
@@ -48,6 +48,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(state.has_value());
     lua_State* lua = (*state)->lua();
     if (!load_chunk(lua, *chunk) || !protected_call(lua, 0, 1, budget)) return 0;
-    for (std::size_t type = 0; type < message_type_count; ++type) check(lua, type);
+    for (const MessageType& type : compiled_message_types()) check(lua, &type);
     return 0;
 }

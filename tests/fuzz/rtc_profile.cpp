@@ -45,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     std::vector<std::string> remarks;
-    const auto texts = cli::write_behavior({.name = "", .base = cli::parts_of(*profile, remarks)});
+    const auto texts = cli::write_behavior({.name = "", .base = cli::parts_of(*profile, cli::new_messages(), remarks)});
     for (const std::string& remark : remarks) require(remark.find('\n') == std::string::npos);
     if (!texts) require_line(texts.error().message);
 

@@ -586,13 +586,13 @@ function output(name, type, doc, options) end
 ---@field pose? { x?: number, y?: number, heading?: number } where it starts
 ---@field limits? LimitChangesFields in the place of the model's
 ---@field backend? string "sim": simulated with --hw as well; or the driver that --hw uses
----@field calibrated? boolean in simulation too it is as `NAME.calibration.lua` beside this file says
----@field odometry_at_pose? boolean its odometry starts at `pose`, in the arena's coordinates; else where it stands is 0, 0, 0
+---@field calibrated? boolean use `NAME.calibration.lua` beside this file also in simulation
+---@field odometry_at_pose? boolean its odometry starts at `pose`, in the arena's coordinates; otherwise at 0, 0, 0
 ---@field active? boolean whether it is activated at the start
 ---@field doc? string what it is
 ---@field mass? number [kg] of the whole robot
 ---@field friction? number of the simulated wheels on the floor: 1 is rubber, 0.1 is ice
----@field noise? number in simulation: standard deviation of each sensor that measures, as a part of its value (0.05: 5 %), beside the sensor's own `noise`
+---@field noise? number in simulation: standard deviation of each sensor that measures, relative to its value (0.05: 5 %), in addition to the sensor's own `noise`
 ---@field drive? DriveFields wheels, skids and limits
 ---@field body? BodyFields the hull
 ---@field sensors? table<string, SensorFields|false> by name
@@ -604,7 +604,7 @@ function output(name, type, doc, options) end
 ---@field script string a behaviour's file, for example "robot_controller"
 ---@field config? table<string, ParameterValue> values of its parameters
 ---@field sets? table<string, table<string, ParameterValue>> values of parameters that are chosen together, by the set's name
----@field set? string the set in use; what it leaves out keeps the value of `config`
+---@field set? string the parameter set in use; omitted parameters have the values of `config`
 ---@field rate? number [Hz] executions a second, at most the tick's
 ---@field active? boolean whether it is activated at the start
 
@@ -617,6 +617,7 @@ function output(name, type, doc, options) end
 ---@field yaw? number [rad] on that robot, counter-clockwise
 ---@field backend? string "sim": simulated with --hw as well
 ---@field active? boolean whether it is activated at the start
+---@field calibration? string a Camera's: the file that ROS's camera_calibration wrote, for example "ost.yaml"
 
 ---@class (exact) PhysicsFields
 ---@field step number [s] of time that the physics advances at once; a tick is a whole number of them
@@ -629,13 +630,13 @@ function output(name, type, doc, options) end
 ---@field secret? string a file that `nezumi network secret` has made: who has it may write
 ---@field open? boolean everybody on the interface, or every user of this computer, may write without a secret
 ---@field lockstep? boolean simulations that are connected advance together, the same each time
----@field hosts? string|string[] hosts that lockstep waits for before it begins, beside those that connections name
+---@field hosts? string|string[] hosts that lockstep waits for before it begins, in addition to those of connections
 
 ---@class (exact) RosFields
 ---@field node string the node's name
 ---@field publish? table<string, string|RosTopicFields|any[]> out-ports and the topics that carry them: `["mouse.current_velocity_out"] = "/velocity"`
 ---@field subscribe? table<string, string|RosTopicFields> topics and the in-ports that take them: `["/cmd_vel"] = "mouse.target_velocity_in"`
----@field domain? integer what is ROS_DOMAIN_ID for the other nodes
+---@field domain? integer the ROS_DOMAIN_ID of the other nodes
 ---@field interface? string the network interface, for example "wlan0"
 ---@field peers? string|string[] addresses of hosts, where the network carries no multicast
 
@@ -670,7 +671,7 @@ function output(name, type, doc, options) end
 ---@field right_radius? number [m] of the right wheel, where it is known to differ
 ---@field track? number [m] between the wheels
 ---@field pulses_per_turn? number of the encoders, a wheel turn; 0: continuous
----@field skid? number [m] how far the skids stand before and behind the axis
+---@field skid? number [m] distance of the skids from the axis
 ---@field coasts_until_commanded? boolean the wheels roll freely until the first command after activation
 ---@field limits? LimitsFields each can be set again per robot in the system file
 ---@field hardware_limits? LimitsFields on the real robot, until it is calibrated
@@ -685,7 +686,7 @@ function output(name, type, doc, options) end
 ---@field range? number [m] it sees no farther (of range, scan)
 ---@field minimum? number [m] it sees no nearer (of range, scan)
 ---@field cone? number [rad] full opening angle, 0: a single ray; of a scan, its field of view (of range, scan)
----@field rays? integer that share the cone: the nearest counts; a scan tells the distance of each, from right to left (of range, scan)
+---@field rays? integer rays in the cone: the nearest hit counts; a scan gives the distance of each, from right to left (of range, scan)
 ---@field noise? number standard deviation, in the value's unit; of an imu, of its rates in rad/s (of range, gyro, reflect, ambient, scan, imu)
 ---@field acceleration_noise? number [m/s^2] standard deviation of its accelerations (of imu)
 ---@field table? string|number[][] a CSV file with the columns `distance_m` and `value` beside the robot file, or points `{ { 0.01, 1394 }, ... }`. Exact at its points; nearer than the first the value goes on as a power law, farther than the last it fades to `nothing` at `range` (of range)
@@ -713,11 +714,11 @@ function output(name, type, doc, options) end
 ---@field type? string a message type
 ---@field from? string|string[] a sensor, a list of them, `"velocity"` (measured at the wheels) or `"odometry"` (of out-port)
 ---@field to? string|string[] `"drive"`, `"odometry"` (sets it) or an actuator (of in-port)
----@field doc? string what editors and the console say about it
+---@field doc? string documentation for editors and the console
 ---@field rate? number [Hz] messages a second; 0: one each tick (of out-port)
 ---@field quantity? "value"|"distance"|"rate"|"acceleration" `"distance"`: metres instead of a range sensor's value; `"rate"`: of a gyro instead of its angle, of an imu its three rates; `"acceleration"`: of an imu its three accelerations (of out-port)
 ---@field queue? integer so many unread messages are kept; 0: the latest (of in-port)
----@field silence? "hold"|"off" when nothing came for 0.5 s: the actuator holds or goes off (of in-port)
+---@field silence? "hold"|"off" after 0.5 s without a message: the actuator holds or goes off (of in-port)
 
 ---@class (exact) HardwareFields
 ---@field driver? string "raspimouse" or "ev3"
@@ -725,11 +726,11 @@ function output(name, type, doc, options) end
 ---@field shutdown? string a sensor of kind `button`: held for 3 s it ends the run and shuts the robot's computer down
 
 ---@class (exact) RobotModelFields
----@field base? string a robot file that this one builds on: what it leaves out is as there. Tables with names merge, lists and places are replaced whole, `false` takes a thing away
+---@field base? string a robot file that this one builds on: omitted fields are those of the base. Tables with names are merged, lists and positions are replaced as a whole, `false` removes an entry
 ---@field doc? string what it is
 ---@field mass? number [kg] of the whole robot
 ---@field friction? number of the simulated wheels on the floor: 1 is rubber, 0.1 is ice
----@field noise? number in simulation: standard deviation of each sensor that measures, as a part of its value (0.05: 5 %), beside the sensor's own `noise`
+---@field noise? number in simulation: standard deviation of each sensor that measures, relative to its value (0.05: 5 %), in addition to the sensor's own `noise`
 ---@field drive? DriveFields wheels, skids and limits
 ---@field body? BodyFields the hull
 ---@field sensors? table<string, SensorFields|false> by name
@@ -762,7 +763,7 @@ function output(name, type, doc, options) end
 ---@field model string that it was measured with
 ---@field serial? string number of its computer: on another one the file is refused
 ---@field odometry? OdometryCalibrationFields its wheels, by `nezumi calibrate odometry`
----@field sensors? table<string, { table: number[][] }> what its range sensors say at distances [m], by `nezumi calibrate ir`: `right_front = { table = { { 0.02, 795 }, ... } }`
+---@field sensors? table<string, { table: number[][] }> values of its range sensors at distances [m], from `nezumi calibrate ir`: `right_front = { table = { { 0.02, 795 }, ... } }`
 ---@field cameras? table<string, { width: integer, height: integer, fx: number, fy: number, cx: number, cy: number, k1: number, k2: number, p1: number, p2: number, k3: number }> how the cameras see that it carries, by `nezumi calibrate camera`: by their names, the fields of a CameraIntrinsics
 
 ---@class (exact) OdometryCalibrationFields
@@ -797,6 +798,16 @@ function output(name, type, doc, options) end
 ---@param default ParameterValue
 ---@param options? ParameterOptions
 function param(name, default, options) end
+
+---Defines a message type, in a file of its own: `return message "Obstacle" { { "distance", "double", unit = "m" } }`.
+---@param name string that of the file: `light_sensors.lua` defines LightSensors
+---@return fun(fields: table): nil
+function message(name) end
+
+---The constants of a message type that a file defines: `constants("sensor_msgs/Range").ULTRASOUND`.
+---@param type MessageType
+---@return table<string, boolean|number|string>
+function constants(type) end
 
 ---@class Config
 ---@field [string] any
@@ -980,12 +991,12 @@ function connect(from, to) end
 ---@return Thing
 function csv(file) end
 
----Fixed boxes from a map of ROS: what is occupied in the picture that the YAML file names.
+---Fixed boxes from a map of ROS: the occupied pixels of the picture that the YAML file names.
 ---@param file string
 ---@return Thing
 function map(file) end
 
----Ticks a second, 100 unless it says otherwise.
+---Ticks per second; default 100.
 ---@param hz number
 function rate(hz) end
 
@@ -1025,31 +1036,31 @@ function robot_model(fields) end
 
 ---@class Component
 ---@field activate fun(self: Component): string makes it ACTIVE; gives the status that follows
----@field buzzer integer of robots: what its buzzer sounds [Hz], 0 for nothing
+---@field buzzer integer of robots: tone of its buzzer [Hz], 0 for silence
 ---@field collided boolean of robots: whether it touches something
 ---@field commands string[] the names of its commands
 ---@field config table<string, ParameterValue> its parameters, read and written within their bounds
 ---@field deactivate fun(self: Component): string makes it INACTIVE; gives the status that follows
----@field disturb fun(self: Component, velocities?: VelocityConstraintFields) of robots: forces these speeds on it, as a hand would; without them it moves freely again
----@field error string? in ERROR: what sent it there; else nil
----@field failure { text: string, tm: number, file?: string, line?: integer }? in ERROR: what sent it there, when [s] and in which line; else nil
+---@field disturb fun(self: Component, velocities?: VelocityConstraintFields) of robots: forces these velocities on it; without them it moves freely again
+---@field error string? in ERROR: the error; otherwise nil
+---@field failure { text: string, tm: number, file?: string, line?: integer }? in ERROR: the error, its time [s] and line; otherwise nil
 ---@field leds boolean[] of robots: which of its lights are on
 ---@field limits table<string, number> of robots: the highest speeds and accelerations that it obeys
 ---@field name string its name
 ---@field ports table<string, Port> its ports by name
 ---@field press fun(self: Component, sensor: string, pressed?: boolean) of robots: presses a button or touch sensor; with false lets it go
----@field probes table<string, ProbeView> what its script shows by `probe`: value, tm and age of each
+---@field probes table<string, ProbeView> the values that its script shows by `probe`: value, tm and age
 ---@field rate number executions a second [Hz]
 ---@field reset fun(self: Component): string takes it out of ERROR; gives the status that follows
----@field said string[] of robots: the last 100 texts that its speaker was given
+---@field said string[] of robots: the last 100 texts for its speaker
 ---@field set string? the named set of parameters in use, or nil
 ---@field sets string[] the names of its sets of parameters
----@field state table a copy of what its script keeps in `state`
+---@field state table a copy of its script's `state`
 ---@field status "INACTIVE"|"ACTIVE"|"ERROR" "INACTIVE", "ACTIVE" or "ERROR"
 ---@field tasks table<string, TaskView> its tasks: status, since, waiting and line of each
----@field teleport fun(self: Component, pose: PoseFields) of robots: puts it at a pose, at rest
+---@field teleport fun(self: Component, pose: PoseFields) of robots: moves it to a pose, at rest
 ---@field touching string? of robots: what it touches, or nil
----@field truth { pose: Pose2D, velocity: Velocity2D, height: number, tilt: number } of robots: what the simulation knows of it: pose, velocity, height, tilt
+---@field truth { pose: Pose2D, velocity: Velocity2D, height: number, tilt: number } of robots: its true state in simulation: pose, velocity, height, tilt
 ---@field type string its component type
 ---@field use fun(self: Component, set: string): string switches to a named set of parameters
 ---@field version integer counts the versions of its script, from 1
@@ -1305,12 +1316,12 @@ function s:connect(from, to) end
 ---@return Thing
 function s:csv(file) end
 
----Fixed boxes from a map of ROS: what is occupied in the picture that the YAML file names.
+---Fixed boxes from a map of ROS: the occupied pixels of the picture that the YAML file names.
 ---@param file string
 ---@return Thing
 function s:map(file) end
 
----Ticks a second, 100 unless it says otherwise.
+---Ticks per second; default 100.
 ---@param hz number
 function s:rate(hz) end
 

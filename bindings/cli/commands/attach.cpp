@@ -83,7 +83,7 @@ int attach(const AttachOptions& options) {
         return run_batch(client, {}).well ? exit_done : exit_failed;
 
     const auto end = run_prompt(
-        client, {.greeting = "attached to " + list_of({reached->system}) + "; help() tells more, Ctrl-D leaves",
+        client, {.greeting = "attached to " + list_of({reached->system}) + "; help() shows the commands, Ctrl-D leaves",
                  .history = history_path(),
                  .attached = true});
     return end ? static_cast<int>(exit_done) : refuse(end.error());
@@ -93,21 +93,22 @@ int attach(const AttachOptions& options) {
 
 SubCommand attach_command() {
     auto options = std::make_shared<AttachOptions>();
-    return {.name = "attach",
-            .help = "Open the console of a running system",
-            .options = {{"[SYSTEM]", &options->which,
-                         "its name (of its file) or its process; may be left out when only one runs. ssh:pi@mouse, or "
-                         "ssh:pi@mouse/SYSTEM: on another computer"},
-                        {"--eval", &options->eval,
-                         "run this, print what it gives, and leave: exit status 1 if it fails", "LUA"},
-                        {"--timeout", &options->timeout, "with --eval: interrupt it after so many seconds", "S",
-                         number_from(0.001, 1e6)},
-                        {"--list", &options->list, "only list what runs, with processes"},
-                        {"--ssh-config", &options->ssh_config, "with ssh:HOST: for ssh -F", "FILE"}},
-            .run = [options] { return attach(*options); },
-            .footer =
-                "Without a terminal, commands are read from standard input. Exit status: 0 well, 1 a command "
-                "failed, 2 nothing to attach to."};
+    return {
+        .name = "attach",
+        .help = "Open the console of a running system",
+        .options =
+            {{"[SYSTEM]", &options->which,
+              "its name (that of its file) or its process number; may be omitted if only one runs. ssh:pi@mouse, or "
+              "ssh:pi@mouse/SYSTEM: on another computer"},
+             {"--eval", &options->eval, "run this, print the result, and leave: exit status 1 if it fails", "LUA"},
+             {"--timeout", &options->timeout, "with --eval: interrupt it after so many seconds", "S",
+              number_from(0.001, 1e6)},
+             {"--list", &options->list, "only list what runs, with processes"},
+             {"--ssh-config", &options->ssh_config, "with ssh:HOST: for ssh -F", "FILE"}},
+        .run = [options] { return attach(*options); },
+        .footer =
+            "Without a terminal, commands are read from standard input. Exit status: 0 well, 1 a command "
+            "failed, 2 nothing to attach to."};
 }
 
 }  // namespace nezumi::cli

@@ -49,7 +49,7 @@ void add_fields(const Type& type, const std::string& name, std::string_view unit
 
 std::string types_as_json() {
     std::vector<std::string> types;
-    for (const MessageInfo& message : message_infos()) {
+    for (const MessageType& message : compiled_message_types()) {
         std::vector<std::string> fields;
         add_fields(*message.payload, "", "", fields);
         types.push_back(fmt::format("{}:[{}]", json_text(message.name), fmt::join(fields, ",")));
@@ -113,22 +113,23 @@ int link(const CalcOptions& options) {
 
 SubCommand calc_command() {
     auto options = std::make_shared<CalcOptions>();
-    return {.name = "calc",
-            .help = "Link a running system with LibreOffice Calc: ports in cells, both ways, live",
-            .options = {{"[FILE]", &options->file, "the spreadsheet; without one, a new sheet that shows the system"},
-                        {"--system", &options->system,
-                         "its name (of its file) or its process; may be left out when only one runs", "SYSTEM"},
-                        {"--port", &options->ports,
-                         "of a new sheet: only this port, or the ports of this component; can be given again", "NAME"},
-                        {"--rate", &options->rate, "refreshes per second", "HZ", number_from(4, 25)},
-                        {"--profile", &options->profile, "a folder for an office of its own, with settings of its own",
-                         "DIR"},
-                        {"--headless", &options->headless, "without a window: for machines"}},
-            .run = [options] { return link(*options); },
-            .footer =
-                "A table begins with the cells `Port` and `State` side by side; below them stand ports, right of "
-                "them their values: docs/spreadsheet.md. Needs Debian's libreoffice-calc and python3-uno. Exit "
-                "status: 0 the link ended in good order, 2 it could not begin."};
+    return {
+        .name = "calc",
+        .help = "Link a running system with LibreOffice Calc: ports in cells, both ways, live",
+        .options = {{"[FILE]", &options->file, "the spreadsheet; without one, a new sheet that shows the system"},
+                    {"--system", &options->system,
+                     "its name (that of its file) or its process number; may be omitted if only one runs", "SYSTEM"},
+                    {"--port", &options->ports,
+                     "of a new sheet: only this port, or the ports of this component; can be given again", "NAME"},
+                    {"--rate", &options->rate, "refreshes per second", "HZ", number_from(4, 25)},
+                    {"--profile", &options->profile, "a folder for an office of its own, with settings of its own",
+                     "DIR"},
+                    {"--headless", &options->headless, "without a window: for machines"}},
+        .run = [options] { return link(*options); },
+        .footer =
+            "A table begins with the cells `Port` and `State` side by side; below them stand ports, right of "
+            "them their values: docs/spreadsheet.md. Needs Debian's libreoffice-calc and python3-uno. Exit "
+            "status: 0 the link ended in good order, 2 it could not begin."};
 }
 
 }  // namespace nezumi::cli

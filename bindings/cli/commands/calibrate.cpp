@@ -141,11 +141,7 @@ private:
         serial_ = serial_number(hardware.sys_root);
         return hardware;
     }
-    const RobotEntry& robot_entry() const {
-        const std::string& name = robot_->robot().name();
-        return std::get<RobotEntry>(*std::find_if(robot_->spec().entries.begin(), robot_->spec().entries.end(),
-                                                  [&](const Entry& each) { return name_of(each) == name; }));
-    }
+    const RobotEntry& robot_entry() const { return *find_entry<RobotEntry>(robot_->spec(), robot_->robot().name()); }
 
     Expected<void> place(const std::string& drive) {
         if (options_.simulated) start_ = truth();
@@ -229,8 +225,7 @@ SubCommand calibrate_command() {
         own.insert(own.end(), common.begin(), common.end());
         return own;
     };
-    const Option robot{"--robot", &options->robot, "its name in the file; may be left out when there is only one",
-                       "NAME"};
+    const Option robot{"--robot", &options->robot, "its name in the file; may be omitted if there is only one", "NAME"};
     const std::string footer =
         "Writes ROBOT.calibration.lua beside FILE, which nezumi run --hw uses from then on.\nExit status: 0 written, 2 "
         "it "
@@ -245,7 +240,7 @@ SubCommand calibrate_command() {
         .footer = footer};
     const SubCommand ranges{
         .name = "ir",
-        .help = "Measure what the distance sensors say of a wall at known distances",
+        .help = "Measure the values of the distance sensors at known distances from a wall",
         .options = with({{"--wall", &options->wall, "from the foremost sensors to the wall, where the robot starts [m]",
                           "M", number_from(0.015, 1)},
                          robot}),
@@ -254,10 +249,10 @@ SubCommand calibrate_command() {
     const SubCommand camera{
         .name = "camera",
         .help = "Measure how a camera on a robot sees, by views of a chessboard",
-        .options = with(
-            {{"--camera", &options->camera, "its name in the file; may be left out when there is only one", "NAME"},
-             {"--board", &options->board, "the chessboard's inner corners (default 9x6)", "COLUMNSxROWS",
-              board_problem}}),
+        .options =
+            with({{"--camera", &options->camera, "its name in the file; may be omitted if there is only one", "NAME"},
+                  {"--board", &options->board, "the chessboard's inner corners (default 9x6)", "COLUMNSxROWS",
+                   board_problem}}),
         .run = [options] { return run(*options, &Session::camera); },
         .footer = footer};
     return {.name = "calibrate",

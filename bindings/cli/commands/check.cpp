@@ -105,8 +105,9 @@ int check(const CheckOptions& options) {
         const Project project = Project::of("here");
         if (project.root().empty())
             return refuse(
-                "check: this is no project, as no folder behaviors/ is here or above: name files, or . for all "
-                "that are here");
+                "check: this is not a project, because there is no folder behaviors/ here or above: name files, or . "
+                "for "
+                "all files here");
         const std::string root = project.shown(project.root());
         paths.push_back(root.empty() ? "." : root);
     }
@@ -127,7 +128,7 @@ int check(const CheckOptions& options) {
 SubCommand check_command() {
     auto options = std::make_shared<CheckOptions>();
     return {.name = "check",
-            .help = "Say what is wrong with files, without running them",
+            .help = "Report errors in files, without running them",
             .options = {{"[FILE]", &options->paths,
                          "behaviours, modules, systems, robots, scenarios, by path or name, or folders with them, for "
                          "example .; - is standard input; without any, those of the project"},

@@ -103,11 +103,11 @@ int doctor(const DoctorOptions& options) {
 SubCommand doctor_command() {
     auto options = std::make_shared<DoctorOptions>();
     return {.name = "doctor",
-            .help = "Say what is there of a robot's hardware, and what to do about what is missing",
+            .help = "Check a robot's hardware, and report how to fix what is missing",
             .options = {{"--json", &options->json, "write {robot, findings: [{check, state, found, advice}]}"},
                         {"--move", &options->move,
                          "turn each wheel as well, slowly, with the robot held in the air; asks first"},
-                        {"--yes", &options->is_sure, "with --move: nobody is asked"},
+                        {"--yes", &options->is_sure, "with --move: do not ask before it moves"},
                         {"--dev-root", &options->dev_root, "the folder of the devices' nodes (default /dev)", "DIR"},
                         {"--sys-root", &options->sys_root, "the folder of the kernel's devices (default /sys)", "DIR"},
                         {"--proc-root", &options->proc_root, "the folder of processes (default /proc)", "DIR"},

@@ -1,4 +1,5 @@
-// `nezumi list`: what systems, robots, behaviours, modules and scenarios there are, in the project and installed.
+// `nezumi list`: what systems, robots, behaviours, messages, modules and scenarios there are, in the project and
+// installed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 5> kinds{"systems", "robots", "behaviors", "modules", "scenarios"};
+constexpr std::array<std::string_view, 6> kinds{"systems", "robots", "behaviors", "messages", "modules", "scenarios"};
 
 struct Named {
     std::string file, doc;
@@ -38,12 +39,14 @@ std::string_view kind_name(LuaKind kind) {
         case LuaKind::robot: return "robots";
         case LuaKind::behavior: return "behaviors";
         case LuaKind::module: return "modules";
+        case LuaKind::message: return "messages";
         default: return "";
     }
 }
 
 // As other files name it: a module by its path below `behaviors/` or `behaviors/lib/`, all else by its file's name.
 std::string listed_name(const fs::path& file, const fs::path& root, LuaKind kind) {
+    if (kind == LuaKind::message) return type_of_file(file.string());
     if (kind != LuaKind::module) return file.stem().string();
     std::string name = file.lexically_relative(root / "behaviors").replace_extension().string();
     if (name.starts_with("lib/")) name.erase(0, 4);
@@ -114,8 +117,10 @@ SubCommand list_command() {
     auto kind = std::make_shared<std::string>();
     return {
         .name = "list",
-        .help = "Show the systems, robots, behaviours, modules and scenarios of the project and the installed ones",
-        .options = {{"[KIND]", kind.get(), "only systems, robots, behaviors, modules or scenarios"}},
+        .help =
+            "Show the systems, robots, behaviours, messages, modules and scenarios of the project and the installed "
+            "ones",
+        .options = {{"[KIND]", kind.get(), "only systems, robots, behaviors, messages, modules or scenarios"}},
         .run = [kind] { return list(*kind); },
         .footer = "A line for each: its name, its file, and the first line of the comment that the file begins with."};
 }

@@ -83,7 +83,7 @@ SubCommand marker_command() {
             .help = "Write markers to print, as PDF to scale",
             .options = {{"ID", &options->ids,
                          fmt::format("of AprilTag's family 36h11, 0 to {}; a page for each", last_tag)},
-                        {"--size", &options->size, "the edge of the black border [m], as a system file says it", "M",
+                        {"--size", &options->size, "the edge of the black border [m], as in the system file", "M",
                          number_from(least_size, 1)},
                         {"--paper", &options->paper, "what it is printed on", "A4|A5|A3|letter"},
                         {"-o,--output",

@@ -72,16 +72,17 @@ int list_network(const ListOptions& options) {
 int write_secret(const std::string& file) {
     std::error_code none;
     if (std::filesystem::exists(file, none))
-        return refuse(fmt::format("network secret: {} is there already: hosts that have it would be without it", file));
+        return refuse(fmt::format("network secret: {} exists already: hosts that use it would no longer match", file));
     // Other users must not be able to read it, even while it is written.
     const mode_t before = umask(077);
     const auto written = write_whole(file, dds::secret_text(dds::make_secret()));
     umask(before);
     if (!written) return refuse(written.error());
     put_text(stdout,
-             fmt::format("{} is a new secret: copy it to each host, and say it there: network {{ secret = \"{}\" "
-                         "}}\n",
-                         file, std::filesystem::path(file).filename().string()));
+             fmt::format(
+                 "{} is a new secret: copy it to each host, and name it in the system file: network {{ secret = \"{}\" "
+                 "}}\n",
+                 file, std::filesystem::path(file).filename().string()));
     return exit_done;
 }
 
@@ -95,7 +96,7 @@ SubCommand network_command() {
             .commands = {
                 {.name = "list",
                  .help = "Print the hosts that announce themselves, and the topics of ROS 2",
-                 .options = {{"--domain", &list->domain, "as the word network says it (default: 0)", "N"},
+                 .options = {{"--domain", &list->domain, "as in the word network (default: 0)", "N"},
                              {"--interface", &list->interface, "the network interface (default: the loopback)", "NAME"},
                              {"--peer", &list->peers, "where the network carries no multicast", "ADDRESS"},
                              {"--secret", &list->secret, "that of the hosts to be seen", "FILE"},

@@ -74,7 +74,7 @@ int new_behavior(NewBehavior wanted, const std::string& rtc) {
         if (!text) return refuse(text.error());
         const auto profile = openrtm::read_component_profile(*text, rtc);
         if (!profile) return refuse(profile.error());
-        wanted.base = parts_of(*profile, remarks);
+        wanted.base = parts_of(*profile, new_messages(), remarks);
     }
     const auto texts = write_behavior(wanted);
     if (!texts) return refuse("new behavior: " + texts.error().message);
@@ -255,7 +255,7 @@ SubCommand new_command() {
     const SubCommand robots{
         .name = "robot",
         .help = "Write a robot file: two wheels and some sensors, to be changed",
-        .options = {{"NAME", robot.get(), "of the file in behaviors/, which systems name as `model`"}},
+        .options = {{"NAME", robot.get(), "name of the file in behaviors/, for the field `model` of systems"}},
         .run = [robot] { return new_robot(*robot); }};
     auto scenario = std::make_shared<NewScenario>();
     const SubCommand scenarios{

@@ -131,7 +131,7 @@ Expected<int> run_there(const push::Remote& remote, const std::string& folder, s
     if (ran->status == push::no_connection)
         return failure(
             fmt::format("the connection to {} broke: its guard has stopped the robot if the run has ended, "
-                        "`nezumi attach ssh:{}` tells whether it goes on",
+                        "`nezumi attach ssh:{}` shows whether it continues",
                         remote.host(), remote.host()));
     return ran->status;
 }
@@ -150,7 +150,7 @@ Expected<int> push_project(const PushOptions& options) {
     const auto sent = send(*remote, *project, folder, options.dry_run);
     if (!sent) return Unexpected(sent.error());
     for (const std::string& name : project->passed_over)
-        put_text(stderr, fmt::format("nezumi: {} is passed over: it is no file, folder or link\n", name_shown(name)));
+        put_text(stderr, fmt::format("nezumi: {} is skipped: it is not a file, folder or link\n", name_shown(name)));
     say_changes(*sent, remote->host(), options.dry_run);
     const bool is_whole = std::none_of(sent->changes.begin(), sent->changes.end(),
                                        [](const push::FileChange& change) { return push::is_withheld(change.what); });

@@ -20,11 +20,11 @@ SubCommand run_command() {
                     return options ? run_system(std::move(*options)) : refuse(options.error());
                 },
             .footer =
-                "Ctrl-C ends a run in good order: behaviours deactivated, robots stopped, files complete. What takes "
-                "nothing is given up after 2 s, or at once at a second one.\n"
-                "Exit status: 0 the run came to its end, 1 it did and a component was in ERROR then, a command of "
-                "--batch had failed or was cut off, or the run ended without what it last said, 2 it could not be run "
-                "or its files could not be written."};
+                "Ctrl-C ends a run normally: behaviours are deactivated, robots stop, files are complete. Outputs that "
+                "accept no data are given up after 2 s, or at once after a second Ctrl-C.\n"
+                "Exit status: 0 the run ended normally; 1 it ended, but a component was in ERROR, a command of --batch "
+                "failed or was cut off, or the last output was lost; 2 it could not be run, or its files could not be "
+                "written."};
 }
 
 }  // namespace nezumi::cli

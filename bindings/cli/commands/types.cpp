@@ -1,16 +1,20 @@
 // `nezumi types`: the message types, as a table or as annotations for an editor.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/commands/commands.hpp"
+#include "bindings/lua/files/message_file.hpp"
 #include "bindings/lua/stubs/annotations.hpp"
 #include "bindings/lua/stubs/type_table.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
+#include "engine/messages/message_files.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -20,26 +24,34 @@ struct TypesOptions {
     bool lua = false;
 };
 
+// Those of the project with their fields; the many that are installed by their names.
+int show_all(const MessageFiles& files) {
+    const MessageFiles of_project(Project::of("here", {}), read_message_file);
+    const std::vector<std::string> own = of_project.names("here");
+    std::vector<std::string> installed;
+    for (std::string& name : files.names("here")) {
+        if (std::find(own.begin(), own.end(), name) == own.end()) installed.push_back(std::move(name));
+    }
+    fmt::print("{}", type_table(of_project.all("here")));
+    if (!installed.empty())
+        fmt::print("\nInstalled definitions, to be named as the others (`nezumi types NAME` shows one):\n  {}\n",
+                   fmt::join(installed, "\n  "));
+    return exit_done;
+}
+
 int show_types(const TypesOptions& options) {
     if (options.lua && !options.names.empty()) return refuse("types: --lua writes all types: leave out the names");
+    const MessageFiles files(Project::of("here", installed_folders()), read_message_file);
     if (options.lua) {
-        fmt::print("{}", annotations(scenario_records()));
+        fmt::print("{}", annotations(scenario_records(), files.all("here")));
         return exit_done;
     }
-    if (options.names.empty()) {
-        fmt::print("{}", type_table());
-        return exit_done;
-    }
-    const std::span<const MessageInfo> messages = message_infos();
+    if (options.names.empty()) return show_all(files);
     std::string text;
     for (const std::string& name : options.names) {
-        const auto found = std::find_if(messages.begin(), messages.end(),
-                                        [&](const MessageInfo& message) { return message.name == name; });
-        if (found == messages.end()) {
-            return refuse(fmt::format("types: there is no message type '{}'{}; `nezumi types` shows all", shown(name),
-                                      did_you_mean(name, {message_type_names.begin(), message_type_names.end()})));
-        }
-        text += (text.empty() ? "" : "\n") + type_table(*found);
+        const auto found = files.find(name, "here");
+        if (!found) return refuse("types: " + describe(found.error()));
+        text += (text.empty() ? "" : "\n") + type_table(*found->type);
     }
     fmt::print("{}", text);
     return exit_done;

@@ -13,6 +13,7 @@
 #include "bindings/cli/files/system_error.hpp"
 #include "bindings/dds/network_maker.hpp"
 #include "bindings/lua/files/calibration_file.hpp"
+#include "bindings/lua/files/message_file.hpp"
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/files/system_lua.hpp"
@@ -49,6 +50,7 @@ ScriptContext context_of(const std::string& component, const Project& project) {
         if (!path) return Unexpected(path.error());
         return read_shown(*path, project);
     };
+    context.find_message = messages_of(project);
     return context;
 }
 
@@ -104,9 +106,8 @@ bool leave_out(SystemSpec& spec, const Project& project, const Place& place) {
 void leave_out_bodies(SystemSpec& spec, Makers& makers) {
     const std::string none = "none";
     makers.bodies[none] = [](const RobotEntry& /*entry*/, const RobotSpec& /*spec*/) { return nullptr; };
-    for (Entry& entry : spec.entries) {
-        auto* robot = std::get_if<RobotEntry>(&entry);
-        if (robot != nullptr && (robot->backend.empty() || robot->backend == simulated)) robot->backend = none;
+    for (RobotEntry* robot : entries_of<RobotEntry>(spec)) {
+        if (!robot->is_real()) robot->backend = none;
     }
 }
 
@@ -181,6 +182,12 @@ std::vector<Error> check_calibration(const std::string& text, const std::string&
     return calibration ? std::vector<Error>() : std::vector<Error>{std::move(calibration.error())};
 }
 
+// What it defines, with all that its fields name.
+std::vector<Error> check_message(const SourceText& source, const Project& project) {
+    const auto types = MessageFiles(project, read_message_file).types_in(source);
+    return types ? std::vector<Error>() : std::vector<Error>{types.error()};
+}
+
 }  // namespace
 
 std::vector<Error> check_file(const fs::path& file, const LiveOptions& options) {
@@ -193,6 +200,7 @@ std::vector<Error> check_text(const std::string& text, const fs::path& file, con
     const Project project = Project::of(file, options.installed);
     const std::string shown = project.shown(file);
     const SourceText source{file.string(), shown, text};
+    if (file.extension() == ".msg" || file.extension() == ".idl") return check_message(source, project);
     switch (kind_of_file(file, text)) {
         case LuaKind::behavior: return check_behavior(source, context_of(type_of_file(shown), project));
         case LuaKind::module: return check_module(source);
@@ -202,6 +210,7 @@ std::vector<Error> check_text(const std::string& text, const fs::path& file, con
         case LuaKind::calibration: return check_calibration(text, shown, project);
         case LuaKind::robot: return check_robot_text(text, shown, project, options.drivers);
         case LuaKind::scenario: return check_scenarios(file, text, options);
+        case LuaKind::message: return check_message(source, project);
         case LuaKind::definitions: break;
     }
     const auto chunk = compile(text, shown);
@@ -230,8 +239,9 @@ FoundFiles lua_files(const std::vector<std::string>& paths) {
             } else {
                 all.errors.push_back(found.error());
             }
-        } else if (fs::path(path).extension() != ".lua") {
-            refuse("is no Lua file: `nezumi check` reads files that end in .lua, and folders");
+        } else if (const fs::path ending = fs::path(path).extension();
+                   ending != ".lua" && ending != ".msg" && ending != ".idl") {
+            refuse("is no Lua file: `nezumi check` reads files that end in .lua, .msg or .idl, and folders");
         } else {
             add(path);
         }

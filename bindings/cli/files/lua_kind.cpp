@@ -38,12 +38,14 @@ LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text) {
     const SyntaxTree tree(without_preamble(text));
     for (const GlobalUse& use : global_uses(tree)) {
         if (use.name() == "robot_model") return LuaKind::robot;
+        if (use.name() == "message" && returns(tree)) return LuaKind::message;
         if (use.name() == "scenario") return LuaKind::scenario;
         if (use.name() == "calibration") return LuaKind::calibration;
         if (use.assigned && use.name().starts_with("on_")) declares = true;
         if (has(script_globals(), use.name()) && use.name() != "require") ++of_behaviors;
         if (has(system_word_names(), use.name())) ++of_systems;
     }
+    if (folder == "messages") return LuaKind::message;
     if (!declares && folder == "robots") return LuaKind::robot;
     if (!declares && returns(tree)) return of_systems > of_behaviors ? LuaKind::system_module : LuaKind::module;
     if (declares || of_behaviors > of_systems) return LuaKind::behavior;

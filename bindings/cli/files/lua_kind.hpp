@@ -14,6 +14,7 @@ enum class LuaKind {
     robot,
     calibration,  ///< `ROBOT.calibration.lua`
     scenario,     ///< `*_test.lua`
+    message,      ///< defines a message type
     definitions,  ///< `---@meta`: for the language server, never run
 };
 

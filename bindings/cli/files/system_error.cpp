@@ -15,11 +15,11 @@ Error explain_system_error(Error error) {
     const std::string name = error.message.substr(begin.size(), error.message.find('\'', begin.size()) - begin.size());
     const auto& globals = script_globals();
     if (name == "scenario") {
-        error.message += ": it is a scenario's; try `nezumi test`";
+        error.message += ": it is for scenarios; try `nezumi test`";
     } else if (name == "robot_model") {
-        error.message += ": it is a robot's; a system file says `robot NAME { model = ... }`";
+        error.message += ": it is for robot files; in a system file write `robot NAME { model = ... }`";
     } else if (name.starts_with("on_") || std::find(globals.begin(), globals.end(), name) != globals.end()) {
-        error.message += ": it is a behaviour's; a system file says `behavior NAME { script = ... }`";
+        error.message += ": it is for behaviours; in a system file write `behavior NAME { script = ... }`";
     }
     return error;
 }

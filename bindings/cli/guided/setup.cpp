@@ -41,7 +41,7 @@ Expected<std::string> the_one(const std::vector<std::string_view>& names, const 
             fmt::format("there is no {} '{}' in {}{}", kind, shown(wanted), file, did_you_mean(wanted, names)));
     if (names.empty()) return failure(fmt::format("{} has no {}", file, kind));
     return failure(
-        fmt::format("{} has several {}s: say by --{} which one, of {}", file, kind, kind, fmt::join(names, ", ")));
+        fmt::format("{} has several {}s: choose one by --{}, of {}", file, kind, kind, fmt::join(names, ", ")));
 }
 
 }  // namespace
@@ -75,9 +75,8 @@ Expected<std::unique_ptr<hw::GuidedCamera>> guided_camera(const GuidedSetup& set
     auto spec = read_system_file(setup.file, Project::of(setup.file, live.installed));
     if (!spec) return Unexpected(spec.error());
     std::vector<std::string_view> names;
-    for (const Entry& entry : spec->entries) {
-        const auto* component = std::get_if<ComponentEntry>(&entry);
-        if (component != nullptr && component->type == "Camera") names.push_back(component->name);
+    for (const ComponentEntry* component : entries_of<ComponentEntry>(*spec)) {
+        if (component->type == "Camera") names.push_back(component->name);
     }
     const auto name = the_one(names, setup.name, "camera", spec->file);
     if (!name) return Unexpected(name.error());
@@ -95,7 +94,7 @@ Expected<std::unique_ptr<hw::GuidedCamera>> guided_camera(const GuidedSetup& set
 Expected<std::unique_ptr<hw::GuidedRobot>> guided_by_model(const std::string& model, const Hardware& hardware,
                                                            const volatile std::sig_atomic_t& end) {
     std::vector<std::filesystem::path> installed = installed_folders();
-    if (installed.empty()) return failure("the installed robots are not to be found: install nezumi anew");
+    if (installed.empty()) return failure("the installed robots can't be found: install nezumi again");
     const std::filesystem::path file = installed.front() / "engine/robots" / (model + ".lua");
     auto robot = read_robot_file(file, Project::of(file, installed));
     if (!robot) return Unexpected(robot.error());

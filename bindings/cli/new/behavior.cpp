@@ -7,15 +7,17 @@
 #include <string_view>
 #include <utility>
 
+#include "bindings/cli/base/environment.hpp"
+#include "bindings/lua/script/behavior_maker.hpp"
 #include "bindings/lua/script/check_script.hpp"
-#include "engine/ports/payload.hpp"
 
 namespace nezumi::cli {
 namespace {
 
-// Adds them to `ports`.
+// Adds them to `ports`. `find` finds their types, as the file of this name in `behaviors` would.
 Expected<void> read_ports(std::string_view option, const std::vector<std::string>& given,
-                          std::vector<std::string>& taken, std::vector<NewPort>& ports) {
+                          std::vector<std::string>& taken, std::vector<NewPort>& ports, const MessageFinder& find,
+                          const std::string& behavior) {
     for (const std::string& text : given) {
         const std::size_t colon = text.find(':');
         if (colon == std::string::npos) {
@@ -26,14 +28,10 @@ Expected<void> read_ports(std::string_view option, const std::vector<std::string
         const std::size_t second = text.find(':', colon + 1);
         const std::string type = text.substr(colon + 1, second == std::string::npos ? second : second - colon - 1);
         if (auto ok = take_new_name(option, port.name, taken); !ok) return Unexpected(ok.error());
-        const auto found = std::find(message_type_names.begin(), message_type_names.end(), type);
-        if (found == message_type_names.end()) {
-            return failure(fmt::format("{} '{}': unknown type '{}'{}; `nezumi types` lists them all", option, port.name,
-                                       shown(type),
-                                       did_you_mean(type, {message_type_names.begin(), message_type_names.end()})));
-        }
-        port.type = static_cast<std::size_t>(found - message_type_names.begin());
-        port.doc = second == std::string::npos ? std::string(message_infos()[port.type].doc) : text.substr(second + 1);
+        const auto found = find(type, "behaviors/" + behavior + ".lua", nullptr);
+        if (!found) return failure(fmt::format("{} '{}': {}", option, port.name, found.error().message));
+        port.type = found->type;
+        port.doc = second == std::string::npos ? port.type->doc : text.substr(second + 1);
         ports.push_back(std::move(port));
     }
     return {};
@@ -58,6 +56,8 @@ void take_over(std::string& text, const std::string& given) {
 
 }  // namespace
 
+MessageFinder new_messages() { return messages_of(Project::of("here", installed_folders())); }
+
 Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted) {
     BehaviorParts parts = wanted.base;
     if (!wanted.name.empty() || parts.name.empty()) {
@@ -75,8 +75,11 @@ Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted) {
         for (const NewPort& port : *ports) taken.push_back(port.name);
     }
     for (const NewParameter& parameter : parts.parameters) taken_parameters.push_back(parameter.name);
-    if (auto ok = read_ports("--in", wanted.inputs, taken, parts.inputs); !ok) return Unexpected(ok.error());
-    if (auto ok = read_ports("--out", wanted.outputs, taken, parts.outputs); !ok) return Unexpected(ok.error());
+    const MessageFinder find = new_messages();
+    if (auto ok = read_ports("--in", wanted.inputs, taken, parts.inputs, find, parts.name); !ok)
+        return Unexpected(ok.error());
+    if (auto ok = read_ports("--out", wanted.outputs, taken, parts.outputs, find, parts.name); !ok)
+        return Unexpected(ok.error());
     for (const std::string& text : wanted.parameters) {
         auto parameter = read_new_parameter(text);
         if (!parameter) return Unexpected(parameter.error());
@@ -87,7 +90,7 @@ Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted) {
     BehaviorTexts texts{parts.name, behavior_text(parts), behavior_scenario_text(parts)};
     // The remaining errors are words with another meaning; the script's own check finds them.
     const std::string file = parts.name + ".lua";
-    const auto errors = check_behavior({file, file, texts.behavior}, {.component = parts.name});
+    const auto errors = check_behavior({file, file, texts.behavior}, {.component = parts.name, .find_message = find});
     if (!errors.empty()) return failure(errors.front().message);
     return texts;
 }

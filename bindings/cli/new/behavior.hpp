@@ -6,6 +6,7 @@
 
 #include "bindings/cli/new/behavior_text.hpp"
 #include "engine/base/error.hpp"
+#include "engine/messages/message_files.hpp"
 
 namespace nezumi::cli {
 
@@ -26,6 +27,9 @@ struct BehaviorTexts {
     std::string behavior;
     std::string scenario;
 };
+
+/// Finds the message types of the project in the working folder, and the installed ones.
+MessageFinder new_messages();
 
 /// Returns the texts, which can be loaded. An error is about the command line, with the most similar name.
 Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted);

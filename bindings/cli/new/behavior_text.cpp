@@ -15,8 +15,8 @@
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/visible.hpp"
-#include "engine/ports/payload.hpp"
 #include "engine/system/system_spec.hpp"
+#include "engine/values/value_text.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -28,6 +28,7 @@ std::string local_of(const NewPort& port) { return is_taken_word(port.name) ? po
 
 // A value of the type in Lua's form, used by a new behaviour and by its scenario.
 std::string sample(const Type& type) {
+    if (type.kind == Type::Kind::array || type.kind == Type::Kind::enumeration) return lua_text(Value(type));
     if (type.kind == Type::Kind::sequence) {
         const std::string element = type.element->is_floating() ? "0.0" : sample(*type.element);
         return "{ " + element + ", " + element + " }";
@@ -49,7 +50,7 @@ std::string member(const std::string& name) {
 void add_declarations(std::string& text, std::string_view word, const std::vector<NewPort>& ports, std::size_t width) {
     for (const NewPort& port : ports) {
         text += fmt::format("local {:{}} = {}(\"{}\", \"{}\", {}{})\n", local_of(port), width, word, port.name,
-                            message_type_names[port.type], lua_quoted(port.doc),
+                            port.type->name, lua_quoted(port.doc),
                             port.options.empty() ? "" : ", { " + port.options + " }");
     }
 }
@@ -85,7 +86,7 @@ std::string execution_text(const std::vector<NewPort>& inputs, const std::vector
     }
     if (outputs.empty() && inputs.empty()) text += "  -- What it does, 100 times a second.\n";
     for (const NewPort& port : outputs) {
-        const std::string value = sample(*message_infos()[port.type].payload);
+        const std::string value = sample(*port.type->payload);
         text += value.starts_with('{') ? fmt::format("  {}:write {}\n", local_of(port), value)
                                        : fmt::format("  {}:write({})\n", local_of(port), value);
     }
@@ -163,8 +164,7 @@ std::string behavior_scenario_text(const BehaviorParts& parts) {
         "  s:always(\"is well\", function() return {1}.status == \"ACTIVE\" end)\n",
         name, variable, component, seconds + 9, is_slow ? fmt::format(", rate = {}", parts.rate) : "");
     for (const NewPort& port : parts.inputs) {
-        text += fmt::format("  s:inject(\"{}.{}\", {})\n", component, port.name,
-                            sample(*message_infos()[port.type].payload));
+        text += fmt::format("  s:inject(\"{}.{}\", {})\n", component, port.name, sample(*port.type->payload));
     }
     text += fmt::format("  s:run({})\n", seconds);
     for (const NewPort& port : parts.outputs) {

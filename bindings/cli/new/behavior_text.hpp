@@ -1,19 +1,19 @@
 // The files of a new behaviour as texts, from its parts.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bindings/cli/new/arguments.hpp"
 #include "bindings/lua/script/script.hpp"
+#include "engine/ports/payload.hpp"
 
 namespace nezumi::cli {
 
 struct NewPort {
     std::string name;
-    std::size_t type = 0;  ///< of its messages, in `message_types`
+    const MessageType* type = nullptr;  ///< of its messages
     std::string doc;
     std::string options{};  ///< "queue = 5": the text within its braces
 };

@@ -58,8 +58,8 @@ std::string new_name(std::string_view given, bool may_be_keyword, std::vector<st
 
 class PartsWriter {
 public:
-    PartsWriter(const ComponentProfile& profile, std::vector<std::string>& remarks)
-        : profile_(profile), remarks_(remarks) {}
+    PartsWriter(const ComponentProfile& profile, const MessageFinder& messages, std::vector<std::string>& remarks)
+        : profile_(profile), messages_(messages), remarks_(remarks) {}
 
     BehaviorParts write() {
         write_name();
@@ -94,8 +94,8 @@ private:
 
     void write_port(const ProfilePort& port) {
         const bool is_in = port.direction == Direction::in;
-        const auto type = find_message_type(port.type);
-        if (!type) {
+        const auto found = messages_(port.type, "behaviors/" + parts_.name + ".lua", nullptr);
+        if (!found) {
             remarks_.push_back(fmt::format("port '{}': there is no message type '{}'{}", shown(port.name),
                                            shown(port.type),
                                            port.idl_file.empty() ? "" : fmt::format(" of {}", port.idl_file)));
@@ -104,7 +104,7 @@ private:
                                                       lua_quoted(port.doc)));
             return;
         }
-        NewPort written{.name = new_name(port.name, true, taken_ports_), .type = *type, .doc = port.doc};
+        NewPort written{.name = new_name(port.name, true, taken_ports_), .type = found->type, .doc = port.doc};
         if (written.name != port.name) {
             remarks_.push_back(fmt::format(
                 "port '{0}' is called '{1}' here, for other RTCs by rtm {{ rename = {{ [\"{2}.{1}\"] = {3} }} }}",
@@ -112,11 +112,11 @@ private:
         }
         if (is_in && port.queue > 0)
             written.options = fmt::format("queue = {}", std::min<std::size_t>(port.queue, 100'000));
-        if (!is_in && !port.safe.empty()) written.options = safe_text(port, *type);
+        if (!is_in && !port.safe.empty()) written.options = safe_text(port, found->type);
         (is_in ? parts_.inputs : parts_.outputs).push_back(std::move(written));
     }
 
-    std::string safe_text(const ProfilePort& port, std::size_t type) {
+    std::string safe_text(const ProfilePort& port, const MessageType* type) {
         const Json json = Json::parse(port.safe, nullptr, false);
         Value value = make_payload(type);
         if (const std::string wrong = json.is_discarded() ? "no JSON" : read_value(json, value); !wrong.empty()) {
@@ -161,6 +161,7 @@ private:
     }
 
     const ComponentProfile& profile_;
+    const MessageFinder& messages_;
     std::vector<std::string>& remarks_;
     std::vector<std::string> taken_ports_, taken_parameters_;
     BehaviorParts parts_;
@@ -168,8 +169,9 @@ private:
 
 }  // namespace
 
-BehaviorParts parts_of(const ComponentProfile& profile, std::vector<std::string>& remarks) {
-    return PartsWriter(profile, remarks).write();
+BehaviorParts parts_of(const ComponentProfile& profile, const MessageFinder& messages,
+                       std::vector<std::string>& remarks) {
+    return PartsWriter(profile, messages, remarks).write();
 }
 
 ComponentProfile profile_of(Script& script) {
@@ -188,7 +190,7 @@ ComponentProfile profile_of(Script& script) {
         }
     }
     for (const PortDeclaration& port : script.ports()) {
-        const std::string type(message_type_names[port.type]);
+        const std::string& type = port.type->name;
         if (!is_rtm_type(type))
             profile.remarks.push_back(fmt::format("port '{}': OpenRTM has no type {}", port.name, type));
         profile.ports.push_back({.direction = port.direction,

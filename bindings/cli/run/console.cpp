@@ -44,7 +44,8 @@ RunConsole::RunConsole(RunLoop& loop, const std::string& name)
         }
         if (what == Drawn::profile) {
             return [profile = openrtm::profile_of_system(live.system(), live.spec())](const std::string& file) {
-                const std::string date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+                const std::time_t now = std::time(nullptr);  // the wall clock: a profile has the date of its saving
+                const std::string date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
                 return openrtm::write_system_profile(profile, date).and_then([&](const std::string& text) {
                     return write_whole(file, text);
                 });
@@ -67,7 +68,7 @@ void RunConsole::close() {
 Expected<void> RunConsole::open_prompt(const std::string& news) {
     auto socket = server_->connect(ConsoleServer::Use::prompt);
     if (!socket) return Unexpected(socket.error());
-    std::string greeting = name_ + " is running; help() tells more, Ctrl-D ends it";
+    std::string greeting = name_ + " is running; help() shows the commands, Ctrl-D ends it";
     if (!news.empty()) greeting += "\n" + news;
     client_ = std::thread([this, greeting, client = ConsoleClient(std::move(*socket))]() mutable {
         const auto end = run_prompt(client, {.greeting = greeting, .history = history_path()});

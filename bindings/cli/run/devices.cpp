@@ -65,7 +65,7 @@ void RunDevices::after_tick() {
 void RunDevices::tell_problem(const Say& say) {
     const int problem = logged_->problem();
     if (problem == 0 || std::exchange(has_told_problem_, true)) return;
-    say(fmt::format("{}: the device log can't be written: {}: the run goes on without it{}", file_,
+    say(fmt::format("{}: the device log can't be written: {}: the run continues without it{}", file_,
                     why_not_written(problem), logged_->file().told_of_older()));
 }
 

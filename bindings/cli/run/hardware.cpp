@@ -48,7 +48,7 @@ Expected<bool> is_free(std::string_view kind, const AnEntry& entry, const std::v
     if (!names.empty() && !is_named) return false;
     if (entry.backend != simulated) return true;
     if (!is_named) return false;
-    return failure(fmt::format("{} '{}': --hw={} wants the real one, and backend = \"sim\" keeps it simulated", kind,
+    return failure(fmt::format("{} '{}': --hw={} selects the real one, but backend = \"sim\" keeps it simulated", kind,
                                entry.name, entry.name),
                    entry.place);
 }
@@ -69,11 +69,8 @@ Expected<bool> choose(RobotEntry& robot, const SystemSpec& spec, const std::vect
 
 // A component on a robot is real if the robot is.
 bool is_on_simulated(const ComponentEntry& component, const SystemSpec& spec) {
-    return std::any_of(spec.entries.begin(), spec.entries.end(), [&](const Entry& entry) {
-        const auto* robot = std::get_if<RobotEntry>(&entry);
-        return robot != nullptr && robot->name == component.on &&
-               (robot->backend.empty() || robot->backend == simulated);
-    });
+    const auto* robot = find_entry<RobotEntry>(spec, component.on);
+    return robot != nullptr && !robot->is_real();
 }
 
 Expected<bool> choose(ComponentEntry& component, const SystemSpec& spec, const std::vector<std::string>& names,
@@ -93,16 +90,12 @@ Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& 
     if (auto ok = check_names(spec, names, drivers); !ok) return ok;
     bool any = false;
     // Robots first, independent of the order in the file, because their components follow them.
-    for (Entry& entry : spec.entries) {
-        auto* robot = std::get_if<RobotEntry>(&entry);
-        if (robot == nullptr) continue;
+    for (RobotEntry* robot : entries_of<RobotEntry>(spec)) {
         const auto real = choose(*robot, spec, names);
         if (!real) return Unexpected(real.error());
         any = any || *real;
     }
-    for (Entry& entry : spec.entries) {
-        auto* component = std::get_if<ComponentEntry>(&entry);
-        if (component == nullptr) continue;
+    for (ComponentEntry* component : entries_of<ComponentEntry>(spec)) {
         const auto real = choose(*component, spec, names, drivers);
         if (!real) return Unexpected(real.error());
         any = any || *real;
@@ -124,9 +117,8 @@ std::string serial_number(const std::string& sys_root) {
 
 Expected<void> use_calibrations(SystemSpec& spec, const LiveOptions& live, const std::optional<std::string>& serial) {
     const Project project = Project::of(spec.file, live.installed, *live.files);
-    for (Entry& entry : spec.entries) {
-        auto* robot = std::get_if<RobotEntry>(&entry);
-        if (robot == nullptr || robot->backend.empty() || robot->backend == simulated) continue;
+    for (RobotEntry* robot : entries_of<RobotEntry>(spec)) {
+        if (!robot->is_real()) continue;
         if (auto used = use_calibration(spec, *robot, project, {.is_needed = false, .serial = serial}); !used)
             return used;
     }

@@ -18,7 +18,8 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
             if (auto ok = replay_->check_system(options.file); !ok) return Unexpected(ok.error());
         }
         if (replay_->torn_line() > 0)
-            notes_.push_back(fmt::format("{}:{}: the last line is torn, and left out", file_, replay_->torn_line()));
+            notes_.push_back(
+                fmt::format("{}:{}: the last line is incomplete and is ignored", file_, replay_->torn_line()));
         if (!replay_->end())
             notes_.push_back(fmt::format("{}: has no end: that run was cut off, and so is this one", file_));
         auto loaded = replay_->load(std::move(live));

@@ -59,7 +59,7 @@ Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
     }
     for (const auto& [option, given] :
          {std::pair{"--speed", !words.speed.empty()}, {"--batch", words.batch}, {"--replay", !words.replay.empty()}}) {
-        if (given) return failure(fmt::format("--hw: real robots know only real time: leave out {}", option));
+        if (given) return failure(fmt::format("--hw: real robots run only in real time: leave out {}", option));
     }
     for (const auto& [option, given] : {std::pair{"--dev-root", words.dev_root},
                                         {"--sys-root", words.sys_root},
@@ -87,7 +87,7 @@ Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
     for (const auto& [option, given] :
          {std::pair{"--port", !words.port.empty()}, {"--listen", !words.listen.empty()}, {"--open", words.open}}) {
         if (!given) continue;
-        if (headless) return failure(fmt::format("{}: a run for machines serves no page: leave it out", option));
+        if (headless) return failure(fmt::format("{}: a headless run has no page: leave it out", option));
         if (words.no_web) return failure(fmt::format("{}: --no-web serves no page: leave out one of them", option));
     }
     if (headless || words.no_web) return std::nullopt;
@@ -111,13 +111,12 @@ std::vector<Option> run_options(RunWords& words) {
         {"[FILE]", &words.file,
          "the system file, or its name: corridor is behaviors/systems/corridor.lua; --replay needs none"},
         {"--hw", &words.hw,
-         "drive the real robots; --hw=NAME,...: only these, the others stay simulated, and neither kind sees the "
-         "other"},
+         "drive the real robots; --hw=NAME,...: only these; the others are simulated, and real and simulated robots do "
+         "not see each other"},
         {"--twin", &words.twin,
-         "with --hw: simulate each real robot beside it on the same commands; NAME_twin.error is how far they are "
-         "apart"},
+         "with --hw: also simulate each real robot with the same commands; NAME_twin.error is their difference"},
         {"--headless", &words.headless,
-         "for machines: no terminal, no reload when a file is saved. A call into a script may take 2 s; reaching that "
+         "for automation: no terminal, no reload when a file is saved. A call into a script that takes more than 2 s "
          "ends the run"},
         {"--batch", &words.batch,
          "console commands come from standard input; time moves only by their step and run, as fast as possible "
@@ -130,13 +129,12 @@ std::vector<Option> run_options(RunWords& words) {
         {"--listen", &words.listen,
          "serve the page to other computers, too, at this address of this one, by TLS with a certificate of its own",
          "ADDRESS"},
-        {"--realtime", &words.real_time,
-         "ask the kernel for ticks in time beside other programs: SCHED_FIFO and locked memory"},
+        {"--realtime", &words.real_time, "real-time priority for the ticks: SCHED_FIFO and locked memory"},
         {"--duration", &words.duration, "end at this simulated time [s] (default: at Ctrl-C)", "S"},
         {"--seed", &words.seed, "decides all that is random; wins over the file's seed(n) (default 124)", "N"},
         {"--set", &words.set,
-         "a parameter's value over the file's, also after a restart, as often as you like: mouse.speed=0.3, "
-         "\"wander_*.speed=0.3\"; n=10 is of the file's argument(\"n\", 5)",
+         "sets a parameter instead of the system file, also after a restart; may be repeated: mouse.speed=0.3, "
+         "\"wander_*.speed=0.3\"; n=10 sets the file's argument(\"n\", 5)",
          "NAME.PARAMETER=VALUE"},
         {"--params", &words.params,
          "take the parameters of this file, which the console's save has written; by path or name", "FILE.lua"},
@@ -158,7 +156,7 @@ std::vector<Option> run_options(RunWords& words) {
          FileUse::result},
         {"--ports", &words.ports,
          "with --record: only these, in this order: ports, truth, config, state, or parts of them, as in "
-         "mouse.truth.pose; * and ? stand for any signs, as in \"wander_*.out\" (default: all out-ports)",
+         "mouse.truth.pose; * and ? stand for any characters, as in \"wander_*.out\" (default: all out-ports)",
          "NAME.WHAT,..."},
         {"--every", &words.every, "with --record: only one tick of N (default 1)", "N"},
         {"--journal",
@@ -169,12 +167,12 @@ std::vector<Option> run_options(RunWords& words) {
          FileUse::result},
         {"--replay",
          &words.replay,
-         "perform a journal again, headless and as fast as possible unless --speed is given; it ends where and as that "
-         "run ended. No other file is read",
+         "repeat the run of a journal, headless and as fast as possible unless --speed is given; it ends at the same "
+         "time and in the same way. No other file is read",
          "OUT",
          {},
          FileUse::source},
-        {"--sounds", &words.sounds, "write what robots say and beep as WAV files into this folder", "DIR"},
+        {"--sounds", &words.sounds, "write speech and tones of robots as WAV files into this folder", "DIR"},
         {"--dev-root", &words.dev_root, "with --hw: the folder of the devices' nodes (default /dev)", "DIR"},
         {"--sys-root", &words.sys_root, "with --hw: the folder of the kernel's devices (default /sys)", "DIR"},
         {"--device-log",
@@ -185,7 +183,7 @@ std::vector<Option> run_options(RunWords& words) {
          FileUse::result},
         {"--device-log-play",
          &words.played_log,
-         "with --hw: a device log stands for the robots, and what is written now is compared with it",
+         "with --hw: a device log replaces the robots, and everything written to devices is compared with it",
          "FILE",
          {},
          FileUse::source},
@@ -226,8 +224,7 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
         options.threads = *threads;
     }
     if (options.real_time && !std::isfinite(options.speed))
-        return failure(
-            "--realtime: ticks that follow no clock have no time to keep: leave it out, or give --speed a number");
+        return failure("--realtime: works only in real time: leave it out, or give --speed a number");
     if (options.real_time && options.threads > 1)
         return failure("--realtime: one thread ticks, and waits for no other: leave out --threads");
     if (!words.picture.empty() && !is_picture_name(words.picture))
@@ -237,7 +234,7 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
         return wrong("--record", "a file of plain CSV, to be compressed by gzip when the run is over", words.record);
     options.record = words.record;
     if (!words.every.empty()) {
-        if (words.record.empty()) return failure("--every is of what --record writes: give --record FILE.csv as well");
+        if (words.record.empty()) return failure("--every needs --record: give --record FILE.csv as well");
         const auto every = number<std::int64_t>(words.every);
         if (!every || *every < 1 || *every > 1'000'000)
             return wrong("--every", "a whole number from 1 to 1000000", words.every);
@@ -256,7 +253,7 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
                                         {"--set", !words.set.empty()},
                                         {"--params", !words.params.empty()}}) {
         if (!words.replay.empty() && given)
-            return failure(fmt::format("--replay does what the journal says: leave out {}", option));
+            return failure(fmt::format("--replay repeats the journal: leave out {}", option));
     }
     if (!words.ports.empty()) {
         if (words.record.empty())

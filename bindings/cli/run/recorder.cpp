@@ -36,7 +36,7 @@ Expected<Recorder> Recorder::open(const std::string& file, Trace& trace, const S
     for (const std::string& name : names) {
         if (name.find_first_of("*?") != name.npos) {
             if (!recorder.follow_fitting(system, name))
-                return failure(fmt::format("--ports: nothing is called '{}'", shown(name)));
+                return failure(fmt::format("--ports: there is nothing with the name '{}'", shown(name)));
             continue;
         }
         const auto channel = trace.follow(name);
@@ -199,7 +199,7 @@ Expected<void> Recorder::finish() {
     }
     if (!file_.path().empty()) {
         end_with_note(error_->message);
-        error_->message += ": the rows that are whole are kept" + file_.told_of_older();
+        error_->message += ": complete rows are kept" + file_.told_of_older();
     }
     return Unexpected(*error_);
 }

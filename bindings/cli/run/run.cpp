@@ -236,7 +236,7 @@ private:
         for (const Robot* robot : live_->system().robots()) {
             if (robot->is_twin()) continue;
             for (const auto& port : robot->in_ports()) {
-                if (port->type() == type_index<Velocity2D>() && !port->connected())
+                if (port->type() == message_of<Velocity2D>() && !port->connected())
                     screen_.say(
                         fmt::format("robot '{0}': nothing is connected to its {1}: connect(\"...\", \"{0}.{1}\")",
                                     robot->name(), port->name()));

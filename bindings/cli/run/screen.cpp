@@ -99,7 +99,7 @@ void Screen::write_all() {
         const std::size_t bytes = waiting_.size();
         text += std::exchange(waiting_, {});
         if (const std::size_t lost = std::exchange(lost_, 0); lost > 0)
-            text += fmt::format("({} more lines were left out: they came faster than they are taken here)\n", lost);
+            text += fmt::format("({} more lines were dropped, because they came too fast)\n", lost);
         if (!ends) text += status_;
         lock.unlock();
         nezumi::write_all(STDERR_FILENO, text);  // an error here can't be reported

@@ -93,8 +93,9 @@ Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& consol
 std::string RunWeb::where() const {
     std::string text = "in a browser: " + url();
     if (!fingerprint_.empty())
-        text += "\nits certificate is this computer's own: a browser that warns must show the fingerprint (SHA-256)\n" +
-                fingerprint_;
+        text +=
+            "\nits certificate was made by this computer: a browser that warns must show this fingerprint (SHA-256)\n" +
+            fingerprint_;
     return text;
 }
 

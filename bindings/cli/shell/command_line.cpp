@@ -83,7 +83,7 @@ std::string no_command(const SubCommand& command, const std::string& path, const
     for (const SubCommand& below : command.commands) names.push_back(below.name);
     if (path.empty()) {
         return (word ? fmt::format("there is no command '{}'{}", shown(*word), did_you_mean(*word, names))
-                     : fmt::format("what is to be done? See {} --help", command.name)) +
+                     : fmt::format("a command is missing: see {} --help", command.name)) +
                fmt::format("; known are {}", fmt::join(names, ", "));
     }
     std::vector<std::string> forms;

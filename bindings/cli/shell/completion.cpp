@@ -48,8 +48,8 @@ std::vector<Step> all_steps(const SubCommand& program) {
 std::vector<Option> options_at(const SubCommand& command) {
     static bool unused = false;
     std::vector<Option> options = command.options;
-    options.push_back({"-h,--help", &unused, "say what can be typed here"});
-    if (!command.version.empty()) options.push_back({"--version", &unused, "say which version this is"});
+    options.push_back({"-h,--help", &unused, "list what can be typed here"});
+    if (!command.version.empty()) options.push_back({"--version", &unused, "show the version"});
     return options;
 }
 

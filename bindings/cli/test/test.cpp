@@ -89,7 +89,7 @@ Expected<void> choose_robots(const TestOptions& command, TestSessionOptions& opt
 Expected<void> check_is_one(const TestOptions& command, const TestPlan& plan) {
     if (!command.hw || !command.rig.empty() || plan.runs.size() <= 1) return {};
     return failure(fmt::format(
-        "--hw: these are {} runs, and nobody puts the robots back between them: choose one by --filter (--list shows "
+        "--hw: these are {} runs, and the robots are not moved back between them: choose one by --filter (--list shows "
         "their names), or give --rig",
         plan.runs.size()));
 }
@@ -118,10 +118,10 @@ int list(const TestPlan& plan, const Shard& shard) {
 // Whether the options go together.
 Expected<void> check_options(const TestOptions& command) {
     const GivenOptions parts{{"--shard", !command.shard.empty()}, {"--resume", command.resume}};
-    auto ok = refuse_given({{"--quiet", command.tap && command.quiet}}, "--tap tells of every run");
+    auto ok = refuse_given({{"--quiet", command.tap && command.quiet}}, "--tap reports every run");
     if (ok && command.update_goldens) ok = refuse_given(parts, "--update-goldens: every run has to be made");
     if (!ok || !command.merge) return ok;
-    ok = refuse_given(parts, "--merge tells of runs that others have made");
+    ok = refuse_given(parts, "--merge reports runs that were made before");
     if (ok) {
         ok = refuse_given({{"--filter", !command.filter.empty()},
                            {"--list", command.list},
@@ -133,7 +133,7 @@ Expected<void> check_options(const TestOptions& command) {
                            {"-o", command.folder != TestOptions{}.folder},
                            {"--hw", command.hw},
                            {"--update-goldens", command.update_goldens}},
-                          "--merge tells of runs that others have made");
+                          "--merge reports runs that were made before");
     }
     if (ok && command.paths.empty())
         return failure("--merge: expected the folders of the parts, as in nezumi test --merge part-*");
@@ -186,7 +186,7 @@ int finish(const TestOptions& command, const SessionEnd& end) {
         if (plots.empty()) fmt::print(stderr, "nezumi: --plots: nothing was measured over a swept parameter\n");
     }
     if (end.interrupted)
-        return refuse(end.can_resume ? "interrupted: not all scenarios have run; --resume goes on with the others"
+        return refuse(end.can_resume ? "interrupted: not all scenarios have run; --resume runs the others"
                                      : "interrupted: not all scenarios have run");
     return end.status();
 }

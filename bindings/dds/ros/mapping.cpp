@@ -132,9 +132,9 @@ private:
 };
 
 template <class T, class Message>
-constexpr Mapping pair(std::string_view frame, bool sensor_data) {
+Mapping pair(std::string_view frame, bool sensor_data) {
     Mapping made;
-    made.port_type = type_index<T>();
+    made.port_type = message_of<T>();
     made.type = Describe<Message>::name;
     made.frame = frame;
     made.sensor_data = sensor_data;
@@ -154,46 +154,47 @@ constexpr Mapping pair(std::string_view frame, bool sensor_data) {
 
 constexpr std::string_view body = "base_link", odometry = "odom", camera = "camera";
 
-constexpr std::array all{
-    pair<Velocity2D, Twist>("", false),
-    pair<Velocity2D, TwistStamped>(body, false),
-    pair<Pose2D, Odometry>(odometry, false),
-    pair<Pose2D, TFMessage>(odometry, false),
-    pair<Pose3D, PoseStamped>(odometry, false),
-    pair<RangeData, LaserScan>(body, true),
-    pair<RangeData, Range>(body, true),
-    pair<CameraImage, Image>(camera, true),
-    pair<CameraImage, CompressedImage>(camera, true),
-    pair<CameraIntrinsics, CameraInfo>(camera, true),
-    pair<bool, Bool>("", false),
-    pair<std::int16_t, Int16>("", false),
-    pair<std::int32_t, Int32>("", false),
-    pair<float, Float32>("", false),
-    pair<double, Float64>("", false),
-    pair<std::string, String>("", false),
-    pair<std::vector<std::int16_t>, Int16MultiArray>("", false),
-    pair<std::vector<std::int32_t>, Int32MultiArray>("", false),
-    pair<std::vector<float>, Float32MultiArray>("", false),
-    pair<std::vector<float>, Joy>("", false),
-    pair<std::vector<double>, Float64MultiArray>("", false),
-    pair<std::vector<bool>, Joy>("", false),
-};
-
 // [messages] Queue lengths of ROS's default profile and of its profile for sensor data.
 constexpr int usual_depth = 10, sensor_depth = 5;
 
 }  // namespace
 
-std::span<const Mapping> mappings() { return all; }
+std::span<const Mapping> mappings() {
+    static const std::array all{
+        pair<Velocity2D, Twist>("", false),
+        pair<Velocity2D, TwistStamped>(body, false),
+        pair<Pose2D, Odometry>(odometry, false),
+        pair<Pose2D, TFMessage>(odometry, false),
+        pair<Pose3D, PoseStamped>(odometry, false),
+        pair<RangeData, LaserScan>(body, true),
+        pair<RangeData, Range>(body, true),
+        pair<CameraImage, Image>(camera, true),
+        pair<CameraImage, CompressedImage>(camera, true),
+        pair<CameraIntrinsics, CameraInfo>(camera, true),
+        pair<bool, Bool>("", false),
+        pair<std::int16_t, Int16>("", false),
+        pair<std::int32_t, Int32>("", false),
+        pair<float, Float32>("", false),
+        pair<double, Float64>("", false),
+        pair<std::string, String>("", false),
+        pair<std::vector<std::int16_t>, Int16MultiArray>("", false),
+        pair<std::vector<std::int32_t>, Int32MultiArray>("", false),
+        pair<std::vector<float>, Float32MultiArray>("", false),
+        pair<std::vector<float>, Joy>("", false),
+        pair<std::vector<double>, Float64MultiArray>("", false),
+        pair<std::vector<bool>, Joy>("", false),
+    };
+    return all;
+}
 
-Expected<const Mapping*> find_mapping(std::size_t port_type, std::string_view type, bool takes) {
+Expected<const Mapping*> find_mapping(const MessageType* port_type, std::string_view type, bool takes) {
     std::vector<std::string_view> types;
-    for (const Mapping& each : all) {
+    for (const Mapping& each : mappings()) {
         if (each.port_type != port_type || (takes && each.subscribe == nullptr)) continue;
         if (type.empty() || each.type == type) return &each;
         types.push_back(each.type);
     }
-    const std::string_view name = message_type_names[port_type];
+    const std::string_view name = port_type->name;
     if (types.empty()) return failure(fmt::format("there is no type of ROS for {}", name));
     return failure(fmt::format("{} {} no '{}'{}; there {} {}", name, takes ? "is made of" : "becomes", shown(type),
                                did_you_mean(type, types), types.size() == 1 ? "is" : "are", fmt::join(types, ", ")));
@@ -202,7 +203,7 @@ Expected<const Mapping*> find_mapping(std::size_t port_type, std::string_view ty
 dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes) {
     // A best-effort reader receives from any writer, a reliable one only from a reliable writer. Of velocities only the
     // newest is useful.
-    const bool velocity = mapping.port_type == type_index<Velocity2D>();
+    const bool velocity = mapping.port_type == message_of<Velocity2D>();
     return {.name = fmt::format("rt{}", name),
             .type = dds_type_name(mapping.type),
             .reliable = !mapping.sensor_data && (writes || !velocity),
@@ -214,8 +215,8 @@ dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes) 
 
 std::string mapping_table() {
     std::string text = "| port | topic | ways | frame | QoS |\n|---|---|---|---|---|\n";
-    for (const Mapping& each : all) {
-        text += fmt::format("| {} | `{}` | {} | {} | {} |\n", message_type_names[each.port_type], each.type,
+    for (const Mapping& each : mappings()) {
+        text += fmt::format("| {} | `{}` | {} | {} | {} |\n", each.port_type->name, each.type,
                             each.subscribe != nullptr ? "both" : "to ROS",
                             each.frame.empty() ? "" : fmt::format("`{}`", each.frame),
                             each.sensor_data ? "best effort" : "reliable");

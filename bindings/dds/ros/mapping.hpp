@@ -39,10 +39,10 @@ public:
 };
 
 struct Mapping {
-    std::size_t port_type = 0;  ///< index in `message_types`
-    std::string_view type;      ///< of ROS: "geometry_msgs/msg/Twist"
-    std::string_view frame;     ///< default of its header; "" for none
-    bool sensor_data = false;   ///< best effort, as ROS uses it for sensors
+    const MessageType* port_type = nullptr;
+    std::string_view type;     ///< of ROS: "geometry_msgs/msg/Twist"
+    std::string_view frame;    ///< default of its header; "" for none
+    bool sensor_data = false;  ///< best effort, as ROS uses it for sensors
     const Type& (*definition)() = nullptr;
     std::unique_ptr<Publication> (*publish)(InPortBase& port, std::unique_ptr<dds::Writer> writer,
                                             std::string frame) = nullptr;
@@ -55,7 +55,7 @@ std::span<const Mapping> mappings();
 
 /// The mapping of a port's type to a type of ROS, or to the default for "". An error lists the possible types. `takes`:
 /// from ROS.
-Expected<const Mapping*> find_mapping(std::size_t port_type, std::string_view type, bool takes);
+Expected<const Mapping*> find_mapping(const MessageType* port_type, std::string_view type, bool takes);
 
 /// The DDS topic of "/cmd_vel", with its quality of service.
 dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes);

@@ -62,14 +62,14 @@ Expected<void> RosNode::make_port(System& system, const RosTopic& topic, bool pu
     if (!other) return refuse(other.error().message);
     if (((*other)->direction() == Direction::out) != publishes)
         return refuse(publishes ? "an in-port can't be published" : "an out-port takes nothing from a topic");
-    const std::size_t type = (*other)->type();
+    const MessageType* const type = (*other)->type();
     const auto mapping = ros::find_mapping(type, topic.type, !publishes);
     if (!mapping) return refuse(mapping.error().message);
     const std::string name = port_name(topic.topic);
     if (find_port(name) != nullptr) return refuse(fmt::format("the topic {} exists already", topic.topic));
     const std::string doc = fmt::format("{}, {}", topic.topic, (*mapping)->type);
     if (publishes) {
-        const bool newest = type == type_index<Velocity2D>() || type == type_index<CameraImage>();
+        const bool newest = type == message_of<Velocity2D>() || type == message_of<CameraImage>();
         in_ports_.push_back(make_in_port(type, name, doc, newest ? 0 : most_waiting));
     } else {
         out_ports_.push_back(make_out_port(type, name, doc));
@@ -153,7 +153,7 @@ void RosNode::actuate(const Time& now) {
 }
 
 const Velocity2D* RosNode::measured_by(const Given& given) const {
-    if (given.port->type() != type_index<Pose2D>()) return nullptr;
+    if (given.port->type() != message_of<Pose2D>()) return nullptr;
     for (const OutPortBase* source : given.port->sources()) {
         for (const Robot* robot : system_.robots()) {
             if (robot->find_port(source->name()) == source) return &robot->measured();
@@ -163,7 +163,7 @@ const Velocity2D* RosNode::measured_by(const Given& given) const {
 }
 
 bool RosNode::commands_robots(const Given& given) const {
-    if (given.port->type() != type_index<Velocity2D>()) return false;
+    if (given.port->type() != message_of<Velocity2D>()) return false;
     const auto sources = given.port->sources();
     return sources.empty() || std::any_of(sources.begin(), sources.end(), [this](const OutPortBase* source) {
                return nezumi::commands_robots(system_, *source);

@@ -1,4 +1,4 @@
-// What other programs have written for a system file: `csv`, `map`, and calibrations of cameras.
+// Files of other programs in a system file: `csv`, `map`, and calibrations of cameras.
 #include <fmt/format.h>
 
 #include <type_traits>
@@ -39,7 +39,7 @@ Expected<std::vector<BoxSpec>> SystemWords::read_map(const WordCall& call, const
     return std::move(map->boxes);
 }
 
-// The picture lies beside the file that names it.
+// The picture is beside the file that names it.
 Expected<std::vector<BoxSpec>> SystemWords::read_ros_map(const WordCall& call, const Value& value) {
     double height = occupancy_height;
     const Value* name = &value;
@@ -67,15 +67,14 @@ Expected<std::vector<BoxSpec>> SystemWords::read_ros_map(const WordCall& call, c
     return std::move(map->boxes);
 }
 
-// What the entry says itself counts.
-Expected<void> SystemWords::use_ros_calibration(const WordCall& call, const FieldCheck& check, const Value& name,
-                                                ComponentEntry& entry) {
+// Values of the entry itself come before those of the calibration.
+Expected<void> SystemWords::use_ros_calibration(const WordCall& call, const FieldCheck& check, ComponentEntry& entry) {
     const Place place = check.place_of({"calibration"});
     const auto refuse = [&](std::string_view why) {
         return failure(fmt::format("component '{}': calibration: {}", entry.name, why), place);
     };
     if (entry.type != "Camera") return refuse(fmt::format("is for a Camera, not for a {}", entry.type));
-    const auto file = read_file({"calibration", place, call.source}, name);
+    const auto file = read_file({"calibration", place, call.source}, std::exchange(entry.calibration, ""));
     if (!file) return Unexpected(file.error());
     const auto intrinsics = read_ros_calibration(file->text, file->shown);
     if (!intrinsics) return Unexpected(intrinsics.error());
@@ -85,8 +84,8 @@ Expected<void> SystemWords::use_ros_calibration(const WordCall& call, const Fiel
         if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(value)>>) {
             const auto [given, is_new] = entry.config.try_emplace(parameter, std::int64_t{value});
             if (!is_new && given->second != Value(std::int64_t{value}))
-                other = fmt::format("{} was calibrated with {} = {}: set it to that, or calibrate anew", file->shown,
-                                    parameter, value);
+                other = fmt::format("{} was calibrated with {} = {}: set it to that, or calibrate it again",
+                                    file->shown, parameter, value);
         } else {
             entry.config.try_emplace(parameter, value);
         }

@@ -13,7 +13,7 @@
 namespace nezumi {
 namespace {
 
-// A height that nobody gave: the thing stands on the floor.
+// The default height: the object stands on the floor.
 constexpr double on_the_floor = std::numeric_limits<double>::quiet_NaN();
 
 BoxSpec read_box(Fields& fields) {
@@ -52,7 +52,7 @@ MarkerSpec read_marker(Fields& fields) {
     return marker;
 }
 
-// The rows of a drawing, which is good unless the check of `fields` says otherwise.
+// The rows of a drawing. They are valid unless the check of `fields` has an error.
 std::vector<std::string> read_rows(Fields& fields, const Value& value) {
     std::vector<std::string> rows;
     const FieldPath path = fields.path_of("rows");
@@ -94,7 +94,7 @@ std::vector<BoxSpec> read_maze(Fields& fields, const Place& place) {
     return walls;
 }
 
-// A place as `{ x, y }`; nothing when it is something else.
+// A position `{ x, y }`; nothing for any other value.
 std::optional<Point2D> point_of(const Value& value) {
     const FileTable* table = value.get_if<FileTable>();
     if (table == nullptr || table->elements.size() != 2 || !table->fields.empty()) return std::nullopt;
@@ -149,8 +149,7 @@ Expected<FileThing> SystemWords::thing(const WordCall& call, const Value& value)
         things_.push_back({call, std::move(*boxes)});
         return FileThing{things_.size() - 1};
     }
-    FieldCheck check(call.word, call.word, call.place, call.source);
-    check.set_given({"", &value});
+    FieldCheck check = check_of(call, value);
     Fields fields(check, value);
     Made made;
     const auto put = [&](auto spec) {
@@ -194,7 +193,7 @@ Expected<void> SystemWords::place_things(const WordCall& call, const std::vector
     std::size_t number = 0;
     for (const Value& element : elements) {
         ++number;
-        // A list of things is as good as the things.
+        // A list of objects may stand in place of its objects.
         if (const FileTable* table = element.get_if<FileTable>(); table != nullptr && table->fields.empty()) {
             if (auto ok = place_things(call, table->elements); !ok) return ok;
             continue;
@@ -241,8 +240,7 @@ Expected<void> SystemWords::place_things(const WordCall& call, const std::vector
 }
 
 Expected<void> SystemWords::arena(const WordCall& call, const Value& value) {
-    FieldCheck check("arena", call.word, call.place, call.source);
-    check.set_given({"", &value});
+    FieldCheck check = check_of(call, value);
     Fields fields(check, value);
     ArenaSpec given;
     read_record(fields, given);
@@ -269,7 +267,7 @@ Expected<void> SystemWords::arena(const WordCall& call, const Value& value) {
     return {};
 }
 
-// The middle of an outer wall may lie on the edge.
+// The middle of an outer wall may be on the edge of the arena.
 Expected<void> SystemWords::check_mazes() const {
     if (!spec_.arena.size) return {};
     const Point2D& size = *spec_.arena.size;

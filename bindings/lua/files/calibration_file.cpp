@@ -1,4 +1,4 @@
-// The word `calibration`, and the description that it makes of a model.
+// The word `calibration`, and the description that results from a model and a calibration.
 #include "bindings/lua/files/calibration_file.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ void read_sensors(Fields sensors, Calibration& out) {
     }
 }
 
-// All fields of each: who leaves one out has torn it.
+// All fields are required, because an incomplete file must be detected.
 void read_cameras(Fields cameras, Calibration& out) {
     for (const FileField& each : cameras.all()) {
         Fields camera = cameras.inner(each.name);
@@ -45,7 +45,7 @@ void read_cameras(Fields cameras, Calibration& out) {
                 if (camera.whole(field.name, pixels, least_picture, largest_picture))
                     value = static_cast<std::uint16_t>(pixels);
             } else {
-                // Those of a rational model need not be there.
+                // The fields of a rational model are optional.
                 if (field.name < "k4" || field.name > "k6") camera.require(field.name, "a number");
                 camera.number(field.name, value, {.range = is_focal ? NumberRange::positive : NumberRange::any});
             }
@@ -70,7 +70,7 @@ private:
     // Raises no Lua error.
     Expected<void> read(lua_State* lua) {
         const Place place = calling_place(lua);
-        if (calibration) return Unexpected(file_.fail({"calibration: is said twice: a file has one", place}));
+        if (calibration) return Unexpected(file_.fail({"calibration: is called twice: a file has only one", place}));
         const auto value = read_file_value(lua, 1);
         if (!value) return Unexpected(file_.fail({"calibration: " + value.error().message, place}));
         FieldCheck check("calibration", "calibration", place, file_.source(place.file));
@@ -94,11 +94,10 @@ private:
     DataFile& file_;
 };
 
-// What was measured of the cameras on a robot becomes their parameters.
+// The measured intrinsics of the cameras on a robot become their parameters.
 Expected<void> use_cameras(SystemSpec& spec, const RobotEntry& robot, const Calibration& calibration) {
-    for (Entry& entry : spec.entries) {
-        auto* camera = std::get_if<ComponentEntry>(&entry);
-        if (camera == nullptr || camera->on != robot.name || camera->type != "Camera") continue;
+    for (ComponentEntry* camera : entries_of<ComponentEntry>(spec)) {
+        if (camera->on != robot.name || camera->type != "Camera") continue;
         const auto found = calibration.cameras.find(camera->name);
         if (found == calibration.cameras.end()) continue;
         const CameraIntrinsics& intrinsics = found->second;
@@ -112,7 +111,7 @@ Expected<void> use_cameras(SystemSpec& spec, const RobotEntry& robot, const Cali
         if (width != intrinsics.width || height != intrinsics.height)
             return failure(
                 fmt::format("camera '{}' was calibrated with {} x {} pixels, and here it has {} x {}: set its "
-                            "width and height to those, or calibrate it anew by nezumi calibrate camera",
+                            "width and height to those, or calibrate it again with nezumi calibrate camera",
                             camera->name, intrinsics.width, intrinsics.height, width, height),
                 camera->place);
         for_each_field(intrinsics, [&](const auto& field, const auto& value) {
@@ -136,7 +135,8 @@ Expected<Calibration> read_calibration_text(std::string_view text, const std::st
     if (auto ran = (*file)->run(text, shown, {{"calibration", CalibrationReader::word, &reader}}); !ran)
         return Unexpected(ran.error());
     if (!reader.calibration)
-        return failure("a calibration file says `calibration { ... }`: make it anew by nezumi calibrate", {shown});
+        return failure("a calibration file contains `calibration { ... }`: make it again with nezumi calibrate",
+                       {shown});
     return std::move(*reader.calibration);
 }
 
@@ -203,9 +203,8 @@ Expected<void> use_calibration(SystemSpec& spec, RobotEntry& robot, const Projec
 }
 
 Expected<void> use_asked_calibrations(SystemSpec& spec, const Project& project) {
-    for (Entry& entry : spec.entries) {
-        auto* robot = std::get_if<RobotEntry>(&entry);
-        if (robot == nullptr || !robot->calibrated) continue;
+    for (RobotEntry* robot : entries_of<RobotEntry>(spec)) {
+        if (!robot->calibrated) continue;
         if (auto used = use_calibration(spec, *robot, project, {.is_needed = true, .serial = {}}); !used) return used;
     }
     return {};

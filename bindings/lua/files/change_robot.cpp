@@ -1,4 +1,4 @@
-// Reads the robot's file anew, with what the system and whoever changes it say on top.
+// Reads the file of the robot again, with the changes of the system and the new ones.
 #include "bindings/lua/files/change_robot.hpp"
 
 #include <fmt/format.h>
@@ -23,16 +23,12 @@ Expected<Value> changes_with(const RobotEntry& robot, const Value& changes, cons
 
 Expected<void> change_robot(SystemSpec& spec, const std::string& robot, const Value& changes, FieldCheck& check,
                             const Project& project) {
-    RobotEntry* entry = nullptr;
-    std::vector<std::string_view> names;
-    for (Entry& each : spec.entries) {
-        auto* found = std::get_if<RobotEntry>(&each);
-        if (found == nullptr) continue;
-        names.push_back(found->name);
-        if (found->name == robot) entry = found;
-    }
-    if (entry == nullptr)
+    auto* entry = find_entry<RobotEntry>(spec, robot);
+    if (entry == nullptr) {
+        std::vector<std::string_view> names;
+        for (const RobotEntry* each : entries_of<RobotEntry>(spec)) names.push_back(each->name);
         return failure(fmt::format("there is no robot '{}'{}", shown(robot), did_you_mean(robot, names)));
+    }
     if (const FileTable* table = changes.get_if<FileTable>(); table != nullptr && table->find("base") != nullptr)
         check.unknown({"base"}, ": it is for robot files");
     const auto path = project.find(FileKind::model, entry->model, entry->place.file);

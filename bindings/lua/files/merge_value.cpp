@@ -1,4 +1,4 @@
-// Merges tables field by field, as far as both have names.
+// Merges tables field by field, if both have names.
 #include "bindings/lua/files/merge_value.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 namespace nezumi {
 namespace {
 
-// Two ways to say one thing: who writes one of them means it in the place of the other.
+// Pairs of alternative fields: one of them in the changes replaces the other one in the base.
 constexpr std::pair<std::string_view, std::string_view> alternatives[] = {
     {"table", "response"}, {"size", "radius"}, {"size", "height"}, {"from", "to"}};
 
@@ -46,7 +46,7 @@ bool is_table_of_names(const FieldPath& path) {
     return path.size() == 1 && (path[0] == "sensors" || path[0] == "actuators" || path[0] == "ports");
 }
 
-// Whether a sensor, actuator or port could be a new one: those say what they are.
+// Whether a sensor, actuator or port could be a new one, because it has its kind or type.
 bool is_whole(std::string_view group, const Value& value) {
     return value.get_if<FileTable>() == nullptr ||
            value.get_if<FileTable>()->find(group == "ports" ? "type" : "kind") != nullptr;
@@ -62,7 +62,7 @@ std::string nearest(std::string_view name, const FileTable& table) {
     return did_you_mean(name, names);
 }
 
-// `check` null: of two changes, where `false` stays for what they will be put over.
+// `check` is null for combining two changes; then `false` is kept.
 Value merge(FieldCheck* check, const Value& base, const Value& changes, const FieldPath& path) {
     const FileTable *from = base.get_if<FileTable>(), *over = changes.get_if<FileTable>();
     if (!is_group(from) || !is_group(over) || changes_kind(*from, *over)) return changes;
@@ -76,12 +76,12 @@ Value merge(FieldCheck* check, const Value& base, const Value& changes, const Fi
         inner.push_back(change.name);
         const Value* before = from->find(change.name);
         if (check != nullptr && is_false(change.value) && before == nullptr && is_table_of_names(path))
-            check->wrong(inner, fmt::format("takes away what is not there{}", nearest(change.name, *from)));
+            check->wrong(inner, fmt::format("removes something that does not exist{}", nearest(change.name, *from)));
         if (check != nullptr && before == nullptr && is_table_of_names(path) && !is_whole(path[0], change.value)) {
-            // A slip in a name, unless none is near: then the reader says what a new one needs.
+            // A mistake in a name, unless no name is near; then the reader reports what a new one needs.
             if (const std::string near = nearest(change.name, *from); !near.empty()) check->unknown(inner, near);
         }
-        // Who gives both is told by the reader that they don't go together.
+        // If the changes have both, the reader reports that they exclude each other.
         for (const auto& [one, other] : alternatives) {
             if (is_given(one) == is_given(other)) continue;
             if (change.name == one && is_given(one)) erase(merged, other);

@@ -1,4 +1,4 @@
-// `network` and `ros`: what a system shows to other hosts, and takes from them.
+// The words `network` and `ros`: what a system sends to other hosts, and receives from them.
 #include <arpa/inet.h>
 #include <fmt/format.h>
 
@@ -19,10 +19,10 @@
 namespace nezumi {
 namespace {
 
-// Why this is no name of a topic of ROS, or "" (ROS 2 design, "Topic and Service name mapping to DDS").
+// The error if this is not a topic name of ROS, or "" (ROS 2 design, "Topic and Service name mapping to DDS").
 std::string problem_of_topic(std::string_view topic) {
     if (topic.size() < 2 || topic.front() != '/') return "expected a whole name as \"/odom\"";
-    bool begins = false;  // a token of the name
+    bool begins = false;  // a token of the name begins
     for (const char c : topic) {
         const bool digit = c >= '0' && c <= '9';
         const bool fits = digit || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -33,8 +33,8 @@ std::string problem_of_topic(std::string_view topic) {
     return begins ? "expected no slash at the end" : "";
 }
 
-// Whether a text can be an address or a host's name, perhaps with a port; whether there is such a host is not known
-// here.
+// Whether a text has the form of an address or a host name, perhaps with a port. Does not check whether the host
+// exists.
 bool could_be_address(const std::string& text) {
     const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || std::strchr(".-_:[]%", c) != nullptr; };
     if (text.empty() || !std::all_of(text.begin(), text.end(), fits)) return false;
@@ -50,7 +50,7 @@ void check_peers(FieldCheck& check, const std::vector<std::string>& peers) {
     }
 }
 
-// Reads one entry of `publish` or `subscribe`: a text, or a table that says more. `name` is what it stands for.
+// Reads one entry of `publish` or `subscribe`: a text, or a table with more. `name` is the key of the entry.
 void read_topic(FieldCheck& check, const Value& value, const FieldPath& path, const std::string& name, bool publishes,
                 std::vector<RosTopic>& out) {
     RosTopic topic;
@@ -61,7 +61,7 @@ void read_topic(FieldCheck& check, const Value& value, const FieldPath& path, co
         Fields fields(check, value, path);
         read_record(fields, topic);
         const std::string_view key = publishes ? "port" : "topic";
-        if (fields.has(key)) check.wrong(fields.path_of(key), fmt::format("is said already, by the name '{}'", name));
+        if (fields.has(key)) check.wrong(fields.path_of(key), fmt::format("is given already, by the name '{}'", name));
         fields.require(publishes ? "topic" : "port", publishes ? "a text: the topic" : "a text: \"name.port\"");
         fields.done();
     } else {
@@ -74,7 +74,7 @@ void read_topic(FieldCheck& check, const Value& value, const FieldPath& path, co
     out.push_back(std::move(topic));
 }
 
-// Reads `publish`, from ports to topics, where a list gives a port several, or `subscribe`, from topics to ports.
+// Reads `publish`, from ports to topics (a list for several topics of a port), or `subscribe`, from topics to ports.
 void read_topics(Fields& fields, std::string_view name, std::vector<RosTopic>& out) {
     const bool publishes = name == "publish";
     Fields table = fields.inner(name);
@@ -92,7 +92,7 @@ void read_topics(Fields& fields, std::string_view name, std::vector<RosTopic>& o
     table.done();
 }
 
-// As other nodes of ROS find their domain where nobody says it.
+// Uses the domain of the environment, as other ROS nodes do.
 void use_environment(FieldCheck& check, std::int64_t& domain) {
     const char* said = std::getenv("ROS_DOMAIN_ID");
     if (said == nullptr || *said == '\0') return;
@@ -107,16 +107,10 @@ void use_environment(FieldCheck& check, std::int64_t& domain) {
     }
 }
 
-Expected<void> said_once(const WordCall& call, const Place* before) {
-    if (before == nullptr) return {};
-    return failure(fmt::format("{}: is set already, at {}:{}", call.word, before->file, before->line), call.place);
-}
-
 }  // namespace
 
 Expected<void> SystemWords::network(const WordCall& call, const Value& value) {
-    FieldCheck check("network", call.word, call.place, call.source);
-    check.set_given({"", &value});
+    FieldCheck check = check_of(call, value);
     Fields fields(check, value);
     NetworkSpec given;
     given.place = call.place;
@@ -138,8 +132,8 @@ Expected<void> SystemWords::network(const WordCall& call, const Value& value) {
         if (host == given.name) check.wrong({"hosts"}, fmt::format("may not name '{}': it is this host", host));
     }
     if (auto ok = check.result(); !ok) return ok;
-    if (auto once = said_once(call, spec_.network ? &spec_.network->place : nullptr); !once) return once;
-    // It is not read here: what a system was read from is recorded.
+    if (spec_.network) return repeated(call, spec_.network->place);
+    // The secret is not read here, because everything that is read for a system is recorded.
     if (const auto path = project_.find(FileKind::data, given.secret, call.place.file); path && !given.secret.empty())
         given.secret_path = path->string();
     spec_.network = std::move(given);
@@ -147,8 +141,7 @@ Expected<void> SystemWords::network(const WordCall& call, const Value& value) {
 }
 
 Expected<void> SystemWords::ros(const WordCall& call, const Value& value) {
-    FieldCheck check("ros", call.word, call.place, call.source);
-    check.set_given({"", &value});
+    FieldCheck check = check_of(call, value);
     Fields fields(check, value);
     RosSpec given;
     given.place = call.place;
@@ -162,7 +155,7 @@ Expected<void> SystemWords::ros(const WordCall& call, const Value& value) {
         check.wrong({"node"},
                     fmt::format("expected letters, digits and _, not beginning with a digit, got '{}'", given.node));
     if (auto ok = check.result(); !ok) return ok;
-    if (auto once = said_once(call, spec_.ros ? &spec_.ros->place : nullptr); !once) return once;
+    if (spec_.ros) return repeated(call, spec_.ros->place);
     spec_.ros = std::move(given);
     return {};
 }

@@ -36,7 +36,7 @@ void for_each_named(Fields& fields, std::string_view group, Read&& read) {
 
 double on_the_floor(const BodySpec& body) { return hull_clearance + body.size.z / 2; }
 
-// A hull that nobody described: a box about as long and as wide as the wheels are apart.
+// The default hull: a box about as long and as wide as the track.
 BodySpec body_over(double track) {
     BodySpec spec;
     spec.size = {1.1 * track, 0.9 * track, 0.65 * track};
@@ -75,7 +75,7 @@ BodySpec read_body(Fields body) {
 DriveSpec read_drive(Fields drive) {
     DriveSpec spec;
     spec.skid = 0;
-    // What the hardware's limits leave out are the simulation's.
+    // Limits that the hardware does not set are those of the simulation.
     Fields limits = drive.inner("limits");
     read_record(limits, spec.limits, {.is_whole = false});
     limits.done();
@@ -101,7 +101,7 @@ PortSpec read_port(const std::string& name, Fields& port) {
     spec.name = name;
     spec.is_input = port.gives("to");
     if (port.gives("from") == spec.is_input) {
-        port.field("from");  // where both are given, neither is unknown
+        port.field("from");  // if both exist, neither is unknown
         port.check().wrong_at(
             port.path(),
             fmt::format("port '{}': expected either 'from', what an out-port carries, or 'to', what an in-port drives",
@@ -114,7 +114,7 @@ PortSpec read_port(const std::string& name, Fields& port) {
     return spec;
 }
 
-// What every robot on wheels has: ports that the file gives no others for.
+// Adds the ports of every robot with wheels, unless the file has others for them.
 void add_wheel_ports(RobotSpec& spec) {
     const auto add = [&](bool is_input, std::string_view item, const char* name, const char* type, const char* doc) {
         const bool has = std::any_of(spec.ports.begin(), spec.ports.end(), [&](const PortSpec& port) {
@@ -180,7 +180,7 @@ void check_hardware(FieldCheck& check, const RobotSpec& spec, const std::vector<
     }
 }
 
-// The robot itself knows which type carries what: it is asked port by port, so that each error has the port's place.
+// The robot itself knows which type a port can have. Each port is checked separately, so that each error has its place.
 void check_ports(FieldCheck& check, const RobotSpec& spec) {
     RobotSpec one = spec;
     for (SensorSpec& sensor : one.sensors) sensor.response = {};
@@ -195,7 +195,7 @@ void check_ports(FieldCheck& check, const RobotSpec& spec) {
 
 }  // namespace
 
-// Facts about robots are given from the chassis' centre; the body frame begins on the floor.
+// Positions in robot files are relative to the chassis' centre; the body frame begins on the floor.
 Point3D on_body(const BodySpec& body, const Point3D& at) {
     return {body.at.x + at.x, body.at.y + at.y, body.at.z + at.z};
 }
@@ -216,8 +216,9 @@ RobotSpec read_robot_fields(FieldCheck& check, const Value& value, const RobotFi
     for_each_named(fields, "ports", [&](const std::string& name, Fields& entry) {
         const auto& words = names_taken_by_robots();
         if (std::find(words.begin(), words.end(), name) != words.end()) {
-            check.wrong_at(entry.path(),
-                           fmt::format("port '{0}': the name is taken: robot.{0} is a component's own word", name));
+            check.wrong_at(
+                entry.path(),
+                fmt::format("port '{0}': the name is taken: robot.{0} is a member of every component", name));
         }
         spec.ports.push_back(read_port(name, entry));
     });

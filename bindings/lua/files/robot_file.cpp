@@ -1,4 +1,4 @@
-// The word `robot_model`: from a table in Lua to a robot's description.
+// The word `robot_model`: makes a robot's description from a Lua table.
 #include "bindings/lua/files/robot_file.hpp"
 
 #include <fmt/format.h>
@@ -19,9 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The result of `robot_model { ... }`, for the file to return.
+// The result of `robot_model { ... }`, which the file returns.
 const char model_mark = 0;
-// Key of the registry's place for the table that it was given.
+// Key of the registry for its table.
 const char fields_key = 0;
 
 const Value* value_at(const Value& value, const FieldPath& path) {
@@ -41,11 +41,11 @@ bool is_function_at(const Value& value, const FieldPath& path) {
 
 }  // namespace
 
-// One robot file, over the one that it builds on. Its Lua state stays, for its functions.
+// One robot file, over the file that it builds on. Its Lua state is kept for its functions.
 class RobotFile::Layer {
 public:
     // `above`: the files that build on this one, as the project shows them.
-    // `drivers`: those of real robots that there are; empty: nobody knows.
+    // `drivers`: the names of all drivers of real robots; empty: unknown.
     Layer(const Project& project, std::vector<std::string> above, std::vector<std::string> drivers = {})
         : project_(project), above_(std::move(above)), drivers_(std::move(drivers)) {}
 
@@ -62,7 +62,7 @@ public:
         return {};
     }
 
-    // All that was wrong with a run, where that is more than its result says.
+    // All mistakes of a run, if there are more than in its result.
     std::vector<Error> errors() const { return file_ != nullptr ? file_->errors() : std::vector<Error>{}; }
     const RobotSpec& spec() const { return *spec_; }
 
@@ -84,7 +84,7 @@ public:
         const auto call_at = [&](const FieldPath& path,
                                  const std::vector<double>& distances) -> Expected<std::vector<double>> {
             if (is_function_at(changes, path))
-                return failure("a function belongs into a robot file: write one with base = ..., or give a 'table'");
+                return failure("a function must be in a robot file: write one with base = ..., or give a 'table'");
             return call(path, distances);
         };
         RobotSpec spec = read_robot_fields(check, whole, {table, call_at});
@@ -96,7 +96,7 @@ public:
 private:
     static int robot_model(lua_State* lua) {
         auto& layer = *static_cast<Layer*>(lua_touserdata(lua, lua_upvalueindex(1)));
-        // May raise an error for want of memory: nothing of C++ is on the way.
+        // May raise a memory error; there are no C++ objects to destroy here.
         lua_settop(lua, std::max(lua_gettop(lua), 1));
         lua_pushvalue(lua, 1);
         lua_rawsetp(lua, LUA_REGISTRYINDEX, &fields_key);
@@ -131,7 +131,7 @@ private:
         return {};
     }
 
-    // Reads the file that `base` names, if the table has it.
+    // Reads the file that the field `base` names, if there is one.
     Expected<void> build_on_base(FieldCheck& check, const Place& place) {
         Fields fields(check, own_);
         std::string name;
@@ -157,7 +157,7 @@ private:
         return {};
     }
 
-    // The one of the files that has this field last: its tables lie beside it, and its functions are in its state.
+    // The last file that sets this field: tables are searched beside it, and functions are in its Lua state.
     Layer& owner_of(const FieldPath& path) {
         return base_ == nullptr || value_at(own_, path) != nullptr ? *this : base_->owner_of(path);
     }
@@ -230,7 +230,7 @@ private:
     std::string shown_;
     std::unique_ptr<DataFile> file_;
     std::unique_ptr<Layer> base_;
-    Value own_, whole_;  // what the file gives, and that over what its base gives
+    Value own_, whole_;  // the table of the file, and this table over that of its base
     std::optional<RobotSpec> spec_;
     std::vector<std::string> tables_;  // files that were read beside the robot file
 };

@@ -17,14 +17,6 @@ Value table_with(std::string name, Value value) {
     return {std::move(table)};
 }
 
-const RobotEntry* find_robot(const SystemSpec& spec, const std::string& name) {
-    for (const Entry& entry : spec.entries) {
-        const auto* robot = std::get_if<RobotEntry>(&entry);
-        if (robot != nullptr && robot->name == name) return robot;
-    }
-    return nullptr;
-}
-
 const RobotSpec& description_of(const SystemSpec& spec, const RobotEntry& robot) {
     return spec.models.at(robot.described_by());
 }
@@ -48,7 +40,7 @@ Expected<Value> field_of_parameter(const RobotSpec& robot, const std::string& pa
 
 Expected<void> set_robot_parameter(SystemSpec& spec, const std::string& robot, const std::string& parameter,
                                    const Value& value, const Place& place, const Project& project) {
-    const RobotEntry* entry = find_robot(spec, robot);
+    const RobotEntry* entry = find_entry<RobotEntry>(spec, robot);
     if (entry == nullptr) return failure(fmt::format("there is no robot '{}'", robot), place);
     const auto field = field_of_parameter(description_of(spec, *entry), parameter, value);
     if (!field) return failure(fmt::format("{}: {}", robot, field.error().message), place);
@@ -62,7 +54,7 @@ Expected<void> take_robot_parameters(SystemSpec& spec, const std::string& robot,
     for (const ActuatorSpec& actuator : description_of(saved, from).actuators) {
         const auto speed = speed_parameter(actuator);
         if (!speed) continue;
-        const RobotEntry* entry = find_robot(spec, robot);
+        const RobotEntry* entry = find_entry<RobotEntry>(spec, robot);
         bool is_same = false;
         for (const ActuatorSpec& own : description_of(spec, *entry).actuators)
             is_same = is_same || (own.name == actuator.name && own.speed == actuator.speed);

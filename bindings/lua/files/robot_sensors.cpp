@@ -1,4 +1,4 @@
-// The sensors of a robot file: places, ranges, and how a distance becomes a value.
+// The sensors of a robot file: positions, ranges, and the conversion of a distance to a value.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace nezumi {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double twelve_bits = 4095;  // the largest value of a table, unless it says otherwise
+constexpr double twelve_bits = 4095;  // the largest value of a table, by default
 
 void read_table(Fields& sensor, SensorSpec& spec, bool range_given, double nothing, double minimum, double maximum,
                 const RobotFileHelp& help) {
@@ -42,7 +42,7 @@ void read_table(Fields& sensor, SensorSpec& spec, bool range_given, double nothi
         largest = std::max(largest, point.value);
         negative = negative || point.value < 0;
     }
-    // Beyond its last point a table fades out over as much again.
+    // Beyond its last point, a table fades to zero over the same distance.
     if (!range_given && !points.empty()) spec.range = 2 * points.back().distance;
     auto made = ResponseTable::from_points(std::move(points), spec.range, nothing,
                                            minimum > -infinity ? minimum
@@ -82,7 +82,7 @@ void read_response(Fields& sensor, SensorSpec& spec, bool nothing_given, double 
         greatest = std::max(greatest, v);
     }
     if (least > greatest) return check.explain(path, "returned no finite number");
-    // A formula like 1 / d has no value at 0: it gets the largest that there is, or that there may be.
+    // A formula such as 1 / d is infinite at 0: it gets the largest finite or allowed value.
     for (double& v : *values) {
         if (v == infinity) v = maximum < infinity ? maximum : greatest;
         if (v == -infinity) v = minimum > -infinity ? minimum : least;
@@ -137,7 +137,7 @@ void read_range_sensor(Fields& sensor, SensorSpec& spec, const RobotFileHelp& he
     if (minimum > maximum)
         sensor.check().explain(sensor.path_of("min_value"), fmt::format("{} is above max_value {}", minimum, maximum));
     if (has_table && has_function)
-        sensor.check().wrong(sensor.path_of("response"), "is one too many beside 'table': give one of them");
+        sensor.check().wrong(sensor.path_of("response"), "and 'table' exclude each other: give one of them");
     if (!sensor.check().ok()) return;
     if (has_table) {
         read_table(sensor, spec, range_given, nothing, minimum, maximum, help);

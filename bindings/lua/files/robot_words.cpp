@@ -1,4 +1,4 @@
-// The robots of a system file: their models, and what each has different.
+// The robots of a system file: their models and their changes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace nezumi {
 namespace {
 
-// The fields of a robot file among those of a robot of a system, which are then known.
+// The fields of a robot file in the table of a robot of a system. Marks them as known.
 Value take_changes(Fields& fields) {
     FileTable changes;
     for (const Type::Field& field : record_of<RobotSpec>().fields) {
@@ -34,8 +34,7 @@ std::string hint_for_robot(std::string_view name) {
 }  // namespace
 
 Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::string& name, const Value& value) {
-    FieldCheck check(fmt::format("robot '{}'", name), call.word, call.place, call.source);
-    check.set_given({name, &value});
+    FieldCheck check = check_of(call, value, name);
     Fields fields(check, value);
     RobotEntry entry;
     entry.name = name;
@@ -58,7 +57,7 @@ Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::st
     return entry;
 }
 
-// Turned further than five times, and by a round number: somebody thinks of degrees.
+// Detects angles in degrees: more than five turns, and a round number.
 void SystemWords::note_degrees(const FieldCheck& check, const WordCall& call, std::string_view what,
                                std::string_view field, double radians) {
     const double size = std::abs(radians);
@@ -106,7 +105,7 @@ Expected<RobotFile*> SystemWords::robot_file(const WordCall& call, const std::st
     return kept.get();
 }
 
-// A description of its own, which robots that differ in the same way share.
+// Gives a robot its own description, which robots with the same changes share.
 Expected<void> SystemWords::describe_changed(FieldCheck& check, const WordCall& call, RobotEntry& entry,
                                              const Value& changes) {
     const auto file = robot_file(call, entry.model);

@@ -1,4 +1,4 @@
-// OpenRTM's side of a system file: which components RTCs see, and what their ports are connected to.
+// The word `rtm`: components that are exported as RTCs, and connections of their ports.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 // "name" of "name.port".
 std::string component_of(const std::string& path) { return path.substr(0, path.find('.')); }
 
-// What is wrong with a port's other name; "" for nothing.
+// The error of a port's other name; "" if there is none.
 std::string problem_of(const RtmSpec& rtm, const std::string& path, const Value& name) {
     const auto* text = name.get_if<std::string>();
     if (text == nullptr) return fmt::format("expected a port's name there, got {}", lua_text(name));
@@ -31,8 +31,7 @@ std::string problem_of(const RtmSpec& rtm, const std::string& path, const Value&
 }  // namespace
 
 Expected<void> SystemWords::rtm(const WordCall& call, const Value& value) {
-    FieldCheck check("rtm", call.word, call.place, call.source);
-    check.set_given({"", &value});
+    FieldCheck check = check_of(call, value);
     Fields fields(check, value);
     RtmSpec given;
     given.place = call.place;
@@ -48,10 +47,7 @@ Expected<void> SystemWords::rtm(const WordCall& call, const Value& value) {
             check.wrong_at({"export"}, fmt::format("field 'export' has '{}' twice", shown(*name)));
     }
     if (auto ok = check.result(); !ok) return ok;
-    if (spec_.rtm) {
-        return failure(fmt::format("rtm: is set already, at {}:{}", spec_.rtm->place.file, spec_.rtm->place.line),
-                       call.place);
-    }
+    if (spec_.rtm) return repeated(call, spec_.rtm->place);
     spec_.rtm = std::move(given);
     return {};
 }

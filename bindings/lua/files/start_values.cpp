@@ -1,4 +1,4 @@
-// A value counts as if it stood in the system file, and its place says that it does not.
+// A value has the same effect as in the system file; its place is the option.
 #include "bindings/lua/files/start_values.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ std::optional<T> number(std::string_view word) {
     return value;
 }
 
-// What Lua makes of a text in quotes or of a table.
+// The value of a text in quotes or of a table, evaluated by Lua.
 Expected<Value> read_lua(const std::string& text, const Project& project, const std::string& shown) {
     auto file = DataFile::create(project, {});
     if (!file) return Unexpected(file.error());
@@ -44,7 +44,7 @@ Entry* find_entry(SystemSpec& spec, std::string_view name) {
     return found == spec.entries.end() ? nullptr : &*found;
 }
 
-// The nearest of those that have parameters, or all of them.
+// The nearest entry with parameters, or all of them.
 std::string nearest_entry(const SystemSpec& spec, std::string_view name) {
     std::vector<std::string_view> names;
     for (const Entry& entry : spec.entries) {
@@ -68,7 +68,7 @@ Expected<void> set_parameter(SystemSpec& spec, Entry& entry, const std::string& 
             } else {
                 each.places["config." + parameter] = place;
                 if constexpr (std::is_same_v<Kind, BehaviorEntry>) {
-                    // The set in use counts over `config`.
+                    // The parameter set in use overrides `config`.
                     const auto used = each.sets.find(each.set);
                     if (used != each.sets.end() && used->second.contains(parameter)) used->second[parameter] = value;
                 }
@@ -79,7 +79,7 @@ Expected<void> set_parameter(SystemSpec& spec, Entry& entry, const std::string& 
         entry);
 }
 
-// `name` may have * and ? in it: then it is all that are called so.
+// `name` may contain * and ?; then all components with fitting names are set.
 Expected<void> set_one(const std::string& text, SystemSpec& spec, const Project& project) {
     const std::string option = "--set " + shown(text);
     const Place place{.file = option};
@@ -125,10 +125,11 @@ Expected<void> take_file(const std::string& file, SystemSpec& spec, const Projec
         if (says_nothing) continue;
         const bool fits = entry != nullptr && entry->index() == from.index();
         if (!fits) {
-            return failure(fmt::format("{} has no {} '{}'{}: --params wants a file that save has written of it",
-                                       spec.file, behavior != nullptr ? "behavior" : "component", name_of(from),
-                                       nearest_entry(spec, name_of(from))),
-                           place_of(from));
+            return failure(
+                fmt::format("{} has no {} '{}'{}: --params needs a file that save has written for this system",
+                            spec.file, behavior != nullptr ? "behavior" : "component", name_of(from),
+                            nearest_entry(spec, name_of(from))),
+                place_of(from));
         }
         if (behavior != nullptr) {
             auto& into = std::get<BehaviorEntry>(*entry);
@@ -163,7 +164,7 @@ Expected<void> apply(const StartValues& values, SystemSpec& spec, const Project&
         if (auto ok = take_file(values.file, spec, project); !ok) return ok;
     }
     for (const std::string& text : values.set) {
-        if (sets_argument(text)) continue;  // the file has had it
+        if (sets_argument(text)) continue;  // the file has used it already
         if (auto ok = set_one(text, spec, project); !ok) return ok;
     }
     return {};

@@ -1,4 +1,4 @@
-// Runs a system file with the system's words.
+// Runs a system file with the words of systems.
 #include "bindings/lua/files/system_file.hpp"
 
 #include <utility>
@@ -12,7 +12,7 @@ namespace nezumi {
 
 namespace {
 
-// Reads a text and, when it fails, tells all that is wrong.
+// Reads a text; if this fails, `errors` gets all mistakes.
 Expected<SystemSpec> read(std::string_view text, const std::string& shown, const Project& project,
                           const SystemFileOptions& options, std::vector<Error>& errors) {
     auto file = DataFile::create(project, {.budget = {options.seconds}, .seed = options.seed, .print = options.print});
@@ -33,7 +33,7 @@ Expected<SystemSpec> read(std::string_view text, const std::string& shown, const
         return Unexpected(ran.error());
     }
     if (host.calls == 0) {
-        return failure("the file says nothing: expected robot, behavior, arena, connect ...", {shown});
+        return failure("the file declares nothing: expected robot, behavior, arena, connect ...", {shown});
     }
     if (auto ok = words.finish(options.is_part); !ok) return failure(one_line(ok.error().message), ok.error().place);
     if (auto ok = words.check_arguments(); !ok && !options.is_part) return Unexpected(ok.error());

@@ -1,5 +1,5 @@
-// One function serves all words: arguments are copied out of Lua, the word is carried out, and only then Lua hears of
-// it.
+// One function serves all words: it copies the arguments out of Lua, executes the word, and only then raises an error
+// or pushes the result.
 #include "bindings/lua/files/system_lua.hpp"
 
 #include <fmt/format.h>
@@ -14,17 +14,17 @@
 namespace nezumi {
 namespace {
 
-// An entry that was made, and one that waits for its table.
-struct Entered {};
-struct Begun {
+// Results: an entry that was added, and one that waits for its table.
+struct AddedEntry {};
+struct PendingEntry {
     std::size_t index;
 };
 
 }  // namespace
 
-/// What a word gives back to Lua: nothing, a thing of the arena, an entry, or one that waits for its table.
+/// The result of a word: nothing, an object of the arena, an entry, or an entry that waits for its table.
 struct SystemWord::Result {
-    std::variant<std::monostate, FileThing, Entered, Begun, Value> made;
+    std::variant<std::monostate, FileThing, AddedEntry, PendingEntry, Value> made;
 };
 
 namespace {
@@ -42,7 +42,7 @@ Expected<Value> value_of(const Arguments& arguments, int position) {
     return read_file_value(arguments.lua, arguments.index(position));
 }
 
-// An end of a connection: a text, or a port itself.
+// One end of a connection: a text, or a port object.
 Expected<Value> end_of(const WordHost& host, const Arguments& arguments, int position) {
     if (host.port_path && arguments.has(position)) {
         auto path = host.port_path(arguments.lua, arguments.index(position));
@@ -55,13 +55,13 @@ Expected<Value> end_of(const WordHost& host, const Arguments& arguments, int pos
 Expected<Result> entry(WordHost& host, const WordCall& call, const Arguments& arguments) {
     const auto name = value_of(arguments, 1);
     if (!name) return Unexpected(name.error());
-    auto begun = host.words->begin_entry(call, *name);
-    if (!begun) return Unexpected(begun.error());
-    if (arguments.count() < 2) return Result{Begun{*begun}};
+    auto pending = host.words->begin_entry(call, *name);
+    if (!pending) return Unexpected(pending.error());
+    if (arguments.count() < 2) return Result{PendingEntry{*pending}};
     const auto fields = value_of(arguments, 2);
     if (!fields) return Unexpected(fields.error());
-    if (auto done = host.words->complete_entry(*begun, *fields); !done) return Unexpected(done.error());
-    return Result{Entered{}};
+    if (auto done = host.words->complete_entry(*pending, *fields); !done) return Unexpected(done.error());
+    return Result{AddedEntry{}};
 }
 
 Expected<Result> wire(WordHost& host, const WordCall& call, const Arguments& arguments) {
@@ -72,7 +72,7 @@ Expected<Result> wire(WordHost& host, const WordCall& call, const Arguments& arg
     return nothing(host.words->connect(call, *from, *to));
 }
 
-// The one argument of all other words.
+// The single argument of all other words.
 Expected<Value> only_argument(const WordCall& call, const Arguments& arguments) {
     auto value = value_of(arguments, 1);
     if (value && value->is_nothing()) return failure(fmt::format("{}: expected an argument, got none", call.word));
@@ -102,7 +102,7 @@ Expected<Result> set(WordHost& host, const WordCall& call, const Arguments& argu
     return nothing((host.words->*setting)(call, *value));
 }
 
-// Tells the host of an error; what to raise.
+// Reports an error to the host; returns the error to raise.
 Error report(const WordHost& host, const WordCall& call, Error error) {
     if (error.place.file.empty()) {
         error.place = call.place;
@@ -129,17 +129,17 @@ Expected<Result> run_word(lua_State* lua, WordHost& host, const SystemWord& word
     return done;
 }
 
-Expected<void> complete(lua_State* lua, WordHost& host, std::size_t begun) {
-    auto done = Arguments{lua}.at_most(host.words->begun_title(begun), 1, " { ... }");
+Expected<void> complete(lua_State* lua, WordHost& host, std::size_t pending) {
+    auto done = Arguments{lua}.at_most(host.words->pending_title(pending), 1, " { ... }");
     if (done) {
         const auto fields = read_file_value(lua, 1);
-        done = fields ? host.words->complete_entry(begun, *fields) : Expected<void>(Unexpected(fields.error()));
+        done = fields ? host.words->complete_entry(pending, *fields) : Expected<void>(Unexpected(fields.error()));
     }
     if (done) return {};
     return Unexpected(report(host, make_call(lua, host, ""), done.error()));
 }
 
-// The entry that was made last.
+// Pushes the entry that was added last.
 int push_entry(lua_State* lua, WordHost& host) {
     if (!host.push_entry) return 0;
     luaL_checkstack(lua, 20, nullptr);
@@ -147,11 +147,11 @@ int push_entry(lua_State* lua, WordHost& host) {
     return 1;
 }
 
-// What `robot "mouse"` returns: takes the table.
+// The function that `robot "mouse"` returns: it takes the table.
 int take_table(lua_State* lua) {
     auto& host = *static_cast<WordHost*>(lua_touserdata(lua, lua_upvalueindex(1)));
-    const auto begun = static_cast<std::size_t>(lua_tointeger(lua, lua_upvalueindex(2)));
-    bridge(lua, [&] { return complete(lua, host, begun); });
+    const auto pending = static_cast<std::size_t>(lua_tointeger(lua, lua_upvalueindex(2)));
+    bridge(lua, [&] { return complete(lua, host, pending); });
     return push_entry(lua, host);
 }
 
@@ -195,18 +195,13 @@ std::span<const SystemWord> system_words() {
          1,
          of_file,
          thing,
-         {"Fixed boxes from a map of ROS: what is occupied in the picture that the YAML file names.",
+         {"Fixed boxes from a map of ROS: the occupied pixels of the picture that the YAML file names.",
           {{"file", "string"}}}},
         {"marker", Form::thing, 1, table, thing},
         {"maze", Form::thing, 1, table, thing},
         {"network", Form::plain, 1, table, set<&Words::network>},
         {"physics", Form::plain, 1, table, set<&Words::physics>},
-        {"rate",
-         Form::plain,
-         1,
-         "(hertz)",
-         set<&Words::rate>,
-         {"Ticks a second, 100 unless it says otherwise.", {{"hz", "number"}}}},
+        {"rate", Form::plain, 1, "(hertz)", set<&Words::rate>, {"Ticks per second; default 100.", {{"hz", "number"}}}},
         {"robot", Form::entry, 2, named, entry},
         {"ros", Form::plain, 1, table, set<&Words::ros>},
         {"rtm", Form::plain, 1, table, set<&Words::rtm>},
@@ -244,10 +239,10 @@ int call_system_word(lua_State* lua) {
         push_payload(lua, *value);
         return 1;
     }
-    if (std::holds_alternative<Entered>(result.made)) return push_entry(lua, host);
-    if (const auto* begun = std::get_if<Begun>(&result.made)) {
+    if (std::holds_alternative<AddedEntry>(result.made)) return push_entry(lua, host);
+    if (const auto* pending = std::get_if<PendingEntry>(&result.made)) {
         lua_pushvalue(lua, lua_upvalueindex(1));
-        lua_pushinteger(lua, static_cast<lua_Integer>(begun->index));
+        lua_pushinteger(lua, static_cast<lua_Integer>(pending->index));
         lua_pushcclosure(lua, take_table, 2);
         return 1;
     }

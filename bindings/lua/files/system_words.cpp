@@ -23,7 +23,7 @@ std::string_view kind_of(const Entry& entry) {
     return kinds[entry.index()];
 }
 
-// Where the values of `config` and of the sets stand, by path.
+// The places of the values of `config` and of the sets, by path.
 void note_places(FieldPlaces& places, const FieldCheck& check, const FieldPath& table, const ParameterValues& values) {
     for (const auto& [name, value] : values) {
         FieldPath path = table;
@@ -40,7 +40,7 @@ std::vector<std::string_view> names_of(const Sets& sets) {
     return names;
 }
 
-// "name.port" or "host/name.port", all identifiers; a port may be called like one of Lua's keywords ("in").
+// "name.port" or "host/name.port", all identifiers; the name of a port may be a keyword of Lua ("in").
 bool is_port_path(std::string_view path) {
     if (const std::size_t slash = path.find('/'); slash != std::string_view::npos) {
         if (!is_identifier(path.substr(0, slash))) return false;
@@ -52,10 +52,21 @@ bool is_port_path(std::string_view path) {
     return is_identifier(path.substr(0, dot)) && (is_identifier(port) || is_keyword(port));
 }
 
-// A number as a message shows it.
+// A number in messages.
 std::string text_of(double number) { return std::isnan(number) ? "nan" : fmt::format("{}", number); }
 
 }  // namespace
+
+FieldCheck check_of(const WordCall& call, const Value& fields, const std::string& name) {
+    FieldCheck check(name.empty() ? call.word : fmt::format("{} '{}'", call.word, name), call.word, call.place,
+                     call.source);
+    check.set_given({name, &fields});
+    return check;
+}
+
+Unexpected repeated(const WordCall& call, const Place& first) {
+    return failure(fmt::format("{}: is set already, at {}:{}", call.word, first.file, first.line), call.place);
+}
 
 bool is_taken_name(std::string_view name) {
     const auto& library = sandbox_names();
@@ -112,19 +123,20 @@ Expected<std::size_t> SystemWords::begin_entry(const WordCall& call, const Value
                        call.place);
     }
     if (auto ok = check_name(call, *text); !ok) return Unexpected(ok.error());
-    begun_.push_back({call, *text});
-    return begun_.size() - 1;
+    pending_.push_back({call, *text});
+    return pending_.size() - 1;
 }
 
-Expected<void> SystemWords::complete_entry(std::size_t begun, const Value& fields) {
-    if (begun >= begun_.size()) return failure("the name before this table was of a world that was loaded since");
-    begun_[begun].complete = true;
-    const Begun call = begun_[begun];
+Expected<void> SystemWords::complete_entry(std::size_t pending, const Value& fields) {
+    if (pending >= pending_.size()) return failure("the name before this table was of a world that was loaded since");
+    pending_[pending].complete = true;
+    const PendingEntry call = pending_[pending];
     return entry(call.call, call.name, fields);
 }
 
-std::string SystemWords::begun_title(std::size_t begun) const {
-    return begun < begun_.size() ? fmt::format("{} '{}'", begun_[begun].call.word, begun_[begun].name) : "NAME";
+std::string SystemWords::pending_title(std::size_t pending) const {
+    return pending < pending_.size() ? fmt::format("{} '{}'", pending_[pending].call.word, pending_[pending].name)
+                                     : "NAME";
 }
 
 Expected<SystemWords::FoundFile> SystemWords::find_file(const WordCall& call, FileKind kind, const std::string& name) {
@@ -137,8 +149,7 @@ Expected<SystemWords::FoundFile> SystemWords::find_file(const WordCall& call, Fi
 }
 
 Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const std::string& name, const Value& value) {
-    FieldCheck check(fmt::format("behavior '{}'", name), call.word, call.place, call.source);
-    check.set_given({name, &value});
+    FieldCheck check = check_of(call, value, name);
     Fields fields(check, value);
     BehaviorEntry entry;
     entry.name = name;
@@ -169,20 +180,18 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
 
 Expected<ComponentEntry> SystemWords::read_component(const WordCall& call, const std::string& name,
                                                      const Value& value) {
-    FieldCheck check(fmt::format("component '{}'", name), call.word, call.place, call.source);
-    check.set_given({name, &value});
+    FieldCheck check = check_of(call, value, name);
     Fields fields(check, value);
     ComponentEntry entry;
     entry.name = name;
     entry.place = call.place;
     read_record(fields, entry);
-    const Value* calibration = fields.field("calibration");
     fields.done();
     if (auto ok = check.result(); !ok) return Unexpected(ok.error());
     if (fields.has("rate")) rate_places_[name] = check.place_of({"rate"});
     note_places(entry.places, check, {"config"}, entry.config);
-    if (calibration != nullptr) {
-        if (auto used = use_ros_calibration(call, check, *calibration, entry); !used) return Unexpected(used.error());
+    if (fields.has("calibration")) {
+        if (auto used = use_ros_calibration(call, check, entry); !used) return Unexpected(used.error());
     }
     note_degrees(check, call, fmt::format("component '{}'", name), "yaw", entry.yaw);
     return entry;
@@ -229,8 +238,7 @@ Expected<void> SystemWords::seed(const WordCall& call, const Value& value) {
                                                     : nezumi::kind_of(value);
         return failure(fmt::format("seed: expected a whole number from 0 on, got {}", got), call.place);
     }
-    if (seed_place_)
-        return failure(fmt::format("seed: is set already, at {}:{}", seed_place_->file, seed_place_->line), call.place);
+    if (seed_place_) return repeated(call, *seed_place_);
     seed_place_ = call.place;
     spec_.seed = is_whole ? static_cast<std::uint64_t>(*number) : static_cast<std::uint64_t>(*whole);
     return {};
@@ -243,44 +251,38 @@ Expected<void> SystemWords::rate(const WordCall& call, const Value& hertz) {
                                    value ? text_of(*value) : nezumi::kind_of(hertz)),
                        call.place);
     }
-    if (!spec_.rate_place.file.empty()) {
-        return failure(fmt::format("rate: is set already, at {}:{}", spec_.rate_place.file, spec_.rate_place.line),
-                       call.place);
-    }
+    if (!spec_.rate_place.file.empty()) return repeated(call, spec_.rate_place);
     spec_.rate_place = call.place;
     spec_.rate = *value;
     return {};
 }
 
 Expected<void> SystemWords::physics(const WordCall& call, const Value& value) {
-    FieldCheck check("physics", call.word, call.place, call.source);
-    check.set_given({"", &value});
+    FieldCheck check = check_of(call, value);
     Fields fields(check, value);
     PhysicsFields given;
     read_record(fields, given);
     fields.done();
     if (auto ok = check.result(); !ok) return ok;
-    if (physics_place_)
-        return failure(fmt::format("physics: is set already, at {}:{}", physics_place_->file, physics_place_->line),
-                       call.place);
+    if (physics_place_) return repeated(call, *physics_place_);
     physics_place_ = call.place;
     spec_.physics_step = given.step;
     return {};
 }
 
 Expected<void> SystemWords::finish(bool is_part) const {
-    for (const Begun& begun : begun_) {
-        if (begun.complete) continue;
-        return failure(fmt::format("{0} '{1}': expected a table after the name: {0} \"{1}\" {{ ... }}", begun.call.word,
-                                   begun.name),
-                       begun.call.place);
+    for (const PendingEntry& pending : pending_) {
+        if (pending.complete) continue;
+        return failure(fmt::format("{0} '{1}': expected a table after the name: {0} \"{1}\" {{ ... }}",
+                                   pending.call.word, pending.name),
+                       pending.call.place);
     }
     for (const Thing& thing : things_) {
         if (thing.placed) continue;
         return failure(fmt::format("{0}: is not in the arena: write arena {{ {0} ... }}", thing.call.word),
                        thing.call.place);
     }
-    if (auto ok = check_arena(spec_.arena); !ok) return ok;  // what maps brought
+    if (auto ok = check_arena(spec_.arena); !ok) return ok;  // boxes of maps
     if (is_part) return {};
     if (auto ok = check_rates(); !ok) return ok;
     if (auto ok = check_lines(); !ok) return ok;
@@ -296,12 +298,9 @@ Expected<void> SystemWords::finish(bool is_part) const {
     if (auto ok = check_network(); !ok) return ok;
     if (auto ok = check_rtm(); !ok) return ok;
     std::vector<std::string_view> robots;
-    for (const Entry& entry : spec_.entries) {
-        if (std::holds_alternative<RobotEntry>(entry)) robots.push_back(name_of(entry));
-    }
-    for (const Entry& entry : spec_.entries) {
-        const auto* component = std::get_if<ComponentEntry>(&entry);
-        if (component == nullptr || component->on.empty()) continue;
+    for (const RobotEntry* robot : entries_of<RobotEntry>(spec_)) robots.push_back(robot->name);
+    for (const ComponentEntry* component : entries_of<ComponentEntry>(spec_)) {
+        if (component->on.empty()) continue;
         if (std::find(robots.begin(), robots.end(), component->on) != robots.end()) continue;
         return failure(fmt::format("component '{}': field 'on' names no robot: there is none '{}'{}", component->name,
                                    component->on, did_you_mean(component->on, robots)),

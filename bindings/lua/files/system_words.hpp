@@ -1,4 +1,4 @@
-// The words of a system file: each call adds to a system as data, or says what is wrong with it.
+// The words of a system file: each call adds data to a system, or returns an error.
 #pragma once
 
 #include <cstdint>
@@ -21,35 +21,40 @@
 
 namespace nezumi {
 
-/// Where a word was called: names of files are looked up beside `place.file`.
+/// The place of a call. File names are searched beside `place.file`.
 struct WordCall {
     std::string word;
     Place place;
     const FileSource* source = nullptr;  ///< the text of that file, for places within the call; may be null
 };
 
-/// What no robot, behaviour or component of a system may be called: reserved names, and what is in scope of Lua's
-/// library.
+/// The check of the table of a call. Messages begin with "WORD 'NAME'", or with "WORD" if the call has no name.
+FieldCheck check_of(const WordCall& call, const Value& fields, const std::string& name = "");
+
+/// The error of a word that may be called only once.
+Unexpected repeated(const WordCall& call, const Place& first);
+
+/// Whether a name can't be used for a robot, behaviour or component: reserved names, and names of Lua's library.
 bool is_taken_name(std::string_view name);
 
-/// Builds a `SystemSpec` call by call. A call that fails adds nothing. What depends on the whole (rates, names) is
-/// checked by `finish`; what depends on the components themselves (ports, parameters, overlaps) by `build_system`.
+/// Builds a `SystemSpec` call by call. A call that fails adds nothing. `finish` checks what depends on the whole system
+/// (rates, names); `build_system` checks what depends on the components (ports, parameters, overlaps).
 class SystemWords {
 public:
     explicit SystemWords(const Project& project, SystemSpec start = {});
 
     /// `robot`, `behavior` and `component`.
     Expected<void> entry(const WordCall& call, const std::string& name, const Value& fields);
-    /// A name that was given without its table yet: `robot "mouse"` before `{ ... }`. `finish` refuses what stays so.
+    /// A name without its table: `robot "mouse"` before `{ ... }`. `finish` refuses names that got no table.
     Expected<std::size_t> begin_entry(const WordCall& call, const Value& name);
-    Expected<void> complete_entry(std::size_t begun, const Value& fields);
+    Expected<void> complete_entry(std::size_t pending, const Value& fields);
     /// "robot 'mouse'", for messages.
-    std::string begun_title(std::size_t begun) const;
+    std::string pending_title(std::size_t pending) const;
 
     Expected<void> connect(const WordCall& call, const Value& from, const Value& to);
 
-    /// `box`, `wall`, `cylinder`, `marker`, `maze`, `floor`, `line`, `csv` and `map` make a thing; `arena` puts it in
-    /// its place.
+    /// `box`, `wall`, `cylinder`, `marker`, `maze`, `floor`, `line`, `csv` and `map` make an object; `arena` adds it to
+    /// the arena.
     Expected<FileThing> thing(const WordCall& call, const Value& fields);
     Expected<void> arena(const WordCall& call, const Value& fields);
 
@@ -60,22 +65,23 @@ public:
     Expected<void> ros(const WordCall& call, const Value& fields);
     Expected<void> rtm(const WordCall& call, const Value& fields);
 
-    /// What `--set` says of arguments of the file: "n=10".
+    /// Sets the arguments of the file from `--set`: "n=10".
     void give_arguments(const std::vector<std::string>& set);
-    /// The value of an argument: what was given, or `otherwise`.
+    /// The value of an argument: from `--set`, or `otherwise`.
     Expected<Value> argument(const WordCall& call, const Value& name, const Value& otherwise, const Value& options);
-    /// An error when an argument was given that the file has not asked for.
+    /// An error if an argument was set that the file does not use.
     Expected<void> check_arguments() const;
 
-    /// Checks what depends on the whole, which a part does not know. May be called again after more words.
+    /// Checks what depends on the whole system; a part of a system (`is_part`) is checked less. May be called again
+    /// after more words.
     Expected<void> finish(bool is_part = false) const;
 
     SystemSpec& spec() { return spec_; }
     const SystemSpec& spec() const { return spec_; }
     const Project& project() const { return project_; }
-    /// Remembers a file that the system was read from.
+    /// Adds a file to the list of files that the system was read from.
     void note_file(const std::string& shown);
-    /// What whoever uses the file should hear: what was taken from a map.
+    /// Messages for the user of the file, such as what was taken from a map.
     const std::vector<std::string>& notes() const { return notes_; }
 
 private:
@@ -85,7 +91,7 @@ private:
         Made made;
         bool placed = false;
     };
-    struct Begun {
+    struct PendingEntry {
         WordCall call;
         std::string name;
         bool complete = false;
@@ -98,13 +104,13 @@ private:
     Expected<void> load_model(const WordCall& call, const std::string& model);
     Expected<void> describe_changed(FieldCheck& check, const WordCall& call, RobotEntry& entry, const Value& changes);
     Expected<RobotFile*> robot_file(const WordCall& call, const std::string& model);
-    // Where a script or a model is, and how messages call it: looked up once for all entries that name it alike.
+    // The path of a script or model, and its name in messages: found once for all entries with the same name.
     struct FoundFile {
         std::filesystem::path path;
         std::string shown;
     };
     Expected<FoundFile> find_file(const WordCall& call, FileKind kind, const std::string& name);
-    // A file that a word named: where it was found, how messages call it, what is in it.
+    // A file that a word named: its path, its name in messages, and its content.
     struct ReadFile {
         std::filesystem::path path;
         std::string shown, text;
@@ -114,8 +120,7 @@ private:
     Expected<std::vector<BoxSpec>> read_ros_map(const WordCall& call, const Value& name);
     Expected<std::vector<BoxSpec>> read_map(const WordCall& call, const Value& name);
     Expected<void> place_things(const WordCall& call, const std::vector<Value>& elements);
-    Expected<void> use_ros_calibration(const WordCall& call, const FieldCheck& check, const Value& name,
-                                       ComponentEntry& entry);
+    Expected<void> use_ros_calibration(const WordCall& call, const FieldCheck& check, ComponentEntry& entry);
     void note_degrees(const FieldCheck& check, const WordCall& call, std::string_view what, std::string_view field,
                       double radians);
     Expected<void> check_rates() const;
@@ -133,14 +138,14 @@ private:
     std::map<std::string, Argument, std::less<>> given_;  // by name
     std::vector<std::string> asked_;                      // names of arguments
     std::vector<Thing> things_;
-    std::vector<Begun> begun_;
+    std::vector<PendingEntry> pending_;
     std::vector<std::string> notes_;
     std::optional<Place> size_place_, border_place_, seed_place_, physics_place_;
-    std::map<std::string, std::size_t, std::less<>> names_;  // of the entries: their places in `spec_`
+    std::map<std::string, std::size_t, std::less<>> names_;  // of the entries: their indices in `spec_`
     std::set<std::pair<std::string, std::string>> wired_;
     std::map<std::tuple<FileKind, std::string, std::string>, FoundFile>
         found_;                                                      // by kind, name, and file that names it
-    std::map<std::string, std::unique_ptr<RobotFile>> robot_files_;  // as far as they were read, as they are shown
+    std::map<std::string, std::unique_ptr<RobotFile>> robot_files_;  // robot files that were read, by shown name
     std::map<std::string, Place> rate_places_;                       // of behaviours and components, by name
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 using Kind = TreeNode::Kind;
 
-// The kind of object that a node is shown as; nothing for what is a value or is called.
+// The kind of object for a node; nothing for a value or a method.
 std::optional<ObjectKind> object_kind(const TreeNode& node) {
     switch (node.kind()) {
         case Kind::component: return ObjectKind::component;
@@ -43,7 +43,7 @@ Expected<Answer> answer_of(const ObjectRef& ref, const TreeNode& node) {
     return std::visit([](auto&& held) { return Answer{std::forward<decltype(held)>(held)}; }, std::move(*value));
 }
 
-// What is wrong with a key that is no text.
+// The error about a key that is not a text.
 std::string explain_key(const ObjectRef& ref) {
     switch (ref.kind) {
         case ObjectKind::component: return fmt::format("{} is a component: its members have names", ref.component());
@@ -51,7 +51,7 @@ std::string explain_key(const ObjectRef& ref) {
             const std::string path = fmt::format("{}.{}", ref.component(), ref.port());
             return fmt::format("{} is the port, not its value: its value is {}.value", path, path);
         }
-        default: return fmt::format("{}: what is in it has a name", node_functions(ref.kind).name);
+        default: return fmt::format("{}: its members have names", node_functions(ref.kind).name);
     }
 }
 

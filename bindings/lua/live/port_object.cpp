@@ -15,7 +15,7 @@ struct PortToRead {
     RunningSystem* live;
     std::string path;
     std::string title;  // "input 'in' (TimedShortSeq)"
-    std::size_t type;
+    const MessageType* type;
 };
 
 PortToRead to_read(const PortAt& at) {

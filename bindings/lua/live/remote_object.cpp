@@ -199,7 +199,7 @@ Expected<PlainData> ask_host(const Objects& objects, const RunningSystem& live, 
     const auto turn = [&]() -> Expected<Answer> {
         const Network* network = live.system().network();
         if (network == nullptr) return Unexpected(find_host(live.system(), question.host).error());
-        if (number && start != live.starts()) return failure("the system began anew meanwhile");
+        if (number && start != live.starts()) return failure("the system was restarted meanwhile");
         if (number) {
             got = network->answer(*number);
             return Answer{};
@@ -213,7 +213,7 @@ Expected<PlainData> ask_host(const Objects& objects, const RunningSystem& live, 
     while (!got) {
         if (auto done = ObjectAccess::visit(objects, turn); !done) return Unexpected(done.error());
         if (got) break;
-        if (!ObjectAccess::ticks_beside(objects)) return failure("no answer can come: nothing ticks beside");
+        if (!ObjectAccess::ticks_beside(objects)) return failure("no answer can come, because no ticks pass meanwhile");
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return std::move(*got);

@@ -107,12 +107,14 @@ void Reloader::Prepared::load(std::vector<Next> all, std::vector<std::string> fi
             each.loading.source = source;
         }
         each.loading.context.find_module = modules_of(project);
+        each.loading.context.find_message = messages_of(project);
         each.loading.context.chunks = &chunks;
         required.clear();
         auto script = ScriptComponent::load_beside(each.loading, required);
         if (!script) error = still_running(script.error(), each.running);
         scripts.push_back(script ? std::move(*script) : nullptr);
         each.loading.context.find_module = {};
+        each.loading.context.find_message = {};
         next.push_back(std::move(each));
     }
 }
@@ -156,6 +158,7 @@ Expected<ActResult> Reloader::commit(PreparedReload& loaded, const Project& proj
         ScriptComponent& component = *dynamic_cast<ScriptComponent*>(system_.find(prepared.next[i].name));
         ScriptComponent::Loading& loading = prepared.next[i].loading;
         loading.context.find_module = modules_of(project);
+        loading.context.find_message = messages_of(project);
         attempted_.clear();
         auto next = component.prepare(loading, std::move(prepared.scripts[i]), now, attempted_);
         if (!next) return Unexpected(still_running(next.error(), component.version()));
@@ -207,7 +210,11 @@ void Reloader::let_ports_go(ScriptComponent& component, const ScriptComponent::V
         if (successor != ports.end() && successor->direction != port->direction()) {
             what = fmt::format("{} is an {} now", path, in ? "output" : "input");
         } else if (successor != ports.end()) {
-            what = fmt::format("{} is {} now, not {}", path, message_type_names[successor->type], port->type_name());
+            what = successor->type->name == port->type_name()
+                       ? fmt::format(
+                             "{}: {} has another definition now{}", path, port->type_name(),
+                             in && static_cast<const InPortBase*>(port)->is_new() ? "; unread values are dropped" : "")
+                       : fmt::format("{} is {} now, not {}", path, successor->type->name, port->type_name());
         }
         report.notes.push_back(peers.empty() ? fmt::format("{}; it was not connected", what)
                                              : fmt::format("{}; it was connected to {}", what, fmt::join(peers, ", ")));

@@ -1,4 +1,4 @@
-// One table.
+// The table of names.
 #include "bindings/lua/sandbox/missing_names.hpp"
 
 namespace nezumi {
@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::string_view no_loading = "code comes from files, by `require`";
 constexpr std::string_view no_environments = "functions have no environment in Lua 5.4: give them what they need";
-constexpr std::string_view no_collecting = "memory is collected by itself";
+constexpr std::string_view no_collecting = "memory is released automatically";
 constexpr std::string_view bits = "Lua 5.4 has operators for bits: & | ~ << >>";
 constexpr std::string_view is_nil = "it is nil in Lua";
 

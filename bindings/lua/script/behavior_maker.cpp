@@ -1,6 +1,8 @@
 // Makes a component that runs a script, from an entry of a system file.
 #include "bindings/lua/script/behavior_maker.hpp"
 
+#include "bindings/lua/files/message_file.hpp"
+
 namespace nezumi {
 
 ModuleFinder modules_of(const Project& project) {
@@ -8,6 +10,12 @@ ModuleFinder modules_of(const Project& project) {
         auto path = project.find(FileKind::module, name, std::string(from));
         if (!path) return Unexpected(path.error());
         return project.read_source(path->string());
+    };
+}
+
+MessageFinder messages_of(const Project& project) {
+    return [project](std::string_view name, std::string_view from, std::vector<SourceText>* read) {
+        return MessageFiles(project, read_message_file).find(name, from, read);
     };
 }
 
@@ -28,6 +36,7 @@ Expected<std::unique_ptr<ScriptComponent>> make_behavior(const BehaviorEntry& en
                          .budget = settings.budget,
                          .memory_limit = settings.memory_limit,
                          .find_module = modules_of(settings.project),
+                         .find_message = messages_of(settings.project),
                          .chunks = settings.chunks,
                          .configured = values_at_start(entry),
                          .tick_rate = context.tick_rate};

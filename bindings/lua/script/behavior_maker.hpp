@@ -19,6 +19,8 @@ struct BehaviorSettings {
 
 /// Returns a function that finds the modules of a project.
 ModuleFinder modules_of(const Project& project);
+/// Finds the messages that its files define.
+MessageFinder messages_of(const Project& project);
 
 /// The initial parameter values of an entry: those of the set in use come before its `config`.
 ParameterValues values_at_start(const BehaviorEntry& entry);

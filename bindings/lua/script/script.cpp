@@ -44,6 +44,7 @@ Expected<std::unique_ptr<Script>> Script::load(const SourceText& source, ScriptC
     auto ok = script->run_top_level(source);
     script->inheritance_ = {};
     script->context_.find_module = {};  // modules are loaded while the file loads
+    script->context_.find_message = {};
     if (!ok) return Unexpected(std::move(ok.error()));
     return script;
 }
@@ -74,7 +75,7 @@ Expected<void> Script::run_top_level(const SourceText& source) {
     if (auto loaded = load_chunk(L, code->chunk); !loaded) return Unexpected(to_error(loaded.error()));
     auto ran = protected_call(L, 0, 0, context_.budget);
     if (!ran) {
-        // A module that does not compile is to be told with its own place, not with the line that requires it.
+        // The error of a module has its own place, not the line that requires it.
         if (module_error_ && ran.error().message.find(module_error_->message) != std::string::npos)
             return Unexpected(*module_error_);
         return Unexpected(to_error(ran.error()));
@@ -84,7 +85,7 @@ Expected<void> Script::run_top_level(const SourceText& source) {
         return failure("the file declares nothing: no port, parameter, command, task or callback", {file_.shown});
     }
     if (auto ok = check_parameters(code->parameters); !ok) return ok;
-    lua_gc(L, LUA_GCCOLLECT);  // what loading left behind; nothing of the script runs in it
+    lua_gc(L, LUA_GCCOLLECT);  // collects garbage of loading; no code of the script runs in it
     seen_parameters_ = parameters_.version();
     phase_ = Phase::bound;
     return {};
@@ -92,7 +93,7 @@ Expected<void> Script::run_top_level(const SourceText& source) {
 
 Expected<void> Script::check_parameters(const std::vector<ParameterUse>& uses) const {
     std::vector<Error>* const diagnostics = context_.diagnostics;
-    // A declaration that is wrong declares nothing.
+    // A wrong declaration declares nothing.
     if (diagnostics != nullptr && !diagnostics->empty()) return {};
     std::vector<std::string_view> names;
     for (const auto& parameter : parameters_.all()) names.push_back(parameter.spec.name);
@@ -141,6 +142,21 @@ Expected<void> Script::begin_module(std::string_view name) {
     return {};
 }
 
+Expected<const MessageType*> Script::find_message(std::string_view name) {
+    if (!context_.find_message) return find_message_type(name);
+    std::vector<SourceText> read;
+    const auto found = context_.find_message(name, file_.path, &read);
+    for (const SourceText& file : read) {
+        if (inheritance_.required != nullptr) inheritance_.required->emplace_back(file);
+        const ScriptFile used(file);
+        if (std::find(modules_.begin(), modules_.end(), used) == modules_.end()) modules_.push_back(used);
+    }
+    if (found) return found->type;
+    // What is wrong with a message's file is told with its own place.
+    if (!found.error().place.file.empty() && !module_error_) module_error_ = found.error();
+    return Unexpected(found.error());
+}
+
 void Script::end_module() { loading_modules_.pop_back(); }
 
 // Running
@@ -165,7 +181,7 @@ void Script::log(LogLevel level, std::string text) {
     logged_bytes_ += sizeof(std::string) + text.size();
     if (logged_bytes_ > most_logged_bytes) {
         level = LogLevel::warn;
-        text = fmt::format("more than {} MB of log in one execution: the rest is left out", most_logged_bytes >> 20);
+        text = fmt::format("more than {} MB of log in one execution: the rest is dropped", most_logged_bytes >> 20);
     }
     if (owner_ != nullptr) return owner_->log(level, std::move(text));
     early_log_.emplace_back(level, std::move(text));
@@ -195,7 +211,7 @@ void Script::discard_unsafe() {
     }
 }
 
-// Arguments: the script, the hook. Its function may be missing.
+// Arguments: the script, the callback. Its function may be missing.
 int Script::call_with_tasks(lua_State* L) {
     auto& script = *static_cast<Script*>(lua_touserdata(L, 1));
     const auto hook = static_cast<Hook>(lua_tointeger(L, 2));
@@ -204,7 +220,7 @@ int Script::call_with_tasks(lua_State* L) {
         script.tasks_.run(L, script.seconds());
     } else {
         script.tasks_.end(L, script.seconds());
-        // What tasks write while they are closed is no answer to the stop: the values that are safe are.
+        // Values that tasks write while they are closed are discarded: the safe values count.
         if (hook == Hook::on_deactivated) script.discard_unsafe();
     }
     const int function = script.hooks_[static_cast<std::size_t>(hook)];
@@ -286,7 +302,7 @@ Expected<PlainData> Script::call_command(std::string_view name, const PlainData&
     return results;
 }
 
-// `body` finds the table on top of the stack.
+// `body` gets the table on top of the stack.
 template <class Body>
 std::invoke_result_t<Body, lua_State*> Script::with_state(Body&& body) {
     lua_State* L = lua_->lua();
@@ -302,7 +318,7 @@ std::invoke_result_t<Body, lua_State*> Script::with_state(Body&& body) {
 }
 
 Expected<PlainData> Script::take_state(std::vector<Dropped>& dropped) {
-    // Copied between two ticks, which a larger state would make late by more than a moment.
+    // Copied between two ticks; a larger state would delay the tick too much.
     constexpr PlainLimit most{.values = 250'000, .text = std::size_t{16} << 20U};
     return with_state([&](lua_State* L) { return take_plain(L, 1, context_.budget, {"state"}, dropped, most); });
 }
@@ -345,7 +361,7 @@ constexpr std::pair<std::string_view, std::string_view> cures[] = {
 
 std::string Script::hint(const Error& error) const {
     const auto says = [&](std::string_view text) { return error.message.find(text) != std::string::npos; };
-    // Lua knows no name of an element: what is nil is "field '?'", or nothing at all in a comparison or a loop.
+    // Lua knows no name of an element: the nil value is "field '?'", or has no name in a comparison or a loop.
     const bool of_an_element = says("nil value (field '?')") || says("nil value (field 'integer index')") ||
                                (says("attempt to compare ") && says("nil")) || (says("bad 'for' ") && says("got nil)"));
     if (of_an_element && missing_.port != nullptr && missing_.place.line == error.place.line &&
@@ -356,7 +372,7 @@ std::string Script::hint(const Error& error) const {
     for (const auto& [message, cure] : cures) {
         if (says(message)) return fmt::format(": {}", cure);
     }
-    // Locals are new after a reload, and on_activated, which may have set them, does not run again.
+    // A reload resets locals, and does not call on_activated again, which may have set them.
     if (was_activated_ || context_.version == 1 || !says("nil value (upvalue '")) return "";
     return "; a reload makes the file's locals new and does not run on_activated again: set it at the top of the file "
            "or in "

@@ -22,6 +22,7 @@
 #include "bindings/lua/script/tasks.hpp"
 #include "bindings/lua/values/plain_data.hpp"
 #include "engine/components/component.hpp"
+#include "engine/messages/message_files.hpp"
 #include "engine/project/script_source.hpp"
 
 namespace nezumi {
@@ -36,8 +37,9 @@ struct ScriptContext {
     Budget budget = paced_budget;                      ///< of every call into the script, also of loading
     std::size_t memory_limit = std::size_t{64} << 20;  ///< [bytes]
     ModuleFinder find_module;                          ///< empty: there are no modules
-    ChunkCache* chunks = nullptr;  ///< shares compiled code between components; may be null, must outlive them
-    ParameterValues configured;    ///< values of a system file, which the top level can read
+    MessageFinder find_message;                        ///< empty: only those that are compiled in
+    ChunkCache* chunks = nullptr;  ///< shares compiled code among components; may be null, must outlive them
+    ParameterValues configured;    ///< values of a system file, so that the file's top level reads them
     double tick_rate = 100;        ///< [Hz]; `dt` before the first execution
     double seconds = 0;            ///< `now()` while it loads
     std::vector<Error>* diagnostics = nullptr;  ///< gets the errors of declarations while loading continues; null:
@@ -48,7 +50,7 @@ struct ScriptContext {
 struct PortDeclaration {
     Direction direction = Direction::in;
     std::string name;
-    std::size_t type = 0;  ///< index in `message_types`
+    const MessageType* type = nullptr;
     std::string doc;
     std::size_t queue = 0;    ///< length of the queue of an in-port
     std::vector<Value> safe;  ///< safe value of an out-port, if it has one; a vector because payloads are large
@@ -99,7 +101,7 @@ public:
     const ScriptContext& context() const { return context_; }
     /// The text of the file or of a module with this name in messages; "" if it is no longer known.
     std::string text_of(std::string_view shown) const;
-    /// The files that `require` loaded, directly or indirectly.
+    /// The files that `require` loaded, directly or not, and those that define its messages.
     const std::vector<ScriptFile>& modules() const { return modules_; }
     const std::list<PortDeclaration>& ports() const { return ports_; }
     std::list<PortSlot>& slots() { return slots_; }
@@ -184,6 +186,8 @@ public:
     };
     void note_missing(const MissingElement& element) { missing_ = element; }
 
+    /// A message type by its name, of a file too while this one loads.
+    Expected<const MessageType*> find_message(std::string_view name);
     Expected<PortSlot*> declare_port(PortDeclaration declaration);
     Expected<void> declare_parameter(ParameterSpec spec);
     /// `function` is a registry reference.

@@ -1,4 +1,4 @@
-// What scripts may name, and what they write by mistake although Lua takes it.
+// The names that scripts may use, and mistakes that Lua itself accepts.
 #include "bindings/lua/script/script_chunk.hpp"
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 namespace nezumi {
 namespace {
 
-// Globals that a person may expect in a behaviour, beside those of Lua, and what there is instead.
-constexpr std::string_view of_system_files = "it is of system files, and this is to be a behaviour";
+// Globals that a person may expect in a behaviour, beside those of Lua, and their replacements.
+constexpr std::string_view of_system_files = "it is for system files, and this is a behaviour";
 constexpr std::array instead{
     Instead{"os", "the time is now(); there are no files and no processes"},
-    Instead{"io", "`log` writes lines, and `nezumi run --record` what ports carry"},
+    Instead{"io", "`log` writes lines, and `nezumi run --record` records ports"},
     Instead{"debug", "`print` and the console show values"},
     Instead{"sleep", "`wait(seconds)` waits, in a task: task(\"name\", function() ... end)"},
-    Instead{"self", "a behaviour is its file: parameters are in `config`, what is kept in `state` and locals"},
+    Instead{"self", "a behaviour has no object: parameters are in `config`, data in `state` and locals"},
     Instead{"arena", of_system_files},
     Instead{"robot", of_system_files},
     Instead{"behavior", of_system_files},
@@ -44,7 +44,7 @@ const KnownGlobals& known_globals(ScriptKind kind) {
     return kind == ScriptKind::component ? components : modules;
 }
 
-// `local function on_execute` and `local on_execute =` are Lua, and nobody would ever call it.
+// Finds `local function on_execute` and `local on_execute =`, which are correct Lua but are never called.
 void find_local_callbacks(const SyntaxTree& tree, const std::string& file, std::vector<Error>& errors) {
     using Kind = SyntaxNode::Kind;
     const auto& names = hook_names();

@@ -1,4 +1,4 @@
-// Joins the life cycle to a script, and replaces the script by another version of it.
+// Connects the life cycle to a script, and replaces the script by another version.
 #include "bindings/lua/script/script_component.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ auto find_fitting(Ports& ports, const PortDeclaration& declaration) {
                         [&](const auto& port) { return port != nullptr && declaration.fits(*port); });
 }
 
-// Moves the port that fits out of `ports`, or gives null.
+// Removes the port that fits from `ports` and returns it, or null.
 template <class Ports>
 auto take_fitting(Ports& ports, const PortDeclaration& declaration) {
     typename Ports::value_type taken;
@@ -70,7 +70,7 @@ Expected<PlainData> ScriptComponent::copy_state() const {
     return script_->take_state(dropped);
 }
 
-// A call that the clock ended was late already: no more is taken than a look may.
+// A call that ran out of time has delayed the tick already, so only a limited part of the state is copied.
 Component::LeftState ScriptComponent::left_state() {
     std::vector<Dropped> dropped;
     auto look = script_->state_snapshot({}, &dropped);
@@ -125,10 +125,11 @@ Expected<ScriptComponent::Version> ScriptComponent::prepare(const Loading& loadi
     std::vector<Dropped> dropped;
     auto state = script_->take_state(dropped);
     if (!state)
-        return failure(fmt::format("state can't be taken over, and the old version runs on: {}. Keep less in state, or "
-                                   "restart() the system",
-                                   state.error().message),
-                       state.error().place);
+        return failure(
+            fmt::format("state can't be taken over, and the old version continues: {}. Keep less in state, or "
+                        "restart() the system",
+                        state.error().message),
+            state.error().place);
     describe_dropped(dropped, next.warnings);
 
     ScriptContext context = loading.context;
@@ -153,7 +154,7 @@ Expected<ScriptComponent::Version> ScriptComponent::prepare(const Loading& loadi
         next.warnings.push_back(fmt::format("set '{}' no longer fits, and none is in use now: {}", shown(set_in_use()),
                                             fits.error().message));
         leave_set(*this, settings);
-        auto script = load();  // its top level may have read a value of that set
+        auto script = load();  // its top level may have read a value of that parameter set
         if (!script) return Unexpected(script.error());
         loaded = std::move(*script);
     }
@@ -171,7 +172,7 @@ Expected<void> ScriptComponent::adopt(Version& next, const Time& now) {
     if (state() == LifeState::active) next.script->tasks().start_all(now.seconds);
     auto ok = run(Hook::on_reload, [&] { return next.script->call_on_reload(version_); });
     if (!ok) return ok;
-    next.parameters = next.script->take_parameters();  // with what on_reload set
+    next.parameters = next.script->take_parameters();  // with the changes of on_reload
     next.parameters.begin_version();
     return ok;
 }
@@ -200,7 +201,7 @@ void ScriptComponent::commit(Version next, int reload) {
     old.replaced_by = reload;
     old.set = set_in_use();
     old.uses = uses();
-    if (!set_fits) note_set_in_use("");  // its values went when this version was prepared
+    if (!set_fits) note_set_in_use("");  // its values were removed when this version was prepared
     if (state() == LifeState::active && !script_->tasks().empty())
         log(LogLevel::info, fmt::format("tasks begin anew: {}", script_->tasks().names()));
     if (const std::string kept = kept_text(old.parameters, parameters_, configured); !kept.empty())
@@ -241,7 +242,7 @@ void ScriptComponent::go_back(bool keep_settings) {
     make_ports(back);
     fill_slots(back);
     probation_left_ = past_.empty() ? 0 : back.probation_left;
-    // Its tasks go on where they stood, unless all have been ended since; messages wait unless the ports were emptied.
+    // Its tasks continue, unless all have been ended since. Messages wait unless the ports were emptied.
     const bool is_same = back.activation == activation_;
     if (state() == LifeState::active && !is_same) back.script->tasks().start_all(now().seconds);
     std::vector<DroppedMessages> dropped = std::exchange(back.dropped, {});
@@ -280,8 +281,8 @@ Expected<void> ScriptComponent::execute_traced() {
 }
 
 Expected<void> ScriptComponent::execute_on_probation() {
-    if (!relapses_.empty() && !relapses_.back().went_back) return {};  // waits to be taken back
-    // Each version's execution is a call of its own, so that a replay knows which of them ran out of its time.
+    if (!relapses_.empty() && !relapses_.back().went_back) return {};  // it waits to be taken back
+    // The execution of each version is a call of its own, so a replay knows which of them ran out of time.
     const auto execute = [this] { return run(Hook::on_execute, [this] { return script_->call(Hook::on_execute); }); };
     auto ok = execute();
     if (ok) {
@@ -295,8 +296,8 @@ Expected<void> ScriptComponent::execute_on_probation() {
                          .execution = probation - probation_left_ + 1,
                          .reload = before.replaced_by});
     Relapse& relapse = relapses_.back();
-    // When no port differs, the version before can take this very tick, unless its time is up. How much of it was used
-    // must not decide: equal runs would differ.
+    // If both have the same ports, the version before can run in this tick, unless the time of the tick is used up. The
+    // used time must not decide, because equal runs would differ.
     if (relapse.error.kind == Error::Kind::out_of_time || !before.in_ports.empty() || !before.out_ports.empty() ||
         !ports_going(before).empty())
         return {};
@@ -347,7 +348,7 @@ ScriptComponent::Version ScriptComponent::replace(Version next) {
     version_ = next.number;
     newest_ = std::max(newest_, version_);
     script_->go_live(true);
-    if (old.script != nullptr) tell_early_log();  // of the first version when a system takes the component
+    if (old.script != nullptr) tell_early_log();  // of the first version, when a system takes the component
     for (const std::string& warning : next.warnings) log(LogLevel::warn, warning);
     return old;
 }
@@ -361,7 +362,7 @@ void ScriptComponent::tell_early_log() {
     for (const auto& [level, text] : script_->take_early_log()) log(level, text);
 }
 
-// Ports that neither run now nor are there from an earlier time.
+// Makes the ports that neither the running version has nor exist from before.
 void ScriptComponent::make_ports(Version& next) const {
     for (const PortDeclaration& declaration : next.script->ports()) {
         if (declaration.direction == Direction::in) {

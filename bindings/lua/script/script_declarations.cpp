@@ -41,7 +41,7 @@ Expected<std::string> text_at(lua_State* L, int index, std::string_view what) {
 Expected<PortSlot*> declare_port(lua_State* L, Script& script, Direction direction) {
     const std::string_view function = direction == Direction::in ? "input" : "output";
     PortDeclaration port{
-        .direction = direction, .name = {}, .type = 0, .doc = {}, .queue = 0, .safe = {}, .place = caller(L)};
+        .direction = direction, .name = {}, .type = nullptr, .doc = {}, .queue = 0, .safe = {}, .place = caller(L)};
     if (auto ok = take_arguments(L, function, 4, "(name, type, doc, options)"); !ok) return Unexpected(ok.error());
     if (lua_type(L, 1) != LUA_TSTRING)
         return failure(fmt::format("{}: its name expected a string, got {}", function, luaL_typename(L, 1)));
@@ -53,8 +53,8 @@ Expected<PortSlot*> declare_port(lua_State* L, Script& script, Direction directi
         return refuse(
             {fmt::format("its type expected a string such as \"TimedVelocity2D\", got {}", luaL_typename(L, 2))});
     }
-    auto type = find_message_type(*text_at(L, 2, ""));
-    if (!type) return refuse(type.error());
+    auto type = script.find_message(*text_at(L, 2, ""));
+    if (!type) return type.error().place.file.empty() ? refuse(type.error()) : Unexpected(type.error());
     port.type = *type;
     const int options = lua_type(L, 3) == LUA_TTABLE && lua_isnoneornil(L, 4) ? 3 : 4;
     if (options == 4) {
@@ -68,8 +68,7 @@ Expected<PortSlot*> declare_port(lua_State* L, Script& script, Direction directi
         auto safe = read_payload(L, -1, port.type);
         lua_pop(L, 1);
         if (!safe) {
-            return fields.check().wrong({"safe"},
-                                        fmt::format("({}): {}", message_type_names[port.type], safe.error().message));
+            return fields.check().wrong({"safe"}, fmt::format("({}): {}", port.type->name, safe.error().message));
         }
         port.safe.push_back(std::move(*safe));
     };
@@ -195,6 +194,30 @@ int global_about(lua_State* L) {
     return 0;
 }
 
+// constants(type): a table of the constants that the definition of a message type has
+int global_constants(lua_State* L) {
+    const MessageType* type = nullptr;
+    bridge(L, [&]() -> Expected<void> {
+        if (auto ok = Arguments{L}.at_most("constants", 1, "(type)"); !ok) return ok;
+        const auto name = Arguments{L}.text(1, "a type's name");
+        if (!name) return failure("constants: " + name.error().message);
+        const auto found = script_of(L).find_message(*name);
+        if (!found) {
+            return found.error().place.file.empty() ? failure("constants: " + found.error().message)
+                                                    : Unexpected(found.error());
+        }
+        type = *found;
+        return {};
+    });
+    lua_createtable(L, 0, static_cast<int>(type->constants.size()));
+    for (const auto& [name, value] : type->constants) {
+        lua_pushlstring(L, name.data(), name.size());
+        push_payload(L, value);
+        lua_rawset(L, -3);
+    }
+    return 1;
+}
+
 }  // namespace
 
 void set_declaring_globals(lua_State* L, Script& script) {
@@ -203,6 +226,7 @@ void set_declaring_globals(lua_State* L, Script& script) {
     set_function(L, script, "param", global_param);
     set_function(L, script, "command", global_command);
     set_function(L, script, "about", global_about);
+    set_function(L, script, "constants", global_constants);
 }
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// What a file declares, checked as it comes: names, and what is there already.
+// Checks each declaration of a file: its name, and that it is declared once.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ bool contains(const std::vector<std::string_view>& names, std::string_view name)
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// "input 'in'" of what has this name already, and where.
+// "input 'in'" for the first declaration with this name, and its line.
 std::string first_in(const Place& place) {
     return place.line > 0 ? fmt::format(" (first in line {})", place.line) : "";
 }
@@ -86,7 +86,7 @@ Expected<void> Script::declare_parameter(ParameterSpec spec) {
     }
     const std::string name = spec.name;
     if (auto ok = parameters_.declare(std::move(spec)); !ok) return failure(ok.error().message);
-    // What does not fit is no matter of the script's: the system file or the reload says so.
+    // A value that does not fit is not an error of the script; the system file or the reload reports it.
     if (inheritance_.parameters != nullptr) {
         parameters_.adopt(*inheritance_.parameters, name);
     } else if (const auto given = context_.configured.find(name); given != context_.configured.end()) {
@@ -99,7 +99,7 @@ Expected<void> Script::declare_command(CommandDeclaration declaration, int funct
     if (auto ok = check_loading("command"); !ok) return ok;
     if (auto ok = check_name("command", declaration.name, false); !ok) return ok;
     if (auto ok = check_count(commands_.size(), "command", declaration.name, "commands"); !ok) return ok;
-    // Unlike a port, a command never takes the place of a member, of whatever kind of component.
+    // Unlike a port, a command must not have the name of a member of any kind of component.
     if (find_member(component_members(), declaration.name) != nullptr)
         return failure(fmt::format("command '{0}': components have a member '{0}' already: choose another name",
                                    declaration.name));
@@ -150,7 +150,7 @@ Expected<std::size_t> Script::check_hook(std::string_view name, std::string_view
     }
     if (phase_ != Phase::loading) return failure(fmt::format("{} can only be defined while the file loads", name));
     if (!loading_modules_.empty())
-        return failure(fmt::format("{} can't be defined in a module: it belongs into the component's file", name));
+        return failure(fmt::format("{} can't be defined in a module: it belongs in the component's file", name));
     const auto hook = static_cast<std::size_t>(Hook::on_activated) + static_cast<std::size_t>(found - names.begin());
     if (hooks_[hook] != LUA_NOREF)
         return failure(fmt::format("{} is defined twice (first in line {})", name, hook_lines_[hook]));

@@ -223,9 +223,9 @@ void set_state_global(lua_State* L, const PlainData* state) {
 }
 
 const std::vector<std::string_view>& script_globals() {
-    static const std::vector<std::string_view> globals{"about", "cancel", "command", "config", "dt",        "input",
-                                                       "log",   "now",    "output",  "param",  "probe",     "require",
-                                                       "start", "state",  "task",    "wait",   "wait_until"};
+    static const std::vector<std::string_view> globals{
+        "about",  "cancel", "command", "config",  "constants", "dt",    "input", "log",  "now",
+        "output", "param",  "probe",   "require", "start",     "state", "task",  "wait", "wait_until"};
     return globals;
 }
 

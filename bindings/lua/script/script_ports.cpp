@@ -38,7 +38,7 @@ int refuse_surplus(lua_State* L, const PortSlot& slot, const char* method, int m
 std::string refuse_write(const PortSlot& slot) {
     if (!slot.live) return fmt::format("{}: on_reload can't write; the next execution can", title(slot));
     const Component& owner = *slot.script->owner();
-    const bool is_velocity = slot.declaration->type == type_index<Velocity2D>();
+    const bool is_velocity = slot.declaration->type == message_of<Velocity2D>();
     switch (owner.state()) {
         case LifeState::active: return "";
         case LifeState::inactive:
@@ -48,7 +48,7 @@ std::string refuse_write(const PortSlot& slot) {
     const Hook hook = owner.hook();
     if (is_velocity && (hook == Hook::on_aborting || hook == Hook::on_error)) {
         return fmt::format("{} ({}): velocities can't be written in {}: the robot is being stopped", title(slot),
-                           message_type_names[slot.declaration->type], to_text(hook));
+                           slot.declaration->type->name, to_text(hook));
     }
     if (is_velocity || hook == Hook::command) {
         return fmt::format("{}: {} is in ERROR and can't write: reset and activate it first", title(slot),
@@ -57,7 +57,7 @@ std::string refuse_write(const PortSlot& slot) {
     return "";
 }
 
-template <Payload T>
+template <Held T>
 int port_read(lua_State* L) {
     PortSlot& slot = slot_of(L);
     if (lua_touserdata(L, 1) != slot.object) return refuse_self(L, slot, "read");
@@ -65,8 +65,13 @@ int port_read(lua_State* L) {
     if (slot.port == nullptr) return refuse_while_loading(L, slot, "read");
     if constexpr (!std::is_arithmetic_v<T>) luaL_checkstack(L, 20, nullptr);
     auto& port = *static_cast<InPort<T>*>(slot.port);
-    push_value(L, slot.live ? port.read()
-                            : port.latest().data);  // on_reload may read, but the version before may need the message
+    // on_reload may look, the version before may need it
+    const T& value = slot.live ? port.read() : port.latest().data;
+    if constexpr (std::is_same_v<T, Value>) {
+        push_payload(L, value);
+    } else {
+        push_value(L, value);
+    }
     if constexpr (Sequence<T>) {
         lua_pushvalue(L, lua_upvalueindex(2));
         lua_setmetatable(L, -2);
@@ -92,16 +97,13 @@ int missing_element(lua_State* L) {
     return 1;
 }
 
-template <Payload T>
-bool explain_write(lua_State* L, const PortSlot& slot) {
-    T value{};
-    Mismatch why;
-    if (read_value(L, 2, value, &why)) return true;
-    keep_error(L, fmt::format("{} ({}): {}", title(slot), message_type_names[type_index<T>()], describe(why)));
-    return false;
+void explain_write(lua_State* L, const PortSlot& slot) {
+    const auto value = read_payload(L, 2, slot.declaration->type);
+    if (!value)
+        keep_error(L, fmt::format("{} ({}): {}", title(slot), slot.declaration->type->name, value.error().message));
 }
 
-template <Payload T>
+template <Held T>
 int port_write(lua_State* L) {
     PortSlot& slot = slot_of(L);
     if (lua_touserdata(L, 1) != slot.object) return refuse_self(L, slot, "write");
@@ -112,27 +114,32 @@ int port_write(lua_State* L) {
         if (!LuaState::of(L).kept_error.empty()) return raise_kept(L);
     }
     lua_settop(L, 2);
-    if constexpr (!std::is_arithmetic_v<T>) luaL_checkstack(L, 30, nullptr);
+    if constexpr (!std::is_arithmetic_v<T>) luaL_checkstack(L, codec_stack, nullptr);
     auto& port = *static_cast<OutPort<T>*>(slot.port);
     const std::size_t before = port.pending();
     T& value = port.next_pending();
-    const bool fits = read_value(L, 2, value);
+    bool fits = false;
     std::size_t bytes = sizeof(Message<T>);
+    if constexpr (std::is_same_v<T, Value>) {
+        fits = read_described(L, 2, value);
+        bytes += value.type().size;
+    } else {
+        fits = read_value(L, 2, value);
+    }
     if constexpr (!std::is_trivially_copyable_v<T>) bytes += heap_bytes(value);
     if (fits && slot.script->may_write(bytes)) return 0;
     port.discard_after(before);
     if (fits) {
-        keep_error(
-            L, fmt::format("{} ({}): is there an endless loop? It has written more than {} MB in one execution",
-                           title(slot), message_type_names[slot.declaration->type], Script::most_written_bytes >> 20));
+        keep_error(L, fmt::format("{} ({}): is there an endless loop? It has written more than {} MB in one execution",
+                                  title(slot), slot.declaration->type->name, Script::most_written_bytes >> 20));
     } else {
-        explain_write<T>(L, slot);
+        explain_write(L, slot);
     }
     return raise_kept(L);
 }
 
-// The time stamp of the value that `read` returns; with a queue, that of the last message read, if any.
-template <Payload T>
+// The stamp of what a read gives: with a queue that of the message read last, once there is one.
+template <Held T>
 double stamp(const InPortBase& port) {
     const double taken = static_cast<const InPort<T>&>(port).current().tm;
     return port.queue() > 0 && taken == 0 ? port.tm() : taken;
@@ -145,13 +152,11 @@ struct PortFunctions {
     bool sequence;
 };
 
-const PortFunctions& functions_of(std::size_t type) {
-    static constexpr auto table = []<std::size_t... I>(std::index_sequence<I...>) {
-        return std::array<PortFunctions, message_type_count>{PortFunctions{
-            port_read<PayloadAt<I>>, port_write<PayloadAt<I>>, stamp<PayloadAt<I>>, Sequence<PayloadAt<I>>}...};
-    }
-    (std::make_index_sequence<message_type_count>{});
-    return table[type];
+const PortFunctions& functions_of(const MessageType& type) {
+    return *with_payload_type(type, []<class T>() {
+        static constexpr PortFunctions functions{port_read<T>, port_write<T>, stamp<T>, Sequence<T>};
+        return &functions;
+    });
 }
 
 enum class Property { is_new, tm, age, connected, stale };
@@ -161,7 +166,7 @@ void push_property(lua_State* L, const PortSlot& slot, Property property) {
     const auto& port = static_cast<const InPortBase&>(*slot.port);
     const Component& owner = *slot.script->owner();
     const bool arrived = port.arrival_tick() >= 0;
-    const double tm = arrived ? functions_of(port.type()).stamp(port) : 0;
+    const double tm = arrived ? functions_of(*port.type()).stamp(port) : 0;
     switch (property) {
         case Property::is_new: return lua_pushboolean(L, port.is_new() ? 1 : 0);
         case Property::tm: return lua_pushnumber(L, tm);
@@ -219,7 +224,7 @@ int port_newindex(lua_State* L) {
 int port_tostring(lua_State* L) {
     const PortDeclaration& declaration = *slot_of(L).declaration;
     lua_pushfstring(L, "%s '%s' (%s)", declaration.direction == Direction::in ? "input" : "output",
-                    declaration.name.c_str(), message_type_names[declaration.type].data());
+                    declaration.name.c_str(), declaration.type->name.c_str());
     return 1;
 }
 
@@ -238,7 +243,7 @@ std::string port_title(const PortDeclaration& declaration) {
 void push_port_object(lua_State* L, PortSlot& slot) {
     luaL_checkstack(L, 8, nullptr);
     const bool in = slot.declaration->direction == Direction::in;
-    const PortFunctions& functions = functions_of(slot.declaration->type);
+    const PortFunctions& functions = functions_of(*slot.declaration->type);
     slot.object = lua_newuserdatauv(L, 0, 0);
 
     lua_createtable(L, 0, 6);  // the metatable

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "bindings/lua/script/declaration_fields.hpp"
 #include "bindings/lua/stubs/member_table.hpp"
 #include "bindings/lua/stubs/record_annotations.hpp"
+#include "bindings/lua/stubs/type_table.hpp"
+#include "engine/base/lua_text.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/world/robot_fields.hpp"
 
@@ -19,14 +22,28 @@ namespace {
 // Values that scripts read are complete; in values that they write, fields may be omitted.
 enum class Use { read, write };
 
+// "sensor_msgs/Imu" is the class sensor_msgs.Imu.
+std::string class_name(std::string name) {
+    std::replace(name.begin(), name.end(), '/', '.');
+    return name;
+}
+
 std::string lua_type_of(const Type& type, Use use) {
-    if (type.kind == Type::Kind::sequence) return lua_type_of(*type.element, use) + "[]";
+    if (type.element != nullptr) {
+        const std::string element = lua_type_of(*type.element, use);
+        return (element.find('|') != std::string::npos ? "(" + element + ")" : element) + "[]";
+    }
     if (type.is_integer()) return "integer";
     switch (type.kind) {
+        case Type::Kind::enumeration: {
+            std::string text;
+            for (const std::string& choice : type.choices) text += (text.empty() ? "" : "|") + lua_quoted(choice);
+            return text;
+        }
         case Type::Kind::boolean: return "boolean";
         case Type::Kind::text:
         case Type::Kind::octets: return "string";
-        case Type::Kind::structure: return fmt::format("{}{}", type.name, use == Use::write ? ".Written" : "");
+        case Type::Kind::structure: return class_name(type.name) + (use == Use::write ? ".Written" : "");
         default: return "number";
     }
 }
@@ -36,6 +53,7 @@ std::string remark(const Type::Field& field) {
     std::string text;
     if (!field.unit.empty()) text = fmt::format(" [{}]", field.unit);
     if (!field.doc.empty()) text += fmt::format(" {}", field.doc);
+    if (field.limits != nullptr) return text + limits_text(*field.limits);
     if (!field.type->single().is_integer()) return text;
     const auto [min, max] = field.type->single().integer_range();
     return text + fmt::format(" {}..{}", min, max);
@@ -43,10 +61,11 @@ std::string remark(const Type::Field& field) {
 
 // Adds a structure after the structures that it contains, each once.
 void add_structure(std::string& text, const Type& type, std::set<std::string_view>& done) {
+    if (type.element != nullptr) return add_structure(text, *type.element, done);
     if (type.kind != Type::Kind::structure || !done.insert(type.name).second) return;
-    for (const Type::Field& field : type.fields) add_structure(text, field.type->single(), done);
+    for (const Type::Field& field : type.fields) add_structure(text, *field.type, done);
     for (const Use use : {Use::read, Use::write}) {
-        text += fmt::format("---@class (exact) {}{}\n", type.name, use == Use::write ? ".Written" : "");
+        text += fmt::format("---@class (exact) {}{}\n", class_name(type.name), use == Use::write ? ".Written" : "");
         for (const Type::Field& field : type.fields) {
             text += fmt::format("---@field {}{} {}{}\n", field.name, use == Use::write ? "?" : "",
                                 lua_type_of(*field.type, use), remark(field));
@@ -61,7 +80,7 @@ std::string limits(const Type& type) {
     return fmt::format(" from {} to {}", min, max);
 }
 
-void add_ports(std::string& text, const MessageInfo& message) {
+void add_ports(std::string& text, const MessageType& message) {
     text += fmt::format(
         "---An in-port of {0}: {1}{2}.\n"
         "---@class {0}.In : InPort\n"
@@ -69,34 +88,38 @@ void add_ports(std::string& text, const MessageInfo& message) {
         "---An out-port of {0}: {1}{2}.\n"
         "---@class {0}.Out : OutPort\n"
         "---@field write fun(self: {0}.Out, value: {4})\n\n",
-        message.name, message.doc, limits(message.payload->single()), lua_type_of(*message.payload, Use::read),
-        lua_type_of(*message.payload, Use::write));
+        class_name(message.name), message.doc, limits(message.payload->single()),
+        lua_type_of(*message.payload, Use::read), lua_type_of(*message.payload, Use::write));
 }
 
-// Adds `input` or `output` with an overload for each type, so that the port has the class of its type.
-void add_word(std::string& text, std::string_view word, std::string_view suffix, std::string_view doc) {
+// `input` or `output` with an overload for each type, so that the port has its type's class.
+void add_word(std::string& text, std::string_view word, std::string_view suffix, std::string_view doc,
+              const std::vector<const MessageType*>& messages) {
     text += fmt::format("---{}\n", doc);
-    for (const MessageInfo& message : message_infos()) {
+    for (const MessageType* message : messages) {
         text += fmt::format(
-            "---@overload fun(name: string, type: \"{0}\", doc?: string, options?: {0}.{1}Options): {0}.{1}\n",
-            message.name, suffix);
+            "---@overload fun(name: string, type: \"{0}\", doc?: string, options?: {2}.{1}Options): {2}.{1}\n",
+            message->name, suffix, class_name(message->name));
     }
     text += fmt::format("function {}(name, type, doc, options) end\n\n", word);
 }
 
 }  // namespace
 
-std::string annotations(const std::vector<RecordShape>& more) {
+std::string annotations(const std::vector<RecordShape>& more, const std::vector<const MessageType*>& defined) {
+    std::vector<const MessageType*> messages;
+    for (const MessageType& each : compiled_message_types()) messages.push_back(&each);
+    messages.insert(messages.end(), defined.begin(), defined.end());
     std::string text =
         "---@meta\n"
         "--- What behaviours, systems and scenarios of nezumi are made of, for the Lua language server.\n"
         "--- Written by `nezumi types --lua`; do not edit.\n\n"
         "---@alias MessageType";
-    for (const std::string_view name : message_type_names)
-        text += fmt::format("{}\"{}\"", name == message_type_names.front() ? " " : "|", name);
+    for (const MessageType* message : messages)
+        text += fmt::format("{}\"{}\"", message == messages.front() ? " " : "|", message->name);
     text += "\n\n";
     std::set<std::string_view> done;
-    for (const MessageInfo& message : message_infos()) add_structure(text, message.payload->single(), done);
+    for (const MessageType* message : messages) add_structure(text, *message->payload, done);
     text +=
         "---@class InPort\n"
         "---@field is_new boolean something unread waits\n"
@@ -105,21 +128,22 @@ std::string annotations(const std::vector<RecordShape>& more) {
         "---@field connected boolean\n"
         "---@field stale boolean nothing came for three periods of its sender, or nothing can come\n\n"
         "---@class OutPort\n\n";
-    for (const MessageInfo& message : message_infos()) {
-        add_ports(text, message);
+    for (const MessageType* message : messages) {
+        add_ports(text, *message);
         RecordShape options = shape_of_record<PortDeclaration>();
         for (FieldRow& row : options.rows) {
-            if (row.name == "safe") row.type = lua_type_of(*message.payload, Use::write);
+            if (row.name == "safe") row.type = lua_type_of(*message->payload, Use::write);
         }
         for (const std::string_view kind : Describe<PortDeclaration>::kinds) {
-            text +=
-                annotation(options, fmt::format("{}.{}Options", message.name, kind == "input" ? "In" : "Out"), kind);
+            text += annotation(
+                options, fmt::format("{}.{}Options", class_name(message->name), kind == "input" ? "In" : "Out"), kind);
         }
     }
     add_word(text, "input", "In",
-             "Declares an in-port: `local range = input(\"range\", \"TimedShortSeq\", \"what it is\")`.");
+             "Declares an in-port: `local range = input(\"range\", \"TimedShortSeq\", \"what it is\")`.", messages);
     add_word(text, "output", "Out",
-             "Declares an out-port: `local target = output(\"target\", \"TimedVelocity2D\", \"what it is\")`.");
+             "Declares an out-port: `local target = output(\"target\", \"TimedVelocity2D\", \"what it is\")`.",
+             messages);
     text += "---@alias ParameterValue boolean|integer|number|string|boolean[]|integer[]|number[]|string[]\n\n";
     for (const auto* records : {&file_records(), &more}) {
         for (const RecordShape& record : *records) text += annotation(record);

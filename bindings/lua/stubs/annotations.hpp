@@ -8,10 +8,10 @@
 
 namespace nezumi {
 
-/// A definition file (`---@meta`): message types with one class for each type and direction, and the words of
-/// behaviours, system files, robot files and scenarios. `more` are further structures that these words take: the
-/// options of scenarios.
-std::string annotations(const std::vector<RecordShape>& more);
+/// A definition file (`---@meta`): the message types from their descriptions, one class per type and direction, and the
+/// words of behaviours, system files, robot files and scenarios. `more` are structures that these words take and other
+/// rooms describe: the options of scenarios.
+std::string annotations(const std::vector<RecordShape>& more, const std::vector<const MessageType*>& defined = {});
 
 namespace detail {
 /// The parts that do not depend on the message types.

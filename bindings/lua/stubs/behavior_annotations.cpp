@@ -10,6 +10,16 @@ const char* const behavior_annotations =
 ---@param options? ParameterOptions
 function param(name, default, options) end
 
+---Defines a message type, in a file of its own: `return message "Obstacle" { { "distance", "double", unit = "m" } }`.
+---@param name string that of the file: `light_sensors.lua` defines LightSensors
+---@return fun(fields: table): nil
+function message(name) end
+
+---The constants of a message type that a file defines: `constants("sensor_msgs/Range").ULTRASOUND`.
+---@param type MessageType
+---@return table<string, boolean|number|string>
+function constants(type) end
+
 ---@class Config
 ---@field [string] any
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace nezumi {
@@ -15,9 +16,10 @@ struct Row {
 };
 
 std::string values_of(const Type& type) {
-    const bool many = type.kind == Type::Kind::sequence;
-    const Type& single = type.single();
-    const std::string_view array = many ? "array of " : "";
+    const bool many = type.element != nullptr;
+    const Type& single = many ? *type.element : type;
+    if (many && single.element != nullptr) return "array of " + values_of(single);
+    const std::string array = !many ? "" : type.length == 0 ? "array of " : fmt::format("array of {} ", type.length);
     const std::string_view plural = many ? "s" : "";
     if (single.is_integer()) {
         const auto [min, max] = single.integer_range();
@@ -32,6 +34,7 @@ std::string values_of(const Type& type) {
         case Type::Kind::float64: return fmt::format("{}finite number{}", array, plural);
         case Type::Kind::text: return many ? "array of strings" : "string";
         case Type::Kind::octets: return "string of bytes";
+        case Type::Kind::enumeration: return array + fmt::format("{}", fmt::join(single.choices, " | "));
         default: return fmt::format("{}{}", array, single.name);
     }
 }
@@ -39,18 +42,29 @@ std::string values_of(const Type& type) {
 void add_rows(std::vector<Row>& rows, const std::string& path, const Type& type) {
     for (const Type::Field& field : type.fields) {
         const std::string name = path + field.name;
-        const bool many = field.type->kind == Type::Kind::sequence;
-        const Type& single = field.type->single();
-        if (many || single.fields.empty() || !field.doc.empty())
-            rows.push_back({name, values_of(*field.type), field.unit, field.doc});
+        const bool many = field.type->element != nullptr;
+        const Type& single = many ? *field.type->element : *field.type;
+        if (many || single.fields.empty() || !field.doc.empty()) {
+            const std::string limits = field.limits != nullptr ? limits_text(*field.limits) : "";
+            rows.push_back({name, values_of(*field.type) + limits, field.unit, field.doc});
+        }
         add_rows(rows, name + (many ? "[i]." : "."), single);
     }
 }
 
 }  // namespace
 
-std::string type_table(const MessageInfo& message) {
+std::string limits_text(const FieldLimits& limits) {
+    std::string text;
+    if (std::isfinite(limits.min)) text += fmt::format(", from {}", limits.min);
+    if (std::isfinite(limits.max)) text += fmt::format("{} up to {}", text.empty() ? "," : "", limits.max);
+    if (limits.length != FieldLimits{}.length) text += fmt::format(", up to {} long", limits.length);
+    return text;
+}
+
+std::string type_table(const MessageType& message) {
     std::string text = fmt::format("{}: {}\n", message.name, message.doc);
+    if (!message.file.empty()) text += fmt::format("  defined in {}\n", message.file);
     std::vector<Row> rows;
     add_rows(rows, "", message.payload->single());
     if (rows.empty()) rows.push_back({"value", values_of(*message.payload), "", ""});
@@ -68,9 +82,10 @@ std::string type_table(const MessageInfo& message) {
     return text;
 }
 
-std::string type_table() {
+std::string type_table(const std::vector<const MessageType*>& defined) {
     std::string text;
-    for (const MessageInfo& message : message_infos()) text += type_table(message) + "\n";
+    for (const MessageType& message : compiled_message_types()) text += type_table(message) + "\n";
+    for (const MessageType* message : defined) text += type_table(*message) + "\n";
     return text +
            "Every message carries its stamp tm [s], set by the engine. A single value and a sequence are plain Lua\n"
            "values, the others tables with these fields. In what a script writes a field left out is 0, an unknown "

@@ -2,15 +2,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/ports/payload.hpp"
 
 namespace nezumi {
 
 /// One message type: a line with its name and meaning, then a line for each field.
-std::string type_table(const MessageInfo& message);
+std::string type_table(const MessageType& message);
 
-/// All message types, and notes about all of them.
-std::string type_table();
+/// All message types that are compiled in and these, and what holds for all of them.
+std::string type_table(const std::vector<const MessageType*>& defined = {});
+
+/// " from 0 to 5", " up to 100 elements": what a field allows beside its type.
+std::string limits_text(const FieldLimits& limits);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Looks at each name that no local variable has.
+// Checks each name that is not a local variable.
 #include "bindings/lua/syntax/globals.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ const Named* find(const std::vector<Named>& list, std::string_view name) {
 
 std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"; }
 
-// The local variables that a token sees, sorted: the same hint in every run.
+// The local variables that are visible at a token, sorted, so that the hint is the same in every run.
 std::vector<std::string_view> locals_at(const SyntaxTree& tree, const Token* token) {
     std::vector<std::string_view> names;
     for (const LocalName& local : tree.locals()) {
@@ -32,17 +32,17 @@ std::vector<std::string_view> locals_at(const SyntaxTree& tree, const Token* tok
     return names;
 }
 
-// What is wrong with a use, or nothing.
+// The error of a use, or nothing.
 std::string complaint(const SyntaxTree& tree, const GlobalUse& use, const KnownGlobals& known) {
     const std::string_view name = use.name();
     if (name == environment) return "'_ENV' can't be used: globals are known by their names alone";
     if (contains(known.callbacks, name)) {
         if (!known.is_module) return {};
-        return quoted(name) + " can't be used in a module: callbacks belong into the component's own file";
+        return quoted(name) + " can't be used in a module: callbacks belong in the component's own file";
     }
     if (contains(known.readable, name)) {
         if (!use.assigned) return {};
-        return quoted(name) + " can't be assigned: it is a word of its own (write 'local " + std::string(name) +
+        return quoted(name) + " can't be assigned: it is predefined (write 'local " + std::string(name) +
                "' for a variable of that name)";
     }
     const bool has_callbacks = !known.callbacks.empty() && !known.is_module;
@@ -64,7 +64,7 @@ std::string complaint(const SyntaxTree& tree, const GlobalUse& use, const KnownG
     return "unknown global " + quoted(name) + hint;
 }
 
-// The same of a field that is read of a library: `math.flor`. An assignment fails in any case, and says why.
+// The same for a field of a library: `math.flor`. Assignments have an error of their own.
 std::optional<Error> field_complaint(const GlobalUse& use, const KnownGlobals& known) {
     const KnownLibrary* const library = find(known.libraries, use.name());
     const auto field = field_of(*use.node);

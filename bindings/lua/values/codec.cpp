@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
+
+#include "engine/values/limits.hpp"
 
 namespace nezumi {
 namespace {
-
-// Deep enough for every payload, both ways.
-constexpr int stack_needed = 40;
 
 std::string number_text(double value) {
     if (std::isnan(value)) return "nan";
@@ -57,51 +57,6 @@ std::string list_of(const std::vector<std::string_view>& names) {
     return fmt::format(" (its fields are {})", fmt::join(names, ", "));
 }
 
-template <class T>
-std::vector<T> elements(lua_State* L, int index, std::ptrdiff_t size) {
-    std::vector<T> all;
-    all.reserve(static_cast<std::size_t>(size));
-    for (std::ptrdiff_t i = 1; i <= size; ++i) {
-        lua_rawgeti(L, index, i);
-        if constexpr (std::is_same_v<T, double>) {
-            all.push_back(lua_tonumber(L, -1));
-        } else {
-            all.push_back(read_single(L, -1).get<T>());
-        }
-        lua_pop(L, 1);
-    }
-    return all;
-}
-
-Expected<Value> read_array(lua_State* L, int index) {
-    Mismatch why;
-    const std::ptrdiff_t size = read_array_size(L, index, &why);
-    if (size < 0) return failure(describe(why));
-    if (size == 0) return std::vector<double>();  // fits an array of anything
-    // The first element says what the others must be; integers and numbers mix to numbers.
-    int first = LUA_TNIL;
-    bool all_whole = true;
-    for (std::ptrdiff_t i = 1; i <= size; ++i) {
-        lua_rawgeti(L, index, i);
-        const int type = lua_type(L, -1);
-        all_whole = all_whole && lua_isinteger(L, -1);
-        lua_pop(L, 1);
-        if (i == 1) first = type;
-        if (type != LUA_TBOOLEAN && type != LUA_TNUMBER && type != LUA_TSTRING) {
-            return failure(
-                fmt::format("element {} expected a boolean, a number or a string, got {}", i, lua_typename(L, type)));
-        }
-        if (type != first) {
-            return failure(fmt::format("element {} expected a {}, as the first one, got {}", i, lua_typename(L, first),
-                                       lua_typename(L, type)));
-        }
-    }
-    if (first == LUA_TBOOLEAN) return elements<bool>(L, index, size);
-    if (first == LUA_TSTRING) return elements<std::string>(L, index, size);
-    if (all_whole) return elements<std::int64_t>(L, index, size);
-    return elements<double>(L, index, size);
-}
-
 }  // namespace
 
 std::string describe(const Mismatch& why) {
@@ -114,40 +69,21 @@ std::string describe(const Mismatch& why) {
 }
 
 void push_payload(lua_State* L, const ValueView& value) {
-    luaL_checkstack(L, stack_needed, "a value");
+    luaL_checkstack(L, codec_stack, "a value");
     detail::push_any(L, value);
 }
 
-Expected<Value> read_payload(lua_State* L, int index, std::size_t type) {
-    if (lua_checkstack(L, stack_needed) == 0) return failure("not enough memory");
+Expected<Value> read_payload(lua_State* L, int index, const MessageType* type) {
+    if (lua_checkstack(L, codec_stack) == 0) return failure("not enough memory");
     Value value = make_payload(type);
     Mismatch why;
     if (!detail::read_any(L, lua_absindex(L, index), value, &why)) return failure(describe(why));
     return value;
 }
 
-Value read_single(lua_State* L, int index) {
-    switch (lua_type(L, index)) {
-        case LUA_TBOOLEAN: return lua_toboolean(L, index) != 0;
-        case LUA_TNUMBER:
-            if (lua_isinteger(L, index)) return static_cast<std::int64_t>(lua_tointeger(L, index));
-            return static_cast<double>(lua_tonumber(L, index));
-        case LUA_TSTRING: {
-            std::size_t size = 0;
-            const char* text = lua_tolstring(L, index, &size);
-            return std::string(text, size);
-        }
-        default: return {};
-    }
-}
-
-Expected<Value> read_parameter(lua_State* L, int index) {
-    if (lua_checkstack(L, stack_needed) == 0) return failure("not enough memory");
-    index = lua_absindex(L, index);
-    if (lua_type(L, index) == LUA_TTABLE) return read_array(L, UnlockedTable(L, index).index());
-    if (Value single = read_single(L, index); !single.is_nothing()) return single;
-    return failure(
-        fmt::format("expected a boolean, a number, a string or an array of them, got {}", luaL_typename(L, index)));
+bool read_described(lua_State* L, int index, const ValuePlace& out) {
+    out.reset();
+    return detail::read_any(L, index, out, nullptr);
 }
 
 std::ptrdiff_t read_array_size(lua_State* L, int index, Mismatch* why) {
@@ -214,14 +150,50 @@ bool check_names(lua_State* L, int index, const std::vector<std::string_view>& n
     return false;
 }
 
+bool keeps_limits(const Type::Field& field, const ValuePlace& value, Mismatch* why) {
+    if (field.limits == nullptr || fits(*field.limits, value.view())) return true;
+    return why != nullptr && refuse(why, explain_misfit(*field.limits, value.view()));
+}
+
+// One pass over the keys, with no regard to which of several faults is met first. Tables often have their keys in the
+// order in which they were written: that of the fields.
+bool read_fields_at_once(lua_State* L, int index, const ValuePlace& out) {
+    const auto& fields = out.type->fields;
+    std::size_t next = 0;
+    lua_pushnil(L);
+    while (lua_next(L, index) != 0) {
+        bool fits = false;
+        if (lua_type(L, -2) == LUA_TSTRING) {
+            const std::string_view key = key_text(L);
+            for (std::size_t tried = 0; tried < fields.size(); ++tried) {
+                const Type::Field& field = fields[next];
+                next = next + 1 < fields.size() ? next + 1 : 0;
+                if (field.name != key) continue;
+                const ValuePlace place = out.field(field);
+                fits = read_any(L, lua_gettop(L), place, nullptr, field.numbers) && keeps_limits(field, place, nullptr);
+                break;
+            }
+        }
+        if (!fits) {
+            lua_pop(L, 2);
+            return false;
+        }
+        lua_pop(L, 1);
+    }
+    return true;
+}
+
+// `why` null: in one pass.
 bool read_any_fields(lua_State* L, int index, const ValuePlace& out, Mismatch* why) {
     if (lua_type(L, index) != LUA_TTABLE) return refuse_type(L, index, "a table", why);
     const UnlockedTable table(L, index);
+    if (why == nullptr) return read_fields_at_once(L, table.index(), out);
     std::vector<std::string_view> names;
     for (const Type::Field& field : out.type->fields) {
         names.push_back(field.name);
         if (!push_raw_field(L, table.index(), field.name)) continue;
-        const bool fits = read_any(L, lua_gettop(L), out.field(field), why, field.numbers);
+        const ValuePlace place = out.field(field);
+        const bool fits = read_any(L, lua_gettop(L), place, why, field.numbers) && keeps_limits(field, place, why);
         lua_pop(L, 1);
         if (fits) continue;
         prepend(why, field.name);
@@ -235,8 +207,13 @@ bool read_any_elements(lua_State* L, int index, const ValuePlace& out, Mismatch*
     const UnlockedTable table(L, index);
     const std::ptrdiff_t size = read_array_size(L, table.index(), why);
     if (size < 0) return false;
-    out.resize(0);
-    out.resize(static_cast<std::size_t>(size));
+    if (out.type->kind == Type::Kind::array) {
+        if (static_cast<std::size_t>(size) != out.type->length)
+            return why != nullptr && refuse(why, fmt::format("expected {} elements, got {}", out.type->length, size));
+    } else {
+        out.resize(0);
+        out.resize(static_cast<std::size_t>(size));
+    }
     lua_Integer at = 0;
     bool fits = true;
     for_each_element(out, [&](const ValuePlace& element) {
@@ -245,8 +222,23 @@ bool read_any_elements(lua_State* L, int index, const ValuePlace& out, Mismatch*
         lua_pop(L, 1);
         return fits;
     });
-    if (!fits) prepend(why, fmt::format("[{}]", at));
+    if (!fits && why != nullptr) prepend(why, fmt::format("[{}]", at));
     return fits;
+}
+
+// A choice of an enumeration, by its name.
+bool read_choice(lua_State* L, int index, const ValuePlace& out, Mismatch* why) {
+    std::string_view text;
+    if (!read_text(L, index, text, why)) return false;
+    const std::vector<std::string>& choices = out.type->choices;
+    const auto found = std::find(choices.begin(), choices.end(), text);
+    if (found != choices.end()) {
+        out.set_choice(static_cast<std::size_t>(found - choices.begin()));
+        return true;
+    }
+    if (why == nullptr) return false;
+    const std::string near = did_you_mean(text, {choices.begin(), choices.end()});
+    return refuse(why, fmt::format("expected one of {}, got '{}'{}", fmt::join(choices, ", "), shown(text), near));
 }
 
 }  // namespace
@@ -316,19 +308,29 @@ void push_any(lua_State* L, const ValueView& value) {
             });
             return;
         }
+        case Type::Kind::enumeration: return push_value(L, value.type->choices[value.choice()]);
         case Type::Kind::text: return push_value(L, value.as<std::string>());
         case Type::Kind::octets: return push_value(L, value.as<Octets>());
         case Type::Kind::any: return push_any(L, value.as<Value>());
         case Type::Kind::nothing:
         case Type::Kind::other: return lua_pushnil(L);
-        default: return visit_number(value, [L](const auto& number) { push_value(L, number); });
+        default:
+            return visit_number(value, [L]<class T>(const T& number) {
+                if constexpr (std::is_same_v<T, std::uint64_t>) {
+                    if (number > std::uint64_t{std::numeric_limits<std::int64_t>::max()})
+                        luaL_error(L, "an integer beyond 2^63 - 1, which Lua does not have");
+                }
+                push_value(L, number);
+            });
     }
 }
 
 bool read_any(lua_State* L, int index, const ValuePlace& out, Mismatch* why, Numbers numbers) {
     switch (out.type->kind) {
         case Type::Kind::structure: return read_any_fields(L, index, out, why);
+        case Type::Kind::array:
         case Type::Kind::sequence: return read_any_elements(L, index, out, why, numbers);
+        case Type::Kind::enumeration: return read_choice(L, index, out, why);
         case Type::Kind::boolean: return read_boolean(L, index, out.as<bool>(), why);
         case Type::Kind::text:
         case Type::Kind::octets: {

@@ -34,11 +34,17 @@ struct Mismatch {
 /// 'vx'?)".
 std::string describe(const Mismatch& why);
 
+/// Slots of Lua's stack for every payload, both ways: the deepest has `most_message_depth` levels.
+inline constexpr int codec_stack = 40;
+
 /// A fresh value of the script's own on top of the stack: a message, a parameter; arrays as plain tables.
 void push_payload(lua_State* L, const ValueView& value);
-/// The value at `index` as a payload of the message type at this index of `message_types`, or why it is none (the text
-/// of `describe(Mismatch)`).
-Expected<Value> read_payload(lua_State* L, int index, std::size_t type);
+/// The value at `index` as a payload of this message type, or why it is none (the text of `describe(Mismatch)`).
+Expected<Value> read_payload(lua_State* L, int index, const MessageType* type);
+
+/// The value at `index` (absolute) into the payload of a message type that a file defines, in one pass. Returns false
+/// when it does not fit; then `read_payload` says why, and `out` is of no use.
+bool read_described(lua_State* L, int index, const ValuePlace& out);
 
 /// The truth value, number or text at `index`; nothing where there is none of these.
 Value read_single(lua_State* L, int index);

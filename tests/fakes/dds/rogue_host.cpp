@@ -109,7 +109,7 @@ private:
     presence.said.ports = {{"driver.out", "TimedVelocity2D", false}};
     presence.said.wants = {{"future/driver.out", "follower/mouse.target_velocity_in"}};
     const auto announcer = place.write(announcement_topic());
-    const auto driver = place.write(topic_of("future", "driver.out", type_index<Velocity2D>()));
+    const auto driver = place.write(topic_of("future", "driver.out", message_of<Velocity2D>()));
     for (std::uint64_t number = 1;; ++number) {
         presence.look();
         if (number % 10 == 1) {
@@ -133,8 +133,8 @@ public:
           presence_(place, {.host = "rogue", .version = "0.1.0"}),
           announcer_(place.write(announcement_topic())),
           babbler_(place.write(announcement_topic())),
-          values_(place.write(topic_of("rogue", "flood.out", type_index<std::int32_t>()))),
-          leaders_(place.write(topic_of("leader", "vehicle.current_vel", type_index<Velocity2D>()))),
+          values_(place.write(topic_of("rogue", "flood.out", message_of<std::int32_t>()))),
+          leaders_(place.write(topic_of("leader", "vehicle.current_vel", message_of<Velocity2D>()))),
           requests_(place.write(request_topic(victim_))) {
         for (int i = 0; i < 2000; ++i)
             presence_.said.ports.push_back({fmt::format("flood.port{}", i), "TimedLong", i % 2 == 0});

@@ -28,7 +28,7 @@ require 'bad'  -- error: bad.lua:2: unexpected symbol near '='
 
 require 'slip'  -- error: slip.lua:2:25: unknown global 'xx' (did you mean 'x'?)
 
-require 'hook'  -- error: hook.lua:1:10: 'on_execute' can't be used in a module: callbacks belong into the component's own file
+require 'hook'  -- error: hook.lua:1:10: 'on_execute' can't be used in a module: callbacks belong in the component's own file
 
 require 'fails'  -- error: fails.lua:2: attempt to index a nil value (local 't') (called from behavior.lua:1)
 

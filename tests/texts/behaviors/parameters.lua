@@ -144,7 +144,7 @@ param('x', 5, { widget = 'slider' })  -- error: parameter 'x' (integer): the wid
 param('x', 5, 'a text')  -- error: parameter 'x': options expected a table, got string
 
 param('x', 'a', { choices = { 'left', 'right' } })
--- error: parameter 'x' (string): "a" is none of its choices "left", "right", in its default
+-- error: parameter 'x' (string): "a" is not one of its choices "left", "right", in its default
 
 param('x', 1, { choices = { 1, 'c' } })  -- error: parameter 'x' (integer): expected integer, got string "c", in its choices
 
@@ -165,5 +165,5 @@ end
 
 param('mode', 'slow', { choices = { 'slow', 'fast' } })
 function on_execute()
-config.mode = 'fsat'  -- error: parameter 'mode' (string): "fsat" is none of its choices "slow", "fast" (did you mean 'fast'?)
+config.mode = 'fsat'  -- error: parameter 'mode' (string): "fsat" is not one of its choices "slow", "fast" (did you mean 'fast'?)
 end

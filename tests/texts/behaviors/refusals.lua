@@ -28,10 +28,10 @@ sleep(1)  -- error at column 1: unknown global 'sleep': `wait(seconds)` waits, i
 local t = os.clock()
 --        ^ error: unknown global 'os': the time is now(); there are no files and no processes
 
-io.write('x')  -- error at column 1: unknown global 'io': `log` writes lines, and `nezumi run --record` what ports carry
+io.write('x')  -- error at column 1: unknown global 'io': `log` writes lines, and `nezumi run --record` records ports
 
 self.count = 1
--- error at column 1: unknown global 'self': a behaviour is its file: parameters are in `config`, what is kept in `state` and locals
+-- error at column 1: unknown global 'self': a behaviour has no object: parameters are in `config`, data in `state` and locals
 
 local m = {} function m:count() self.n = 1 end function on_execute() m:count() end
 
@@ -47,7 +47,7 @@ dofile('x')  -- error at column 1: unknown global 'dofile': code comes from file
 
 package('x')  -- error at column 1: unknown global 'package': code comes from files, by `require`
 
-collectgarbage()  -- error at column 1: unknown global 'collectgarbage': memory is collected by itself
+collectgarbage()  -- error at column 1: unknown global 'collectgarbage': memory is released automatically
 
 unpack({})  -- error at column 1: unknown global 'unpack': it is table.unpack in Lua 5.4
 
@@ -141,15 +141,15 @@ try f() catch g() end  -- error: syntax error near 'f': pcall(f) calls f and cat
 x = = 1  -- error: unexpected symbol near '='
 
 --- The message says if a system file is used as a behaviour.
-arena 'x'  -- error at column 1: unknown global 'arena': it is of system files, and this is to be a behaviour
+arena 'x'  -- error at column 1: unknown global 'arena': it is for system files, and this is a behaviour
 
-robot 'x'  -- error at column 1: unknown global 'robot': it is of system files, and this is to be a behaviour
+robot 'x'  -- error at column 1: unknown global 'robot': it is for system files, and this is a behaviour
 
-behavior 'x'  -- error at column 1: unknown global 'behavior': it is of system files, and this is to be a behaviour
+behavior 'x'  -- error at column 1: unknown global 'behavior': it is for system files, and this is a behaviour
 
-component 'x'  -- error at column 1: unknown global 'component': it is of system files, and this is to be a behaviour
+component 'x'  -- error at column 1: unknown global 'component': it is for system files, and this is a behaviour
 
-connect 'x'  -- error at column 1: unknown global 'connect': it is of system files, and this is to be a behaviour
+connect 'x'  -- error at column 1: unknown global 'connect': it is for system files, and this is a behaviour
 
 --- A callback must be a global function that is defined once, while the file loads.
 on_execute = 5  -- error: on_execute expected a function, got number
@@ -191,7 +191,7 @@ param('x', 1) local y = os
 --                      ^ error: unknown global 'os': the time is now(); there are no files and no processes
 
 param('x', 1) local y = io
---                      ^ error: unknown global 'io': `log` writes lines, and `nezumi run --record` what ports carry
+--                      ^ error: unknown global 'io': `log` writes lines, and `nezumi run --record` records ports
 
 param('x', 1) local y = debug
 --                      ^ error: unknown global 'debug': `print` and the console show values
@@ -212,32 +212,32 @@ param('x', 1) local y = package
 --                      ^ error: unknown global 'package': code comes from files, by `require`
 
 param('x', 1) local y = collectgarbage
---                      ^ error: unknown global 'collectgarbage': memory is collected by itself
+--                      ^ error: unknown global 'collectgarbage': memory is released automatically
 
 param('x', 1) local y = _G
 --                      ^ error: unknown global '_G'
 
 --- Functions and tables of behaviours can't be assigned.
 param('x', 1) state = 1
---            ^ error: 'state' can't be assigned: it is a word of its own (write 'local state' for a variable of that name)
+--            ^ error: 'state' can't be assigned: it is predefined (write 'local state' for a variable of that name)
 
 param('x', 1) config = 1
---            ^ error: 'config' can't be assigned: it is a word of its own (write 'local config' for a variable of that name)
+--            ^ error: 'config' can't be assigned: it is predefined (write 'local config' for a variable of that name)
 
 param('x', 1) input = 1
---            ^ error: 'input' can't be assigned: it is a word of its own (write 'local input' for a variable of that name)
+--            ^ error: 'input' can't be assigned: it is predefined (write 'local input' for a variable of that name)
 
 param('x', 1) dt = 1
---            ^ error: 'dt' can't be assigned: it is a word of its own (write 'local dt' for a variable of that name)
+--            ^ error: 'dt' can't be assigned: it is predefined (write 'local dt' for a variable of that name)
 
 param('x', 1) log = 1
---            ^ error: 'log' can't be assigned: it is a word of its own (write 'local log' for a variable of that name)
+--            ^ error: 'log' can't be assigned: it is predefined (write 'local log' for a variable of that name)
 
 param('x', 1) math = 1
---            ^ error: 'math' can't be assigned: it is a word of its own (write 'local math' for a variable of that name)
+--            ^ error: 'math' can't be assigned: it is predefined (write 'local math' for a variable of that name)
 
 param('x', 1) print = 1
---            ^ error: 'print' can't be assigned: it is a word of its own (write 'local print' for a variable of that name)
+--            ^ error: 'print' can't be assigned: it is predefined (write 'local print' for a variable of that name)
 
 param('x', 1) local _ENV = {}
 --                  ^ error: '_ENV' can't be used: globals are known by their names alone

@@ -10,7 +10,7 @@ calibration { robot = 'mouse', modle = 'raspimouse' }
 
 -- file: behaviors/systems/b.calibration.lua
 calibration { robot = 'a', model = 'b' }
-calibration { robot = 'a', model = 'b' }  -- error: calibration: is said twice: a file has one
+calibration { robot = 'a', model = 'b' }  -- error: calibration: is called twice: a file has only one
 
 --- The driver of a robot file must exist.
 -- file: behaviors/good.lua
@@ -150,7 +150,7 @@ function on_execute() end
 --- The message about a global of another kind of file is the same as in a run.
 -- file: behaviors/systems/s.lua
 log.info('x')
--- error at column 1: unknown global 'log': it is a behaviour's; a system file says `behavior NAME { script = ... }`
+-- error at column 1: unknown global 'log': it is for behaviours; in a system file write `behavior NAME { script = ... }`
 rate(50)
 seed(1)
 
@@ -159,7 +159,7 @@ local out = output('out', 'TimedLong')
 
 -- file: behaviors/systems/t.lua
 rate(50) require 'b'
--- error: behaviors/b.lua:1:13: unknown global 'output': it is a behaviour's; a system file says `behavior NAME { script = ... }`
+-- error: behaviors/b.lua:1:13: unknown global 'output': it is for behaviours; in a system file write `behavior NAME { script = ... }`
 
 --- The secret of a network must be a file.
 -- file: systems/missing.lua

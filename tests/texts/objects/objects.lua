@@ -120,7 +120,7 @@ mouse.truth.pose.heading = 1
 mouse.truth.velocity.vx = 1
 -- error: can't set 'mouse.truth.velocity.vx': 'mouse.truth.velocity' is a copy: write mouse:disturb { vx =, vy =, va = }
 
-mouse.truth.pose = { x = 1 }  -- error: what is true can't be set: use teleport for the pose, disturb for the velocity
+mouse.truth.pose = { x = 1 }  -- error: the truth can't be set: use teleport for the pose, disturb for the velocity
 
 mouse:teleport(mouse.truth.pose) return mouse.truth.pose.position.x  -- returns: 0.0
 

@@ -78,16 +78,16 @@ sensors = { a = { kind = 'range', on = 'neck' } }, actuators = { neckk = { kind 
 
 --- A port of a robot must not have the name of a member of every component or robot.
 ports = { truth = { type = 'TimedPose2D', from = 'odometry' } }
---        ^ error: robot_model: port 'truth': the name is taken: robot.truth is a component's own word
+--        ^ error: robot_model: port 'truth': the name is taken: robot.truth is a member of every component
 
 ports = { collided = { type = 'TimedPose2D', from = 'odometry' } }
---        ^ error: robot_model: port 'collided': the name is taken: robot.collided is a component's own word
+--        ^ error: robot_model: port 'collided': the name is taken: robot.collided is a member of every component
 
 ports = { status = { type = 'TimedPose2D', from = 'odometry' } }
---        ^ error: robot_model: port 'status': the name is taken: robot.status is a component's own word
+--        ^ error: robot_model: port 'status': the name is taken: robot.status is a member of every component
 
 ports = { config = { type = 'TimedPose2D', from = 'odometry' } }
---        ^ error: robot_model: port 'config': the name is taken: robot.config is a component's own word
+--        ^ error: robot_model: port 'config': the name is taken: robot.config is a member of every component
 
 --- The message about a missing field of a robot says what is expected.
 return robot_model {}  -- error: robot_model: field 'mass' is missing: expected a positive number in kg: of the whole robot
@@ -215,7 +215,7 @@ sensors = { a = { kind = 'range',
 
 sensors = { a = { kind = 'range',
  response = function(d) return 1 end, table = 'ir_table.csv' } }
--- error at column 2: robot_model: field 'sensors.a.response' is one too many beside 'table': give one of them
+-- error at column 2: robot_model: field 'sensors.a.response' and 'table' exclude each other: give one of them
 
 sensors = { a = { kind = 'range',
  response = function(d) while true do end end } }  -- error: response(0): ran for more than 2 s: is there an endless loop?

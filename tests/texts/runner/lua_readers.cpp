@@ -162,7 +162,7 @@ class ScenarioReader : public CaseReader {
 public:
     void write(const std::string& name, const std::string& text) override { folder_.write(name, text); }
     std::vector<Remark> read(const Text& text) override {
-        const bool whole = text.code.starts_with("scen");
+        const bool whole = text.code.starts_with("scen") || text.code.find("\nscenario(") != std::string::npos;
         folder_.write(name_, whole ? text.code : "scenario('it', function(s) " + text.code + "\nend)");
         folder_.write("behaviors/none.lua", "param('x', 1)");
         TestSessionOptions options = simulated_session();

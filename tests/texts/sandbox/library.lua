@@ -201,3 +201,89 @@ local c = coroutine.wrap(function() return pcall(function() return coroutine.yie
 
 local c = coroutine.wrap(function() return xpcall(function() coroutine.yield(1) error('x', 0) end, string.upper) end) return c(), c()
 -- returns: 1 false X
+
+--- print shows tables as readable text.
+print({ 1, 2.5, 'x', b = { c = true } }, 'text', {})  -- prints: { 1, 2.5, "x", b = { c = true } }  text  {}
+
+local t = { 1 } t.me = t print(t)  -- prints: { 1, me = <cycle> }
+
+print({ { { { { { { 7 } } } } } } })  -- prints: { { { { { { {...} } } } } } }
+
+print(setmetatable({ 1 }, { __name = 'Robot' }), setmetatable({}, { __tostring = function() return 'mine' end }))
+-- prints: { 1 }  mine
+
+print(tostring({}))  -- prints: table: 1
+
+--- A table that cannot be shown gives a text with the reason.
+print({ [{}] = 1 }) return 'goes on'
+-- prints: <can't be shown: a table with a table or function as a key can't be traversed: use numbers, strings or booleans as keys>
+-- returns: goes on
+
+print({ setmetatable({}, { __tostring = function() error('no', 0) end }) }) return 'goes on'  -- prints: <can't be shown: no>
+-- returns: goes on
+
+--- Counts that are too large are refused at once.
+return string.rep('x', 1 << 60)  -- error: resulting string too large
+
+return string.rep('x', 1 << 40, 'y')  -- error: resulting string too large
+
+return string.rep('', 1 << 60)  -- error: resulting string too large
+
+return string.rep('', 1 << 60, '')  -- error: resulting string too large
+
+return string.rep('', 1000) == ''  -- returns: true
+
+return string.rep('', 1 << 60, 'x')  -- error: resulting string too large
+
+return string.rep('x', -1), ('x'):rep(math.mininteger), ('ab'):rep(3, ', '), ('x'):rep(1, 'yyy')  -- returns:   ab, ab, ab x
+
+return table.move({}, 1, 1 << 60, 2)  -- error: bad argument #3 to 'move' (too many elements to move)
+
+return table.move({}, math.mininteger, math.maxinteger, 2)  -- error: bad argument #3 to 'move' (too many elements to move)
+
+return table.move({}, 1, 3, math.maxinteger)  -- error: bad argument #4 to 'move' (destination wrap around)
+
+return table.concat({}, '', 1, 1 << 60)  -- error: bad argument #1 to 'concat' (too many elements to concatenate)
+
+return table.unpack({}, 1, 1 << 60)  -- error: too many results to unpack
+
+return table.unpack({}, math.mininteger, math.maxinteger)  -- error: too many results to unpack
+
+return table.unpack({}, 1, 1e7)  -- error: too many results to unpack
+
+return select('#', table.unpack({}, 1, 200000))  -- returns: 200000
+
+lying = setmetatable({}, { __len = function() return 1 << 60 end })
+
+table.insert(lying, 1, 2)  -- error: bad argument #2 to 'insert' (too many elements to move)
+
+table.remove(lying, 1)  -- error: bad argument #2 to 'remove' (too many elements to move)
+
+table.sort(lying)  -- error: bad argument #1 to 'sort' (array too big)
+
+table.concat(lying)  -- error: bad argument #1 to 'concat' (too many elements to concatenate)
+
+table.unpack(lying)  -- error: too many results to unpack
+
+table.sort(setmetatable({}, { __len = function() return 1 << 24 end }))
+-- error: not enough memory: the script reached its limit of 64 MB
+
+table.insert(setmetatable({}, { __len = function() return 'x' end }), 1)  -- error: object length is not an integer
+
+table.insert(setmetatable({}, { __len = function() return math.maxinteger end }), 1) return 'done'  -- returns: done
+
+return #string.pack((' '):rep(10000))  -- returns: 0
+
+return string.packsize((' '):rep(10000))  -- returns: 0
+
+return string.pack((' '):rep(10001))  -- error: bad argument #1 to 'pack' (format too long)
+
+return string.packsize((' '):rep(10001))  -- error: bad argument #1 to 'packsize' (format too long)
+
+return string.unpack((' '):rep(10001), '')  -- error: bad argument #1 to 'unpack' (format too long)
+
+return string.pack((' '):rep(20000))  -- error: bad argument #1 to 'pack' (format too long)
+
+return string.unpack((' '):rep(20000), '')  -- error: bad argument #1 to 'unpack' (format too long)
+
+return select('#', ('x'):rep(1e7):byte(1, -1))  -- error: stack overflow (string slice too long)

@@ -55,10 +55,10 @@ scenario('a', { sweep = { x = 3 } }, function() end)
 scenario('a', { sweep = { x = range(2, 1) } }, function() end)  -- error: range: expected lo <= hi, and a step above 0
 
 scenario('a', { samples = 3, sweep = { x = range(math.mininteger, math.maxinteger, 1) } }, function() end)
--- error: range: the step is too small for numbers to tell its values apart: leave it out
+-- error: range: the step is too small, its values would be equal: leave it out
 
 scenario('a', { samples = 3, sweep = { x = range(0, 1, 1e-20) } }, function() end)
--- error: range: the step is too small for numbers to tell its values apart: leave it out
+-- error: range: the step is too small, its values would be equal: leave it out
 
 scenario('a', { sweep = { x = { 1, 'b', 1 } } }, function() end)
 --              ^ error: scenario 'a': option 'sweep': 'x' has the value 1 twice

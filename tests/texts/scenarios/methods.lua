@@ -56,7 +56,7 @@ s:load 'systems/stop_at_wall.lua'
 range(1, 2, 3, 4)  -- error: range: expected at most 3 arguments, got 4: range(lo, hi, step)
 
 s:load 'systems/stop_at_wall.lua'
-scenario('b', function() end)  -- error: scenario: scenarios are declared by the file, not by one another
+do scenario('b', function() end) end  -- error: scenario: scenarios are declared by the file, not by one another
 
 s:load 'systems/stop_at_wall.lua'
 pcall(range, 'a') error('mine')  -- failed: mine

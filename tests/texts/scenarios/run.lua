@@ -64,7 +64,7 @@ return w.mouze  -- failed: there is no component 'mouze' (did you mean 'mouse'?)
 s:load 'systems/stop_at_wall.lua'
 local it = s.rum  -- error: s has no 'rum' (did you mean 'run'?)
 
-s:run(1)  -- error: s.run: there is no world yet: s:load a system, or say s:robot, s:behavior ...
+s:run(1)  -- error: s.run: there is no world yet: s:load a system, or use s:robot, s:behavior ...
 
 s:load 'systems/stop_at_wall.lua'
 s.run(1)  -- error: write s:run(...) with a colon
@@ -140,7 +140,7 @@ s:check(w.mouse.truth.pose.position.x < 0.35) s:check(s.second.truth.pose.positi
 s:load 'systems/stop_at_wall.lua'
 s:run(1)
 s:arena { s:box { at = { 0.4, 0, 0.15 }, size = { 0.1, 1, 0.3 } } }
--- error: arena: can't change once time has moved: say it before s:run and all that waits
+-- error: arena: can't change after time has passed: call it before s:run and all methods that wait
 s:run(1)
 
 --- s:robot and s:behavior return the component.
@@ -191,12 +191,12 @@ s:run(0.1) s:near(s.mouse.ir_sensor_out.count, 5, 1)
 
 s:robot 'mouse' { model = 'raspimouse' }
 s:run(0.1)
-s:rate(50)  -- error: rate: can't change once time has moved: say it before s:run and all that waits
+s:rate(50)  -- error: rate: can't change after time has passed: call it before s:run and all methods that wait
 s:run(0.1)
 
 s:robot 'mouse' { model = 'raspimouse' }
 s:run(0.1)
-s:physics { step = 0.01 }  -- error: physics: can't change once time has moved: say it before s:run and all that waits
+s:physics { step = 0.01 }  -- error: physics: can't change after time has passed: call it before s:run and all methods that wait
 s:run(0.1)
 
 --- A robot that must be calibrated needs a calibration.

@@ -70,7 +70,7 @@ ros { node = 'n', subscribe = { ['/a'] = { type = 'x' } } }
 --                               ^ error: ros: field 'subscribe./a.port' is missing: expected a text: "name.port"
 
 ros { node = 'n', subscribe = { ['/a'] = { topic = '/b', port = 'c.d' } } }
---                                         ^ error: ros: field 'subscribe./a.topic' is said already, by the name '/a'
+--                                         ^ error: ros: field 'subscribe./a.topic' is given already, by the name '/a'
 
 network { name = 'a', interface = 'lo' }
 ros { node = 'n' }  -- error: ros: is in domain 0 as network is: 'interface' and 'peers' must be the same in both

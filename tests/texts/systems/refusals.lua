@@ -281,7 +281,7 @@ io.open('x')  -- error at column 1: unknown global 'io'
 os.exit(1)  -- error at column 1: unknown global 'os' (did you mean 'ros'?)
 
 robot = nil
--- error at column 1: 'robot' can't be assigned: it is a word of its own (write 'local robot' for a variable of that name)
+-- error at column 1: 'robot' can't be assigned: it is predefined (write 'local robot' for a variable of that name)
 
 --- A message is one short line, also if the file contains long texts or control characters.
 error('a\nb\27[2J\0')  -- error: a b?[2J?
@@ -470,10 +470,10 @@ physics {}
 --- A tick must be a whole number of physics steps.
 -- tick
 rate(60)
--- error: rate: a tick of 60 Hz is no whole number of physics steps of 0.005 s; the nearest rates are 50 or 66.66666666666667 Hz
+-- error: rate: a tick of 60 Hz is not a whole number of physics steps of 0.005 s; the nearest rates are 50 or 66.66666666666667 Hz
 
 physics { step = 0.003 }
--- error: rate: a tick of 100 Hz is no whole number of physics steps of 0.003 s; the nearest rates are 83.33333333333333 or 111.1111111111111 Hz
+-- error: rate: a tick of 100 Hz is not a whole number of physics steps of 0.003 s; the nearest rates are 83.33333333333333 or 111.1111111111111 Hz
 
 rate(200)
 

@@ -75,7 +75,8 @@ TEST_CASE("folders give their Lua files, sorted, once and without hidden ones", 
         return result.errors.empty() ? std::string() : result.errors.front().message;
     };
     CHECK(refused("d.lua") == "there is no such file (did you mean '" + root + "b.lua'?)");
-    CHECK(refused("a/note.txt") == "is no Lua file: `nezumi check` reads files that end in .lua, and folders");
+    CHECK(refused("a/note.txt") ==
+          "is no Lua file: `nezumi check` reads files that end in .lua, .msg or .idl, and folders");
     files.write("none/x.txt", "");
     CHECK(refused("none") == "has no Lua files");
 }

@@ -312,6 +312,8 @@ TEST_CASE("every example has a picture", "[cli][docs]") {
     }
 }
 
+TEST_CASE("the page about messages does what it says", "[cli][docs]") { follow("messages.md"); }
+
 TEST_CASE("the page about modules does what it says", "[cli][docs]") { follow("modules.md"); }
 
 TEST_CASE("the page about the Raspberry Pi Mouse does what it says", "[cli][docs]") { follow("raspimouse.md"); }

@@ -53,7 +53,7 @@ TEST_CASE("the doctor ends with 1 and says what to do", "[cli][doctor]") {
     const Outcome outcome = doctor(machine);
     CHECK(outcome.status == 1);
     CHECK(outcome.out.find("wrong  nodes: 1 of 14 are missing in ") != std::string::npos);
-    CHECK(outcome.out.find(": rtled2\n       do: load the driver anew") != std::string::npos);
+    CHECK(outcome.out.find(": rtled2\n       do: load the driver again") != std::string::npos);
     CHECK(outcome.out.ends_with("\n2 things to do\n"));
 }
 

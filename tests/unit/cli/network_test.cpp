@@ -129,7 +129,7 @@ TEST_CASE("a secret is made once, for its owner alone", "[cli][network]") {
     CHECK(std::filesystem::status(file).permissions() == (perms::owner_read | perms::owner_write));
     const Outcome again = run_nezumi({"network", "secret", file});
     CHECK(again.status == 2);
-    CHECK(again.error.find("is there already") != std::string::npos);
+    CHECK(again.error.find("exists already") != std::string::npos);
 }
 
 TEST_CASE("a secret that is not there, that others can read, or that is none ends a run", "[cli][network]") {
@@ -192,11 +192,11 @@ hosts.ona
     Program one({"run", driven, "--headless"});
     const Outcome ran = run_nezumi({"run", asks, "--batch", "--speed", "1"}, "", lines);
     INFO(ran.error);
-    CHECK(ran.out.find("RobotController\tACTIVE\t0.1\n0.25\nINACTIVE\tINACTIVE\none/driver.out\n") !=
+    CHECK(ran.out.find("RobotController\tACTIVE\t0.1\n0.25\nINACTIVE\tINACTIVE\none/driver.out  TimedVelocity2D  {") !=
           std::string::npos);
     const std::string said = ran.out + ran.error;
     CHECK(said.find("host one: parameter 'speed_x' (number): 99.0 is above its maximum 1.5") != std::string::npos);
-    CHECK(said.find("host one: unknown command 'measure'") != std::string::npos);
+    CHECK(said.find("host one: driver has no 'measure'") != std::string::npos);
     CHECK(said.find("there is no host 'ona' (did you mean 'one'?)") != std::string::npos);
 }
 

@@ -91,7 +91,7 @@ TEST_CASE("a run whose script becomes a FIFO goes on, refuses to restart, and en
     const auto attach = [](const std::string& text) { return run_nezumi({"attach", "--eval", text}); };
     for (int tries = 0; tries < 300 && run_nezumi({"attach", "--list"}).status != 0; ++tries) usleep(100'000);
     project.make_fifo("behaviors/it.lua");
-    CHECK(program.wait_for_error("behaviors/it.lua: is a FIFO, expected a file: what was loaded from it goes on"));
+    CHECK(program.wait_for_error("behaviors/it.lua: is a FIFO, expected a file: the loaded version continues"));
     const Outcome reload = attach("reload()");
     CHECK(reload.status == 1);
     CHECK_THAT(reload.error, Contains("behaviors/it.lua: is a FIFO, expected a file; still running version 1"));

@@ -47,7 +47,7 @@ constexpr const char* ctrl_d = "\x04";
 TEST_CASE("at a terminal nezumi run is the prompt of its system, until Ctrl-D", "[cli][prompt]") {
     const Home home(quiet);
     PtyProgram it = home.run();
-    REQUIRE(it.wait_for_row("tiny is running; help() tells more, Ctrl-D ends it"));
+    REQUIRE(it.wait_for_row("tiny is running; help() shows the commands, Ctrl-D ends it"));
     REQUIRE(it.wait_for_prompt("nezumi>"));
     it.type("1 + 2\r");
     CHECK(it.wait_for_row("nezumi> 1 + 2"));
@@ -149,15 +149,15 @@ TEST_CASE("log lines never tear what is being typed", "[cli][prompt]") {
         }
     }
     CHECK(count > 10);
-    CHECK(others == std::vector<std::string>{"tiny is running; help() tells more, Ctrl-D ends it", input.substr(0, 80),
-                                             input.substr(80), "nezumi>"});
+    CHECK(others == std::vector<std::string>{"tiny is running; help() shows the commands, Ctrl-D ends it",
+                                             input.substr(0, 80), input.substr(80), "nezumi>"});
 }
 
 TEST_CASE("an input takes as many rows as the window's width asks for, and log lines tear none", "[cli][prompt]") {
     const Home home(chatty);
     PtyProgram it = home.run(55);
     REQUIRE(it.wait_for_prompt("nezumi>"));
-    std::vector<std::string> expected{"tiny is running; help() tells more, Ctrl-D ends it"};
+    std::vector<std::string> expected{"tiny is running; help() shows the commands, Ctrl-D ends", " it"};
     const auto type = [&](std::size_t columns) {
         const std::string text = "'" + std::string(2 * columns, 'x') + "'";
         const std::size_t before = it.screen.rows().size();

@@ -82,7 +82,7 @@ TEST_CASE("the option --realtime is for runs that follow the clock with one thre
         return outcome.error;
     };
     const std::string no_clock =
-        "nezumi: --realtime: ticks that follow no clock have no time to keep: leave it out, or give --speed a number\n";
+        "nezumi: --realtime: works only in real time: leave it out, or give --speed a number\n";
     CHECK(refused({"--speed", "max"}) == no_clock);
     CHECK(refused({"--batch"}) == no_clock);
     CHECK(refused({"--threads", "2"}) ==

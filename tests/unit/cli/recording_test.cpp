@@ -37,7 +37,7 @@ TEST_CASE("a disk that gets full costs no row that was whole, and not the older 
     const std::string command = "ulimit -f 40; exec " + nezumi_program() + " run " + stop_at_wall +
                                 " --headless --speed max --duration 100 --ports mouse.truth.pose.position --record " +
                                 csv + " 2>" + said;
-    const std::string problem = csv + ": can't be written: File too large: the rows that are whole are kept";
+    const std::string problem = csv + ": can't be written: File too large: complete rows are kept";
     const auto rows = [&] {
         auto lines = lines_of(text_of_file(csv));
         REQUIRE(lines.size() > 100);

@@ -68,7 +68,7 @@ TEST_CASE("a shipped behaviour that goes through a profile declares the same as 
         const auto profile = openrtm::read_component_profile(before, "RTC.xml");
         REQUIRE(profile);
         std::vector<std::string> remarks;
-        const auto texts = write_behavior({.name = "", .base = parts_of(*profile, remarks)});
+        const auto texts = write_behavior({.name = "", .base = parts_of(*profile, new_messages(), remarks)});
         INFO(file << "\n" << (texts ? texts->behavior : texts.error().message));
         REQUIRE(texts);
         // A behaviour without on_execute gets one; all else is as it was.
@@ -89,13 +89,14 @@ TEST_CASE("the command line adds to a profile", "[cli][new][rtc]") {
     const auto texts = write_behavior({.name = "Other",
                                        .outputs = {"out:TimedLong"},
                                        .about = {.vendor = "mine"},
-                                       .base = parts_of(profile, remarks)});
+                                       .base = parts_of(profile, new_messages(), remarks)});
     REQUIRE(texts);
     CHECK(texts->name == "other");
     CHECK(texts->behavior.find("about { vendor = \"mine\", category = \"test\" }") != std::string::npos);
     CHECK(texts->behavior.find("input(\"in\"") != std::string::npos);
     CHECK(texts->behavior.find("output(\"out\"") != std::string::npos);
-    const auto twice = write_behavior({.name = "", .inputs = {"in:TimedLong"}, .base = parts_of(profile, remarks)});
+    const auto twice =
+        write_behavior({.name = "", .inputs = {"in:TimedLong"}, .base = parts_of(profile, new_messages(), remarks)});
     REQUIRE_FALSE(twice);
     CHECK(twice.error().message == "--in 'in': the name is given twice");
 }

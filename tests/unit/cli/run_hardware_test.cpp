@@ -95,7 +95,7 @@ TEST_CASE("what --hw can't make real is said at its line", "[cli][hw]") {
     SystemSpec kept = two_mice();
     robot(kept, 0).backend = "sim";
     CHECK(refused(kept, {"first"}) ==
-          "two.lua:1: robot 'first': --hw=first wants the real one, and backend = \"sim\" keeps it simulated");
+          "two.lua:1: robot 'first': --hw=first selects the real one, but backend = \"sim\" keeps it simulated");
     robot(kept, 1).backend = "sim";
     CHECK(refused(kept) == "--hw: two.lua has no robot that could be real");
     SystemSpec slow = two_mice();
@@ -134,7 +134,7 @@ TEST_CASE("a device that its file keeps simulated stays so, and what it can't be
     REQUIRE(choose_drivers(all, {}, devices()));
     CHECK(backend_of(all, "stick") == "sim");
     CHECK(refused(spec, {"stick"}) ==
-          "two.lua:4: component 'stick': --hw=stick wants the real one, and backend = \"sim\" keeps it simulated");
+          "two.lua:4: component 'stick': --hw=stick selects the real one, but backend = \"sim\" keeps it simulated");
     CHECK(refused(spec, {"stik"}) == "--hw: there is no robot or device 'stik' in two.lua (did you mean 'stick'?)");
     add_component(spec, "finder", "MarkerDetector");
     CHECK(refused(spec, {"finder"}).starts_with("--hw: there is no robot or device 'finder' in two.lua"));
@@ -158,9 +158,9 @@ TEST_CASE("options that real robots don't know are refused", "[cli][hw]") {
         CHECK(outcome.status == 2);
         return outcome.error;
     };
-    CHECK(said({"--hw", "--speed", "2"}) == "nezumi: --hw: real robots know only real time: leave out --speed\n");
-    CHECK(said({"--hw", "--batch"}) == "nezumi: --hw: real robots know only real time: leave out --batch\n");
-    CHECK(said({"--hw", "--replay", "x"}) == "nezumi: --hw: real robots know only real time: leave out --replay\n");
+    CHECK(said({"--hw", "--speed", "2"}) == "nezumi: --hw: real robots run only in real time: leave out --speed\n");
+    CHECK(said({"--hw", "--batch"}) == "nezumi: --hw: real robots run only in real time: leave out --batch\n");
+    CHECK(said({"--hw", "--replay", "x"}) == "nezumi: --hw: real robots run only in real time: leave out --replay\n");
     CHECK(said({"--hw=mouse,,", "--headless"}) ==
           "nezumi: --hw: expected names of robots as in --hw=mouse, got 'mouse,,'\n");
     CHECK(said({"--dev-root", "x"}) == "nezumi: --dev-root is for real robots: give --hw as well\n");

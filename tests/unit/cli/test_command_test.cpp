@@ -85,7 +85,7 @@ TEST_CASE("an interrupted session says that it can go on, and does", "[cli][test
     for (int i = 0; i < 20'000 && kept() < 2; ++i) usleep(1000);
     program.send(SIGINT);
     CHECK(program.wait() == 2);
-    CHECK(program.error == "nezumi: interrupted: not all scenarios have run; --resume goes on with the others\n");
+    CHECK(program.error == "nezumi: interrupted: not all scenarios have run; --resume runs the others\n");
     const auto resumed = tried.test({"it_test.lua", "--resume", "--filter", "n=1"});
     CHECK(resumed.status == 0);
     CHECK(kept() == 2);
@@ -112,7 +112,7 @@ TEST_CASE("an interrupted session tells of all runs that were over, in their ord
         CHECK(program.out.starts_with("FAILED it [n=2]\n    it_test.lua:5: check failed: no\n"));
         CHECK(contains(program.out, "\nok     it [n=3]  ("));
         CHECK(contains(program.out, "\n2 runs: 1 passed, 1 failed (seed 124, "));
-        CHECK(program.error == "nezumi: interrupted: not all scenarios have run; --resume goes on with the others\n");
+        CHECK(program.error == "nezumi: interrupted: not all scenarios have run; --resume runs the others\n");
         CHECK_THAT(text_of_file(tried.path("it.csv")),
                    Catch::Matches("scenario,run,seed,passed,n,doubled\nit,it \\[n=2\\],[0-9]+,false,2,4\n"
                                   "it,it \\[n=3\\],[0-9]+,true,3,6\n"));

@@ -130,8 +130,7 @@ TEST_CASE("runs for machines, and those that are told so, serve no page", "[cli]
     };
     CHECK(refused({"--port", "0"}) == "nezumi: --port: expected a whole number from 1 to 65535, got '0'\n");
     CHECK(refused({"--port", "65536"}) == "nezumi: --port: expected a whole number from 1 to 65535, got '65536'\n");
-    CHECK(refused({"--port", "8765", "--headless"}) ==
-          "nezumi: --port: a run for machines serves no page: leave it out\n");
+    CHECK(refused({"--port", "8765", "--headless"}) == "nezumi: --port: a headless run has no page: leave it out\n");
     CHECK(refused({"--port", "8765", "--no-web"}) ==
           "nezumi: --port: --no-web serves no page: leave out one of them\n");
     for (const std::string address : {"0.0.0.0", "robot", "::1", "192.168.1"})
@@ -266,6 +265,6 @@ TEST_CASE("the prompt begins with the page's address", "[cli][web][prompt]") {
     PtyProgram it({"run", system.file}, system.scratch.path("home").string(), 120);
     REQUIRE(it.wait_for_prompt("nezumi>"));
     REQUIRE(it.screen.rows().size() >= 2);
-    CHECK(it.screen.rows()[0] == "s is running; help() tells more, Ctrl-D ends it");
+    CHECK(it.screen.rows()[0] == "s is running; help() shows the commands, Ctrl-D ends it");
     CHECK(port_in(it.screen.rows()[1]) > 0);
 }

@@ -175,6 +175,7 @@ TEST_CASE("every field that a system file can have is written by save and read b
         if (!systems.contains(record.name)) continue;
         for (const FieldRow& row : record.rows) {
             CAPTURE(row.name);
+            if (record.name == "component" && row.name == "calibration") continue;  // its values are in `config`
             const std::string value = value_of(record, row);
             REQUIRE_FALSE(value.empty());
             const auto own = systems.find(record.name + "." + row.name);

@@ -61,8 +61,9 @@ void serve(SessionRig& it) {
 
 }  // namespace
 
-TEST_CASE("reload() and restart() of files that never answer keep no tick and no other console, and are interrupted",
-          "[console][files]") {
+TEST_CASE(
+    "reload() and restart() of files that never answer delay no tick and no other console, and can be interrupted",
+    "[console][files]") {
     const std::string line = GENERATE("reload()", "restart()");
     const std::string file = GENERATE("counter.lua", "system.lua");
     if (line == "reload()" && file == "system.lua") return;  // it does not look there
@@ -94,7 +95,8 @@ TEST_CASE("reload() and restart() of files that never answer keep no tick and no
     CHECK(Clock::now() - ending < std::chrono::seconds(10));
 }
 
-TEST_CASE("what is added from files that never answer keeps no tick, and is interrupted", "[console][files]") {
+TEST_CASE("adding a component from files that never answer delays no tick, and can be interrupted",
+          "[console][files]") {
     const auto [file, line] = GENERATE(
         table<std::string, std::string>({{"late.lua", "behavior 'x' { script = 'late' }"},
                                          {"part.lua", "behavior 'x' { script = 'whole' }"},
@@ -127,7 +129,7 @@ TEST_CASE("what is added from files that never answer keeps no tick, and is inte
     CHECK(it.live->system().find("x") == nullptr);
 }
 
-TEST_CASE("restart() tells what is wrong with the system file, and nothing has changed", "[console][files]") {
+TEST_CASE("restart() reports an error of the system file, and nothing has changed", "[console][files]") {
     SessionRig it;
     it.folder.write("system.lua", "while true do end");
     CHECK(it.type("restart()").find("endless loop") != std::string::npos);
@@ -139,6 +141,6 @@ TEST_CASE("restart() tells what is wrong with the system file, and nothing has c
     CHECK(it.type("restart()").find("counter.lua:1:") != std::string::npos);
     CHECK(it.live->starts() == 1);
     it.folder.write("behaviors/counter.lua", counter_behavior);
-    CHECK(it.type("restart()") == "started anew, time is 0");
+    CHECK(it.type("restart()") == "restarted, time is 0");
     CHECK(it.live->starts() == 2);
 }

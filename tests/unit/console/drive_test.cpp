@@ -4,10 +4,10 @@
 using namespace nezumi;
 using Catch::Contains;
 
-TEST_CASE("the arrow keys move a joystick's stick, and both its ports follow", "[console][session][joystick]") {
+TEST_CASE("the arrow keys move a joystick's stick, and both ports publish it", "[console][session][joystick]") {
     SessionRig it("component \"stick\" { type = \"Joystick\" }", {});
     CHECK(it.type("drive 'stick'") ==
-          "at the edge: 150 px\ndriving stick.stick: arrow keys, + and - scale, space stops, Esc ends");
+          "at full deflection: 150 px\ndriving stick.stick: arrow keys, + and - scale, space stops, Esc ends");
     const auto shows = [&](const std::string& pos, const std::string& vel) {
         it.turn(2);
         CHECK(it.type("stick.pos.value") == pos);
@@ -32,13 +32,14 @@ TEST_CASE("the arrow keys move a joystick's stick, and both its ports follow", "
     CHECK(it.component("stick").find_out_port("pos")->count() > 80);
 }
 
-TEST_CASE("driving ends when a reload takes the port away, or gives it another type", "[console][session][joystick]") {
+TEST_CASE("driving ends when a reload removes the port or changes its type", "[console][session][joystick]") {
     const auto changed = GENERATE(as<std::string>{}, "function on_execute() end",
                                   "local out = output(\"out\", \"TimedShort\", \"a number\")");
     CAPTURE(changed);
     SessionRig it;
     CHECK(it.type("drive 'controller.out'") ==
-          "at the edge: 0.30 m/s, 3.0 rad/s\ndriving controller.out: arrow keys, + and - scale, space stops, Esc ends");
+          "at full deflection: 0.30 m/s, 3.0 rad/s\ndriving controller.out: arrow keys, + and - scale, space stops, "
+          "Esc ends");
     CHECK(it.keys);
     it.session->key(Key::up);
     it.turn(2);
@@ -46,14 +47,14 @@ TEST_CASE("driving ends when a reload takes the port away, or gives it another t
     CHECK_THAT(it.type("reload()"), Contains("controller: version 2 runs"));
     it.shown.clear();
     it.turn();
-    CHECK(it.shown == "what was driven is gone");
+    CHECK(it.shown == "the driven port is gone");
     CHECK_FALSE(it.keys);
     it.session->key(Key::up);
     it.turn(2);
-    CHECK(it.shown == "what was driven is gone");  // said once
+    CHECK(it.shown == "the driven port is gone");  // said once
 }
 
-TEST_CASE("plus and minus scale what is driven, from the next tick, and it is shown", "[console][session]") {
+TEST_CASE("plus and minus change the speed of driving from the next tick, and show it", "[console][session]") {
     SessionRig it;
     it.type("drive 'mouse'");
     const auto velocity = [&] {
@@ -67,26 +68,26 @@ TEST_CASE("plus and minus scale what is driven, from the next tick, and it is sh
     };
     CHECK(press(Key::up).empty());
     CHECK(velocity() == "0.1");
-    CHECK(press(Key::faster) == "at the edge: 0.45 m/s, 4.5 rad/s");
+    CHECK(press(Key::faster) == "at full deflection: 0.45 m/s, 4.5 rad/s");
     CHECK(velocity() == "0.15");  // of the key that is held
     for (int i = 0; i < 9; ++i) press(Key::faster);
-    CHECK(press(Key::faster) == "at the edge: 0.90 m/s, 9.0 rad/s");
+    CHECK(press(Key::faster) == "at full deflection: 0.90 m/s, 9.0 rad/s");
     for (int i = 0; i < 9; ++i) press(Key::slower);
-    CHECK(press(Key::slower) == "at the edge: 0.03 m/s, 0.3 rad/s");
+    CHECK(press(Key::slower) == "at full deflection: 0.03 m/s, 0.3 rad/s");
     CHECK(velocity() == "0.01");
     press(Key::escape);
     CHECK(press(Key::faster).empty());
     it.turn(2);
     it.type("drive 'mouse'");
-    CHECK(press(Key::slower) == "at the edge: 0.21 m/s, 2.1 rad/s");  // as it was at first
+    CHECK(press(Key::slower) == "at full deflection: 0.21 m/s, 2.1 rad/s");  // as it was at first
 }
 
-TEST_CASE("a pad's stick goes no farther than its edge, however it is scaled", "[console][session][joystick]") {
+TEST_CASE("the stick of a pad stays within its edge, with every scale", "[console][session][joystick]") {
     SessionRig it("component \"stick\" { type = \"Joystick\" }", {});
     it.type("drive 'stick'");
     it.shown.clear();
     it.session->key(Key::faster);
-    CHECK(it.shown == "at the edge: 150 px");
+    CHECK(it.shown == "at full deflection: 150 px");
     it.session->key(Key::slower);
     for (int i = 0; i < 5; ++i) it.session->key(Key::up);
     it.turn(2);

@@ -29,7 +29,7 @@ std::vector<std::string> lines_of(const std::vector<std::string>& pieces, std::s
 
 }  // namespace
 
-TEST_CASE("a request is one line that is read as what was written", "[console][protocol]") {
+TEST_CASE("a request is written as one line and read back", "[console][protocol]") {
     for (const Request& request :
          {Request{.kind = Request::Kind::eval, .id = 7, .text = "for i = 1, 3 do\n  print \"\xC3\xBC\\\"\"\nend"},
           Request{.kind = Request::Kind::complete, .id = 8, .text = "mouse.", .cursor = 6},
@@ -42,7 +42,7 @@ TEST_CASE("a request is one line that is read as what was written", "[console][p
     }
 }
 
-TEST_CASE("an event is one line that is read as what was written", "[console][protocol]") {
+TEST_CASE("an event is written as one line and read back", "[console][protocol]") {
     for (const Event& event :
          {Event{.kind = Event::Kind::answer, .id = 7, .ok = false, .text = {}},
           Event{.kind = Event::Kind::completions, .id = 8, .text = {}, .from = 6, .items = {"in", "out"}},
@@ -57,13 +57,13 @@ TEST_CASE("an event is one line that is read as what was written", "[console][pr
           "{\"id\":1,\"is\":\"answer\",\"ok\":true}\n");
 }
 
-TEST_CASE("bytes that are no UTF-8 do not break a line", "[console][protocol]") {
+TEST_CASE("bytes that are not UTF-8 do not damage a line", "[console][protocol]") {
     const auto event = read_event(to_line(Event{.kind = Event::Kind::output, .text = "a\xFFz"}));
     REQUIRE(event);
     CHECK(event->text == "a\xEF\xBF\xBDz");
 }
 
-TEST_CASE("what is no request is refused in one line", "[console][protocol]") {
+TEST_CASE("a line that is no request is refused with one line", "[console][protocol]") {
     CHECK(refusal("") == "expected one JSON object on a line, got ");
     CHECK(refusal("GET / HTTP/1.1\r") == "expected one JSON object on a line, got GET / HTTP/1.1\\x0d");
     CHECK(refusal("[1, 2]") == "expected one JSON object on a line, got [1, 2]");
@@ -81,22 +81,22 @@ TEST_CASE("what is no request is refused in one line", "[console][protocol]") {
     CHECK(refusal(std::string(100000, '[')).size() < 200);
 }
 
-TEST_CASE("what completes a text without a cursor completes its end", "[console][protocol]") {
+TEST_CASE("a completion without a cursor is at the end of the text", "[console][protocol]") {
     CHECK(read_request("{\"do\":\"complete\",\"text\":\"mou\"}")->cursor == 3);
     const Request at_begin{.kind = Request::Kind::complete, .id = 1, .text = "mou"};
     CHECK(read_request(to_line(at_begin))->cursor == 0);
 }
 
-TEST_CASE("unknown fields are left for those who know them", "[console][protocol]") {
+TEST_CASE("unknown fields are ignored", "[console][protocol]") {
     CHECK(refusal("{\"do\":\"eval\",\"text\":\"1\",\"colour\":true}") == "none");
 }
 
-TEST_CASE("lines come whole however they are cut into pieces", "[console][protocol]") {
+TEST_CASE("lines are complete, in whatever pieces they arrive", "[console][protocol]") {
     CHECK(lines_of({"one\ntwo\nth", "r", "ee\n", "four"}, 100) == std::vector<std::string>{"one", "two", "three"});
     CHECK(lines_of({"\n\n"}, 100) == std::vector<std::string>{"", ""});
 }
 
-TEST_CASE("a line that is too long costs itself and not the next", "[console][protocol]") {
+TEST_CASE("a line that is too long is refused, and the next one is read", "[console][protocol]") {
     CHECK(lines_of({"12345\n123456\n12345\n"}, 5) ==
           std::vector<std::string>{"12345", "!a line of more than 5 bytes was left out", "12345"});
     CHECK(lines_of({"1234", "5678", "9", "0\nok\n"}, 5) ==

@@ -79,7 +79,7 @@ using Said = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("a console answers each request, and tells how it went", "[console][server]") {
+TEST_CASE("a console answers each request with its success", "[console][server]") {
     ServerRig it;
     ConsoleClient client = it.open();
     CHECK(it.eval(client, "1 + 2") == Said{"3", "well"});
@@ -99,7 +99,7 @@ TEST_CASE("each console has variables of its own and sees the same system", "[co
     CHECK(it.eval(other, "controller.config.speed_x") == Said{"0.2", "well"});
 }
 
-TEST_CASE("a loop without end leaves the others their turn, and ends with a message", "[console][server][watchdog]") {
+TEST_CASE("an endless loop does not block other consoles, and ends with a message", "[console][server][watchdog]") {
     ServerRig it;
     ConsoleClient endless = it.open();
     ConsoleClient other = it.open();
@@ -111,7 +111,7 @@ TEST_CASE("a loop without end leaves the others their turn, and ends with a mess
     CHECK(it.eval(endless, "2") == Said{"2", "well"});
 }
 
-TEST_CASE("no turn lasts much longer than it may", "[console][server][wallclock][watchdog]") {
+TEST_CASE("no turn takes much longer than its limit", "[console][server][wallclock][watchdog]") {
     ServerRig it;
     ConsoleClient endless = it.open();
     endless.send({.kind = Request::Kind::eval, .text = "while true do local s = ('x'):rep(1000) .. 'y' end"});
@@ -127,7 +127,7 @@ TEST_CASE("no turn lasts much longer than it may", "[console][server][wallclock]
     CHECK(turns[turns.size() * 9 / 10] < 0.0015);
 }
 
-TEST_CASE("a client that goes away takes its work with it", "[console][server][watchdog]") {
+TEST_CASE("the work of a client that has left is stopped", "[console][server][watchdog]") {
     ServerRig it;
     ConsoleClient client = it.open();
     ConsoleClient other = it.open();
@@ -140,7 +140,7 @@ TEST_CASE("a client that goes away takes its work with it", "[console][server][w
     CHECK(it.eval(other, "1") == Said{"1", "well"});
 }
 
-TEST_CASE("log lines go to those who asked for them", "[console][server]") {
+TEST_CASE("log lines are sent to clients that asked for them", "[console][server]") {
     ServerRig it;
     ConsoleClient silent = it.open();
     ConsoleClient curious = it.open();
@@ -151,7 +151,7 @@ TEST_CASE("log lines go to those who asked for them", "[console][server]") {
     CHECK(it.eval(silent, "2") == Said{"2", "well"});
 }
 
-TEST_CASE("keys reach who drives, and driving without keys is refused", "[console][server]") {
+TEST_CASE("keys are sent to the session that drives, and driving without keys is refused", "[console][server]") {
     ServerRig it;
     ConsoleClient without = it.open();
     CHECK(it.eval(without, "drive 'mouse'") == Said{"!drive: this needs a terminal: there are no keys here", "failed"});
@@ -166,7 +166,7 @@ TEST_CASE("keys reach who drives, and driving without keys is refused", "[consol
     CHECK(it.eval(with, "1") == Said{"no keys", "1", "well"});
 }
 
-TEST_CASE("step waits for its ticks, and what follows comes after them", "[console][server]") {
+TEST_CASE("step waits for its ticks, and the rest of the line follows", "[console][server]") {
     ServerRig it;
     ConsoleClient client = it.open(ConsoleServer::Use::batch);
     const double before = it.live->system().now().seconds;
@@ -175,7 +175,7 @@ TEST_CASE("step waits for its ticks, and what follows comes after them", "[conso
     CHECK(it.eval(client, "run()").back() == "failed");
 }
 
-TEST_CASE("a line that shows more than its client takes waits for it, loses nothing, and the others go on",
+TEST_CASE("a line with much output waits for its client, loses nothing, and other consoles continue",
           "[console][server]") {
     ServerRig it;
     ConsoleClient late = it.open();
@@ -207,8 +207,7 @@ TEST_CASE("a line that waits for a client that never reads ends with an interrup
     CHECK(it.eval(client, "1 + 1") == Said{"2", "well"});
 }
 
-TEST_CASE("what another console does with time ends a wait with an error, never as if the time had passed",
-          "[console][server]") {
+TEST_CASE("a wait ends with an error if another console controls time", "[console][server]") {
     const std::string other = GENERATE("step(5)", "run(0.1)", "run(30)", "pause()", "run()", "restart()");
     ServerRig it;
     ConsoleClient waiting = it.open();
@@ -226,7 +225,7 @@ TEST_CASE("what another console does with time ends a wait with an error, never 
                "failed"});
 }
 
-TEST_CASE("a wait that is over is not ended by what another console does next", "[console][server]") {
+TEST_CASE("a wait that is over is not ended by the next command of another console", "[console][server]") {
     ServerRig it;
     ConsoleClient waiting = it.open();
     const std::int64_t id = waiting.send({.kind = Request::Kind::eval, .text = "step(5)"});
@@ -236,7 +235,7 @@ TEST_CASE("a wait that is over is not ended by what another console does next", 
     CHECK(it.until_answer(waiting, id) == Said{"well"});
 }
 
-TEST_CASE("each console has a level of its own for the log", "[console][server]") {
+TEST_CASE("each console has its own log level", "[console][server]") {
     ServerRig it;
     ConsoleClient quiet = it.open();
     ConsoleClient usual = it.open();
@@ -254,7 +253,7 @@ TEST_CASE("each console has a level of its own for the log", "[console][server]"
     CHECK(it.eval(usual, "1") == Said{"debug [    2.000] debug it: d", "1", "well"});
 }
 
-TEST_CASE("a console that has acted stays who it was, whatever it says afterwards", "[console][server]") {
+TEST_CASE("the actor of a console does not change after its first act", "[console][server]") {
     ServerRig it;
     std::optional<ConsoleClient> client(it.open());
     CHECK(it.eval(*client, "hold('mouse.target_velocity_in', { vx = 0.1 })") == Said{"well"});
@@ -269,7 +268,7 @@ TEST_CASE("a console that has acted stays who it was, whatever it says afterward
     CHECK(holder() != nullptr);
 }
 
-TEST_CASE("what the last console holds on a real robot ends with it, a spreadsheet's everywhere, a velocity by zero",
+TEST_CASE("holds on a real robot end with the last console, those of a spreadsheet always, velocities with zero",
           "[console][server][safety]") {
     ServerRig it;
     LiveOptions options;

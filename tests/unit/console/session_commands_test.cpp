@@ -13,24 +13,7 @@ using namespace nezumi;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
-TEST_CASE("step and run return when time has moved", "[console][session]") {
-    SessionRig it;
-    CHECK(it.type("step(3) return now()") == "0.03");
-    CHECK(it.paused);
-    CHECK(it.type("run(0.5) return now()") == "0.53");
-    CHECK(it.type("step() return now()") == "0.54");
-    CHECK(it.type("for i = 1, 3 do step(2) end return now()") == "0.6");
-    CHECK(it.type("coroutine.wrap(function() run(0.1) end)() return now()") == "0.7");
-    CHECK(it.type("pcall(run, 0.1) return now()") == "0.8");
-    CHECK(it.type("step(0)") == "! step: expected a whole number of ticks from 1 to 1000000000000, got 0");
-    CHECK(it.type("step(1.5)") == "! step: expected a whole number of ticks from 1 to 1000000000000, got 1.5");
-    CHECK(it.type("run(-1)") == "! run: expected seconds, more than 0, got -1");
-    CHECK(it.type("run(1e300)") == "! run: expected a whole number of ticks from 1 to 1000000000000, got 1e+302");
-    CHECK(it.type("run('x')") == "! run: expected seconds, got string");
-    CHECK(it.type("step(1, 2)") == "! step: expected at most 1 argument, got 2: step(n)");
-}
-
-TEST_CASE("every word refuses an argument too many, and says how it is used", "[console][session]") {
+TEST_CASE("every command refuses too many arguments and shows its usage", "[console][session]") {
     SessionRig it;
     for (const ConsoleCommand& command : console_commands()) {
         std::string call = std::string(command.name) + "(nil";
@@ -44,7 +27,7 @@ TEST_CASE("every word refuses an argument too many, and says how it is used", "[
     CHECK_FALSE(it.quitting);
 }
 
-TEST_CASE("every word is in the console's help once", "[console][session]") {
+TEST_CASE("every command is in the console's help once", "[console][session]") {
     std::set<std::string_view> names;
     for (const ConsoleCommand& command : console_commands()) {
         CAPTURE(command.name);
@@ -61,7 +44,7 @@ TEST_CASE("ls lists the first forty components and says how many more there are"
     CHECK_THAT(listed, Catch::EndsWith(fmt::format("\nand {} more: ls \"name\" shows one", others)));
 }
 
-TEST_CASE("a run can be interrupted, which pauses", "[console][session]") {
+TEST_CASE("an interrupted run pauses", "[console][session]") {
     SessionRig it;
     it.session->submit("run(100)");
     while (!it.session->is_waiting()) it.session->advance();
@@ -73,7 +56,7 @@ TEST_CASE("a run can be interrupted, which pauses", "[console][session]") {
     CHECK(it.type("now()") == "0.05");
 }
 
-TEST_CASE("pause, run without end and speed go to the clock", "[console][session]") {
+TEST_CASE("pause, run and speed control the clock", "[console][session]") {
     SessionRig it;
     it.type("run()");
     CHECK_FALSE(it.paused);
@@ -95,7 +78,7 @@ TEST_CASE("pause, run without end and speed go to the clock", "[console][session
     CHECK(other.type("run()") == "! run: how long? Time moves only by step(n) and run(seconds) here");
 }
 
-TEST_CASE("exit is quit, with its brackets and without", "[console][session]") {
+TEST_CASE("exit is the same as quit, with or without brackets", "[console][session]") {
     for (const char* text : {"quit()", "exit()", "quit", " exit ", "exit\n"}) {
         INFO(text);
         SessionRig it;
@@ -108,7 +91,7 @@ TEST_CASE("exit is quit, with its brackets and without", "[console][session]") {
     CHECK_FALSE(it.quitting);
 }
 
-TEST_CASE("whoever ends a run is answered before, unless the rest of the line goes on", "[console][session]") {
+TEST_CASE("quit is answered before the run ends, unless the rest of the line does not end", "[console][session]") {
     SessionRig it;
     it.type("quit()");
     CHECK(it.quitting);
@@ -128,19 +111,20 @@ TEST_CASE("whoever ends a run is answered before, unless the rest of the line go
     CHECK(gone.quitting);
 }
 
-TEST_CASE("on hardware only real time is offered", "[console][session]") {
+TEST_CASE("on hardware, commands about time are refused", "[console][session]") {
     SessionRig it;
     it.hardware = true;
     for (const char* text : {"step(1)", "run(1)", "speed(2)", "restart()"}) {
-        CHECK_THAT(it.type(text), Contains("real robots know only real time: this works in simulation"));
+        CHECK_THAT(it.type(text), Contains("real robots run only in real time: this works in simulation"));
     }
+    CHECK(it.type("teleport(mouse, {})") == "! teleport: real robots stay where they are: this works in simulation");
     it.type("run()");
     CHECK_FALSE(it.paused);
     it.type("pause()");
     CHECK(it.paused);
 }
 
-TEST_CASE("errors of an earlier start say so: their clock is another", "[console][session]") {
+TEST_CASE("errors of an earlier start have its number", "[console][session]") {
     SessionRig it;
     it.type("step(12)");
     it.component("controller").abort(Error{"it broke", {}});
@@ -153,7 +137,7 @@ TEST_CASE("errors of an earlier start say so: their clock is another", "[console
           "controller is in ERROR: again");
 }
 
-TEST_CASE("a watch shows changes as they come", "[console][session]") {
+TEST_CASE("a watch shows changes", "[console][session]") {
     SessionOptions every;
     every.watch_period = 0;
     SessionRig it(counter_system, {{"counter", counter_behavior}}, every);
@@ -168,20 +152,11 @@ TEST_CASE("a watch shows changes as they come", "[console][session]") {
           "! watch: expected a port, got the component controller: write controller.PORT");
 }
 
-TEST_CASE("a plot draws what a port carried", "[console][session]") {
-    SessionRig it;
-    CHECK(it.type("plot(controller.out, 5)") == "controller.out has carried nothing in this time that can be drawn");
-    it.type("step(10) controller.config.speed_x = 0.5 step(10)");
-    const std::string plot = it.type("plot(controller.out, 5)");
-    CHECK_THAT(plot, StartsWith("controller.out\nvx\n 0.5 │"));
-    CHECK_THAT(plot, Contains("\n0.25 │⣀") && Contains("vy = 0 all the time") && Contains("0 s") && Contains("0.2 s"));
-    CHECK(it.type("plot(controller.out, 0)") == "! plot: expected seconds, more than 0, got 0");
-}
-
 TEST_CASE("the arrow keys drive until Esc", "[console][session]") {
     SessionRig it;
     CHECK(it.type("drive 'mouse'") ==
-          "at the edge: 0.30 m/s, 3.0 rad/s\ndriving mouse.target_velocity_in: arrow keys, + and - scale, space stops, "
+          "at full deflection: 0.30 m/s, 3.0 rad/s\ndriving mouse.target_velocity_in: arrow keys, + and - scale, space "
+          "stops, "
           "Esc "
           "ends");
     CHECK(it.keys);
@@ -204,32 +179,7 @@ TEST_CASE("the arrow keys drive until Esc", "[console][session]") {
     CHECK_THAT(it.type("drive(controller.in)"), Contains("controller.in is TimedShortSeq: a stick drives"));
 }
 
-TEST_CASE("a marker is carried by hand, a robot as well", "[console][session]") {
-    SessionRig it(
-        "arena { marker { name = 'target', id = 7, size = 0.1, at = { 1.0, 0.0, 0.06 }, facing = math.pi } }\n"
-        "robot 'mouse' { model = 'raspimouse' }\n",
-        {});
-    const auto marker = [&it] { return it.live->system().world()->markers().front().pose; };
-    CHECK(it.type("teleport('target', { x = 1.2, heading = 0.5 })").empty());
-    CHECK(marker().position == Point3D{1.2, 0.0, 0.06});
-    CHECK(marker().orientation.y == 0.5);
-    CHECK(it.type("teleport(mouse, { x = 0.3 }) return mouse.truth.pose.position.x") == "0.3");
-    CHECK(it.type("teleport('mouse', { x = 0.4 }) return mouse.truth.pose.position.x") == "0.4");
-    CHECK(it.type("teleport('targt', { x = 1 })") == "! teleport: there is no marker 'targt' (did you mean 'target'?)");
-    CHECK(it.type("teleport('mose', {})") == "! teleport: there is no component 'mose' (did you mean 'mouse'?)");
-    CHECK(it.type("teleport('target', { hight = 1 })") ==
-          "! teleport: pose: unknown field 'hight': expected x, y, z, heading");
-    CHECK(it.type("teleport('target')") ==
-          "! teleport: pose: expected a table { x =, y =, z =, heading = }, got nothing");
-    CHECK(it.type("ls(mouse.ir_sensor_out)") == "! ls: expected a component or its name, got a port");
-    CHECK_THAT(it.type("teleport()"), StartsWith("! teleport: expected a marker or robot"));
-    it.hardware = true;
-    CHECK(it.type("teleport('target', {})") == "! teleport: real robots stay where they are: this works in simulation");
-    const auto items = it.complete("teleport('").candidates;
-    CHECK(items == std::vector<std::string>{"mouse", "target"});
-}
-
-TEST_CASE("no line of a message can be taken for a line of the log", "[console][session]") {
+TEST_CASE("no line of a message looks like a line of the log", "[console][session]") {
     SessionRig it(counter_system, {{"counter", R"(
 input("in", "TimedShortSeq", "numbers") output("out", "TimedVelocity2D", "velocity")
 param("speed_x", 1.0)
@@ -245,7 +195,7 @@ end
     CHECK_THAT(errors, Contains("error forged") && !Contains("\n[   9.000] error forged"));
 }
 
-TEST_CASE("a hold that is another's is refused, and can be taken", "[console][session][act]") {
+TEST_CASE("a port that another actor holds is refused, and can be taken over", "[console][session][act]") {
     SessionRig it;
     const Actor tablet{Actor::Kind::browser, "tablet"};
     REQUIRE(it.live->act(Hold{"controller.out", Velocity2D{.vx = 0.1}}, tablet));
@@ -265,17 +215,7 @@ TEST_CASE("a hold that is another's is refused, and can be taken", "[console][se
     CHECK(it.type("release(controller.out) return controller.out.holder") == "nil");
 }
 
-TEST_CASE("stop() and rearm() are words", "[console][session][act]") {
-    SessionRig it;
-    CHECK(it.type("rearm()") == "! rearm: nothing is stopped: rearm() follows stop()");
-    CHECK(it.type("run(1) stop() run(1) return mouse.truth.velocity.vx < 0.001").find("true") == 0);
-    CHECK(it.said("emergency stop (console): rearm() lets the robots drive again"));
-    for (const char* look : {"mouse.target_velocity_in", "ls(mouse)"})
-        CHECK_THAT(it.type(look), Contains("  (emergency stop: commands are ignored until rearm())"));
-    CHECK(it.type("rearm() run(1) return mouse.truth.velocity.vx > 0.2").find("true") == 0);
-}
-
-TEST_CASE("what another takes is no longer driven", "[console][session][act]") {
+TEST_CASE("driving ends when another actor takes the port", "[console][session][act]") {
     SessionRig it(counter_system + "component 'stick' { type = 'Joystick' }\n");
     it.type("drive 'stick'");
     it.session->key(Key::up);

@@ -6,7 +6,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("every record whose fields a word's table has is described", "[console][completion]") {
+TEST_CASE("the record of every command's table is described", "[console][completion]") {
     for (const ConsoleCommand& command : console_commands()) {
         if (command.table.record.empty()) continue;
         TextAtCursor call;

@@ -23,9 +23,9 @@ TEST_CASE("the console explains the next execution of a behaviour, once", "[cons
     CHECK(it.shown.empty());
 }
 
-TEST_CASE("the console says what it can't explain, and what it waits for", "[console][explain]") {
+TEST_CASE("the console reports what it can't explain, and what it waits for", "[console][explain]") {
     SessionRig it;
-    CHECK(it.type("explain(mouse)") == "! explain: mouse is no behaviour: it has no lines");
+    CHECK(it.type("explain(mouse)") == "! explain: mouse is not a behaviour: it has no lines");
     CHECK(it.type("explain()") == "! explain: expected a behaviour, as in explain(controller), got nothing");
     CHECK(it.type("explain(controller)") == "time is paused: step() lets it execute");
     it.type("restart()");

@@ -318,7 +318,7 @@ TEST_CASE("what can be no member of a component of another host is told", "[cons
     CHECK(it.type("hosts = 1") == "! 'hosts' is a word of the console: choose another name");
 }
 
-TEST_CASE("what another host shows is a copy that can't be written", "[console][network]") {
+TEST_CASE("values of another host are read-only copies", "[console][network]") {
     HostsRig it;
     HostsRig ev3("param('gains', { 1.5 })\n",
                  "network { name = 'ev3' }\nbehavior 'vehicle' { script = 'it', sets = { careful = {} } }\n");
@@ -330,7 +330,7 @@ TEST_CASE("what another host shows is a copy that can't be written", "[console][
     CHECK(it.type("hosts.ev3.vehicle.config.gains[1] = 3") == says);
     CHECK(it.type("for _, value in pairs(hosts.ev3.vehicle.config) do value[1] = 3 end") == says);
     CHECK(it.type("hosts.ev3.vehicle.sets[1] = 'x'") ==
-          "! can't set 'hosts.ev3.vehicle.sets[1]': 'hosts.ev3.vehicle.sets' is a copy: the system file says them");
+          "! can't set 'hosts.ev3.vehicle.sets[1]': 'hosts.ev3.vehicle.sets' is a copy: set them in the system file");
     CHECK(it.type("hosts.ev3.vehicle.ports.x = 1").find("parameters can, as in X.config.NAME = value") !=
           std::string::npos);
 }

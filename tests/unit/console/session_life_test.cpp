@@ -12,7 +12,7 @@ using namespace nezumi;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
-TEST_CASE("who can't be activated is told, and the others are", "[console][session][act]") {
+TEST_CASE("a component that can't be activated is reported, and the others are activated", "[console][session][act]") {
     SessionRig it(counter_system + "behavior \"bad\" { script = \"bad\", active = false }\n",
                   {{"counter", counter_behavior}, {"bad", "function on_activated() error('no luck') end"}});
     it.type("deactivate()");
@@ -23,7 +23,7 @@ TEST_CASE("who can't be activated is told, and the others are", "[console][sessi
     CHECK(it.type("activate()") == "nothing is INACTIVE");
 }
 
-TEST_CASE("pictures and graphs are drawn within the project by whoever can draw", "[console][session]") {
+TEST_CASE("pictures and graphs are drawn within the project", "[console][session]") {
     std::string drawn;
     const Scratch outside;
     SessionOptions options;

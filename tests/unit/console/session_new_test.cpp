@@ -23,7 +23,7 @@ struct Author {
 
 }  // namespace
 
-TEST_CASE("the console has a new behaviour written with its ports, parameters and what it does", "[console][new]") {
+TEST_CASE("new writes a behaviour with ports, parameters and documentation", "[console][new]") {
     Author author;
     SessionRig it(counter_system, {{"counter", counter_behavior}}, author.options());
     CHECK(it.type(R"(new "follower" { inputs = { "light:TimedShortSeq:sensors" }, outputs = { "out:TimedVelocity2D" },
@@ -37,7 +37,7 @@ TEST_CASE("the console has a new behaviour written with its ports, parameters an
     CHECK(author.request.doc == "Follows.");
 }
 
-TEST_CASE("the console says what is wrong with a new behaviour", "[console][new]") {
+TEST_CASE("new reports the error of a wrong request", "[console][new]") {
     Author author;
     SessionRig it(counter_system, {{"counter", counter_behavior}}, author.options());
     CHECK(

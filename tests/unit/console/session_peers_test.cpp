@@ -55,7 +55,7 @@ TEST_CASE("RTCs are listed, shown and changed by their names", "[console][rtm]")
     CHECK(asked.requests.back().what == PeerRequest::What::configure);
 }
 
-TEST_CASE("what is no request of an RTC is refused", "[console][rtm]") {
+TEST_CASE("a wrong request to an RTC is refused", "[console][rtm]") {
     Asked asked;
     SessionRig it(counter_system, behaviors, asked.options());
     CHECK(it.type("rtm(5)") == "! rtm: expected an RTC's name, as in rtm \"ConsoleOut0\", got number");
@@ -121,7 +121,7 @@ TEST_CASE("connections to RTCs are made at the console, shown and saved", "[cons
     CHECK(it.type("disconnect('rtm:Out0.out')") == "! disconnect: rtm:Out0.out is not connected");
 }
 
-TEST_CASE("a component that is removed takes its connections to RTCs along", "[console][rtm]") {
+TEST_CASE("removing a component removes its connections to RTCs", "[console][rtm]") {
     SessionRig it(counter_system + "rtm { export = \"controller\" }\nconnect(\"rtm:Out0.out\", \"controller.in\")\n");
     CHECK_THAT(it.type("remove 'controller'"),
                Contains("controller.in was connected to mouse.ir_sensor_out, rtm:Out0.out"));

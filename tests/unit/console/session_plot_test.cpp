@@ -48,7 +48,7 @@ TEST_CASE("probes are plotted by their names", "[console][plot]") {
                Contains("* talker.probes.count   o controller.out.vx"));
 }
 
-TEST_CASE("a plot is drawn again and again, until unwatch or Ctrl-C", "[console][plot]") {
+TEST_CASE("a plot is drawn repeatedly until unwatch or Ctrl-C", "[console][plot]") {
     PlotRig it;
     it.type("plot(controller.out, 1, { every = 0.2 })");
     it.shown.clear();
@@ -63,7 +63,7 @@ TEST_CASE("a plot is drawn again and again, until unwatch or Ctrl-C", "[console]
     CHECK(it.shown.empty());
 }
 
-TEST_CASE("a plot of what goes ends, which is told once", "[console][plot]") {
+TEST_CASE("a plot ends when its port is removed, and reports it once", "[console][plot]") {
     PlotRig it;
     it.type("plot(talker.mode, { every = 0.1 }) remove 'talker'");
     it.shown.clear();
@@ -74,7 +74,7 @@ TEST_CASE("a plot of what goes ends, which is told once", "[console][plot]") {
     CHECK(it.shown.empty());
 }
 
-TEST_CASE("what plot is given is meant by its name, not by its value", "[console][plot][input]") {
+TEST_CASE("plot takes the name of its argument, not its value", "[console][plot][input]") {
     const auto text = [](const std::string& given) { return with_plotted_names(given); };
     CHECK(text("plot(controller.out.vx, 5)") == "plot({ controller, \".out.vx\" }, 5)");
     CHECK(text("plot(a.out.value.vx, m.truth.pose.heading)") ==
@@ -92,7 +92,8 @@ TEST_CASE("what plot is given is meant by its name, not by its value", "[console
     }
 }
 
-TEST_CASE("a probe is plotted with its .value or without, and a misspelt one names the nearest", "[console][plot]") {
+TEST_CASE("a probe is plotted with or without .value, and the error of a wrong name has the nearest",
+          "[console][plot]") {
     PlotRig it;
     it.turn(1);
     it.type("t = talker plot(talker.probes)");
@@ -103,15 +104,15 @@ TEST_CASE("a probe is plotted with its .value or without, and a misspelt one nam
     CHECK(it.type("plot(t.probes.cuont.value)") == "! plot: talker.probes has no 'cuont' (did you mean 'count'?)");
 }
 
-TEST_CASE("whether a robot touches anything is plotted", "[console][plot]") {
+TEST_CASE("collided of a robot can be plotted", "[console][plot]") {
     PlotRig it;
     it.turn(1);
     CHECK(it.type("plot(mouse.collided)") == "mouse.collided\nvalue = 0 at 0.01 s, the only value that is remembered");
     CHECK(it.type("plot('mouse.collided.by')") == "! plot: mouse.collided is a single value: it has no 'by'");
-    CHECK(it.type("plot(talker.collided)") == "! plot: talker has no collided: it is no robot");
+    CHECK(it.type("plot(talker.collided)") == "! plot: talker has no collided: it is not a robot");
 }
 
-TEST_CASE("every value that the console shows is plotted", "[console][plot]") {
+TEST_CASE("every value of the console can be plotted", "[console][plot]") {
     SessionRig it;
     it.type("step(1)");
     CHECK(it.type("plot('mouse.buzzer')") == "mouse.buzzer\nvalue = 0 at 0.01 s, the only value that is remembered");

@@ -16,7 +16,7 @@ using namespace nezumi;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
-TEST_CASE("what was added while the system ran is saved with the rest", "[console][session]") {
+TEST_CASE("a saved system contains components that were added", "[console][session]") {
     SessionRig it;
     RobotEntry robot = std::get<RobotEntry>(it.live->spec().entries[0]);
     robot.name = "second";
@@ -39,7 +39,7 @@ TEST_CASE("what was added while the system ran is saved with the rest", "[consol
     CHECK(std::get<BehaviorEntry>(saved->entries[3]).rate == 50);
 }
 
-TEST_CASE("who is active is saved as it is", "[console][session]") {
+TEST_CASE("a saved system contains which components are active", "[console][session]") {
     const std::string fails = "param('x', 1)\nfunction on_execute() error('broken') end\n";
     const std::string idles = "param('x', 1)\nfunction on_execute() end\n";
     SessionRig it(R"(
@@ -73,8 +73,7 @@ TEST_CASE("a system is not saved over a script of its own", "[console][session]"
     CHECK_FALSE(std::filesystem::exists(script + "~"));
 }
 
-TEST_CASE("a system is saved into a file alone: nothing else is waited for, and nothing left behind",
-          "[console][session]") {
+TEST_CASE("save writes only regular files, never waits, and leaves no other file", "[console][session]") {
     SessionRig it;
     const std::string pipe = it.folder.path("pipe.lua").string();
     REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
@@ -86,7 +85,7 @@ TEST_CASE("a system is saved into a file alone: nothing else is waited for, and 
     CHECK(std::filesystem::is_fifo(pipe));
 }
 
-TEST_CASE("the present wiring and configuration is saved as a system file", "[console][session]") {
+TEST_CASE("save writes the present connections and configuration as a system file", "[console][session]") {
     SessionRig it;
     const std::string file = it.folder.path("saved.lua").string();
     it.type("controller.config.stop_d = 99 disconnect(mouse.ir_sensor_out)");
@@ -124,7 +123,8 @@ TEST_CASE("a robot is saved with the value of its parameter", "[console][session
     }
 }
 
-TEST_CASE("a value set by hand is saved in the set in use that names it, else in the config", "[console][session]") {
+TEST_CASE("a value set by hand is saved in the parameter set in use if the set has it, otherwise in config",
+          "[console][session]") {
     SessionRig it(
         "behavior 'it' { script = 'idles', config = { p = 2, gone = 1 }, sets = { g = { p = 9 }, h = { r = 4 } } }",
         {{"idles", "param('p', 1) param('q', 1) param('r', 1) param('gone', 1)\nfunction on_execute() end\n"}});
@@ -148,7 +148,7 @@ TEST_CASE("a value set by hand is saved in the set in use that names it, else in
     CHECK(named.config.at("p") == whole(2));
 }
 
-TEST_CASE("a save whose working folder has been deleted says so, and the session goes on", "[console][session]") {
+TEST_CASE("save reports a deleted working folder, and the session continues", "[console][session]") {
     SessionRig it;
     const Scratch scratch;
     const std::filesystem::path before = std::filesystem::current_path();
@@ -162,7 +162,7 @@ TEST_CASE("a save whose working folder has been deleted says so, and the session
     CHECK(it.type("1 + 1") == "2");
 }
 
-TEST_CASE("a system is saved as a Lua file within its project, and nowhere else", "[console][session]") {
+TEST_CASE("save only writes Lua files within the project", "[console][session]") {
     SessionRig it;
     const Scratch outside;
     const std::string home = it.folder.path("").parent_path().string();
@@ -183,7 +183,7 @@ TEST_CASE("a system is saved as a Lua file within its project, and nowhere else"
           "saved " + home + "/behaviors/deep.lua: 2 components, 2 connections");
 }
 
-TEST_CASE("a saved system names a floor's picture as a person would", "[console][session]") {
+TEST_CASE("a saved system has the short name of a floor's picture", "[console][session]") {
     // A picture of one white pixel.
     const std::string png(
         "\211PNG\015\012\032\012\000\000\000\015IHDR\000\000\000\001\000\000\000\001\010\000\000\000\000\072\176\233U"

@@ -5,7 +5,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("the console carries a box elsewhere, and what is left out stays as it is", "[console]") {
+TEST_CASE("the console moves a box, and omitted coordinates do not change", "[console]") {
     SessionRig it;
     CHECK(it.type("teleport('box 1', { x = 1.5, heading = 0.5 })").empty());
     const Pose3D moved = it.live->system().world()->things().front().pose;
@@ -18,7 +18,7 @@ TEST_CASE("the console carries a box elsewhere, and what is left out stays as it
     CHECK(it.live->system().world()->things().front().pose.position.y == 1);
 }
 
-TEST_CASE("save writes things and markers where a hand has put them, and restart puts them back", "[console]") {
+TEST_CASE("save writes moved objects and markers, and restart moves them back", "[console]") {
     SessionRig it;
     it.type("marker { name = 'target', id = 7, at = { 1, 0, 0.1 } }");
     it.type("teleport('box 1', { x = 1.5, y = 0.25, heading = 0.5 }) teleport('target', { x = 2, heading = 3 })");

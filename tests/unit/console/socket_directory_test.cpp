@@ -25,7 +25,7 @@ std::string refusal(std::string_view which, const std::filesystem::path& folder)
 
 }  // namespace
 
-TEST_CASE("a system that listens is found, by its name, its process or as the only one", "[console][attach]") {
+TEST_CASE("a listening system is found by its name, by its process, or as the only one", "[console][attach]") {
     const Scratch folder;
     const std::string process = std::to_string(getpid());
     CHECK(refusal("", folder.path() / "none") == "nothing is running: start a system with `nezumi run FILE`");
@@ -41,15 +41,15 @@ TEST_CASE("a system that listens is found, by its name, its process or as the on
         const auto other = Listener::open("line follower", folder.path());
         REQUIRE(other);
         CHECK(refusal("", folder.path()) ==
-              "several systems are running, say which by its name or its process: line follower (process " + process +
-                  "), stop_at_wall (process " + process + ")");
+              "several systems are running, choose one by its name or process number: line follower (process " +
+                  process + "), stop_at_wall (process " + process + ")");
         CHECK(refusal("line follower", folder.path()) == "none");
     }
     CHECK(std::filesystem::is_empty(folder.path()));
     CHECK(refusal("", folder.path()) == "nothing is running: start a system with `nezumi run FILE`");
 }
 
-TEST_CASE("a system is called as its file is, whatever that is called", "[console][attach]") {
+TEST_CASE("a system has the name of its file, for every file name", "[console][attach]") {
     const Scratch folder;
     for (const std::string& name :
          std::vector<std::string>{"maze-solver", "v1.2", "line follower", "\xe8\xbf\xb7\xe8\xb7\xaf", "a-12.sock",
@@ -66,7 +66,7 @@ TEST_CASE("a system is called as its file is, whatever that is called", "[consol
     }
 }
 
-TEST_CASE("sockets that nobody listens at are removed, other files are not", "[console][attach]") {
+TEST_CASE("sockets without a listener are removed, other files are not", "[console][attach]") {
     const Scratch folder;
     const auto living = Listener::open("living", folder.path());
     REQUIRE(living);
@@ -83,7 +83,7 @@ TEST_CASE("sockets that nobody listens at are removed, other files are not", "[c
     CHECK(std::filesystem::exists(living->path()));
 }
 
-TEST_CASE("the folder is made for its user alone, and one that is not is refused", "[console][attach]") {
+TEST_CASE("the folder is created for its user only, and any other folder is refused", "[console][attach]") {
     const Scratch parent;
     const std::filesystem::path folder = parent.path() / "nezumi";
     {
@@ -99,7 +99,7 @@ TEST_CASE("the folder is made for its user alone, and one that is not is refused
     const auto open_to_all = Listener::open("a", folder);
     REQUIRE_FALSE(open_to_all);
     CHECK(open_to_all.error().message ==
-          "others can enter the console's folder " + folder.string() + ": run chmod 700 on it");
+          "other users can enter the console's folder " + folder.string() + ": run chmod 700 on it");
     CHECK(refusal("", folder) == open_to_all.error().message);
 
     std::filesystem::permissions(folder, std::filesystem::perms(0700));
@@ -119,7 +119,7 @@ TEST_CASE("a folder's path may be longer than a socket's address", "[console][at
     CHECK(refusal("", deep / "nezumi") == "none");
 }
 
-TEST_CASE("the other end's user is known", "[console][attach]") {
+TEST_CASE("the user at the other end of a socket is known", "[console][attach]") {
     int ends[2] = {-1, -1};
     REQUIRE(socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0);
     const Descriptor one(ends[0]);
@@ -128,7 +128,7 @@ TEST_CASE("the other end's user is known", "[console][attach]") {
     CHECK_FALSE(is_peer(one.get(), geteuid() + 1));
 }
 
-TEST_CASE("the folder lies where sessions of a user have theirs, or in /tmp", "[console][attach]") {
+TEST_CASE("the folder is in the runtime directory of the user, or in /tmp", "[console][attach]") {
     const char* before = std::getenv("XDG_RUNTIME_DIR");
     const std::string kept = before != nullptr ? before : "";
     const Scratch runtime;

@@ -78,8 +78,7 @@ Run best_run(const std::string& line, std::chrono::milliseconds patience,
 
 }  // namespace
 
-TEST_CASE("a line without end takes no time of the ticks, and is interrupted at once",
-          "[console][stall][wallclock][watchdog]") {
+TEST_CASE("an endless line delays no tick, and is interrupted at once", "[console][stall][wallclock][watchdog]") {
     const std::string line = GENERATE(as<std::string>(), "while true do end",                       //
                                       "('x'):gsub('.', function() while true do end end)",          //
                                       "table.sort({ 1, 2 }, function() while true do end end)",     //
@@ -97,7 +96,7 @@ TEST_CASE("a line without end takes no time of the ticks, and is interrupted at 
     CHECK(endless.ended_after < 0.1);
 }
 
-TEST_CASE("a line that computes much takes no time of the ticks", "[console][stall][wallclock]") {
+TEST_CASE("a line with a long computation delays no tick", "[console][stall][wallclock]") {
     const std::string million = "local t = {} for i = 1, 1000000 do t[i] = i * 7919 % 30011 end ";
     const std::string line =
         GENERATE_COPY(million + "table.sort(t)",                                                                     //
@@ -112,7 +111,7 @@ TEST_CASE("a line that computes much takes no time of the ticks", "[console][sta
     CHECK(much.spent < most_of_a_line());
 }
 
-TEST_CASE("a question about a table of a million names takes no time of the ticks", "[console][stall][wallclock]") {
+TEST_CASE("a completion in a table of a million names delays no tick", "[console][stall][wallclock]") {
     SessionRig it;
     it.type("t = {} for i = 1, 300000 do t['k' .. i] = i end");
     double spent = 1e9;
@@ -133,7 +132,7 @@ TEST_CASE("a question about a table of a million names takes no time of the tick
     CHECK(spent < most_of_a_line());
 }
 
-TEST_CASE("a line that fills the output waits for it, and the ticks do not", "[console][stall][wallclock][watchdog]") {
+TEST_CASE("a line with much output waits, but the ticks continue", "[console][stall][wallclock][watchdog]") {
     SessionRig it;
     const Run flood = run(it, "while true do print(('x'):rep(1000)) end", std::chrono::milliseconds(200));
     CHECK(flood.interrupted);
@@ -141,7 +140,7 @@ TEST_CASE("a line that fills the output waits for it, and the ticks do not", "[c
     CHECK(it.shown.find("! interrupted") != std::string::npos);
 }
 
-TEST_CASE("a look at a state of a hundred thousand values takes no time of the ticks, and small parts of it are seen",
+TEST_CASE("reading a state of a hundred thousand values delays no tick, and small parts are shown",
           "[console][stall][wallclock]") {
     const std::string large = GENERATE(
         as<std::string>(), "for i = 1, 300000 do state.large[i] = i end",
@@ -167,7 +166,8 @@ TEST_CASE("a look at a state of a hundred thousand values takes no time of the t
     CHECK(spent < most_of_a_line());
 }
 
-TEST_CASE("what is added reads its files and runs its script beside the ticks", "[console][stall][wallclock]") {
+TEST_CASE("a component is added beside the ticks: its files are read and its script runs there",
+          "[console][stall][wallclock]") {
     const std::string million = "local t = {} for i = 1, 2000000 do t[i] = i end\n";
     const std::map<std::string, std::string> files{
         {"counter", counter_behavior},
@@ -189,7 +189,7 @@ TEST_CASE("what is added reads its files and runs its script beside the ticks", 
     CHECK(added.spent < most_of_a_line());
 }
 
-TEST_CASE("a script that never ends its loading is refused by reload() beside the ticks",
+TEST_CASE("reload() refuses a script whose top level never ends, beside the ticks",
           "[console][stall][wallclock][watchdog]") {
     double spent = 1e9;
     for (int attempt = 0; attempt < 4 && spent >= most_of_a_line(); ++attempt) {

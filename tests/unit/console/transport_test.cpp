@@ -62,7 +62,7 @@ std::vector<Incoming> take_until(Transport& transport, Incoming::What what) {
 
 }  // namespace
 
-TEST_CASE("a request is carried to the system and its answer back", "[console][transport]") {
+TEST_CASE("a request reaches the system, and its answer the client", "[console][transport]") {
     Transport transport;
     Pair pair = make_pair();
     const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);
@@ -79,7 +79,7 @@ TEST_CASE("a request is carried to the system and its answer back", "[console][t
     CHECK(answer->id == asked);
 }
 
-TEST_CASE("garbage is answered by an error, and the next request is understood", "[console][transport]") {
+TEST_CASE("a line that can't be read is answered with an error, and the next request works", "[console][transport]") {
     Transport transport;
     Pair pair = make_pair();
     transport.add(std::move(pair.system), Transport::Flow::lossy);
@@ -101,7 +101,7 @@ TEST_CASE("garbage is answered by an error, and the next request is understood",
     }
 }
 
-TEST_CASE("a client that leaves in the middle of a line is gone, and nothing else happens", "[console][transport]") {
+TEST_CASE("a client that leaves within a line is removed, and nothing else happens", "[console][transport]") {
     Transport transport;
     Pair pair = make_pair();
     const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);
@@ -113,7 +113,7 @@ TEST_CASE("a client that leaves in the middle of a line is gone, and nothing els
     transport.send(id, {.text = "to nobody"});
 }
 
-TEST_CASE("nothing is kept of a client that has left", "[console][transport]") {
+TEST_CASE("nothing remains of a client that has left", "[console][transport]") {
     const auto open_files = [] {
         const std::filesystem::directory_iterator files("/proc/self/fd");
         return std::distance(begin(files), end(files));
@@ -130,7 +130,7 @@ TEST_CASE("nothing is kept of a client that has left", "[console][transport]") {
     CHECK(open_files() == before);
 }
 
-TEST_CASE("a client that only says what it wants still gets its answer", "[console][transport]") {
+TEST_CASE("a client that closes its sending side still gets its answer", "[console][transport]") {
     Transport transport;
     Pair pair = make_pair();
     const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);
@@ -146,7 +146,8 @@ TEST_CASE("a client that only says what it wants still gets its answer", "[conso
     take_until(transport, Incoming::What::closed);
 }
 
-TEST_CASE("a client that does not read loses output, is told how much, and delays nobody", "[console][transport]") {
+TEST_CASE("a client that does not read loses output, gets the number of lost events, and delays nothing",
+          "[console][transport]") {
     Transport transport;
     Pair pair = make_pair();
     const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);
@@ -173,7 +174,7 @@ TEST_CASE("a client that does not read loses output, is told how much, and delay
     CHECK(shown * text.size() < 3 * Transport::max_backlog);
 }
 
-TEST_CASE("what was left out is told before the answer, after which a client may leave", "[console][transport]") {
+TEST_CASE("the number of lost events is sent before the answer", "[console][transport]") {
     Transport transport;
     Pair pair = make_pair();
     const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);
@@ -193,7 +194,7 @@ TEST_CASE("what was left out is told before the answer, after which a client may
     CHECK(transport.takes_more(id));
 }
 
-TEST_CASE("a lossless client gets everything where the run waits while it is behind", "[console][transport]") {
+TEST_CASE("a lossless client gets everything if the run waits for it", "[console][transport]") {
     Transport transport;
     Pair pair = make_pair();
     const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossless);
@@ -210,7 +211,8 @@ TEST_CASE("a lossless client gets everything where the run waits while it is beh
     CHECK(transport.takes_more(id));
 }
 
-TEST_CASE("a lossless client that never reads holds nobody, and what it loses is counted", "[console][transport]") {
+TEST_CASE("a lossless client that never reads delays nothing, and its lost events are counted",
+          "[console][transport]") {
     Transport transport;
     Pair pair = make_pair();
     const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossless);
@@ -229,7 +231,7 @@ TEST_CASE("a lossless client that never reads holds nobody, and what it loses is
     CHECK(shown + lost == sent);
 }
 
-TEST_CASE("no more requests are read than are dealt with", "[console][transport]") {
+TEST_CASE("unfinished requests of a client are limited", "[console][transport]") {
     Transport transport;
     Pair pair = make_pair();
     const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);
@@ -253,7 +255,7 @@ TEST_CASE("no more requests are read than are dealt with", "[console][transport]
     CHECK(most <= Transport::max_requests + 2);
 }
 
-TEST_CASE("whoever is not the user is told so and gets no further", "[console][attach]") {
+TEST_CASE("a client of another user is refused with a message", "[console][attach]") {
     char name[] = "/tmp/nezumi-other-XXXXXX";
     const std::filesystem::path folder = mkdtemp(name);
     {
@@ -276,7 +278,7 @@ TEST_CASE("whoever is not the user is told so and gets no further", "[console][a
     std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("consoles that have said nothing keep nobody out, the oldest goes first", "[console][attach]") {
+TEST_CASE("silent clients do not block new ones: the oldest is disconnected first", "[console][attach]") {
     char name[] = "/tmp/nezumi-idle-XXXXXX";
     const std::filesystem::path folder = mkdtemp(name);
     {
@@ -316,7 +318,7 @@ TEST_CASE("consoles that have said nothing keep nobody out, the oldest goes firs
     std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("clients are told when the system ends, and do not keep it from ending", "[console][transport]") {
+TEST_CASE("clients get a message when the system ends, and do not delay the end", "[console][transport]") {
     Pair reads = make_pair();
     Pair sleeps = make_pair();
     const auto begin = Clock::now();
@@ -334,7 +336,7 @@ TEST_CASE("clients are told when the system ends, and do not keep it from ending
     CHECK(event->text == "the system has ended");
 }
 
-TEST_CASE("the end waits for no client that has all it was told", "[console][transport][wallclock]") {
+TEST_CASE("the end does not wait for clients that have received everything", "[console][transport][wallclock]") {
     auto quickest = std::chrono::steady_clock::duration::max();
     for (int attempt = 0; attempt < 5; ++attempt) {  // the farewell of one that does not read takes 300 ms
         auto transport = std::make_unique<Transport>();
@@ -347,7 +349,7 @@ TEST_CASE("the end waits for no client that has all it was told", "[console][tra
     CHECK(quickest < std::chrono::milliseconds(200));
 }
 
-TEST_CASE("a system has answered when the answer is to the question, not when something comes", "[console][client]") {
+TEST_CASE("only the answer to the request counts as an answer of the system", "[console][client]") {
     Pair pair = make_pair();
     ConsoleClient client(std::move(pair.client));
     write_text(pair.system, "{\"is\":\"output\",\"id\":99,\"text\":\"of another\"}\n");
@@ -358,7 +360,7 @@ TEST_CASE("a system has answered when the answer is to the question, not when so
     CHECK_FALSE(client.is_answered(10'000));
 }
 
-TEST_CASE("who writes text is told whether all of it got through", "[console]") {
+TEST_CASE("writing text reports whether everything was written", "[console]") {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
     REQUIRE(file != nullptr);
     CHECK(put_text(file.get(), "some text"));

@@ -24,8 +24,7 @@ void end(Worker& worker) {
 
 }  // namespace
 
-TEST_CASE("who waits for a bell waits as long as it said, whole seconds or not, unless it rings",
-          "[console][wallclock]") {
+TEST_CASE("waiting for a bell takes the given time unless it rings", "[console][wallclock]") {
     const Bell bell;
     for (const auto patience : {20ms, 1000ms, 1300ms}) {
         CAPTURE(patience.count());
@@ -40,7 +39,7 @@ TEST_CASE("who waits for a bell waits as long as it said, whole seconds or not, 
     CHECK_FALSE(bell.wait(Worker::Clock::now()));
 }
 
-TEST_CASE("what a job has posted is done in its order, to the last", "[console][worker]") {
+TEST_CASE("the posts of a job are all done, in order", "[console][worker]") {
     const Bell bell;
     Worker worker(bell);
     std::vector<int> done;
@@ -54,7 +53,7 @@ TEST_CASE("what a job has posted is done in its order, to the last", "[console][
     end(worker);
 }
 
-TEST_CASE("nothing of what a job has posted is done after it is revoked", "[console][worker]") {
+TEST_CASE("posts of a stopped job are not done", "[console][worker]") {
     const Bell bell;
     Worker worker(bell);
     bool done = false;

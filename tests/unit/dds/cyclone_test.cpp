@@ -51,7 +51,7 @@ Octets cdr(std::size_t size) {
 
 TEST_CASE("messages of any length arrive unchanged", "[dds][cyclone][wallclock]") {
     const auto place = join(211);
-    Topic topic = topic_of("a", "b.c", type_index<std::string>());
+    Topic topic = topic_of("a", "b.c", message_of<std::string>());
     topic.depth = 16;
     const auto reader = place->read(topic);
     const auto writer = place->write(topic);
@@ -105,7 +105,7 @@ TEST_CASE("a reader wakes a waiting thread, and a writer that keeps all reports 
 
 TEST_CASE("a message that a reader rejects does not displace waiting ones", "[dds][cyclone][wallclock]") {
     const auto place = join(216);
-    Topic topic = topic_of("a", "b.c", type_index<std::string>());
+    Topic topic = topic_of("a", "b.c", message_of<std::string>());
     topic.depth = 1;
     const auto writer = place->write(topic);
     std::atomic<int> asked = 0;

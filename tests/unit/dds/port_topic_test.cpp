@@ -38,14 +38,14 @@ struct Line {
 }  // namespace
 
 TEST_CASE("of velocities and pictures the newest are sent, all other messages are delivered", "[dds]") {
-    const Topic velocity = topic_of("ev3", "a.b", type_index<Velocity2D>());
+    const Topic velocity = topic_of("ev3", "a.b", message_of<Velocity2D>());
     CHECK(velocity.name == "nezumi/ev3/a/b");
     CHECK(velocity.type == "nezumi::TimedVelocity2D");
     CHECK_FALSE(velocity.reliable);
     CHECK(velocity.depth == 1);
-    CHECK(topic_of("ev3", "a.b", type_index<std::int32_t>()).reliable);
-    CHECK(topic_of("ev3", "a.b", type_index<std::int32_t>()).depth == 128);
-    CHECK(topic_of("ev3", "a.b", type_index<CameraImage>()).depth == 2);
+    CHECK(topic_of("ev3", "a.b", message_of<std::int32_t>()).reliable);
+    CHECK(topic_of("ev3", "a.b", message_of<std::int32_t>()).depth == 128);
+    CHECK(topic_of("ev3", "a.b", message_of<CameraImage>()).depth == 2);
 }
 
 TEST_CASE("a velocity older than 0.5 s is dropped, also if the clocks are not set", "[dds]") {

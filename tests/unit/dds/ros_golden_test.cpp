@@ -35,24 +35,24 @@ std::map<std::string, Octets> golden_messages() {
 }
 
 // What those messages are here.
-Value value_of(std::size_t type, std::string_view ros) {
+Value value_of(const MessageType* type, std::string_view ros) {
     const RangerConfig range{.angularRes = 0.5, .minRange = 0.125, .maxRange = 4};
-    const std::map<std::size_t, Value> values{
-        {type_index<Velocity2D>(), Velocity2D{0.25, -0.5, 1.5}},
-        {type_index<Pose2D>(), Pose2D{{1.5, -2.25}, 0.5}},
-        {type_index<Pose3D>(), Pose3D{{1.5, -2.25, 0.5}, {0.1, -0.2, 0.3}}},
-        {type_index<CameraIntrinsics>(),
+    const std::map<const MessageType*, Value> values{
+        {message_of<Velocity2D>(), Velocity2D{0.25, -0.5, 1.5}},
+        {message_of<Pose2D>(), Pose2D{{1.5, -2.25}, 0.5}},
+        {message_of<Pose3D>(), Pose3D{{1.5, -2.25, 0.5}, {0.1, -0.2, 0.3}}},
+        {message_of<CameraIntrinsics>(),
          CameraIntrinsics{640, 480, 500.5, 501.5, 320.25, 240.75, 0.125, -0.25, 0.5, -0.75, 0.0625}},
-        {type_index<bool>(), true},
-        {type_index<std::int16_t>(), std::int16_t{-12345}},
-        {type_index<std::int32_t>(), std::int32_t{-123456789}},
-        {type_index<float>(), -0.15625F},
-        {type_index<double>(), 3.141592653589793},
-        {type_index<std::string>(), std::string("a mouse")},
-        {type_index<std::vector<std::int16_t>>(), std::vector<std::int16_t>{1, -2, 32767}},
-        {type_index<std::vector<std::int32_t>>(), std::vector<std::int32_t>{1, -2, 2147483647}},
-        {type_index<std::vector<double>>(), std::vector<double>{0.5, -0.25}},
-        {type_index<std::vector<bool>>(), std::vector<bool>{true, false, true}},
+        {message_of<bool>(), true},
+        {message_of<std::int16_t>(), std::int16_t{-12345}},
+        {message_of<std::int32_t>(), std::int32_t{-123456789}},
+        {message_of<float>(), -0.15625F},
+        {message_of<double>(), 3.141592653589793},
+        {message_of<std::string>(), std::string("a mouse")},
+        {message_of<std::vector<std::int16_t>>(), std::vector<std::int16_t>{1, -2, 32767}},
+        {message_of<std::vector<std::int32_t>>(), std::vector<std::int32_t>{1, -2, 2147483647}},
+        {message_of<std::vector<double>>(), std::vector<double>{0.5, -0.25}},
+        {message_of<std::vector<bool>>(), std::vector<bool>{true, false, true}},
     };
     if (ros == "sensor_msgs/msg/LaserScan") {
         RangerConfig scan = range;
@@ -66,7 +66,7 @@ Value value_of(std::size_t type, std::string_view ros) {
     if (ros == "sensor_msgs/msg/CompressedImage")
         return CameraImage{.format = "jpeg", .pixels = {0xff, 0xd8, 0xff, 0xd9, 0}};
     if (ros == "std_msgs/msg/Float32MultiArray") return std::vector<float>{0.5F, -0.25F};
-    if (ros == "sensor_msgs/msg/Joy" && type == type_index<std::vector<float>>()) return std::vector<float>{0.5F, -1};
+    if (ros == "sensor_msgs/msg/Joy" && type == message_of<std::vector<float>>()) return std::vector<float>{0.5F, -1};
     return values.at(type);
 }
 
@@ -89,8 +89,8 @@ bool is_same(const Value& a, const Value& b) {
 TEST_CASE("each type of ROS is encoded and decoded as in its definition", "[dds][ros]") {
     const auto golden = golden_messages();
     for (const ros::Mapping& mapping : ros::mappings()) {
-        const auto message = golden.find(fmt::format("{} {}", message_type_names[mapping.port_type], mapping.type));
-        CAPTURE(mapping.type, message_type_names[mapping.port_type]);
+        const auto message = golden.find(fmt::format("{} {}", mapping.port_type->name, mapping.type));
+        CAPTURE(mapping.type, mapping.port_type->name);
         REQUIRE(message != golden.end());
         const Value value = value_of(mapping.port_type, mapping.type);
         FakeDomain domain;

@@ -54,7 +54,7 @@ TEST_CASE("the hashes of types are those that ROS 2 publishes", "[dds][ros]") {
 }
 
 TEST_CASE("topics and types have ROS 2's names on the wire", "[dds][ros]") {
-    const auto twist = ros::find_mapping(type_index<Velocity2D>(), "", false);
+    const auto twist = ros::find_mapping(message_of<Velocity2D>(), "", false);
     REQUIRE(twist.has_value());
     const dds::Topic written = ros::topic_of("/cmd_vel", **twist, true);
     CHECK(written.name == "rt/cmd_vel");
@@ -65,18 +65,18 @@ TEST_CASE("topics and types have ROS 2's names on the wire", "[dds][ros]") {
     const dds::Topic read = ros::topic_of("/cmd_vel", **twist, false);
     CHECK_FALSE(read.reliable);
     CHECK(read.depth == 1);
-    const auto scan = ros::find_mapping(type_index<RangeData>(), "sensor_msgs/msg/LaserScan", false);
+    const auto scan = ros::find_mapping(message_of<RangeData>(), "sensor_msgs/msg/LaserScan", false);
     REQUIRE(scan.has_value());
     CHECK_FALSE(ros::topic_of("/scan", **scan, true).reliable);
 }
 
 TEST_CASE("an impossible type for a port is refused with the possible ones", "[dds][ros]") {
-    CHECK(ros::find_mapping(type_index<Velocity2D>(), "geometry_msgs/msg/Twst", false).error().message ==
+    CHECK(ros::find_mapping(message_of<Velocity2D>(), "geometry_msgs/msg/Twst", false).error().message ==
           "TimedVelocity2D becomes no 'geometry_msgs/msg/Twst' (did you mean 'geometry_msgs/msg/Twist'?); there are "
           "geometry_msgs/msg/Twist, geometry_msgs/msg/TwistStamped");
-    CHECK(ros::find_mapping(type_index<std::vector<std::string>>(), "", false).error().message ==
+    CHECK(ros::find_mapping(message_of<std::vector<std::string>>(), "", false).error().message ==
           "there is no type of ROS for TimedStringSeq");
-    CHECK(ros::find_mapping(type_index<Pose2D>(), "tf2_msgs/msg/TFMessage", true)
+    CHECK(ros::find_mapping(message_of<Pose2D>(), "tf2_msgs/msg/TFMessage", true)
               .error()
               .message.find("TimedPose2D is made of no 'tf2_msgs/msg/TFMessage'") == 0);
 }

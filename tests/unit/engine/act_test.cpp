@@ -50,12 +50,12 @@ constexpr bool can_be_changed = requires(Any& system) {
 
 }  // namespace
 
-TEST_CASE("whoever may only look at a system can't change it", "[engine][act]") {
+TEST_CASE("a constant system can't be changed", "[engine][act]") {
     STATIC_REQUIRE(can_be_changed<System>);
     STATIC_REQUIRE_FALSE(can_be_changed<const System>);
 }
 
-TEST_CASE("an act that names what is not there says what is near", "[engine][act]") {
+TEST_CASE("the error about an unknown name in an act has the nearest name", "[engine][act]") {
     FakeRun run;
     CHECK(error_of(run.system, Activate{"mous"}) == "there is no component 'mous' (did you mean 'mouse'?)");
     CHECK(error_of(run.system, Drop{"mouse.velocty_in"}) ==
@@ -89,7 +89,7 @@ TEST_CASE("a robot without buttons can't be pressed", "[engine][act]") {
     CHECK(error_of(run.system, Press{"mouse", "button"}) == "mouse has no buttons");
 }
 
-TEST_CASE("a hold is that of who made it, until another takes it", "[engine][act]") {
+TEST_CASE("a hold belongs to its actor until another actor takes it", "[engine][act]") {
     Driving it;
     REQUIRE(it.system.holder("mouse.velocity_in") != nullptr);
     CHECK(*it.system.holder("mouse.velocity_in") == console);

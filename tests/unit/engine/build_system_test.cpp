@@ -160,7 +160,7 @@ TEST_CASE("what a system file sets of the limits replaces the model's, the rest 
           Limits{.speed = 0.5, .yaw_rate = 6, .acceleration = 2, .yaw_acceleration = 1});
 }
 
-TEST_CASE("a seed is the file's, or else the caller's, unless the caller insists", "[engine][build]") {
+TEST_CASE("the seed is that of the file, otherwise the caller's, unless the caller's must win", "[engine][build]") {
     Plan plan;
     plan.behavior("it");
     CHECK(plan.build({.seed = 5})->settings().seed == 5);
@@ -172,7 +172,7 @@ TEST_CASE("a seed is the file's, or else the caller's, unless the caller insists
     CHECK(plan.seed == 5);
 }
 
-TEST_CASE("an entry that can't be is told with the place of its line", "[engine][build]") {
+TEST_CASE("the error of a wrong entry has its place", "[engine][build]") {
     const auto refused = [](const auto& spoil) {
         Plan plan;
         plan.robot("mouse");
@@ -246,7 +246,7 @@ TEST_CASE("a robot that names its driver is simulated where the run has no drive
     CHECK_FALSE(plan.build()->find_robot("mouse")->is_real());
 }
 
-TEST_CASE("a driver that nobody knows is refused, also where nothing is real", "[engine][system]") {
+TEST_CASE("an unknown driver is refused, also if nothing is real", "[engine][system]") {
     Plan plan;
     plan.robot("mouse");
     plan.spec.models.at("mouse").hardware.driver = "raspimose";
@@ -279,7 +279,7 @@ TEST_CASE("one robot of a system may be real and the others simulated", "[engine
     CHECK(system->find_robot("last")->id() == 1);
 }
 
-TEST_CASE("a system whose robots are all real needs no world", "[engine][build][hardware]") {
+TEST_CASE("a system with only real robots needs no world", "[engine][build][hardware]") {
     Plan plan;
     plan.makers.world = nullptr;
     plan.robot("mouse").backend = "mouse_driver";
@@ -323,9 +323,9 @@ TEST_CASE("limits above a real robot's are told once, with what it gets and what
                         "of 1.5: once its odometry is calibrated (nezumi calibrate odometry) it gets 0.5 m/s, 1.5 "
                         "m/s^2"});
     hardware = plan.spec.models["mouse"].drive.limits;  // as after a calibration
-    CHECK(tell() == std::vector<std::string>{
-                        "s.lua:1: robot 'mouse': limits: the real robot gets 0.5 m/s instead of 1: its model allows "
-                        "no more, and only in simulation may a system raise that"});
+    CHECK(tell() ==
+          std::vector<std::string>{"s.lua:1: robot 'mouse': limits: the real robot gets 0.5 m/s instead of 1: its "
+                                   "model allows no more, and a system can raise that only in simulation"});
     mouse.limits.speed = 0.4;
     CHECK(tell().empty());
     mouse.limits.speed = 1.0;

@@ -31,7 +31,7 @@ struct Pair {
 
 }  // namespace
 
-TEST_CASE("who is connected to a port has its companion connected too", "[engine][port][companion]") {
+TEST_CASE("a connection also connects the companion port", "[engine][port][companion]") {
     Pair p;
     p.image.connect(p.picture);
     CHECK(p.told.sources() == std::vector<const OutPortBase*>{&p.intrinsics});
@@ -50,7 +50,7 @@ TEST_CASE("a connection takes its companion along when it goes", "[engine][port]
     CHECK(p.told.latest().data.fx == 500);
 }
 
-TEST_CASE("what is connected twice, as a companion and by itself, is one source until both have gone",
+TEST_CASE("a source that is connected twice counts once until both connections are removed",
           "[engine][port][companion]") {
     const bool companion_first = GENERATE(true, false);
     Pair p;

@@ -214,7 +214,7 @@ TEST_CASE("a queue that overflows is told once", "[engine][component][port]") {
     }
     CHECK(it.queue.dropped() == 10);
     CHECK(it.log_lines ==
-          Names{"warn: input 'queue': its queue of 2 is full, the oldest message was dropped (said once)"});
+          Names{"warn: input 'queue': its queue of 2 is full, the oldest message was dropped (reported once)"});
 }
 
 TEST_CASE("a queue that overflows is told although one that became shorter has dropped messages before",
@@ -230,7 +230,7 @@ TEST_CASE("a queue that overflows is told although one that became shorter has d
     }
     CHECK(it.queue.dropped() == 4);
     CHECK(it.log_lines ==
-          Names{"warn: input 'queue': its queue of 1 is full, the oldest message was dropped (said once)"});
+          Names{"warn: input 'queue': its queue of 1 is full, the oldest message was dropped (reported once)"});
 }
 
 TEST_CASE("dt is the time since the execution before, and a period at the first", "[engine][component]") {

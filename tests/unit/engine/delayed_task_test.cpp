@@ -41,7 +41,7 @@ TEST_CASE("without latency a result is there in the tick in which it was asked f
     CHECK(work.take(at_second(3), true).value() == 8);
 }
 
-TEST_CASE("on the wall clock a result is there when it is ready, and nobody waits", "[engine][latency]") {
+TEST_CASE("in real time a result is available when it is ready, without waiting", "[engine][latency]") {
     std::atomic<bool> go = false;
     DelayedTask<int> work;
     work.start(at_second(0), 10, [&] {
@@ -71,7 +71,7 @@ TEST_CASE("work that is finished without being taken is forgotten", "[engine][la
     CHECK_FALSE(work.take(at_second(1), true));
 }
 
-TEST_CASE("what work throws is an error for who takes its result, and nothing for who does not", "[engine][latency]") {
+TEST_CASE("an exception of a task is an error of its result, or dropped with it", "[engine][latency]") {
     for (const bool wait : {true, false}) {
         DelayedTask<int> work;
         work.start(at_second(0), 0, []() -> int { throw std::runtime_error("no memory for the picture"); });

@@ -143,9 +143,9 @@ TEST_CASE("a screen shows whole pictures, and says once why not the others", "[e
     run.send("lcd", picture(0, 0, 0));
     run.send("lcd", picture(4, 2, 7));
     CHECK(run.hull().pictures.empty());
-    CHECK(run.log ==
-          std::vector<std::string>{"mouse: input 'lcd': a picture of 0 x 0 pixels of 8 bits with 0 bytes is not shown "
-                                   "(said once): expected a width, a height and bpp, its bits a pixel: 24 of rgb8"});
+    CHECK(run.log == std::vector<std::string>{
+                         "mouse: input 'lcd': a picture of 0 x 0 pixels of 8 bits with 0 bytes is not shown "
+                         "(reported once): expected a width, a height and bpp, its bits a pixel: 24 of rgb8"});
     run.send("lcd", picture(4, 2, 8));
     REQUIRE(run.hull().pictures.size() == 1);
     CHECK(run.hull().pictures[0].width == 4);
@@ -161,10 +161,11 @@ TEST_CASE("what a screen, a speaker or a colour sensor can't do is an error", "[
     PortSpec off = port("p", "TimedString", {"speaker"}, true);
     off.off_when_silent = true;
     CHECK(refusal(off) ==
-          "port 'p': silence = \"off\" means nothing to the speaker 'speaker': it is silent after each text");
+          "port 'p': silence = \"off\" has no meaning for the speaker 'speaker': it is silent after each text");
     off = port("p", "CameraImage", {"screen"}, true);
     off.off_when_silent = true;
-    CHECK(refusal(off) == "port 'p': silence = \"off\" means nothing to the screen 'screen': it keeps its picture");
+    CHECK(refusal(off) ==
+          "port 'p': silence = \"off\" has no meaning for the screen 'screen': it keeps its last picture");
 }
 
 TEST_CASE("a text is a beep, a tone of two whole numbers, or to be spoken", "[engine][sound]") {

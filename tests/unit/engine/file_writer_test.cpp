@@ -16,7 +16,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("whoever writes waits for no disk, and all of it is there at the end", "[engine][base]") {
+TEST_CASE("writing does not wait for the disk, and everything is written at the end", "[engine][base]") {
     // A pipe that nobody reads yet is a disk that stalls.
     int ends[2];
     REQUIRE(pipe(ends) == 0);
@@ -39,7 +39,7 @@ TEST_CASE("whoever writes waits for no disk, and all of it is there at the end",
     close(ends[0]);
 }
 
-TEST_CASE("what waits to be written has a limit: beyond it writing has failed, and nobody waits", "[engine][base]") {
+TEST_CASE("the amount of waiting data is limited; beyond it writing fails without waiting", "[engine][base]") {
     int ends[2];
     REQUIRE(pipe(ends) == 0);
     {
@@ -58,7 +58,7 @@ TEST_CASE("what waits to be written has a limit: beyond it writing has failed, a
     close(ends[0]);
 }
 
-TEST_CASE("a pipe that is not read is given up, by whoever closes it and by others", "[engine][base]") {
+TEST_CASE("a pipe without a reader is given up", "[engine][base]") {
     const bool by_others = GENERATE(false, true);
     int ends[2];
     REQUIRE(pipe(ends) == 0);
@@ -75,14 +75,14 @@ TEST_CASE("a pipe that is not read is given up, by whoever closes it and by othe
     close(ends[0]);
 }
 
-TEST_CASE("a disk that is full ends the writing and keeps nobody waiting", "[engine][base]") {
+TEST_CASE("a full disk ends the writing without waiting", "[engine][base]") {
     FileWriter writer(open("/dev/full", O_WRONLY));
     for (int i = 0; i < 100; ++i) writer.put(std::string(100, 'x'));
     CHECK(writer.close() == ENOSPC);
     CHECK(writer.problem() == ENOSPC);
 }
 
-TEST_CASE("what takes long to be made is made by the thread that writes, in its place", "[engine][base]") {
+TEST_CASE("texts that take long to make are made by the writing thread, in order", "[engine][base]") {
     const Scratch scratch;
     const auto file = scratch.path("it");
     std::thread::id maker;

@@ -12,7 +12,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("a log line carries the time of the tick it was said in, whoever says it", "[engine][system]") {
+TEST_CASE("a log line has the time of its tick", "[engine][system]") {
     class Talker final : public Device {
     public:
         Talker() : Device("talker", "Talker") {}

@@ -33,22 +33,22 @@ TEST_CASE("the message types are the seventeen of OpenRTM-aist, by their names, 
         "TimedString",    "TimedBooleanSeq", "TimedShortSeq",    "TimedLongSeq", "TimedFloatSeq",
         "TimedDoubleSeq", "TimedStringSeq",  "TimedVelocity2D",  "TimedPose2D",  "TimedPose3D",
         "RangeData",      "CameraImage",     "CameraIntrinsics", "SeenMarkerSeq"};
-    CHECK(std::vector<std::string_view>(message_type_names.begin(), message_type_names.end()) == expected);
+    CHECK(std::vector<std::string_view>(compiled_message_names().begin(), compiled_message_names().end()) == expected);
 }
 
 TEST_CASE("single values and sequences carry the width that their name says", "[engine][message]") {
-    CHECK(type_index<bool>() == find_message_type("TimedBoolean"));
-    CHECK(type_index<std::int16_t>() == find_message_type("TimedShort"));
-    CHECK(type_index<std::int32_t>() == find_message_type("TimedLong"));
-    CHECK(type_index<float>() == find_message_type("TimedFloat"));
-    CHECK(type_index<double>() == find_message_type("TimedDouble"));
-    CHECK(type_index<std::string>() == find_message_type("TimedString"));
-    CHECK(type_index<std::vector<bool>>() == find_message_type("TimedBooleanSeq"));
-    CHECK(type_index<std::vector<std::int16_t>>() == find_message_type("TimedShortSeq"));
-    CHECK(type_index<std::vector<std::int32_t>>() == find_message_type("TimedLongSeq"));
-    CHECK(type_index<std::vector<float>>() == find_message_type("TimedFloatSeq"));
-    CHECK(type_index<std::vector<double>>() == find_message_type("TimedDoubleSeq"));
-    CHECK(type_index<std::vector<std::string>>() == find_message_type("TimedStringSeq"));
+    CHECK(message_of<bool>() == find_message_type("TimedBoolean"));
+    CHECK(message_of<std::int16_t>() == find_message_type("TimedShort"));
+    CHECK(message_of<std::int32_t>() == find_message_type("TimedLong"));
+    CHECK(message_of<float>() == find_message_type("TimedFloat"));
+    CHECK(message_of<double>() == find_message_type("TimedDouble"));
+    CHECK(message_of<std::string>() == find_message_type("TimedString"));
+    CHECK(message_of<std::vector<bool>>() == find_message_type("TimedBooleanSeq"));
+    CHECK(message_of<std::vector<std::int16_t>>() == find_message_type("TimedShortSeq"));
+    CHECK(message_of<std::vector<std::int32_t>>() == find_message_type("TimedLongSeq"));
+    CHECK(message_of<std::vector<float>>() == find_message_type("TimedFloatSeq"));
+    CHECK(message_of<std::vector<double>>() == find_message_type("TimedDoubleSeq"));
+    CHECK(message_of<std::vector<std::string>>() == find_message_type("TimedStringSeq"));
 }
 
 TEST_CASE("every structure lists its fields in order, with units of the SI", "[engine][message]") {
@@ -138,15 +138,16 @@ TEST_CASE("an unknown message type is told with the nearest", "[engine][message]
 }
 
 TEST_CASE("a port of every type can be made by the type's name alone", "[engine][message][port]") {
-    for (std::size_t type = 0; type < message_type_count; ++type) {
+    for (const MessageType& each : compiled_message_types()) {
+        const MessageType* const type = &each;
         const auto in = make_in_port(type, "in", "doc", 0);
         const auto out = make_out_port(type, "out", "doc");
-        INFO(message_type_names[type]);
-        CHECK(in->type_name() == message_type_names[type]);
+        INFO(type->name);
+        CHECK(in->type_name() == type->name);
         CHECK(out->type() == type);
         CHECK(in->direction() == Direction::in);
         CHECK(out->direction() == Direction::out);
-        CHECK(message_index(in->value().type()) == type);
+        CHECK(message_of(in->value().type()) == type);
         CHECK(in->value() == out->value());
         // Only a velocity is a command that is safe at zero.
         CHECK(out->has_safe() == (out->type_name() == "TimedVelocity2D"));

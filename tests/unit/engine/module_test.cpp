@@ -9,7 +9,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("a part that the program was built without is told from one that can't be loaded", "[engine][module]") {
+TEST_CASE("a module that is not built has another error than one that can't be loaded", "[engine][module]") {
     const Scratch scratch;
     const auto error_of = [](const std::string& file) {
         const auto loaded = load_function({.file = file, .function = "f", .part = "pictures", .needs = "libpicture"});
@@ -21,5 +21,5 @@ TEST_CASE("a part that the program was built without is told from one that can't
     scratch.write("nezumi_pictures.so", "no library");
     const std::string broken = error_of(file);
     CHECK(broken.starts_with("the part of nezumi for pictures can't be loaded: " + file));
-    CHECK(broken.ends_with(". Install nezumi anew, with what it needs: sudo apt install libpicture"));
+    CHECK(broken.ends_with(". Install nezumi again, with what it needs: sudo apt install libpicture"));
 }

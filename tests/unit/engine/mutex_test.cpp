@@ -31,7 +31,7 @@ int priority_of(pid_t thread) {
 
 }  // namespace
 
-TEST_CASE("who holds a mutex inherits the priority of who waits for it", "[engine][mutex]") {
+TEST_CASE("the holder of a mutex inherits the priority of a waiting thread", "[engine][mutex]") {
     const int before = priority_of(gettid());
     Mutex mutex;
     std::atomic<bool> may = true;

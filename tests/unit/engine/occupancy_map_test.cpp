@@ -116,9 +116,9 @@ TEST_CASE("every occupied pixel is covered once", "[engine][map]") {
 }
 
 TEST_CASE("a bad YAML file of a map is told with its line and what belongs there", "[engine][map]") {
-    CHECK(facts_error("") == "map.yaml: is no map of ROS: it has no 'image:'");
-    CHECK(facts_error("image: m.pgm\n") == "map.yaml: is no map of ROS: it has no 'resolution:'");
-    CHECK(facts_error("image: m.pgm\nresolution: 0.1\n") == "map.yaml: is no map of ROS: it has no 'origin:'");
+    CHECK(facts_error("") == "map.yaml: is not a map of ROS: it has no 'image:'");
+    CHECK(facts_error("image: m.pgm\n") == "map.yaml: is not a map of ROS: it has no 'resolution:'");
+    CHECK(facts_error("image: m.pgm\nresolution: 0.1\n") == "map.yaml: is not a map of ROS: it has no 'origin:'");
     CHECK(facts_error("image: m.pgm\nresolution: wide\n") ==
           "map.yaml:2: 'resolution': expected the edge of a pixel in m, from 0.001 to 1000, got 'wide'");
     for (const std::string absurd : {"1e300", "1e-300", "1001", "-1", "inf"}) {
@@ -145,7 +145,7 @@ TEST_CASE("a key within another mapping of a map's YAML file is none of the map'
     CHECK(facts.resolution == 0.05);
     CHECK_FALSE(facts.negate);
     CHECK(facts_error("map:\n  image: m.pgm\nresolution: 0.1\norigin: [0, 0]\n") ==
-          "map.yaml: is no map of ROS: it has no 'image:'");
+          "map.yaml: is not a map of ROS: it has no 'image:'");
 }
 
 TEST_CASE("a map's YAML file may be written in any way of YAML", "[engine][map]") {

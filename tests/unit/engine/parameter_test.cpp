@@ -102,12 +102,12 @@ TEST_CASE("choices leave nothing else, and name the nearest", "[engine][paramete
     mode.choices = {"careful"s, "fast"s};
     CHECK(refusal(mode, "fast"s).empty());
     CHECK(refusal(mode, "fsat"s) ==
-          "parameter 'mode' (string): \"fsat\" is none of its choices \"careful\", \"fast\" (did you mean "
+          "parameter 'mode' (string): \"fsat\" is not one of its choices \"careful\", \"fast\" (did you mean "
           "'fast'?)");
     ParameterSpec baud = spec("rate", std::int64_t{10});
     baud.choices = {std::int64_t{10}, std::int64_t{20}};
     CHECK(refusal(baud, 20.0).empty());
-    CHECK(refusal(baud, std::int64_t{15}) == "parameter 'rate' (integer): 15 is none of its choices 10, 20");
+    CHECK(refusal(baud, std::int64_t{15}) == "parameter 'rate' (integer): 15 is not one of its choices 10, 20");
 }
 
 TEST_CASE("a declaration that can't be is refused with its place", "[engine][parameter]") {
@@ -168,14 +168,14 @@ TEST_CASE("choices of an array may be those of its elements", "[engine][paramete
     CHECK(refusal(order, std::vector<std::string>{"c", "a"}).empty());
     CHECK(refusal(order, std::vector<std::string>{}).empty());
     CHECK(refusal(order, std::vector<std::string>{"a", "d"}) ==
-          "parameter 'order' (array of strings): \"d\" is none of its choices \"a\", \"b\", \"c\"");
+          "parameter 'order' (array of strings): \"d\" is not one of its choices \"a\", \"b\", \"c\"");
     ParameterSpec gains = spec("gains", std::vector<double>{1.0});
     gains.choices = {std::int64_t{1}, 2.5};
     Parameters all;
     REQUIRE(all.declare(gains));
     CHECK(all.set("gains", std::vector<double>{2.5, 1.0}));
     CHECK(all.set("gains", std::vector<double>{2.0}).error().message ==
-          "parameter 'gains' (array of numbers): 2.0 is none of its choices 1.0, 2.5");
+          "parameter 'gains' (array of numbers): 2.0 is not one of its choices 1.0, 2.5");
 }
 
 TEST_CASE("step binds widgets only", "[engine][parameter]") {
@@ -287,7 +287,7 @@ TEST_CASE("a named set takes effect whole, and what it leaves out keeps the conf
     CHECK(it.parameters().find("speed_x")->set);
 }
 
-TEST_CASE("the set default is to have none", "[engine][parameter][set]") {
+TEST_CASE("the parameter set default means none", "[engine][parameter][set]") {
     WithSets it;
     REQUIRE(it.use("careful"));
     REQUIRE(it.use("default"));
@@ -297,7 +297,7 @@ TEST_CASE("the set default is to have none", "[engine][parameter][set]") {
     CHECK(it.use("defalt").error().message == "it has no parameter set 'defalt' (did you mean 'default'?)");
 }
 
-TEST_CASE("a set that breaks a bound, or that is not there, changes nothing", "[engine][parameter][set]") {
+TEST_CASE("a parameter set that is unknown or exceeds a limit changes nothing", "[engine][parameter][set]") {
     WithSets it;
     REQUIRE(it.use("careful"));
     CHECK(it.use("broken").error().message ==

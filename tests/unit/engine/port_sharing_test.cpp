@@ -5,7 +5,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("a message is not copied on its way", "[engine][port]") {
+TEST_CASE("a message is not copied on its way from port to port", "[engine][port]") {
     for (const std::size_t queue : {0u, 2u}) {
         OutPort<std::string> out{"out"};
         InPort<std::string> one{"one"}, other{"other", "", queue};
@@ -23,7 +23,7 @@ TEST_CASE("a message is not copied on its way", "[engine][port]") {
     }
 }
 
-TEST_CASE("what an in-port shows stays until it is latched, whatever its sources do meanwhile", "[engine][port]") {
+TEST_CASE("the value of an in-port does not change until it is latched", "[engine][port]") {
     const std::string first(100, '1');
     const auto shows = [&](const auto& meanwhile) {
         auto out = std::make_unique<OutPort<std::string>>("out");
@@ -72,7 +72,7 @@ TEST_CASE("what an in-port shows stays until it is latched, whatever its sources
     }
 }
 
-TEST_CASE("a source that publishes now and then is looked at for as long", "[engine][port]") {
+TEST_CASE("a source that publishes rarely is read each time", "[engine][port]") {
     OutPort<std::int32_t> often{"often"}, seldom{"seldom"};
     InPort<std::int32_t> in{"in"};
     in.connect(often);

@@ -146,7 +146,7 @@ TEST_CASE("a port is stale after three periods of its sender, at least 0.1 s, an
     CHECK(in.stale_after() == Approx(0.6));
 }
 
-TEST_CASE("an in-port hears a new source from then on", "[engine][port]") {
+TEST_CASE("an in-port receives messages of a new source from then on", "[engine][port]") {
     OutPort<std::int32_t> out{"out"};
     out.write(1);
     out.latch(at(1));

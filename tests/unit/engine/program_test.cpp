@@ -50,7 +50,7 @@ TEST_CASE("a program that takes too long is killed with what it has started", "[
     CHECK(problem_of(end) == "it took more than 0.1 s");
 }
 
-TEST_CASE("a program that nobody wants any more is killed at once", "[engine][program]") {
+TEST_CASE("a program is killed at once when it is given up", "[engine][program]") {
     std::atomic<bool> give_up = false;
     std::thread later([&] {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));

@@ -60,5 +60,5 @@ TEST_CASE("a description whose ports can't be is refused with the port's name", 
     RobotSpec still = fake_mouse();
     for (PortSpec& port : still.ports) port.off_when_silent = port.name == "neck_in";
     CHECK(Robot::make("mouse", still, {}).error().message ==
-          "port 'neck_in': silence = \"off\" means nothing to the servo 'neck': it holds its angle");
+          "port 'neck_in': silence = \"off\" has no meaning for the servo 'neck': it holds its angle");
 }

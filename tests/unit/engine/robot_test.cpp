@@ -44,7 +44,7 @@ TEST_CASE("a command above the limits is clamped, logged once and shown on the p
     CHECK(speed_of(run) == Approx(-0.5));
     CHECK(turn_of(run) == Approx(3));  // the same arc
     CHECK(run.log == Names{"mouse: input 'velocity_in': a command of -1.5 m/s and 9 rad/s was limited to 0.5 m/s and 6 "
-                           "rad/s (said once)"});
+                           "rad/s (reported once)"});
     CHECK(run.robot->find_in_port("velocity_in")->note() == "limited to 0.5 m/s and 6 rad/s");
 }
 
@@ -55,7 +55,8 @@ TEST_CASE("a command that is not finite stops the robot and is logged once", "[e
         at_speed(run);
         for (int i = 0; i < 20; ++i) run.send("velocity_in", bad);
         CHECK(run.hull().speeds == Wheels{});
-        CHECK(run.log == Names{"mouse: input 'velocity_in': a command that is not finite stops the robot (said once)"});
+        CHECK(run.log ==
+              Names{"mouse: input 'velocity_in': a command that is not finite stops the robot (reported once)"});
         for (const Wheels& speeds : run.hull().all_speeds) {
             CHECK(std::isfinite(speeds.left));
             CHECK(std::isfinite(speeds.right));
@@ -294,11 +295,11 @@ TEST_CASE("a robot stands while a sensor that it needs says nothing", "[engine][
     for (int i = 0; i < 20; ++i) run.drive(0.01);
     CHECK(run.hull.speeds == Wheels{});
     const std::string name = spec.sensors[0].name;
-    CHECK(run.log == Names{"mouse: stands: without " + name + " it may not drive, and there is no word from it"});
+    CHECK(run.log == Names{"mouse: stands: it needs readings of " + name + " to drive, and gets none from it"});
     run.hull.readings.clear();
     for (int i = 0; i < 20; ++i) run.drive(0.01);
     CHECK(run.hull.speeds.left == Approx(0.1));
-    CHECK(run.log.back() == "mouse: there is word again from " + name);
+    CHECK(run.log.back() == "mouse: gets readings again from " + name);
     // A reading that is always the same old one is none.
     run.hull.measured_late = 0.3;
     for (int i = 0; i < 20; ++i) run.drive(0.01);

@@ -51,7 +51,7 @@ TEST_CASE("what needs scripts is refused where there are none", "[engine][live]"
     CHECK(error_of(live->act(Reload{.files = {"b.lua"}}, {})).empty());  // nothing comes from it
     CHECK(error_of(live->act(Reload{}, {})).empty());
     CHECK(RunningSystem::load("system.lua", {}).error().message == none);
-    CHECK(live->explain_next("it").error().message == "it is no behaviour: it has no lines");
+    CHECK(live->explain_next("it").error().message == "it is not a behaviour: it has no lines");
 }
 
 TEST_CASE("a message for a port that is known is the act of its path, and refused as that", "[engine][live]") {

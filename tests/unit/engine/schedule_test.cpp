@@ -90,15 +90,17 @@ TEST_CASE("a tick is a whole number of physics steps", "[engine][schedule]") {
 
 TEST_CASE("a tick that is no whole number of steps is told with the nearest rates, which fit", "[engine][schedule]") {
     CHECK(refusal(60, 0.005) ==
-          "rate: a tick of 60 Hz is no whole number of physics steps of 0.005 s; the nearest rates are 50 or "
+          "rate: a tick of 60 Hz is not a whole number of physics steps of 0.005 s; the nearest rates are 50 or "
           "66.66666666666667 Hz");
     CHECK(refusal(150, 0.005) ==
-          "rate: a tick of 150 Hz is no whole number of physics steps of 0.005 s; the nearest rates are 100 or 200 Hz");
+          "rate: a tick of 150 Hz is not a whole number of physics steps of 0.005 s; the nearest rates are 100 or 200 "
+          "Hz");
     CHECK(refusal(500, 0.005) ==
-          "rate: a tick of 500 Hz is no whole number of physics steps of 0.005 s; the nearest rate is 200 Hz");
-    CHECK(refusal(1e-9, 0.005) ==
-          "rate: a tick of 1e-09 Hz is no whole number of physics steps of 0.005 s up to 1000000; the nearest rate is "
-          "0.0002 Hz");
+          "rate: a tick of 500 Hz is not a whole number of physics steps of 0.005 s; the nearest rate is 200 Hz");
+    CHECK(
+        refusal(1e-9, 0.005) ==
+        "rate: a tick of 1e-09 Hz is not a whole number of physics steps of 0.005 s up to 1000000; the nearest rate is "
+        "0.0002 Hz");
     for (const double rate : {33.0, 60.0, 99.0, 123.4, 150.0}) {
         for (const double step : {0.005, 0.001, 0.0035}) {
             const std::string told = refusal(rate, step);

@@ -186,7 +186,7 @@ TEST_CASE("a pose update sets the odometry, which goes on from there", "[engine]
     run.system.tick();
     CHECK(run.value<Pose2D>("pose").position.y == Approx(4.2));
     CHECK(run.log ==
-          std::vector<std::string>{"mouse: input 'pose_in': a pose that is not finite is ignored (said once)"});
+          std::vector<std::string>{"mouse: input 'pose_in': a pose that is not finite is ignored (reported once)"});
 }
 
 TEST_CASE("odometry adds up arcs as robots.md says", "[engine][odometry]") {

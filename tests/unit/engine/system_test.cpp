@@ -149,9 +149,8 @@ TEST_CASE("a robot's in-port that several feed is warned about once", "[engine][
         add(run.system, name);
         REQUIRE(run.system.connect(std::string(name) + ".speed", "mouse.velocity_in"));
     }
-    CHECK(run.log ==
-          Names{": mouse.velocity_in is fed by several connections: the last one in the order of the connect "
-                "lines wins (said once)"});
+    CHECK(run.log == Names{": mouse.velocity_in has several connections: the last one in the order of the connect "
+                           "lines wins (reported once)"});
     REQUIRE(run.system.connect("a.out", "b.in"));
     REQUIRE(run.system.connect("c.out", "b.in"));
     CHECK(run.log.size() == 1);
@@ -246,8 +245,8 @@ TEST_CASE("a component can't have a name that is taken, no identifier or a word 
     CHECK(refused("pause") == "'pause' is a word of the console: choose another name");
     for (const char* name : {"", "2nd", "a-b", "a b", "end", "m\xC3\xA4use", "a.b"}) {
         CHECK(refused(name) == "'" + std::string(name) +
-                                   "' is no name: letters, digits and _, not beginning with a digit, and no keyword of "
-                                   "Lua");
+                                   "' is not a valid name: expected letters, digits and _, not beginning with a digit, "
+                                   "and no keyword of Lua");
     }
     CHECK(refused("quick", 101) == "quick: a rate of 101 Hz is above the tick's 100 Hz");
     CHECK(refused("back", -1) == "back: a rate of -1 Hz is not a positive number");

@@ -21,7 +21,7 @@ TEST_CASE("time is a tick's number, and a world advances by whole steps", "[engi
     CHECK(world.steps == 300);
 }
 
-TEST_CASE("in real time a tick is as old as the clock says", "[engine][system][hardware]") {
+TEST_CASE("in real time a tick has the time of the clock", "[engine][system][hardware]") {
     double clock = 1000;
     std::vector<std::pair<double, double>> executed;  // now, dt
     System system({.rate = 100, .real_time = true, .clock = [&clock] { return clock; }}, nullptr);
@@ -48,7 +48,7 @@ TEST_CASE("in real time a tick is as old as the clock says", "[engine][system][h
     CHECK(system.find("it")->find_out_port("out")->tm() == 0);
 }
 
-TEST_CASE("what has a rate is not late by the ticks that a stall took, and does not catch up",
+TEST_CASE("after a stall, a component with a rate is neither delayed nor executed more often",
           "[engine][system][hardware]") {
     double clock = 1000;
     std::vector<double> executed;

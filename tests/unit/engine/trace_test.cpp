@@ -103,7 +103,7 @@ TEST_CASE("an in-port shows what is injected and what it is held at", "[engine][
     CHECK(fresh(in) == Rows{"b.in=9 "});
 }
 
-TEST_CASE("a port that nobody follows keeps nothing of what arrived", "[engine][trace]") {
+TEST_CASE("a port that is not followed stores no messages", "[engine][trace]") {
     Traced it;
     auto& b = it.add("b");
     b.in.inject(std::int32_t{7});
@@ -119,7 +119,7 @@ TEST_CASE("what can't be followed is said, with the nearest name", "[engine][tra
     CHECK(it.why_not("itt.out") == "'itt.out': there is no component 'itt' (did you mean 'it'?)");
     CHECK(it.why_not("it.speeed") == "it has no port 'speeed' (did you mean 'speed'?)");
     CHECK(it.why_not("it.confg") == "it has no port 'confg' (did you mean 'config'?)");
-    CHECK(it.why_not("it.truth") == "it has no truth: it is no robot");
+    CHECK(it.why_not("it.truth") == "it has no truth: it is not a robot");
     CHECK(it.why_not("it.state") == "it has no port 'state'");
     CHECK(it.why_not("it.speed.vz") == "it.speed has no 'vz' (did you mean 'vx'?)");
     CHECK(it.why_not("it.speed.vx.low") == "it.speed.vx is a single value: it has no 'low'");
@@ -228,7 +228,7 @@ TEST_CASE("the numbers of every port are remembered, also of one that comes late
     CHECK(of_both.size() == 0);
 }
 
-TEST_CASE("a system with more ports than that is remembered only where somebody asks", "[engine][trace]") {
+TEST_CASE("in a system with more ports, only requested ports are remembered", "[engine][trace]") {
     Traced it;
     it.trace.remember_ports();
     const std::size_t each = 5;  // ports of one

@@ -43,7 +43,7 @@ using Names = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("every name that a node says to have leads to a child, which says what it is", "[engine][tree]") {
+TEST_CASE("every child name of a node leads to a child with documentation", "[engine][tree]") {
     Tree tree;
     for (const std::string path : {"", "it", "it.ports", "it.config", "it.speed", "it.speed.value"}) {
         const TreeNode node = tree.at(path);

@@ -135,10 +135,10 @@ TEST_CASE("a walker looks through a value of any type at the one that it holds",
 
 TEST_CASE("values of every message type are equal to their copies, and not to those of another type",
           "[engine][type]") {
-    for (const MessageInfo& one : message_infos()) {
+    for (const MessageType& one : compiled_message_types()) {
         const Value value(*one.payload);
-        CHECK(message_infos()[message_index(value.type())].name == one.name);
-        for (const MessageInfo& other : message_infos()) {
+        CHECK(message_of(value.type()) == &one);
+        for (const MessageType& other : compiled_message_types()) {
             CAPTURE(one.name, other.name);
             CHECK((value == Value(*other.payload)) == (one.name == other.name));
         }

@@ -62,7 +62,7 @@ TEST_CASE("a tape measure that is read to a millimetre is good enough", "[engine
 
 TEST_CASE("drives that do not tell the wheels are refused", "[engine][calibration]") {
     CHECK(fit_wheels({line()}, believed).error().message ==
-          "these drives do not tell the wheels: drive straight, and squares both ways round");
+          "these drives do not determine the wheel parameters: drive a straight line, and squares in both directions");
 }
 
 TEST_CASE("an end that was measured wrongly is told", "[engine][calibration]") {

@@ -181,7 +181,7 @@ TEST_CASE("a camera that can't be calibrated is refused in one line", "[hw][cali
     };
     CHECK(said({"none.lua", "--sim"}) == "nezumi: none.lua has no camera\n");
     CHECK(said({"two.lua", "--sim"}) ==
-          "nezumi: two.lua has several cameras: say by --camera which one, of left, right\n");
+          "nezumi: two.lua has several cameras: choose one by --camera, of left, right\n");
     CHECK(said({"two.lua", "--sim", "--camera", "lefft"}) ==
           "nezumi: there is no camera 'lefft' in two.lua (did you mean 'left'?)\n");
     CHECK(said({"free.lua", "--sim"}) ==

@@ -221,7 +221,7 @@ TEST_CASE("a robot that can't be calibrated is refused in one line", "[hw][calib
         return outcome.error;
     };
     CHECK(said({"odometry", "two.lua", "--yes"}) ==
-          "nezumi: two.lua has several robots: say by --robot which one, of a, b\n");
+          "nezumi: two.lua has several robots: choose one by --robot, of a, b\n");
     CHECK(said({"ir", "two.lua", "--yes", "--robot", "c"}) == "nezumi: there is no robot 'c' in two.lua\n");
     CHECK(said({"ir", "none.lua", "--yes"}) == "nezumi: none.lua has no robot\n");
     CHECK(said({"odometry", "two.lua", "--robot", "a"}) ==

@@ -154,7 +154,7 @@ TEST_CASE("without a camera the run continues and reports what is missing", "[hw
     DrivenCamera driven(fake.roots());
     driven.run(2.2);
     CHECK(driven.out().count() == 0);
-    CHECK(driven.all_log() == "camera: none is plugged in: there is none in " + fake.mount() + "\n");
+    CHECK(driven.all_log() == "camera: none is connected: there is none in " + fake.mount() + "\n");
     CHECK(fake.say("plug video0").empty());
     CHECK(driven.sees(VideoCamera::search_period + 5));
 }

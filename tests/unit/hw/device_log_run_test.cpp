@@ -92,7 +92,7 @@ TEST_CASE("a device log that can no longer be written is reported once, and the 
     CHECK(run.status == 0);
     CHECK(fake.truth().position.x > 0.1);
     const std::string told =
-        "/dev/full: the device log can't be written: No space left on device: the run goes on without it\n";
+        "/dev/full: the device log can't be written: No space left on device: the run continues without it\n";
     const auto first = run.error.find(told);
     CHECK(first != std::string::npos);
     CHECK(run.error.find(told, first + 1) == std::string::npos);

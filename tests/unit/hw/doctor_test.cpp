@@ -111,7 +111,7 @@ TEST_CASE("a missing node is named", "[hw][doctor]") {
     machine.remove("dev/rtbuzzer0");
     CHECK(not_well(machine.examine()) ==
           "nodes: 1 of 14 are missing in " + machine.folder.path("dev").string() +
-              ": rtbuzzer0 -> load the driver anew, and look at what dmesg says: sudo modprobe -r rtmouse, then sudo "
+              ": rtbuzzer0 -> load the driver again, and look at what dmesg says: sudo modprobe -r rtmouse, then sudo "
               "modprobe rtmouse\n");
 }
 
@@ -333,7 +333,7 @@ TEST_CASE("on a computer that is not a robot the advice is to examine the robot"
     CHECK(all.driver.empty());
     CHECK(not_well(all) ==
           "robot: this machine is neither a Raspberry Pi Mouse nor an EV3 -> run nezumi doctor on the "
-          "robot; here systems are simulated, which needs nothing more\n");
+          "robot; here systems are simulated, so nothing more is needed\n");
 }
 
 TEST_CASE("the permission of a node is explained by the name of its group", "[hw][doctor]") {

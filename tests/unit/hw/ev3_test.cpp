@@ -46,7 +46,7 @@ TEST_CASE("an EV3 without one of its wheels' motors is refused, and the other mo
     CHECK(refusal() == "motors: nothing is plugged in at outC, expected a lego-ev3-l-motor: look at its cable");
     put_motor(folder, "0", "outC", "lego-ev3-m-motor");
     CHECK(refusal() ==
-          "motors: a lego-ev3-m-motor is plugged in at outC, expected a lego-ev3-l-motor: change their cables, or say "
+          "motors: a lego-ev3-m-motor is plugged in at outC, expected a lego-ev3-l-motor: change their cables, or set "
           "port = ... in the robot file");
     for (const char* node : {"command", "speed_sp", "time_sp", "stop_action"})
         CHECK(text_of(folder.path(std::string("class/tacho-motor/motor4/") + node)) == "untouched");

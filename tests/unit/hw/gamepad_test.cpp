@@ -129,7 +129,7 @@ TEST_CASE("without a gamepad the run continues and reports what is missing", "[h
     DrivenStick driven(fake.roots());
     driven.run(1.5);
     CHECK(driven.port("pos").count() == 0);
-    CHECK(driven.all_log() == "gamepad: none is plugged in: there is none in " + fake.mount() + "/input\n");
+    CHECK(driven.all_log() == "gamepad: none is connected: there is none in " + fake.mount() + "/input\n");
     fake.say("plug");
     CHECK(driven.points_to({0, 0}));
 }

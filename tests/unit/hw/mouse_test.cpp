@@ -260,7 +260,7 @@ TEST_CASE("each device that fails in motion stops the robot or only its port, is
     // The mouse needs its light sensors: without them it stands and reports that too.
     const bool is_blind = std::string_view(fault.silent) == "ir_sensor_out";
     CHECK(mouse.log.size() == (*fault.said == '\0' ? 0 : is_blind ? 2 : 1));
-    CHECK(mouse.said("stands: without ") == is_blind);
+    CHECK(mouse.said("stands: it needs readings of ") == is_blind);
     CHECK((*fault.said == '\0' || mouse.said(fault.said)));
     for (const char* port : {"ir_sensor_out", "switch3bit_out", "current_pose_out", "current_velocity_out"}) {
         const bool same_device =

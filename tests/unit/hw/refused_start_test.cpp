@@ -80,7 +80,7 @@ TEST_CASE("a wrong motor for an EV3's wheel is refused by its name, and nothing 
     const Outcome outcome = run_on(fake.folder, "turned", fake.roots());
     CHECK(outcome.status == 2);
     CHECK(outcome.error ==
-          "system.lua:1: motors: a lego-ev3-m-motor is plugged in at outA, expected a lego-ev3-l-motor: change "
-          "their cables, or say port = ... in the robot file\n");
+          "system.lua:1: motors: a lego-ev3-m-motor is plugged in at outA, expected a lego-ev3-l-motor: change their "
+          "cables, or set port = ... in the robot file\n");
     CHECK(fake.writes().empty());
 }

@@ -142,7 +142,7 @@ TEST_CASE("the journal of a run on hardware has its acts, but can't be replayed"
     const Outcome again = run_nezumi({"run", "system.lua", "--replay", "acts"}, run.fake.folder.path("").string());
     CHECK(again.status == 2);
     CHECK(again.error ==
-          "nezumi: acts is the journal of a run on hardware: it tells what was done, and can't be replayed\n");
+          "nezumi: acts is the journal of a run on hardware: it is only a record, and can't be replayed\n");
 }
 
 TEST_CASE("a long press of the mouse's button ends the run, and then shuts the computer down",

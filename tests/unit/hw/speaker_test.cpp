@@ -134,7 +134,7 @@ TEST_CASE("sounds that come faster than they are played are dropped, and reporte
     Speaker speaker;
     for (std::size_t i = 0; i < Speaker::most_waiting + 5; ++i) speaker.play(tone(440, 0));
     CHECK(speaker.take_faults() ==
-          std::vector<std::string>{"loudspeaker: sounds come faster than they can be played: some are left out"});
+          std::vector<std::string>{"loudspeaker: sounds come faster than they can be played: some are dropped"});
     serve(speaker);
     CHECK(!programs.call("aplay", Speaker::most_waiting - 1).empty());
     CHECK(programs.call("aplay", Speaker::most_waiting).empty());

@@ -159,10 +159,10 @@ TEST_CASE("requests impossible for real robots are refused before anything moves
     const std::string two = "scenario('a', { sweep = { x = { 1, 2 } } }, function(s) s:load 'ahead.lua' s:run(1) end)";
     const Outcome sweep = fake.test(two, {}, false);
     CHECK(sweep.status == 2);
-    CHECK(
-        sweep.error ==
-        "nezumi: --hw: these are 2 runs, and nobody puts the robots back between them: choose one by --filter (--list "
-        "shows their names), or give --rig\n");
+    CHECK(sweep.error ==
+          "nezumi: --hw: these are 2 runs, and the robots are not moved back between them: choose one by --filter "
+          "(--list "
+          "shows their names), or give --rig\n");
     const Outcome repeat = fake.test(two, {"--repeat", "2"});
     CHECK(repeat.status == 2);
     CHECK(repeat.error == "nezumi: --hw: a real robot is never the same twice: leave out --repeat\n");

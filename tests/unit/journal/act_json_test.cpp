@@ -37,7 +37,7 @@ TEST_CASE("parameters come back with their types", "[journal]") {
 
 TEST_CASE("messages of every type come back", "[journal]") {
     const auto check = [](const Value& value) { CHECK(back(Hold{"a.b", value, true}).value == value); };
-    for (const MessageInfo& message : message_infos()) check(Value(*message.payload));
+    for (const MessageType& message : compiled_message_types()) check(Value(*message.payload));
     check(Velocity2D{.vx = 0.1, .va = -2});
     check(std::vector<float>{0.1F, 1e-30F});
     check(CameraImage{.width = 1, .height = 1, .bpp = 8, .format = "gray8", .pixels = {0xff, 0x00}});

@@ -33,13 +33,13 @@ TEST_CASE("a journal says which line can't be replayed, and why", "[journal]") {
     CHECK(it.error_with(2, R"({"at":[1,4,0],"hash":"0000000000000000"})")
               .starts_with("J:2: the run is another one than the journal's: its hash at tick 4 of start 1 was "
                            "0000000000000000, not "));
-    CHECK(it.error_with(1, "[]") == "J:1: is no journal of nezumi run --journal");
+    CHECK(it.error_with(1, "[]") == "J:1: is not a journal of nezumi run --journal");
     CHECK(it.error_with(1, R"({"journal":1,"version":"0.0"})") ==
           "J is a journal of nezumi 0.0, this is test: only the same version replays it");
     CHECK(it.error_with(1, R"({"journal":1,"version":"\u001b\n"})") ==
           R"(J is a journal of nezumi \x1b\x0a, this is test: only the same version replays it)");
     CHECK(it.error_with(1, R"({"journal":1,"version":"test","hardware":true})") ==
-          "J is the journal of a run on hardware: it tells what was done, and can't be replayed");
+          "J is the journal of a run on hardware: it is only a record, and can't be replayed");
     CHECK(replay(it.folder.path("none")).error == it.folder.path("none").string() + ": there is no such file");
     CHECK(replay(it.folder.path("")).error == it.folder.path("").string() + ": is a folder, expected a file");
 }
@@ -69,5 +69,5 @@ TEST_CASE("a journal whose lines are not those of a run is refused at the line",
     CHECK(it.error_with(1, R"({"journal":1,"version":"test","system":"s","working_folder":"w","seed":0,)"
                            R"("seed_wins":false,"installed":[1]})") == "J:1: 'installed' must be a list of folders");
     const std::filesystem::path cut = it.folder.write("cut.journal", "{");
-    CHECK(replay(cut).error == cut.string() + ":1: is no journal: its first line is not whole");
+    CHECK(replay(cut).error == cut.string() + ":1: is not a journal: its first line is incomplete");
 }

@@ -210,7 +210,7 @@ TEST_CASE("what was prepared for a system that has started anew since is refused
     CHECK_FALSE(run.live->fits(prepared));
     const auto added = run.live->commit(std::move(prepared), {});
     REQUIRE_FALSE(added);
-    CHECK(added.error().message == "the system has changed while this was read: say it again");
+    CHECK(added.error().message == "the system has changed while this was read: try again");
 }
 
 TEST_CASE("a process that is killed leaves a journal that replays to its last whole line", "[journal]") {

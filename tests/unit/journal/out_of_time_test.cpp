@@ -107,10 +107,10 @@ TEST_CASE("a replay that becomes another run says what the clock had ended, and 
           "[journal][watchdog]") {
     const auto [left, lost] = GENERATE(table<std::string, std::string>(
         {{"", ""},
-         {"state.f = print", ", nor is all of its state: state.f is a function"},
-         {"state.m = require('native.matrix') { { 1 } }", ", nor is all of its state: state.m is a matrix"},
+         {"state.f = print", ", nor all of its state: state.f is a function"},
+         {"state.m = require('native.matrix') { { 1 } }", ", nor all of its state: state.m is a matrix"},
          {"for i = 1, 5000 do state[i] = i end",
-          ", nor is all of its state: state has more than 4000 values or 64 kB of text"}}));
+          ", nor all of its state: state has more than 4000 values or 64 kB of text"}}));
     SmallRun it("local out = output('out', 'TimedDouble')\nlocal n = 0\n" + left +
                     "\ncommand('hang', function() while true do n = n + 1 end end)\n"
                     "function on_execute() out:write(n) end",
@@ -120,9 +120,10 @@ TEST_CASE("a replay that becomes another run says what the clock had ended, and 
     it.tick(5);
     it.journal->mark();
     it.end();
-    CHECK_THAT(replay(it.file).error, EndsWith("; the clock had ended a call of it at tick 5 of start 1, and what that "
-                                               "left in locals is in no journal" +
-                                               lost));
+    CHECK_THAT(replay(it.file).error,
+               EndsWith("; in the run, a call of it ran out of time at tick 5 of start 1, and the "
+                        "journal does not have the locals that it left" +
+                        lost));
 }
 
 TEST_CASE("a version on probation that the clock ended is taken back in the replay too", "[journal][watchdog]") {

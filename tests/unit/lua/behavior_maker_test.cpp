@@ -74,7 +74,7 @@ TEST_CASE("modules are found beside the script and in the project", "[lua][behav
     CHECK(describe(lost.error()).find("did you mean 'shared.numbers'?") != std::string::npos);
 }
 
-TEST_CASE("a set of parameters that a system file uses is read at the top level", "[lua][behavior]") {
+TEST_CASE("the top level reads the parameter set of the system file", "[lua][behavior]") {
     const MakerFolder folder;
     folder.write(
         "main.lua",

@@ -30,7 +30,7 @@ void check_covered(const std::map<std::string, Refusals>& table, const Words& wo
 
 }  // namespace
 
-TEST_CASE("every word of a script refuses an argument too many and one of a wrong kind", "[lua][bridge]") {
+TEST_CASE("every word of a script refuses too many arguments and a wrong type", "[lua][bridge]") {
     const std::map<std::string, Refusals> table{
         {"input",
          {"input('a', 'TimedLong', 'doc', {}, 5)",
@@ -71,6 +71,9 @@ TEST_CASE("every word of a script refuses an argument too many and one of a wron
         {"probe",
          {"probe('a', 1, 2)", "probe: expected at most 2 arguments, got 3: probe(name, value)", "probe(5, 1)",
           "probe expected a name, got number"}},
+        {"constants",
+         {"constants('a', 'b')", "constants: expected at most 1 argument, got 2: constants(type)", "constants(5)",
+          "constants: expected a type's name, got number"}},
         {"now", {"now(1)", "now: expected no arguments, got 1: now()", "", ""}},
     };
     check_covered(table, script_globals(), {"config", "dt", "log", "state"});
@@ -86,7 +89,7 @@ TEST_CASE("every word of a script refuses an argument too many and one of a wron
           "robot_controller.lua:3: output 'a' (TimedLong): expected an integer, got string");
 }
 
-TEST_CASE("a callback with a parameter that nobody gives is refused", "[lua][bridge]") {
+TEST_CASE("a callback with an unused parameter is refused", "[lua][bridge]") {
     CHECK(refusal("function on_execute(dt) end") ==
           "robot_controller.lua:1: on_execute: its parameter 'dt' is never given: `dt` is a global");
     CHECK(refusal("param('x', 1)\n\non_activated = function(time) end") ==
@@ -100,7 +103,7 @@ TEST_CASE("a callback with a parameter that nobody gives is refused", "[lua][bri
     CHECK(refusal("command('go', function(a, b) end)") == "");
 }
 
-TEST_CASE("every word of a system file refuses an argument too many and one of a wrong kind", "[lua][bridge]") {
+TEST_CASE("every word of a system file refuses too many arguments and a wrong type", "[lua][bridge]") {
     const std::string entry = ": expected at most 2 arguments, got 3: ";
     const std::string fields = ": expected at most 1 argument, got 2: ";
     std::map<std::string, Refusals> table{

@@ -35,7 +35,8 @@ const std::string head = "calibration { robot = 'mouse', model = 'raspimouse', "
 
 }  // namespace
 
-TEST_CASE("a robot is what its calibration says, and its hardware may do what its model may", "[lua][calibration]") {
+TEST_CASE("a calibration changes the description, and the hardware gets the limits of the model",
+          "[lua][calibration]") {
     const CalibratedProject project;
     Calibration calibration{.robot = "mouse", .model = "raspimouse"};
     calibration.odometry = {.track = 0.0955, .left_radius = 0.0243, .right_radius = 0.0238};
@@ -59,7 +60,7 @@ TEST_CASE("a robot is what its calibration says, and its hardware may do what it
     CHECK(spec->files.back() == project.folder.path("mouse.calibration.lua").string());
 }
 
-TEST_CASE("without an odometry the hardware's limits stay", "[lua][calibration][safety]") {
+TEST_CASE("without calibrated wheels the limits of the hardware do not change", "[lua][calibration][safety]") {
     const CalibratedProject project;
     CHECK(project.refused(head + "sensors = { right_front = { table = { { 0.02, 9 }, { 0.1, 5 } } } } }").empty());
     const auto spec = project.read();
@@ -68,14 +69,14 @@ TEST_CASE("without an odometry the hardware's limits stay", "[lua][calibration][
     CHECK(own.drive.hardware_limits.speed == 0.2);
 }
 
-TEST_CASE("a simulated robot is its model unless it says that it is calibrated", "[lua][calibration]") {
+TEST_CASE("a simulated robot uses its calibration only with calibrated = true", "[lua][calibration]") {
     CalibratedProject project;
     project.system = "robot 'mouse' { model = 'raspimouse' }";
     CHECK(project.refused("this is no Lua").empty());
     CHECK(std::get<RobotEntry>(project.read()->entries.front()).described_by() == "raspimouse");
 }
 
-TEST_CASE("a robot that should be calibrated and is not is refused", "[lua][calibration]") {
+TEST_CASE("a robot without the required calibration is refused", "[lua][calibration]") {
     const CalibratedProject project;
     const auto spec = project.read();
     REQUIRE_FALSE(spec);
@@ -97,7 +98,7 @@ TEST_CASE("another robot's calibration is refused", "[lua][calibration]") {
           "one, or move the file away");
 }
 
-TEST_CASE("the number of a robot's computer tells two mice apart", "[lua][calibration]") {
+TEST_CASE("the serial number of the computer distinguishes two robots", "[lua][calibration]") {
     const CalibratedProject project;
     CHECK(project.refused(head + "serial = '00000000aaaa' }").empty());
     auto spec = project.read();
@@ -116,17 +117,17 @@ TEST_CASE("the number of a robot's computer tells two mice apart", "[lua][calibr
     CHECK(use_calibration(*spec, robot, files, {.is_needed = false, .serial = "00000000aaaa"}));
 }
 
-TEST_CASE("wheels of twice or half the model's size are no calibration of it", "[lua][calibration]") {
+TEST_CASE("wheels of twice or half the model's size are refused", "[lua][calibration]") {
     const CalibratedProject project;
     CHECK(project.refused(head + "odometry = { track = 0.0925, left_radius = 2.4, right_radius = 0.024 } }") ==
-          "mouse.calibration.lua: odometry.left_radius is 2.4 m, and model 'raspimouse' has 0.024 m: that is another "
-          "robot's, or a slip. Calibrate it anew by nezumi calibrate odometry");
+          "mouse.calibration.lua: odometry.left_radius is 2.4 m, and model 'raspimouse' has 0.024 m: this is of "
+          "another robot, or a mistake. Calibrate it again with nezumi calibrate odometry");
     CHECK(project.refused(head + "odometry = { track = 0.04, left_radius = 0.024, right_radius = 0.024 } }")
               .find("odometry.track is 0.04 m") != std::string::npos);
     CHECK(project.refused(head + "odometry = { track = 0.1, left_radius = 0.03, right_radius = 0.02 } }").empty());
 }
 
-TEST_CASE("a calibration that is torn in the middle is refused wherever it is torn", "[lua][calibration]") {
+TEST_CASE("an incomplete calibration file is refused, wherever it ends", "[lua][calibration]") {
     const CalibratedProject project;
     Calibration calibration{.robot = "mouse", .model = "raspimouse", .serial = "12"};
     calibration.odometry = {.track = 0.0955, .left_radius = 0.0243, .right_radius = 0.0238};
@@ -142,7 +143,7 @@ TEST_CASE("a calibration that is torn in the middle is refused wherever it is to
     }
 }
 
-TEST_CASE("what does not belong into a calibration is told with its line", "[lua][calibration]") {
+TEST_CASE("the error about a wrong field of a calibration has its line", "[lua][calibration]") {
     const CalibratedProject project;
     CHECK(project.refused(head + "\nodometry = { track = 0.09 } }") ==
           "mouse.calibration.lua:2:1: calibration: field 'odometry.left_radius' is missing: expected a positive number "
@@ -154,7 +155,7 @@ TEST_CASE("what does not belong into a calibration is told with its line", "[lua
     CHECK(project.refused(head + "odometri = {} }").find("odometri") != std::string::npos);
 }
 
-TEST_CASE("a camera on a calibrated robot sees as it was measured", "[lua][calibration][camera]") {
+TEST_CASE("a camera on a calibrated robot has the measured intrinsics", "[lua][calibration][camera]") {
     CalibratedProject project;
     project.system += "\ncomponent 'eye' { type = 'Camera', on = 'mouse', config = { k1 = 0.1 } }";
     Calibration calibration{.robot = "mouse", .model = "raspimouse"};
@@ -192,12 +193,12 @@ TEST_CASE("a camera that was calibrated with pictures of another size is refused
     CHECK(
         said ==
         "system.lua:2: camera 'eye' was calibrated with 640 x 480 pixels, and here it has 320 x 240: set its width and "
-        "height to those, or calibrate it anew by nezumi calibrate camera");
+        "height to those, or calibrate it again with nezumi calibrate camera");
     CHECK(project.refused(head + "cameras = { nose = { width = 640, height = 480, " + lens).empty());
     CHECK(project.refused(head + "cameras = { eye = { width = 320, height = 240, " + lens).empty());
 }
 
-TEST_CASE("what a camera's calibration lacks is told with its line", "[lua][calibration][camera]") {
+TEST_CASE("the error about a missing field of a camera's calibration has its line", "[lua][calibration][camera]") {
     const CalibratedProject project;
     CHECK(project.refused(head +
                           "\ncameras = { eye = { width = 640, height = 480, fx = 500, fy = 500, cx = 300, cy = 200, "
@@ -207,7 +208,7 @@ TEST_CASE("what a camera's calibration lacks is told with its line", "[lua][cali
               .ends_with("calibration: field 'cameras.eye.fx' expected a positive number, got -1"));
 }
 
-TEST_CASE("a robot that differs from its model is calibrated as it is", "[lua][calibration]") {
+TEST_CASE("a calibration applies to a robot with changes of its model", "[lua][calibration]") {
     CalibratedProject project;
     project.system = "robot 'mouse' { model = 'raspimouse', calibrated = true, noise = 0.1, mass = 1 }";
     CHECK(project.refused(head + "odometry = { track = 0.1, left_radius = 0.024, right_radius = 0.025 } }").empty());

@@ -31,7 +31,7 @@ const RobotSpec& described(const SystemSpec& spec, std::size_t index) {
 
 }  // namespace
 
-TEST_CASE("a robot of a system that was read may be changed, and the others are left alone", "[lua][system_file]") {
+TEST_CASE("a change of one robot does not change the others", "[lua][system_file]") {
     SystemSpec spec = system_of("robot 'a' { model = 'raspimouse' } robot 'b' { model = 'raspimouse' }");
     CHECK(change(spec, "a", "{ noise = 0.1, sensors = { right_front = { noise = 8 } } }").empty());
     CHECK(described(spec, 0).noise == 0.1);
@@ -47,7 +47,7 @@ TEST_CASE("a robot of a system that was read may be changed, and the others are 
     CHECK(front->range == 0.5);
 }
 
-TEST_CASE("what a change takes away stays away, whatever was said before", "[lua][system_file]") {
+TEST_CASE("a field that a change removed stays removed", "[lua][system_file]") {
     SystemSpec spec = system_of("robot 'a' { model = 'raspimouse', actuators = { leds = { count = 3 } } }");
     CHECK(change(spec, "a", "{ actuators = { leds = false }, ports = { led4bit_in = false } }").empty());
     for (const ActuatorSpec& actuator : described(spec, 0).actuators) CHECK(actuator.name != "leds");
@@ -55,7 +55,7 @@ TEST_CASE("what a change takes away stays away, whatever was said before", "[lua
           "{ actuators = { leds = false }, ports = { led4bit_in = false } }");
 }
 
-TEST_CASE("a change that does not fit leaves the system as it was", "[lua][system_file]") {
+TEST_CASE("a wrong change does not change the system", "[lua][system_file]") {
     SystemSpec spec = system_of("robot 'mouse' { model = 'raspimouse', noise = 0.1 }");
     CHECK(change(spec, "moose", "{ noise = 0.2 }") == "there is no robot 'moose' (did you mean 'mouse'?)");
     CHECK(change(spec, "mouse", "{ noise = 5 }") == "robot: field 'noise' expected a number up to 1, got 5");

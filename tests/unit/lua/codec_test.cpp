@@ -24,7 +24,7 @@ struct Lua {
 template <class T>
 Expected<T> read(const std::string& expression) {
     const Lua lua;
-    auto payload = read_payload(lua, lua.value(expression), type_index<T>());
+    auto payload = read_payload(lua, lua.value(expression), message_of<T>());
     CHECK(lua_gettop(lua) == 1);  // reading leaves the stack as it was
     if (!payload) return Unexpected(payload.error());
     return payload->template get<T>();
@@ -40,7 +40,7 @@ template <class T>
 void check_round_trip(const T& value) {
     const Lua lua;
     push_payload(lua, Value(value));
-    const auto back = read_payload(lua, 1, type_index<T>());
+    const auto back = read_payload(lua, 1, message_of<T>());
     REQUIRE(back.has_value());
     CHECK((back->template get<T>() == value));
 }

@@ -14,7 +14,7 @@ std::string error_of(std::string_view source) {
     return chunk ? "compiles" : describe(chunk.error());
 }
 
-TEST_CASE("a text in quotes is what Lua reads", "[lua][compile]") {
+TEST_CASE("a quoted text is read by Lua as the same text", "[lua][compile]") {
     std::string all;
     for (int byte = 0; byte < 256; ++byte) all += static_cast<char>(byte);
     Box box;
@@ -25,7 +25,7 @@ TEST_CASE("a text in quotes is what Lua reads", "[lua][compile]") {
           "23\n\\n");
 }
 
-TEST_CASE("a text that is no Lua is refused with its line", "[lua][compile]") {
+TEST_CASE("a text with a syntax error is refused with its line", "[lua][compile]") {
     CHECK(error_of("\nfunction on_execute( end") == "a.lua:2: <name> or '...' expected near 'end'");
     CHECK(error_of("x = 'abc") == "a.lua:1: unfinished string near <eof>");
     CHECK(error_of("x = 1\n\nif x then") == "a.lua:3: 'end' expected near <eof>");
@@ -94,7 +94,7 @@ TEST_CASE("many states load one chunk", "[lua][compile]") {
     }
 }
 
-TEST_CASE("a chunk in a state without memory is an error", "[lua][compile]") {
+TEST_CASE("loading a chunk without memory is an error", "[lua][compile]") {
     std::string text;
     for (int i = 0; i < 1000; ++i)
         text += "local x" + std::to_string(i % 100) + " = 'some text " + std::to_string(i) + "' do ";
@@ -110,7 +110,7 @@ TEST_CASE("a chunk in a state without memory is an error", "[lua][compile]") {
     CHECK(lua_gettop(box.lua()) == 0);
 }
 
-TEST_CASE("globals are strict at run time", "[lua][strict]") {
+TEST_CASE("unknown globals are errors at run time", "[lua][strict]") {
     Box box;
     lua_pushinteger(box.lua(), 1);
     lua_setglobal(box.lua(), "speed");

@@ -60,7 +60,7 @@ struct Copies : Objective {
 
 }  // namespace
 
-TEST_CASE("no table that a component gives can be written, and the error says what to do", "[lua][objects][copies]") {
+TEST_CASE("tables of a component are read-only, and the error says what to do", "[lua][objects][copies]") {
     Copies it;
     std::string tables;
     for (const std::string owner : {"controller", "mouse"}) {
@@ -78,11 +78,10 @@ TEST_CASE("no table that a component gives can be written, and the error says wh
     for (const std::string name : {"height", "pose", "tilt", "velocity"}) it.tables_of("mouse.truth." + name);
     CHECK(it.tables_of("mouse.truth.pose") == 2);
     CHECK(it.run("mouse.said[1] = 'x'") ==
-          "box.lua:1: can't set 'mouse.said[1]': 'mouse.said' is a copy: what it is to say goes to the port of its "
-          "speaker");
+          "box.lua:1: can't set 'mouse.said[1]': 'mouse.said' is a copy: send texts to the port of its speaker");
 }
 
-TEST_CASE("no table that a port gives can be written, and the error says what to do", "[lua][objects][copies]") {
+TEST_CASE("tables of a port are read-only, and the error says what to do", "[lua][objects][copies]") {
     Copies it;
     int tables = 0;
     for (const std::string port : {"controller.out", "mouse.ir_sensor_out"}) {
@@ -106,16 +105,17 @@ TEST_CASE("no table that a port gives can be written, and the error says what to
                                "mouse.current_pose_out:write(value)"));
 }
 
-TEST_CASE("a port's value of any type is a copy, and can be written to a port as it is", "[lua][objects][copies]") {
+TEST_CASE("a port's value is a copy that can be written to a port", "[lua][objects][copies]") {
     std::string behavior = busy_behavior;
-    for (const std::string_view type : message_type_names) behavior += fmt::format("output('of_{0}', '{0}')\n", type);
+    for (const std::string_view type : compiled_message_names())
+        behavior += fmt::format("output('of_{0}', '{0}')\n", type);
     Copies it(behavior);
     CHECK(it.run("controller.of_TimedShortSeq:write { 1, 2 } controller.of_SeenMarkerSeq:write { {}, { id = 7 } } "
                  "controller.of_RangeData:write { ranges = { 1, 2 }, geometry = { elements = { {}, {} } } }")
               .empty());
     it.tick();
     int tables = 0;
-    for (const std::string_view type : message_type_names) {
+    for (const std::string_view type : compiled_message_names()) {
         CAPTURE(type);
         const std::string port = fmt::format("controller.of_{}", type);
         tables += it.tables_of(port + ".value");
@@ -128,7 +128,7 @@ TEST_CASE("a port's value of any type is a copy, and can be written to a port as
           "2 7");
 }
 
-TEST_CASE("a copy is read as any table is", "[lua][objects][copies]") {
+TEST_CASE("a read-only copy is read like any table", "[lua][objects][copies]") {
     Copies it;
     REQUIRE(it.run("mouse.ir_sensor_out:hold { 3, 1, 2, 5 }").empty());
     it.tick();
@@ -152,7 +152,7 @@ TEST_CASE("a copy is read as any table is", "[lua][objects][copies]") {
     CHECK(it.run("return table.concat(seen, ' ')") == "3 1 2 5");  // it stays what it was
 }
 
-TEST_CASE("a table that is in itself is a copy wherever it is met", "[lua][objects][copies]") {
+TEST_CASE("a table that contains itself is read-only at every level", "[lua][objects][copies]") {
     Copies it("state.me = state\n" + busy_behavior);
     CHECK(it.run("return controller.state.me.me.count, rawequal(controller.state.me, controller.state)") == "0 false");
     CHECK(it.run("local state = controller.state return rawequal(state.me, state)") == "true");

@@ -18,7 +18,7 @@ std::string where(const FileSource& source, std::string_view word, int line, con
 
 }  // namespace
 
-TEST_CASE("a field is found through the tables around it", "[lua][file_source]") {
+TEST_CASE("a field is found in nested tables", "[lua][file_source]") {
     const FileSource source(R"(robot "m" {
   model = "x", -- model = "y"
   pose = { x = 1,
@@ -37,7 +37,7 @@ a { b = 1 }]], pose =
     CHECK(where(source, "robot", 7, {"pose", "x"}) == "9:5");
 }
 
-TEST_CASE("what the text does not show has the place of what is around it", "[lua][file_source]") {
+TEST_CASE("a field that the text does not contain has the place of the outer field", "[lua][file_source]") {
     const FileSource source("robot 'm' { pose = home }\nrobot('n', fields)", "f.lua");
     CHECK(where(source, "robot", 1, {"pose", "x"}) == "1:13");
     CHECK(where(source, "robot", 1, {"model"}) == "1:0");
@@ -47,7 +47,7 @@ TEST_CASE("what the text does not show has the place of what is around it", "[lu
     CHECK(source.find("robot", {"other.lua", 1}, {"pose"}) == Place{"other.lua", 1});
 }
 
-TEST_CASE("elements are counted, calls within a call are calls of their own", "[lua][file_source]") {
+TEST_CASE("elements are counted, and inner calls are separate calls", "[lua][file_source]") {
     const FileSource source(
         "arena {\n  box { at = { 1, 2 } },\n  wall { at = { 3, 4 } }, size = { 5,\n 6 },\n  { 7 }, }", "f.lua");
     CHECK(where(source, "arena", 1, {"[1]"}) == "2:3");
@@ -59,7 +59,7 @@ TEST_CASE("elements are counted, calls within a call are calls of their own", "[
     CHECK(where(source, "wall", 3, {"at"}) == "3:10");
 }
 
-TEST_CASE("of several calls in a line the one is meant whose text can give what was given", "[lua][file_source]") {
+TEST_CASE("of several calls in a line, the one whose text fits the arguments is chosen", "[lua][file_source]") {
     const FileSource source(
         "b 'a' { n = 1, at = { 1, -2 } } b('c', { n = x, at = { 1, 2 } }) b('d' .. i, { n = 3, [k] = 4 })\n"
         "b { f() } b { 1, t = true } b { 1, 's', 0x10 }",
@@ -90,7 +90,8 @@ TEST_CASE("of several calls in a line the one is meant whose text can give what 
     CHECK(place(2, "", FileTable{{{2.0}, {3.0}}, {}}, {"[1]"}) == 5);
 }
 
-TEST_CASE("a field is told at its place, also when several calls of its word begin in its line", "[lua][file_source]") {
+TEST_CASE("an error of a field has its place even if its word is called several times in the line",
+          "[lua][file_source]") {
     using namespace system_files;
     CHECK(system_error(
               "arena { box { at = { 1, 0 }, size = { 0.1, 0.1, 0.1 } }, box { at = { 2, 0 }, size = { 0.1, 0.1, -0.1 "
@@ -111,7 +112,7 @@ TEST_CASE("a field is told at its place, also when several calls of its word beg
     CHECK(entry<BehaviorEntry>(spec, 1).places.at("config.stop_d").column == 2);
 }
 
-TEST_CASE("functions, conditions and methods within a table don't confuse it", "[lua][file_source]") {
+TEST_CASE("fields are found beside functions, conditions and methods", "[lua][file_source]") {
     const FileSource source(R"(s:robot("m", {
   response = function(d)
     if d > 1 then local t = { yaw = 1, 2 } end
@@ -128,7 +129,7 @@ TEST_CASE("functions, conditions and methods within a table don't confuse it", "
     CHECK(where(source, "robot", 1, {"[2]"}) == "7:34");
 }
 
-TEST_CASE("text that is no Lua has places too, or none", "[lua][file_source]") {
+TEST_CASE("a text with syntax errors gives places or none", "[lua][file_source]") {
     for (const char* text : {"", "{", "}", "a {", "a { b = ", "a { 'x", "a { [[", "--[[", "a(}", "a { ) } ]", "= = {",
                              "a { end }", "a.b:c'd'{e=1"}) {
         CHECK(FileSource(text, "f.lua").find("a", {"f.lua", 1}, {"b"}).line == 1);

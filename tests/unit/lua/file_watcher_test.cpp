@@ -80,7 +80,7 @@ struct Watched : WatchedFolder {
 
 }  // namespace
 
-TEST_CASE("a file that is written in place is noticed", "[lua][watcher]") {
+TEST_CASE("a file that is overwritten is detected", "[lua][watcher]") {
     Watched it;
     write(it.file, "two");
     CHECK(it.notices_it());
@@ -88,7 +88,7 @@ TEST_CASE("a file that is written in place is noticed", "[lua][watcher]") {
     CHECK(it.notices_it());
 }
 
-TEST_CASE("a file that is replaced by renaming is noticed, again and again", "[lua][watcher]") {
+TEST_CASE("a file that is replaced by renaming is detected each time", "[lua][watcher]") {
     Watched it;
     for (const Text text : {"two", "three", "four"}) {
         write(it.path / "project" / "behaviors" / ".it.lua.tmp", text);
@@ -97,14 +97,14 @@ TEST_CASE("a file that is replaced by renaming is noticed, again and again", "[l
     }
 }
 
-TEST_CASE("a file that comes from another folder is noticed", "[lua][watcher]") {
+TEST_CASE("a file that is moved from another folder is detected", "[lua][watcher]") {
     Watched it;
     write(it.path / "new.lua", "two");
     fs::rename(it.path / "new.lua", it.file);
     CHECK(it.notices_it());
 }
 
-TEST_CASE("vim's way with a backup by renaming is noticed", "[lua][watcher]") {
+TEST_CASE("a file that vim saves with a renamed backup is detected", "[lua][watcher]") {
     Watched it;
     for (const Text text : {"two", "three"}) {
         write(it.path / "project" / "behaviors" / "4913", "");
@@ -116,7 +116,7 @@ TEST_CASE("vim's way with a backup by renaming is noticed", "[lua][watcher]") {
     }
 }
 
-TEST_CASE("vim's way with a backup by copying, and emacs's, are noticed", "[lua][watcher]") {
+TEST_CASE("files that vim saves with a copied backup, and that emacs saves, are detected", "[lua][watcher]") {
     Watched it;
     fs::copy_file(it.file, it.file.string() + "~");
     write(it.file, "two");
@@ -128,14 +128,14 @@ TEST_CASE("vim's way with a backup by copying, and emacs's, are noticed", "[lua]
     CHECK(it.notices_it());
 }
 
-TEST_CASE("a touch and a save of the same text are nothing", "[lua][watcher]") {
+TEST_CASE("a touch, and saving the same text, are no changes", "[lua][watcher]") {
     Watched it;
     fs::last_write_time(it.file, fs::file_time_type::clock::now());
     write(it.file, "one");
     CHECK_FALSE(it.notices(0.1));
 }
 
-TEST_CASE("a burst of saves is noticed at most a few times, the last one certainly", "[lua][watcher]") {
+TEST_CASE("many saves in a short time are detected a few times, including the last one", "[lua][watcher]") {
     Watched it;
     for (int i = 0; i < 50; ++i) write(it.file, "text " + std::to_string(i));
     int times = 0;
@@ -146,7 +146,7 @@ TEST_CASE("a burst of saves is noticed at most a few times, the last one certain
     CHECK_FALSE(it.notices(0.1));
 }
 
-TEST_CASE("an empty file and a half-written one are told, and then the whole one", "[lua][watcher]") {
+TEST_CASE("an empty file, an incomplete file and then the complete file are detected", "[lua][watcher]") {
     Watched it;
     write(it.file, "");
     CHECK(it.notices_it());
@@ -158,7 +158,7 @@ TEST_CASE("an empty file and a half-written one are told, and then the whole one
     CHECK(it.notices_it());
 }
 
-TEST_CASE("a file that goes is no change until it is back", "[lua][watcher]") {
+TEST_CASE("a deleted file is no change until it exists again", "[lua][watcher]") {
     Watched it;
     fs::remove(it.file);
     CHECK_FALSE(it.notices(0.1));
@@ -169,7 +169,7 @@ TEST_CASE("a file that goes is no change until it is back", "[lua][watcher]") {
     CHECK(it.notices_it());
 }
 
-TEST_CASE("a folder that is removed and made anew is noticed", "[lua][watcher]") {
+TEST_CASE("a folder that is removed and created again is detected", "[lua][watcher]") {
     Watched it;
     for (const Text text : {"two", "three"}) {
         fs::remove_all(it.path / "project");
@@ -183,7 +183,7 @@ TEST_CASE("a folder that is removed and made anew is noticed", "[lua][watcher]")
     }
 }
 
-TEST_CASE("a folder that another one takes the place of is noticed", "[lua][watcher]") {
+TEST_CASE("a folder that is replaced by another one is detected", "[lua][watcher]") {
     Watched it;
     fs::create_directories(it.path / "next" / "behaviors");
     write(it.path / "next" / "behaviors" / "it.lua", "two");
@@ -198,7 +198,7 @@ TEST_CASE("a folder that another one takes the place of is noticed", "[lua][watc
     CHECK(it.notices_it());
 }
 
-TEST_CASE("a link that is led elsewhere is noticed, and the file behind it is watched", "[lua][watcher]") {
+TEST_CASE("a changed link is detected, and its target is watched", "[lua][watcher]") {
     Watched it;
     fs::create_directories(it.path / "elsewhere");
     write(it.path / "elsewhere" / "real.lua", "two");
@@ -214,7 +214,7 @@ TEST_CASE("a link that is led elsewhere is noticed, and the file behind it is wa
     CHECK(it.notices_it());
 }
 
-TEST_CASE("files can be added to what is watched, and keep what is known of them", "[lua][watcher]") {
+TEST_CASE("files can be added to a watcher, and known contents stay known", "[lua][watcher]") {
     Watched it;
     write(it.path / "more.lua", "more");
     write(it.file, "two");
@@ -226,14 +226,14 @@ TEST_CASE("files can be added to what is watched, and keep what is known of them
     CHECK_FALSE(it.notices(0.1));
 }
 
-TEST_CASE("what no notice tells is found by looking", "[lua][watcher]") {
+TEST_CASE("changes without events are found by regular checks", "[lua][watcher]") {
     Watched it(0.02);
     std::ofstream slow(it.file);
     slow << "not closed yet" << std::flush;
     CHECK(it.notices_it());
 }
 
-TEST_CASE("another file of Lua in a watched folder is told apart", "[lua][watcher]") {
+TEST_CASE("another Lua file in a watched folder is reported separately", "[lua][watcher]") {
     Watched it;
     CHECK_FALSE(it.watcher.take_others());
     write(it.path / "project" / "behaviors" / "module.lua", "new");
@@ -243,7 +243,7 @@ TEST_CASE("another file of Lua in a watched folder is told apart", "[lua][watche
     CHECK_FALSE(it.watcher.take_others());
 }
 
-TEST_CASE("a file that can't be read any more is told once, and again when it could be in between", "[lua][watcher]") {
+TEST_CASE("a file that can't be read is reported once, and again only after it could be read", "[lua][watcher]") {
     WatchedFolder it;
     write(it.file, "version 1");
     FileWatcher watcher(0.2);
@@ -273,7 +273,7 @@ TEST_CASE("a file that can't be read any more is told once, and again when it co
     loses_it("is larger than 16 MB");
 }
 
-TEST_CASE("a file system that does not answer does not hold up the end", "[lua][watcher][wallclock]") {
+TEST_CASE("a file system that does not answer does not delay the end", "[lua][watcher][wallclock]") {
     struct Waiting {
         std::promise<void> asked, answer, left;
     };

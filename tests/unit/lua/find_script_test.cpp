@@ -35,7 +35,7 @@ struct Files : Scratch {
 
 }  // namespace
 
-TEST_CASE("a behaviour is found although a system beside the file has its name", "[lua][project]") {
+TEST_CASE("a behaviour is found even if a system beside the file has its name", "[lua][project]") {
     const Files files;
     files.write("behaviors/foo.lua", behavior_text);
     for (const char* const system : {system_text, "require 'lib.room' { mice = 3 }", "local n = 3\nrobot('m', {})"}) {
@@ -62,7 +62,7 @@ TEST_CASE("a behaviour beside the file comes first, also a broken or an empty on
     }
 }
 
-TEST_CASE("that there is only a system of a script's name is told where it is named", "[lua][project][refusals]") {
+TEST_CASE("the error for a script whose name only a system has says so", "[lua][project][refusals]") {
     const Files files;
     files.write("behaviors/systems/foo.lua", system_text);
     CHECK(
@@ -84,7 +84,7 @@ TEST_CASE("that there is only a system of a script's name is told where it is na
                           "behaviors/systems/foo.lua, behaviors/foo.lua; behaviors/systems/foo.lua is a system file"));
 }
 
-TEST_CASE("a classroom of behaviours reads their script once to find it", "[lua][project]") {
+TEST_CASE("the script of many behaviours is read once to find it", "[lua][project]") {
     struct CountingFiles final : ProjectFiles {
         fs::path working_folder() const override { return disk().working_folder(); }
         std::string what_is(const fs::path& path) const override { return disk().what_is(path); }

@@ -6,7 +6,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("the first comment is the lines that a file begins with, without their dashes", "[lua][component]") {
+TEST_CASE("the first comment is the comment lines at the begin, without their dashes", "[lua][component]") {
     CHECK(first_comment("--- Drives.\nlocal x") == "Drives.");
     CHECK(first_comment("\n  -- One,\r\n--\n--two.  \n\n-- not this\n") == "One,\n\ntwo.");
     CHECK(first_comment("-----\n-- Title\n-----\nlocal x") == "Title");
@@ -17,7 +17,7 @@ TEST_CASE("the first comment is the lines that a file begins with, without their
     CHECK(first_comment("--").empty());
 }
 
-TEST_CASE("a first comment is bounded by whole lines", "[lua][component]") {
+TEST_CASE("a long first comment is cut at the end of a line", "[lua][component]") {
     std::string text;
     for (int i = 0; i < 1000; ++i) text += "-- line\n";
     const std::string taken = first_comment(text);
@@ -26,7 +26,7 @@ TEST_CASE("a first comment is bounded by whole lines", "[lua][component]") {
     CHECK(first_comment("-- " + std::string(5000, 'x')).empty());
 }
 
-TEST_CASE("a script keeps what its file says of itself", "[lua][component]") {
+TEST_CASE("a script has the first comment of its file", "[lua][component]") {
     const ScriptRig rig("--- Does nothing.\nparam('x', 1)");
     CHECK(rig.component->script().doc() == "Does nothing.");
 }

@@ -17,7 +17,7 @@ std::string uses(std::string_view source) {
     return list;
 }
 
-TEST_CASE("a global is found wherever it stands", "[lua][syntax]") {
+TEST_CASE("a global is found in every place", "[lua][syntax]") {
     CHECK(uses("x = y") == "x=@1:1 y@1:5");
     CHECK(uses("f(a, b.c, d[e], g:h(i), { j, k = l, [m] = n; o })") ==
           "f@1:1 a@1:3 b@1:6 d@1:11 e@1:13 g@1:17 i@1:21 j@1:27 l@1:34 m@1:38 n@1:43 o@1:46");
@@ -36,7 +36,7 @@ TEST_CASE("a global is found wherever it stands", "[lua][syntax]") {
     CHECK(uses("goto done x() ::done:: do local x x() end") == "x@1:11");
 }
 
-TEST_CASE("what is local is none", "[lua][syntax]") {
+TEST_CASE("a local variable is no global", "[lua][syntax]") {
     CHECK(uses("local x = x x = 1") == "x@1:11");
     CHECK(uses("local function f() f() end f()") == "");
     CHECK(uses("local f = function() f() end") == "f@1:22");
@@ -54,7 +54,7 @@ TEST_CASE("what is local is none", "[lua][syntax]") {
     CHECK(uses("goto x ::x::") == "");
 }
 
-TEST_CASE("comments, strings and numbers are no names", "[lua][syntax]") {
+TEST_CASE("comments, strings and numbers contain no globals", "[lua][syntax]") {
     CHECK(uses("-- x\n--[[ x\n x ]] --[==[ x ]] ]==] y()") == "y@3:24");
     CHECK(uses("y('x', \"x\\\" x\", [[x]], [==[ x ]] ]==], 'a\\\nb', 'a\\z  \n  b')") == "y@1:1");
     CHECK(uses("y(0x1p4, 1e5, 1E-5, 3., .5, 0xAp-2, 0xep1, 1//2, 1 ..z)") == "y@1:1 z@1:54");
@@ -74,31 +74,7 @@ std::string errors(std::string_view source) {
     return list;
 }
 
-TEST_CASE("a slip is refused with place and nearest name", "[lua][syntax]") {
-    CHECK(errors("local target = output()\nfunction on_execute()\n  if false then\n    taget:write {}\n  end\nend") ==
-          "robot_controller.lua:4:5: unknown global 'taget' (did you mean 'target'?)");
-    CHECK(errors("function on_exeucte() end") ==
-          "robot_controller.lua:1:10: unknown callback 'on_exeucte' (did you mean 'on_execute'?)");
-    CHECK(errors("on_something = nil") ==
-          "robot_controller.lua:1:1: unknown callback 'on_something' (there are on_execute, on_activated)");
-    CHECK(errors("pritn(1)") == "robot_controller.lua:1:1: unknown global 'pritn' (did you mean 'print'?)");
-    CHECK(errors("counter = 1") ==
-          "robot_controller.lua:1:1: unknown global 'counter' (declare it first: local counter)");
-    CHECK(errors("math = 1") ==
-          "robot_controller.lua:1:1: 'math' can't be assigned: it is a word of its own (write 'local math' for a "
-          "variable of that name)");
-    CHECK(errors("local function speed() end\nspeeed()\nspeeed()") ==
-          "robot_controller.lua:2:1: unknown global 'speeed' (did you mean 'speed'?)\n"
-          "robot_controller.lua:3:1: unknown global 'speeed' (did you mean 'speed'?)");
-    CHECK(errors("do local speed end speeed()") == "robot_controller.lua:1:20: unknown global 'speeed'");
-    CHECK(errors("function on_execute() print(math.pi) on_activated() end on_activated = on_execute local math = 1 "
-                 "math = 2") == "");
-    CHECK(errors("local x = = 1") == "robot_controller.lua:1: unexpected symbol near '='");
-    CHECK(errors("io.write('x') os.exit()") ==
-          "robot_controller.lua:1:1: unknown global 'io'\nrobot_controller.lua:1:15: unknown global 'os'");
-}
-
-TEST_CASE("the environment can't be touched by its name", "[lua][syntax]") {
+TEST_CASE("_ENV can't be used", "[lua][syntax]") {
     const char* const text =
         GENERATE(as<const char*>{}, "_ENV = {}", "_ENV.x = 1", "local _ENV = {}", "local function f(_ENV) x = 1 end",
                  "print(_ENV)", "for _ENV in print do end", "for _ENV = 1, 2 do end", "local a, _ENV = 1, {}",

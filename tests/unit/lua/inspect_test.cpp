@@ -20,7 +20,7 @@ std::string text_of(const std::string& expression, const InspectOptions& options
 
 }  // namespace
 
-TEST_CASE("a table takes one line while that is no wider than it may be", "[lua][inspect]") {
+TEST_CASE("a table is shown in one line if it fits", "[lua][inspect]") {
     CHECK(text_of("{ 1, 2 }", {.width = 8}) == "{ 1, 2 }");
     CHECK(text_of("{ 1, 2 }", {.width = 7}) == "{\n  1,\n  2\n}");
     CHECK(text_of("{ a = { 1, 2 }, b = 3 }", {.width = 14}) == "{\n  a = { 1, 2 },\n  b = 3\n}");
@@ -29,7 +29,7 @@ TEST_CASE("a table takes one line while that is no wider than it may be", "[lua]
     CHECK(text_of("{}", {.width = 1}) == "{}");  // there is nothing to put into several lines
 }
 
-TEST_CASE("texts, entries and depth are cut where they may be no longer", "[lua][inspect]") {
+TEST_CASE("long texts, many entries and deep tables are cut", "[lua][inspect]") {
     CHECK(text_of("'abcd'", {.text = 4}) == "\"abcd\"");
     CHECK(text_of("'abcd'", {.text = 3}) == "\"abc\"...");
     CHECK(text_of("'abcd'", {.text = 3, .quote = false}) == "abc...");
@@ -41,7 +41,7 @@ TEST_CASE("texts, entries and depth are cut where they may be no longer", "[lua]
     CHECK(text_of("(function() local t = {} return { t, t } end)()") == "{ {}, {} }");
 }
 
-TEST_CASE("what several values may take together is shared", "[lua][inspect]") {
+TEST_CASE("several values share one limit", "[lua][inspect]") {
     InspectWork work{.steps = 4, .bytes = 1000};
     CHECK(text_of("{ 1, 2, 3 }", {.work = &work}) == "{ 1, 2, 3 }");
     CHECK(work.steps == 1);
@@ -51,7 +51,7 @@ TEST_CASE("what several values may take together is shared", "[lua][inspect]") {
     CHECK(text_of("{ 1 }", {.work = &work}) == "{...}");
 }
 
-TEST_CASE("values are shown as Lua writes them, in several lines where one is too long", "[lua][inspect]") {
+TEST_CASE("values are shown in Lua syntax, in several lines if one is too long", "[lua][inspect]") {
     Box box;
     const auto shown = [&](const std::string& text, const InspectOptions& options = {}) {
         box.run("return 1");
@@ -79,7 +79,7 @@ TEST_CASE("values are shown as Lua writes them, in several lines where one is to
     CHECK(shown("math").find("{") == 0);
 }
 
-TEST_CASE("however large a value is, showing it takes a moment", "[lua][inspect][wallclock][watchdog]") {
+TEST_CASE("a large value is shown in a short time", "[lua][inspect][wallclock][watchdog]") {
     Box box;
     const auto shown = [&](const std::string& text, double& seconds) {
         box.run("return 1");

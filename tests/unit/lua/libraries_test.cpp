@@ -3,7 +3,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("libraries come into a script when it names them, and are what they always are", "[lua][sandbox]") {
+TEST_CASE("libraries are created at their first use, and are the same as before", "[lua][sandbox]") {
     const std::string named = R"(
         local text = output("text", "TimedString")
         function on_execute()

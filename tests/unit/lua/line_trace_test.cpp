@@ -29,7 +29,7 @@ std::vector<int> numbers_of(const TracedLines& seen) {
 
 }  // namespace
 
-TEST_CASE("lines that ran are seen in their order, with what their variables held behind each", "[lua][explain]") {
+TEST_CASE("a trace has the executed lines in order, with their variables after each line", "[lua][explain]") {
     ScriptRig rig(R"(local out = output("out", "TimedDouble")
 local count = 0
 local function twice(x)
@@ -64,7 +64,7 @@ end
     CHECK(seen.lines[0].file == "robot_controller.lua");
 }
 
-TEST_CASE("parameters and what is kept in state are seen as they were behind each line", "[lua][explain]") {
+TEST_CASE("a trace has parameters and state after each line", "[lua][explain]") {
     ScriptRig rig(R"(param("gain", 0.5)
 state.count = 3
 function on_execute()
@@ -82,7 +82,7 @@ end
     CHECK(value_at(seen, 5, "state.list") == "{ 1, 2 }");
 }
 
-TEST_CASE("only the execution that was asked for is looked at, and no hook is left", "[lua][explain]") {
+TEST_CASE("only the requested execution is traced, and no hook remains", "[lua][explain]") {
     ScriptRig rig("function on_execute()\n  local x = 1\nend\n");
     rig.activate().tick();
     CHECK(rig.component->traces() == 0);
@@ -95,7 +95,7 @@ TEST_CASE("only the execution that was asked for is looked at, and no hook is le
     CHECK(rig.component->traces() == 2);
 }
 
-TEST_CASE("lines of tasks are seen, and no hook is left in their coroutines", "[lua][explain]") {
+TEST_CASE("lines of tasks are traced, and no hook remains in their coroutines", "[lua][explain]") {
     ScriptRig rig(R"(task("count", function()
   local n = 0
   while true do
@@ -113,7 +113,7 @@ end)
     CHECK(rig.component->latest_trace().lines.size() == lines);
 }
 
-TEST_CASE("a look ends after so many lines, the execution does not", "[lua][explain]") {
+TEST_CASE("a trace is limited, but the execution continues", "[lua][explain]") {
     std::string text = "local out = output('out', 'TimedDouble')\nfunction on_execute()\n  local sum = 0\n";
     for (int i = 0; i < 400; ++i) text += "  sum = sum + 1\n";
     ScriptRig rig(text + "  out:write(sum)\nend\n");
@@ -126,7 +126,7 @@ TEST_CASE("a look ends after so many lines, the execution does not", "[lua][expl
     CHECK(lua_gethook(rig.component->script().lua()) == nullptr);
 }
 
-TEST_CASE("of a long loop the first turns and the last one are seen, and what follows", "[lua][explain]") {
+TEST_CASE("a trace has the first rounds of a long loop, the last one, and the lines after it", "[lua][explain]") {
     ScriptRig rig(R"(local out = output("out", "TimedDouble")
 function on_execute()
   local sum = 0
@@ -149,7 +149,7 @@ end
     CHECK(value_at(seen, 7, "sum") == "500500");
 }
 
-TEST_CASE("an error in an execution that is looked at is the same, and the lines up to it are seen", "[lua][explain]") {
+TEST_CASE("an error in a traced execution is the same, and the trace has the lines before it", "[lua][explain]") {
     const std::string text = "function on_execute()\n  local x = 1\n  error('no luck')\nend\n";
     ScriptRig plain(text), looked(text);
     plain.activate().tick();
@@ -160,7 +160,7 @@ TEST_CASE("an error in an execution that is looked at is the same, and the lines
     CHECK(numbers_of(looked.component->latest_trace()) == std::vector<int>{2, 3});
 }
 
-TEST_CASE("an endless loop that is looked at still runs out of its time", "[lua][explain][wallclock]") {
+TEST_CASE("an endless loop that is traced still ends with its time", "[lua][explain][wallclock]") {
     ScriptRig rig("function on_execute()\n  while true do local x = 1 end\nend\n");
     rig.activate();
     rig.component->trace_next();
@@ -169,7 +169,7 @@ TEST_CASE("an endless loop that is looked at still runs out of its time", "[lua]
     CHECK(rig.error().find("ran for more than 0.1 s") != std::string::npos);
 }
 
-TEST_CASE("a run that is looked at all the time has the hash of one that nobody looks at", "[lua][explain]") {
+TEST_CASE("a traced run has the same hash as a run without traces", "[lua][explain]") {
     const std::string behavior = R"(
 local range = input("in", "TimedShortSeq", "")
 local target = output("out", "TimedVelocity2D", "")
@@ -196,7 +196,7 @@ end
     CHECK(hashes[0] == hashes[1]);
 }
 
-TEST_CASE("an explanation goes from the sensor's port over the lines to the wheels", "[lua][explain]") {
+TEST_CASE("an explanation contains the sensor's port, the lines and the wheels", "[lua][explain]") {
     LiveRig rig;
     rig.tick(50);
     const auto look = rig.live->explain_next("controller");
@@ -226,13 +226,13 @@ TEST_CASE("an explanation goes from the sensor's port over the lines to the whee
     CHECK(seen->robots[0].wheels_told);
     const std::string text = to_text(*seen);
     CHECK(text.find("controller.in <- mouse.ir_sensor_out: { ") != std::string::npos);
-    CHECK(text.find("mouse was told vx = 0.25 m/s") != std::string::npos);
+    CHECK(text.find("mouse was commanded vx = 0.25 m/s") != std::string::npos);
     CHECK(text.find("mouse's wheels: left ") != std::string::npos);
 }
 
-TEST_CASE("what can't be explained is refused with the reason", "[lua][explain]") {
+TEST_CASE("an explanation that is impossible is refused with the reason", "[lua][explain]") {
     LiveRig rig;
-    CHECK(rig.live->explain_next("mouse").error().message == "mouse is no behaviour: it has no lines");
+    CHECK(rig.live->explain_next("mouse").error().message == "mouse is not a behaviour: it has no lines");
     CHECK(rig.live->explain_next("contoller").error().message.find("controller") != std::string::npos);
     REQUIRE(rig.live->act(Deactivate{"controller"}, {}));
     CHECK(rig.live->explain_next("controller").error().message == "controller is INACTIVE: nothing of it is executed");

@@ -18,7 +18,7 @@ Velocity2D sent(const LiveRig& it) { return (*it.live->system().port("controller
 
 }  // namespace
 
-TEST_CASE("who goes for good lets go of what it held, a velocity by way of zero", "[lua][act]") {
+TEST_CASE("the holds of an actor that is gone end, a velocity with zero first", "[lua][act]") {
     LiveRig it;
     REQUIRE(it.live->act(Hold{"controller.out", Velocity2D{.vx = 0.1}}, gamepad));
     REQUIRE(it.live->act(Hold{"controller.in", std::vector<std::int16_t>{31}}, gamepad));
@@ -37,7 +37,7 @@ TEST_CASE("who goes for good lets go of what it held, a velocity by way of zero"
     CHECK(it.live->system().holder("mouse.target_velocity_in") != nullptr);
 }
 
-TEST_CASE("the hash after a restart is a chain over the starts", "[lua][act]") {
+TEST_CASE("the hash after a restart includes the starts before", "[lua][act]") {
     LiveRig it;
     it.tick(20);
     const std::uint64_t first = it.live->trace_hash();
@@ -47,7 +47,7 @@ TEST_CASE("the hash after a restart is a chain over the starts", "[lua][act]") {
     CHECK(it.live->starts() == 2);
 }
 
-TEST_CASE("an emergency stop outlives a restart, which says so, and rearm() works at once", "[lua][act]") {
+TEST_CASE("an emergency stop continues after a restart, which is reported, and rearm() works at once", "[lua][act]") {
     LiveRig it;
     it.tick(30);
     REQUIRE(it.live->act(Stop{}, {}));
@@ -74,7 +74,7 @@ TEST_CASE("an emergency stop outlives a restart, which says so, and rearm() work
     CHECK_FALSE(it.said("still stopped"));
 }
 
-TEST_CASE("an act that is refused changes nothing and says why", "[lua][act]") {
+TEST_CASE("a refused act changes nothing and gives the reason", "[lua][act]") {
     LiveRig it;
     const auto error = [&](const Act& act) {
         const auto done = it.live->act(act, {});
@@ -90,7 +90,7 @@ TEST_CASE("an act that is refused changes nothing and says why", "[lua][act]") {
     CHECK(it.live->starts() == 1);
 }
 
-TEST_CASE("what is removed is gone from the description too", "[lua][act]") {
+TEST_CASE("a removed component is also removed from the description", "[lua][act]") {
     LiveRig it;
     REQUIRE(it.live->act(Remove{"controller"}, {}));
     CHECK(it.live->system().find("controller") == nullptr);
@@ -98,7 +98,7 @@ TEST_CASE("what is removed is gone from the description too", "[lua][act]") {
     it.tick(3);
 }
 
-TEST_CASE("the trace goes on when a component comes and goes", "[lua][act]") {
+TEST_CASE("the trace continues when components are added and removed", "[lua][act]") {
     LiveRig it;
     const auto error = [&](const Act& act) {
         const auto done = it.live->act(act, {});
@@ -124,7 +124,7 @@ TEST_CASE("the trace goes on when a component comes and goes", "[lua][act]") {
     CHECK(error(RemoveMarker{"m"}) == "there is no marker 'm'");
 }
 
-TEST_CASE("a run in which components come and go has the same hash each time", "[lua][act]") {
+TEST_CASE("a run with added and removed components has the same hash each time", "[lua][act]") {
     const auto hash = [] {
         LiveRig it;
         it.tick(5);

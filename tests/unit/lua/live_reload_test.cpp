@@ -97,7 +97,7 @@ TEST_CASE("saving a file changes the running behaviour", "[lua][reload]") {
     CHECK(it.value() == 2);
 }
 
-TEST_CASE("a broken save is told, and the next good one runs", "[lua][reload]") {
+TEST_CASE("a saved file with an error is reported, and the next correct one runs", "[lua][reload]") {
     Live it(writes("1"));
     write(it.file, "function on_execute( end");
     CHECK(it.says("it.lua:1: <name> or '...' expected near 'end'; still running version 1"));
@@ -109,12 +109,11 @@ TEST_CASE("a broken save is told, and the next good one runs", "[lua][reload]") 
     CHECK(it.says("version 2 runs in it"));
 }
 
-TEST_CASE("a script that a FIFO takes the place of is told once, and reloads when it is a file again",
-          "[lua][reload]") {
+TEST_CASE("a script that becomes a FIFO is reported once, and reloads when it is a file again", "[lua][reload]") {
     Live it(writes("1"));
     fs::remove(it.file);
     REQUIRE(::mkfifo(it.file.c_str(), 0600) == 0);
-    CHECK(it.says("it.lua: is a FIFO, expected a file: what was loaded from it goes on"));
+    CHECK(it.says("it.lua: is a FIFO, expected a file: the loaded version continues"));
     it.log.clear();
     it.run(120);
     CHECK(it.log.empty());
@@ -127,16 +126,16 @@ TEST_CASE("a script that a FIFO takes the place of is told once, and reloads whe
     CHECK(it.says("version 2 runs in it"));
 }
 
-TEST_CASE("a system file that goes is told once", "[lua][reload]") {
+TEST_CASE("a deleted system file is reported once", "[lua][reload]") {
     Live it(writes("1"));
     fs::remove(it.system_file);
-    CHECK(it.says("system.lua: there is no such file: what was loaded from it goes on"));
+    CHECK(it.says("system.lua: there is no such file: the loaded version continues"));
     it.log.clear();
     it.run(120);
     CHECK(it.log.empty());
 }
 
-TEST_CASE("a file that never ends its loading delays no tick", "[lua][reload][watchdog]") {
+TEST_CASE("a script whose top level never ends delays no tick", "[lua][reload][watchdog]") {
     Live it(writes("1"));
     it.longest = 0;
     write(it.file, writes("2") + "while true do end");
@@ -148,7 +147,7 @@ TEST_CASE("a file that never ends its loading delays no tick", "[lua][reload][wa
     CHECK(it.says("version 2 runs in it"));
 }
 
-TEST_CASE("a save while another one is tried beside the ticks is not forgotten", "[lua][reload][watchdog]") {
+TEST_CASE("a file that is saved during another reload is reloaded as well", "[lua][reload][watchdog]") {
     Live it(writes("1"));
     write(it.file, writes("2") + "while true do end");
     it.run(4);
@@ -158,7 +157,7 @@ TEST_CASE("a save while another one is tried beside the ticks is not forgotten",
     CHECK(it.value() == 5);
 }
 
-TEST_CASE("loading that takes long but ends is taken", "[lua][reload]") {
+TEST_CASE("a script that takes long to load is used", "[lua][reload]") {
     Live it(writes("1"));
     write(it.file, writes("6", "for i = 1, 3000000 do end "));
     CHECK(it.says("version 2 runs in it"));
@@ -166,8 +165,7 @@ TEST_CASE("loading that takes long but ends is taken", "[lua][reload]") {
     CHECK(it.value() == 6);
 }
 
-TEST_CASE("a missing module that comes, and a wrong one that is put right, try again what needs them",
-          "[lua][reload]") {
+TEST_CASE("a new or corrected module reloads the scripts that require it", "[lua][reload]") {
     Live it(writes("1"));
     write(it.file, writes("require_me", "local require_me = require 'module' "));
     CHECK(it.says("still running version 1"));
@@ -185,13 +183,13 @@ TEST_CASE("a missing module that comes, and a wrong one that is put right, try a
     CHECK(it.value() == 8);
 }
 
-TEST_CASE("a changed system file says what to do", "[lua][reload]") {
+TEST_CASE("a changed system file is reported with the command to use it", "[lua][reload]") {
     Live it(writes("1"));
     write(it.system_file, "another system");
     CHECK(it.says("system.lua has changed: restart() to use it"));
 }
 
-TEST_CASE("a file of many behaviours that takes long to load holds no tick", "[lua][reload][watchdog]") {
+TEST_CASE("loading a file for many behaviours delays no tick", "[lua][reload][watchdog]") {
     constexpr int many = 40;
     Text system;
     for (int i = 1; i <= many; ++i) system += "behavior 'b" + std::to_string(i) + "' { script = 'it' }\n";

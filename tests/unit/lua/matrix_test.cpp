@@ -19,7 +19,7 @@ Text error_of(const Text& body, ScriptContext context = {}) {
 
 }  // namespace
 
-TEST_CASE("the memory of matrices counts against the script's", "[lua][matrix]") {
+TEST_CASE("the memory of matrices counts as memory of the script", "[lua][matrix]") {
     CHECK(error_of("state.all = {} for i = 1, 1e6 do state.all[i] = matrix.zeros(64, 64) end",
                    {.memory_limit = std::size_t{4} << 20}) ==
           "robot_controller.lua:3: not enough memory: the script reached its limit of 4 MB");
@@ -27,12 +27,12 @@ TEST_CASE("the memory of matrices counts against the script's", "[lua][matrix]")
                    {.budget = headless_budget, .memory_limit = std::size_t{4} << 20}) == "");
 }
 
-TEST_CASE("endless calculating is ended by the script's budget", "[lua][matrix][watchdog]") {
+TEST_CASE("an endless calculation ends with the script's time", "[lua][matrix][watchdog]") {
     CHECK(error_of("local m = matrix.identity(64) while true do m = m:solve(m) end", {.budget = {0.1}}) ==
           "robot_controller.lua:3: ran for more than 0.1 s: is there an endless loop?");
 }
 
-TEST_CASE("a matrix can be tampered with by nobody", "[lua][matrix]") {
+TEST_CASE("scripts can't change the methods of a matrix", "[lua][matrix]") {
     CHECK(error_of(R"(
         local m = matrix { { 1, 2 } }
         assert(not pcall(setmetatable, m, {}) and not pcall(rawset, m, 1, 2) and not pcall(rawget, m, 1))
@@ -42,7 +42,7 @@ TEST_CASE("a matrix can be tampered with by nobody", "[lua][matrix]") {
         assert(not pcall(function() m[1] = m end) and not pcall(function() m[1][1] = m end)))") == "");
 }
 
-TEST_CASE("a matrix in state is the table of its rows after a reload", "[lua][matrix][reload]") {
+TEST_CASE("after a reload, a matrix in state is a table of its rows", "[lua][matrix][reload]") {
     ReloadRig world;
     const Text text = head +
                       "local out = output('out', 'TimedString')\nstate.p = matrix(state.p or { { 4, 1 }, { 2, 3 } })\n"
@@ -56,7 +56,7 @@ TEST_CASE("a matrix in state is the table of its rows after a reload", "[lua][ma
     CHECK(world.out<Text>("keeper.out") == "{ { 64.0, 16.0 }, { 32.0, 48.0 } }");
 }
 
-TEST_CASE("a matrix is not in what is kept to be put back into state, and named there", "[lua][matrix]") {
+TEST_CASE("a matrix in state is reported as dropped when a version goes back", "[lua][matrix]") {
     ScriptRig rig(head + "param('k', 1) state.n = 1 state.p = matrix { { 1.5 } } state.row = state.p[1]");
     std::vector<Dropped> dropped;
     const auto kept = rig.component->script().state_snapshot({}, &dropped);
@@ -69,7 +69,7 @@ TEST_CASE("a matrix is not in what is kept to be put back into state, and named 
     CHECK(look->data.tables.size() == 4);
 }
 
-TEST_CASE("a command returns a matrix as the table of its rows", "[lua][matrix]") {
+TEST_CASE("a command returns a matrix as a table of its rows", "[lua][matrix]") {
     ScriptRig rig(head + "command('p', function() return matrix { { 1.5 } } end)");
     rig.activate();
     const auto result = rig.component->call_command("p", {}, rig.now);

@@ -7,7 +7,7 @@
 using namespace nezumi;
 using namespace nezumi::system_files;
 
-TEST_CASE("a system says which host it is", "[lua][system_file][network]") {
+TEST_CASE("network gives the name of the host", "[lua][system_file][network]") {
     const auto spec = system_of(
         "network { name = 'mouse_pi', domain = 7, interface = 'wlan0', peers = { '192.168.11.2' }, secret = 's.key' }");
     REQUIRE(spec.network.has_value());
@@ -22,7 +22,7 @@ TEST_CASE("a system says which host it is", "[lua][system_file][network]") {
     CHECK_FALSE(system_of("seed(1)").network.has_value());
 }
 
-TEST_CASE("a port of another host is host/name.port", "[lua][system_file][network]") {
+TEST_CASE("a port of another host is named host/name.port", "[lua][system_file][network]") {
     const auto spec =
         system_of("network { name = 'a' } connect('ev3/vehicle.current_vel', 'mouse.target_velocity_in')");
     REQUIRE(spec.connections.size() == 1);
@@ -39,7 +39,7 @@ TEST_CASE("a port of another host is host/name.port", "[lua][system_file][networ
           "s.lua:2: connect: expected \"name.port\", got '/x.out'");
 }
 
-TEST_CASE("a system says which topics of ROS it has", "[lua][system_file][network]") {
+TEST_CASE("ros lists the topics of a system", "[lua][system_file][network]") {
     const auto spec = system_of(
         "ros { node = 'mouse', domain = 5,\n"
         "  publish = { ['mouse.current_velocity_out'] = '/velocity' },\n"
@@ -58,7 +58,7 @@ TEST_CASE("a system says which topics of ROS it has", "[lua][system_file][networ
     CHECK(spec.ros->subscribe[0].type == "geometry_msgs/msg/TwistStamped");
 }
 
-TEST_CASE("network and ros are written as they were read", "[lua][system_text][network]") {
+TEST_CASE("network and ros are written and read back", "[lua][system_text][network]") {
     const std::string text =
         "network { name = \"a\", domain = 3, lockstep = true, peers = { \"10.0.0.1\", \"10.0.0.2\" }, hosts = { \"b\" "
         "} }\n"

@@ -9,7 +9,7 @@ using Shorts = std::vector<std::int16_t>;
 
 }  // namespace
 
-TEST_CASE("an element that is not there is told with its number, and of how many", "[lua][port]") {
+TEST_CASE("the error about a missing element has its index and the number of elements", "[lua][port]") {
     const auto fails = [](const std::string& body) {
         ScriptRig rig("local d = input('d', 'TimedShortSeq')\nfunction on_execute()\n  " + body + "\nend");
         rig.activate().feed<Shorts>("d", {1, 2, 3, 4});
@@ -39,7 +39,7 @@ TEST_CASE("an element that is not there is told with its number, and of how many
     CHECK(fails("assert(select('#', table.unpack(d:read(), 1, 9)) == 9)").empty());
 }
 
-TEST_CASE("what a port gave is plain data", "[lua][port]") {
+TEST_CASE("a received message is plain data", "[lua][port]") {
     ScriptRig rig(
         "local d = input('d', 'TimedShortSeq') command('c', function() return d:read() end)\n"
         "function on_execute() state.last = d:read() end");

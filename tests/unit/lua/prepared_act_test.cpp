@@ -38,11 +38,11 @@ struct TwoPhases : LiveRig {
     std::string path;
 };
 
-constexpr auto changed = "the system has changed while this was read: say it again";
+constexpr auto changed = "the system has changed while this was read: try again";
 
 }  // namespace
 
-TEST_CASE("a reload that was prepared ticks ago takes over the state of now", "[lua][prepare]") {
+TEST_CASE("a prepared reload takes over the state at the commit", "[lua][prepare]") {
     TwoPhases it(counting("", "0"));
     it.tick(3);
     it.folder.write("behaviors/it.lua", counting("", "7"));
@@ -53,7 +53,7 @@ TEST_CASE("a reload that was prepared ticks ago takes over the state of now", "[
     CHECK(it.out() == std::vector<double>{8, 7});
 }
 
-TEST_CASE("a top level that looks at state or at the time runs in the tick of the commit", "[lua][prepare]") {
+TEST_CASE("a top level that reads state or the time runs in the tick of the commit", "[lua][prepare]") {
     TwoPhases it(counting("", "0"));
     it.tick(3);
     const char* const top = GENERATE("local at = state.n", "local kept = state local at = kept.n",
@@ -67,7 +67,7 @@ TEST_CASE("a top level that looks at state or at the time runs in the tick of th
     CHECK(it.out() == std::vector<double>{8, 7});
 }
 
-TEST_CASE("a top level that needs a state is not tried with an empty one", "[lua][prepare]") {
+TEST_CASE("a top level that needs a state does not fail with an empty one", "[lua][prepare]") {
     TwoPhases it(counting("", "0"));
     it.tick(3);
     it.folder.write("behaviors/it.lua", counting("local next = state.n + 1", "next"));
@@ -78,7 +78,7 @@ TEST_CASE("a top level that needs a state is not tried with an empty one", "[lua
     CHECK(it.out() == std::vector<double>{4, 4});
 }
 
-TEST_CASE("a parameter that is set while a version loads is what its top level reads", "[lua][prepare]") {
+TEST_CASE("the top level reads a parameter that was set during loading", "[lua][prepare]") {
     TwoPhases it(counting("", "0"));
     it.folder.write("behaviors/it.lua", counting("local gain = config.gain", "gain"));
     PreparedAct prepared = it.prepare(Reload{.files = {it.path}});
@@ -88,8 +88,7 @@ TEST_CASE("a parameter that is set while a version loads is what its top level r
     CHECK(it.out() == std::vector<double>{1, 3});
 }
 
-TEST_CASE("a reload is refused when another version, another behaviour or another start has come since",
-          "[lua][prepare]") {
+TEST_CASE("a reload is refused after another reload, another behaviour or a restart", "[lua][prepare]") {
     TwoPhases it(counting("", "0"));
     PreparedAct prepared = it.prepare(Reload{.files = {it.path}});
     REQUIRE(it.live->fits(prepared));
@@ -101,7 +100,7 @@ TEST_CASE("a reload is refused when another version, another behaviour or anothe
     CHECK(it.error_of(std::move(prepared)) == changed);
 }
 
-TEST_CASE("a file is read once for an act: all that require it have the same text", "[lua][prepare]") {
+TEST_CASE("an act reads each file once, so all scripts have the same text", "[lua][prepare]") {
     TwoPhases it(counting("", "0"));
     it.folder.write("behaviors/it.lua", counting("local step = require 'step'", "step"));
     it.folder.write("behaviors/step.lua", "return 5");
@@ -113,7 +112,7 @@ TEST_CASE("a file is read once for an act: all that require it have the same tex
     CHECK(it.out() == std::vector<double>{1, 5});
 }
 
-TEST_CASE("what can't be prepared is told by the commit, and nothing has changed", "[lua][prepare]") {
+TEST_CASE("the commit reports an error of the preparation, and nothing has changed", "[lua][prepare]") {
     TwoPhases it(counting("", "0"));
     it.tick();
     it.folder.write("behaviors/it.lua", "function on_execute( end");
@@ -127,7 +126,7 @@ TEST_CASE("what can't be prepared is told by the commit, and nothing has changed
     CHECK(it.out() == std::vector<double>{2, 0});
 }
 
-TEST_CASE("a restart says what of acts it would lose", "[lua][prepare]") {
+TEST_CASE("a restart reports the components of acts that it would lose", "[lua][prepare]") {
     TwoPhases it(counting("", "0"));
     REQUIRE(it.live->act(Add{BehaviorEntry{.name = "other", .script = "it", .path = it.path}}, {}));
     CHECK(it.prepare(Restart{}).lost == std::vector<std::string>{"other"});

@@ -48,7 +48,7 @@ TEST_CASE("a name is looked up beside the file, then in behaviors/, then among t
     CHECK(found(project, scratch, FileKind::script, "c", in) == "behaviors/systems/c.lua");
 }
 
-TEST_CASE("a system may be called like the behaviour that it names", "[lua][project]") {
+TEST_CASE("a system may have the name of its behaviour", "[lua][project]") {
     const Scratch scratch;
     scratch.write("behaviors/systems/c.lua", "");
     scratch.write("behaviors/c.lua", "");
@@ -57,7 +57,7 @@ TEST_CASE("a system may be called like the behaviour that it names", "[lua][proj
     CHECK(found(project, scratch, FileKind::script, "c", "behaviors/systems/other.lua") == "behaviors/systems/c.lua");
 }
 
-TEST_CASE("the ending .lua may be left out, folders are part of a name", "[lua][project]") {
+TEST_CASE("the ending .lua may be omitted, and folders are part of a name", "[lua][project]") {
     const Scratch scratch;
     scratch.write("behaviors/systems/x.lua", "");
     scratch.write("behaviors/maps/room.csv", "");
@@ -73,7 +73,7 @@ TEST_CASE("the ending .lua may be left out, folders are part of a name", "[lua][
           "behaviors/systems/x.lua");
 }
 
-TEST_CASE("a name that is nowhere is told with the nearest one and all places", "[lua][project]") {
+TEST_CASE("the error about an unknown name has the nearest name and all places", "[lua][project]") {
     const Scratch scratch;
     scratch.write("behaviors/robot_controller.lua", "");
     scratch.write("behaviors/systems/s.lua", "");
@@ -120,7 +120,7 @@ TEST_CASE("modules are found in behaviors/lib too, the project's own before the 
     CHECK(found(project, scratch, FileKind::module, "nezumi.pid", in) == "behaviors/nezumi/pid.lua");
 }
 
-TEST_CASE("modules are looked for below the project's folders alone, whatever their names say", "[lua][project]") {
+TEST_CASE("modules are only searched below the project's folders", "[lua][project]") {
     const Scratch scratch;
     scratch.write("behaviors/b.lua", "");
     scratch.write("outside.lua", "");
@@ -135,14 +135,14 @@ TEST_CASE("modules are looked for below the project's folders alone, whatever th
     }
 }
 
-TEST_CASE("a folder is no file", "[lua][project]") {
+TEST_CASE("a folder is not found as a file", "[lua][project]") {
     const Scratch scratch;
     scratch.write("behaviors/x.lua/y", "");
     CHECK_THAT(found(Project::of(scratch.path("a.lua")), scratch, FileKind::script, "x", "a.lua"),
                Catch::StartsWith("there is no script 'x'"));
 }
 
-TEST_CASE("files below the working directory are shown relative to it, others whole", "[lua][project]") {
+TEST_CASE("files below the working directory are shown with relative paths, others with full paths", "[lua][project]") {
     const Project project = Project::of("behaviors/systems/s.lua");
     CHECK(project.shown("behaviors/./systems/../a.lua") == "behaviors/a.lua");
     CHECK(project.shown(fs::current_path() / "a.lua") == "a.lua");
@@ -150,7 +150,7 @@ TEST_CASE("files below the working directory are shown relative to it, others wh
     CHECK(project.shown("../a.lua") == (fs::current_path().parent_path() / "a.lua").string());
 }
 
-TEST_CASE("what has the name and is no file is told as what it is", "[lua][project]") {
+TEST_CASE("the error about a name that is no file says what it is", "[lua][project]") {
     const Scratch scratch;
     fs::create_directories(scratch.path("behaviors/folder.lua"));
     REQUIRE(mkfifo(scratch.path("behaviors/pipe.lua").c_str(), 0600) == 0);
@@ -161,7 +161,7 @@ TEST_CASE("what has the name and is no file is told as what it is", "[lua][proje
     CHECK_THAT(found(project, scratch, FileKind::script, "folder", "a.lua"), Catch::EndsWith(there("folder.lua")));
 }
 
-TEST_CASE("what is named is not offered as the nearest name", "[lua][project]") {
+TEST_CASE("the name itself is not offered as the nearest name", "[lua][project]") {
     const Scratch scratch;
     scratch.write("behaviors/b.lua", "");
     scratch.write("behaviors/map.csv/x", "");
@@ -172,8 +172,7 @@ TEST_CASE("what is named is not offered as the nearest name", "[lua][project]") 
                Catch::StartsWith("there is no file 'map.csv'; looked for"));
 }
 
-TEST_CASE("a folder that is empty later has no names any more in what is updated, nor has one that is gone",
-          "[lua][project]") {
+TEST_CASE("updated results have no names for a folder that became empty or is gone", "[lua][project]") {
     const Scratch scratch;
     const fs::path folder = scratch.path("lib");
     scratch.write("lib/a.lua", "");
@@ -194,7 +193,7 @@ TEST_CASE("a folder that is empty later has no names any more in what is updated
     CHECK_FALSE(seen.names);
 }
 
-TEST_CASE("what a snapshot has found of a file stays so, whatever is saved meanwhile", "[lua][project]") {
+TEST_CASE("a snapshot keeps the content of a file that is saved meanwhile", "[lua][project]") {
     const Scratch scratch;
     const std::string file = scratch.write("a.lua", "first").string();
     FileSnapshot files(disk());

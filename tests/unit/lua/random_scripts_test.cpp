@@ -204,7 +204,7 @@ int count_from_environment(const char* name, int otherwise) {
 
 }  // namespace
 
-TEST_CASE("no behaviour made at random disturbs the engine, the robot's stand or another behaviour",
+TEST_CASE("random behaviours do not disturb the engine, a stopped robot or other behaviours",
           "[lua][random][watchdog]") {
     const int count = count_from_environment("NEZUMI_SCRIPTS", 150);
     const int first = count_from_environment("NEZUMI_SEED", 1);
@@ -246,7 +246,7 @@ TEST_CASE("no behaviour made at random disturbs the engine, the robot's stand or
                    << " ms, " << (memory >> 20) << " MB at most");
 }
 
-TEST_CASE("behaviours that once did harm do none", "[lua][random][watchdog]") {
+TEST_CASE("behaviours that once caused failures no longer do", "[lua][random][watchdog]") {
     const Trial trial;
     int count = 0;
     for (const auto& entry :

@@ -4,8 +4,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("a reload says which values it kept and what their defaults are now, where that may surprise",
-          "[lua][reload]") {
+TEST_CASE("a reload reports kept values that differ from the new defaults", "[lua][reload]") {
     ReloadRig world;
     ScriptComponent& it =
         world.add_text("it", "param('hand', 1.0) param('system', 1) param('moved', 1) param('free', 1)");

@@ -4,8 +4,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("the version before takes the tick of one that fails, however much of its time that has used",
-          "[lua][reload][wallclock]") {
+TEST_CASE("the version before runs in the tick of a failed one, whatever time is left", "[lua][reload][wallclock]") {
     ReloadRig world;
     world.write("it.lua", counter("1"));
     ScriptComponent& it = world.add("it", "it.lua", {}, Budget{0.4});
@@ -19,8 +18,7 @@ TEST_CASE("the version before takes the tick of one that fails, however much of 
     CHECK(it.script().context().budget.seconds == 0.4);
 }
 
-TEST_CASE("unread messages that a version on probation had no room for are back with the version before",
-          "[lua][reload]") {
+TEST_CASE("unread messages that a shorter queue dropped are back when the version goes back", "[lua][reload]") {
     ReloadRig world;
     const Text ports = "local out = output('out', 'TimedLongSeq') local from = input('from', 'TimedLong', ''";
     ScriptComponent& it =
@@ -45,7 +43,7 @@ TEST_CASE("unread messages that a version on probation had no room for are back 
     CHECK(world.out<Longs>("it.out") == Longs{1, 2, 3, 4, 5});
 }
 
-TEST_CASE("a version that goes back keeps no value of a set that somebody has left meanwhile", "[lua][reload]") {
+TEST_CASE("a version that goes back has no values of a parameter set that was left meanwhile", "[lua][reload]") {
     ReloadRig world;
     ScriptComponent& it =
         world.add_text("it", "param('speed', 0.1) param('turn', 1.0) param('hand', 1)\nfunction on_execute() end");

@@ -3,7 +3,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("a state of a hundred thousand links is carried over", "[lua][reload]") {
+TEST_CASE("a reload keeps a state with a hundred thousand links", "[lua][reload]") {
     ReloadRig world;
     const Text text =
         "param('x', 1) function on_activated() for i = 1, 100000 do state.list = { next = state.list, i = i } end end";
@@ -14,21 +14,20 @@ TEST_CASE("a state of a hundred thousand links is carried over", "[lua][reload]"
                                            "l.next end assert(n == 100000) end") == "");
 }
 
-TEST_CASE("a state that is too large to be carried over refuses the reload, and the old version runs on",
-          "[lua][reload]") {
+TEST_CASE("a reload with a state that is too large is refused, and the old version continues", "[lua][reload]") {
     ReloadRig world;
     const Text text = "function on_activated() for i = 1, 300000 do state[i] = {} end end";
     world.write("large.lua", text);
     ScriptComponent& it = world.add("large", "large.lua", {}, Budget{20.0});
     REQUIRE(it.state() == LifeState::active);
     CHECK(world.change("large.lua", text + " -- saved")
-              .find("state can't be taken over, and the old version runs on: it holds more than 250000 values") !=
+              .find("state can't be taken over, and the old version continues: it holds more than 250000 values") !=
           Text::npos);
     CHECK(it.state() == LifeState::active);
     CHECK(it.version() == 1);
 }
 
-TEST_CASE("a component reloads from a text that is in no file", "[lua][reload]") {
+TEST_CASE("a component can be reloaded from a text without a file", "[lua][reload]") {
     ReloadRig world;
     ScriptComponent& it = world.add_text("it", counter("1"));
     world.tick();

@@ -63,7 +63,7 @@ using robot_files::sensor_of;
 
 }  // namespace
 
-TEST_CASE("a robot file that builds on another is as that one but for what it says", "[lua][robot_file]") {
+TEST_CASE("a robot file with a base has the fields of the base unless it sets them", "[lua][robot_file]") {
     const Robots robots;
     const RobotSpec spec = robots.robot(
         "mass = 2, noise = 0.1, drive = { track = 0.2, limits = { speed = 0.3 } }, "
@@ -83,13 +83,13 @@ TEST_CASE("a robot file that builds on another is as that one but for what it sa
     CHECK(port_of(spec, "both").items == std::vector<std::string>{"right", "left"});
 }
 
-TEST_CASE("a response function of the base is sampled anew over a longer range", "[lua][robot_file]") {
+TEST_CASE("a response function of the base is sampled again for a longer range", "[lua][robot_file]") {
     const Robots robots;
     const RobotSpec spec = robots.robot("sensors = { left = { range = 3 } }");
     CHECK(sensor_of(spec, "left").response(2.0) == Approx(1 / 3.0).margin(1e-3));
 }
 
-TEST_CASE("lists and places are replaced whole", "[lua][robot_file]") {
+TEST_CASE("lists and positions are replaced as a whole", "[lua][robot_file]") {
     const Robots robots;
     const RobotSpec spec =
         robots.robot("sensors = { left = { at = { x = 0.01, y = 0.03 } } }, ports = { both = { from = { 'left' } } }");
@@ -100,14 +100,14 @@ TEST_CASE("lists and places are replaced whole", "[lua][robot_file]") {
     CHECK(port_of(spec, "both").type == "TimedDoubleSeq");
 }
 
-TEST_CASE("false takes a thing away, unless a port needs it", "[lua][robot_file]") {
+TEST_CASE("false removes a sensor or port, unless a port needs it", "[lua][robot_file]") {
     const Robots robots;
     const RobotSpec spec = robots.robot("sensors = { left = false }, ports = { both = { from = 'right' } }");
     CHECK(spec.sensors.size() == 1);
     CHECK(robots.robot("body = false").body.size.x == Approx(0.11));  // as of a robot without one
     CHECK(robots.error("sensors = { left = false }") == "robot_model: port 'both': there is no sensor 'left'");
     CHECK(robots.error("sensors = { lefft = false }") ==
-          "robot_model: field 'sensors.lefft' takes away what is not there (did you mean 'left'?)");
+          "robot_model: field 'sensors.lefft' removes something that does not exist (did you mean 'left'?)");
     CHECK(robots.error("sensors = { lefft = { noise = 8 } }") ==
           "robot_model: unknown field 'sensors.lefft' (did you mean 'left'?)");
     CHECK(robots.error("ports = { bot = { from = 'left' } }") ==
@@ -119,7 +119,8 @@ TEST_CASE("false takes a thing away, unless a port needs it", "[lua][robot_file]
           "robot_model: field 'mass' is missing: expected a positive number in kg: of the whole robot");
 }
 
-TEST_CASE("of two ways to say a thing, false takes away its own, and both are one too many", "[lua][robot_file]") {
+TEST_CASE("false removes only its own one of two alternative fields, and both together are refused",
+          "[lua][robot_file]") {
     const Robots robots;
     CHECK(sensor_of(robots.robot("sensors = { right = { table = false, response = function(d) return 2 * d end } }"),
                     "right")
@@ -128,7 +129,7 @@ TEST_CASE("of two ways to say a thing, false takes away its own, and both are on
               .find("'sensors.right.response'") != std::string::npos);
 }
 
-TEST_CASE("another kind, or another way to say a thing, leaves nothing of the old one", "[lua][robot_file]") {
+TEST_CASE("another kind, or an alternative field, replaces the old fields completely", "[lua][robot_file]") {
     const Robots robots;
     const RobotSpec spec = robots.robot(
         "sensors = { left = { kind = 'touch', travel = 0.01 }, right = { response = "
@@ -141,7 +142,7 @@ TEST_CASE("another kind, or another way to say a thing, leaves nothing of the ol
     CHECK(spec.body.size == Point3D{0.1, 0.1, 0.1});
 }
 
-TEST_CASE("robot files build on each other, never on themselves", "[lua][robot_file]") {
+TEST_CASE("a robot file can't build on itself", "[lua][robot_file]") {
     const Robots robots;
     robots.folder.write("behaviors/heavy.lua", "return robot_model { base = 'plain', mass = 3 }");
     const auto spec = robots.read("return robot_model { base = 'heavy', noise = 0.2 }");
@@ -166,7 +167,7 @@ TEST_CASE("robot files build on each other, never on themselves", "[lua][robot_f
           "robot_model: field 'base' expected a text, got number");
 }
 
-TEST_CASE("a robot of a system differs from its model by any field of a robot file", "[lua][system_file]") {
+TEST_CASE("a robot of a system can change any field of its model", "[lua][system_file]") {
     const Robots robots;
     const RobotSpec spec = robots.in_system(
         "noise = 0.05, friction = 0.8, mass = 1.5, sensors = { right = { noise = 8 }, extra = { kind = 'button' } }, "
@@ -182,7 +183,7 @@ TEST_CASE("a robot of a system differs from its model by any field of a robot fi
     CHECK(spec.drive.limits.speed == Limits{}.speed);  // those of the entry go on top
 }
 
-TEST_CASE("robots that differ in the same way share a description, others keep their own", "[lua][system_file]") {
+TEST_CASE("robots with the same changes share a description", "[lua][system_file]") {
     const Robots robots;
     const auto spec = robots.system(
         "for i = 1, 3 do robot('r' .. i) { model = 'plain', noise = 0.1 } end\n"
@@ -196,7 +197,7 @@ TEST_CASE("robots that differ in the same way share a description, others keep t
     CHECK(std::get<RobotEntry>(spec->entries[4]).described_by() == "plain");
 }
 
-TEST_CASE("what a robot of a system changes is checked at its place", "[lua][system_file]") {
+TEST_CASE("an error in the changes of a robot has its place", "[lua][system_file]") {
     const Robots robots;
     CHECK(robots.system_error("noise = 5") == "2: robot 'm': field 'noise' expected a number up to 1, got 5");
     CHECK(robots.system_error("nois = 0.1") == "2: robot 'm': unknown field 'nois' (did you mean 'noise'?)");
@@ -205,13 +206,12 @@ TEST_CASE("what a robot of a system changes is checked at its place", "[lua][sys
     CHECK(robots.system_error("sensors = { rigt = { noise = 8 } }") ==
           "2: robot 'm': unknown field 'sensors.rigt' (did you mean 'right'?)");
     CHECK(robots.system_error("base = 'plain'").find("unknown field 'base'") != std::string::npos);
-    CHECK(
-        robots.system_error("sensors = { left = { response = function(d) return d end } }") ==
-        "2: robot 'm': field 'sensors.left.response': a function belongs into a robot file: write one with base = ..., "
-        "or give a 'table'");
+    CHECK(robots.system_error("sensors = { left = { response = function(d) return d end } }") ==
+          "2: robot 'm': field 'sensors.left.response': a function must be in a robot file: write one with base = ..., "
+          "or give a 'table'");
 }
 
-TEST_CASE("a saved system has what its robots change", "[lua][system_text]") {
+TEST_CASE("a saved system contains the changes of its robots", "[lua][system_text]") {
     const Robots robots;
     const auto spec = robots.system(
         "robot 'm' { model = 'plain', noise = 0.05, sensors = { right = { noise = 8, at = { 0.1, 0.0 } } }, ports = { "
@@ -229,7 +229,7 @@ TEST_CASE("a saved system has what its robots change", "[lua][system_text]") {
     CHECK(write_system_text(*again, "Saved") == text);
 }
 
-TEST_CASE("a change is read back from its text", "[lua][robot_file]") {
+TEST_CASE("the text of changes is read as the same changes", "[lua][robot_file]") {
     const Robots robots;
     const auto file = robots.folder.path("behaviors/plain.lua");
     const auto spec =

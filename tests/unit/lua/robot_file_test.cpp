@@ -11,7 +11,7 @@
 using namespace nezumi;
 using namespace nezumi::robot_files;
 
-TEST_CASE("the Raspberry Pi Mouse is as its facts say", "[lua][robot_file]") {
+TEST_CASE("the description of the Raspberry Pi Mouse has the documented values", "[lua][robot_file]") {
     const RobotSpec mouse = shipped("raspimouse.lua");
     CHECK(mouse.model == "raspimouse");
     CHECK(mouse.mass == 0.72);
@@ -26,7 +26,7 @@ TEST_CASE("the Raspberry Pi Mouse is as its facts say", "[lua][robot_file]") {
     CHECK(mouse.place.file == "engine/robots/raspimouse.lua");
 }
 
-TEST_CASE("the mouse's four infrared sensors are where they belong, right first", "[lua][robot_file]") {
+TEST_CASE("the mouse's four infrared sensors have their positions, right first", "[lua][robot_file]") {
     const RobotSpec mouse = shipped("raspimouse.lua");
     const auto check = [&](std::string_view name, double x, double y, double degrees) {
         const SensorSpec& sensor = sensor_of(mouse, name);
@@ -57,7 +57,7 @@ TEST_CASE("the mouse's four infrared sensors are where they belong, right first"
     CHECK(port_of(mouse, "ir_sensor_metre_out").items == order);
 }
 
-TEST_CASE("the mouse has the nine ports of its facts, each with its meaning", "[lua][robot_file]") {
+TEST_CASE("the mouse has its nine documented ports", "[lua][robot_file]") {
     const RobotSpec mouse = shipped("raspimouse.lua");
     const std::vector<std::tuple<std::string, bool, std::string>> expected{
         {"target_velocity_in", true, "TimedVelocity2D"},
@@ -82,7 +82,7 @@ TEST_CASE("the mouse has the nine ports of its facts, each with its meaning", "[
     CHECK(Robot::make("mouse", mouse, mouse.drive.limits).has_value());
 }
 
-TEST_CASE("the swarm's robot answers nearness as its formula says", "[lua][robot_file]") {
+TEST_CASE("the sensors of the swarm's robot follow their formula", "[lua][robot_file]") {
     const RobotSpec robot = shipped("swarm_robot.lua");
     CHECK(robot.mass == 1.6);
     CHECK(robot.drive.track == 0.14);
@@ -146,7 +146,7 @@ TEST_CASE("the smallest robot is wheels, a sensor and a port for it", "[lua][rob
     CHECK(robot.ports.size() == 5);
 }
 
-TEST_CASE("a robot's limits hold on hardware too, unless it has others there", "[lua][robot_file]") {
+TEST_CASE("the limits of a robot also apply to hardware, unless it has others for hardware", "[lua][robot_file]") {
     const RobotSpec robot = robot_of(
         "return robot_model { mass = 2, body = { size = { 0.3, 0.2, 0.1 } }, drive = { radius = 0.05, track = 0.2, "
         "limits = { speed = 2.0 }, hardware_limits = { yaw_rate = 1 } } }");
@@ -163,7 +163,7 @@ TEST_CASE("a robot file names the driver of the real robot, and the button that 
     CHECK(robot.hardware.start == "go");
 }
 
-TEST_CASE("a sensor's place is given from the hull's centre", "[lua][robot_file]") {
+TEST_CASE("the position of a sensor is relative to the hull's centre", "[lua][robot_file]") {
     const RobotSpec robot = robot_of(with(
         "sensors = { a = { kind = 'range', at = { 0.05, 0.01, -0.02 } }, b = { kind = 'range', at = { 0.05, 0 } } }"));
     CHECK(robot.body.at.z == Approx(0.06));
@@ -195,7 +195,7 @@ TEST_CASE("a response function is sampled when the file is read", "[lua][robot_f
     CHECK(sensor_of(robot, "nothing").response(infinity) == 9);
 }
 
-TEST_CASE("a response table is a file beside the robot file, or points", "[lua][robot_file]") {
+TEST_CASE("a response table is a file beside the robot file, or a list of points", "[lua][robot_file]") {
     const RobotSpec robot = robot_of(with(R"(sensors = {
         file = { kind = "range", table = "ir_table.csv" },
         points = { kind = "range", range = 1, table = { { 0.1, 10 }, { 0.5, 4 } }, max_value = 12 } })"));
@@ -225,7 +225,7 @@ TEST_CASE("the files that a robot was read from are known", "[lua][robot_file]")
     CHECK(files == std::vector<std::string>{"engine/robots/raspimouse.lua", "engine/robots/ir_table.csv"});
 }
 
-TEST_CASE("a robot file says how noisy its sensors are and how its wheels hold on", "[lua][robot_file]") {
+TEST_CASE("a robot file sets noise of sensors and friction of wheels", "[lua][robot_file]") {
     const RobotSpec plain = robot_of(with(""));
     CHECK(plain.noise == 0);
     CHECK(plain.friction == 1);
@@ -237,7 +237,7 @@ TEST_CASE("a robot file says how noisy its sensors are and how its wheels hold o
           "r.lua:2:1: robot_model: field 'friction' expected a number from 0 on, got -1");
 }
 
-TEST_CASE("a scan looks all around unless its file says otherwise", "[lua][robot_file]") {
+TEST_CASE("a scan covers a full turn by default", "[lua][robot_file]") {
     const RobotSpec spec = robot_of(with(
         "sensors = { all = { kind = 'scan', range = 4 }, ahead = { kind = 'scan', cone = math.rad(180), rays = 181, "
         "minimum = 0.1, noise = 0.01 } }, ports = { all = { type = 'RangeData', from = 'all', rate = 10 }, "

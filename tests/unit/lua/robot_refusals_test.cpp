@@ -6,7 +6,7 @@
 using namespace nezumi;
 using namespace nezumi::robot_files;
 
-TEST_CASE("a robot file that is no robot file is one plain message", "[lua][robot_file][watchdog]") {
+TEST_CASE("a file that is no robot file is refused with one message", "[lua][robot_file][watchdog]") {
     CHECK(robot_error("") == "r.lua: a robot file ends with `return robot_model { ... }`");
     CHECK(robot_error(with("").substr(7)) == "r.lua: a robot file ends with `return robot_model { ... }`");
     CHECK(robot_error("return {}") == "r.lua: a robot file ends with `return robot_model { ... }`");
@@ -21,7 +21,7 @@ TEST_CASE("a robot file that is no robot file is one plain message", "[lua][robo
     CHECK_THAT(robot_error("while true do end"), Catch::StartsWith("r.lua:1: "));
 }
 
-TEST_CASE("a check of a robot file tells every unknown global", "[lua][robot_file]") {
+TEST_CASE("a check of a robot file reports every unknown global", "[lua][robot_file]") {
     const Project project = Project::of(root / "engine/robots/r.lua", {root});
     CHECK(check_robot_text(with(""), "r.lua", project).empty());
     const auto errors = check_robot_text("local a = taget\nreturn robot_modell {}", "r.lua", project);

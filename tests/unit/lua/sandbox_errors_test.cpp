@@ -30,7 +30,7 @@ TEST_CASE("an error names the script's line", "[lua][call]") {
     CHECK_FALSE(box.over_budget);
 }
 
-TEST_CASE("place and message of an error come apart", "[lua][call]") {
+TEST_CASE("an error has a place and a message", "[lua][call]") {
     Box box;
     load_chunk(box.lua(), compile("\nerror('stop: 12: x')", "folder/a.lua").value());
     const auto called = protected_call(box.lua(), 0, 0, paced_budget);
@@ -39,7 +39,7 @@ TEST_CASE("place and message of an error come apart", "[lua][call]") {
     CHECK(called.error().place == Place{"folder/a.lua", 2, 0});
 }
 
-TEST_CASE("a syntax error is one line that a terminal can show, whatever the token", "[lua][call]") {
+TEST_CASE("the message of a syntax error is one printable line for every token", "[lua][call]") {
     const auto error = [](const std::string& text) { return describe(compile(text, "a.lua").error()); };
     CHECK(error("x = 'a' 'b\\nc\\27'") == "a.lua:1: unexpected symbol near ''b\\x0ac\\x1b''");
     CHECK(error("x = \"\xC2\x85\n") == "a.lua:1: unfinished string near '\"\\x85'");
@@ -58,7 +58,7 @@ TEST_CASE("a long file name is not shortened in an error's place", "[lua][call]"
     CHECK(compile("\nlocal x = = 1", name).error().message == "unexpected symbol near '='");
 }
 
-TEST_CASE("a hint is added to what it concerns", "[lua][call]") {
+TEST_CASE("a hint is added to an error that fits", "[lua][call]") {
     Box box;
     box.state->set_hint([](const Error& error) -> std::string {
         return error.place.line == 1 && error.message.find("upvalue") != std::string::npos ? " (a hint)" : "";
@@ -68,7 +68,7 @@ TEST_CASE("a hint is added to what it concerns", "[lua][call]") {
     CHECK(box.run("local l return l.x") == "box.lua:1: attempt to index a nil value (local 'l')");
 }
 
-TEST_CASE("deep recursion through C is an error, however it is done", "[lua][call]") {
+TEST_CASE("deep recursion through C functions is an error", "[lua][call]") {
     Box box;
     const char* const text = GENERATE(
         as<const char*>{},
@@ -106,7 +106,7 @@ TEST_CASE("deep recursion through C is an error, however it is done", "[lua][cal
     CHECK(box.run("return 'the state lives on'") == "the state lives on");
 }
 
-TEST_CASE("deep recursion that is caught again and again ends by its time", "[lua][watchdog]") {
+TEST_CASE("deep recursion that a script catches repeatedly ends with its time", "[lua][watchdog]") {
     const char* const text = GENERATE(
         as<const char*>{}, "local function f() while true do pcall(f) end end f()",
         "local function f() xpcall(f, f) f() end while true do pcall(f) end",
@@ -134,7 +134,7 @@ TEST_CASE("the memory limit is exact", "[lua][memory]") {
 }
 
 // Lua 5.4.7 keeps offsets in place of its stack's pointers while it asks for a larger stack.
-TEST_CASE("a limit that is reached while the stack grows is an error at its line", "[lua][memory]") {
+TEST_CASE("a memory error while the stack grows has its line", "[lua][memory]") {
     const char* const text =
         "local function down(n) local a, b, c, d, e, f = n, n, n, n, n, n\n"
         "return 1 + down(n + 1) end\n"
@@ -156,7 +156,7 @@ TEST_CASE("a limit that is reached while the stack grows is an error at its line
     }
 }
 
-TEST_CASE("an error that is a number is told where there is no memory left for its text", "[lua][memory]") {
+TEST_CASE("an error value that is a number is reported without memory for its text", "[lua][memory]") {
     Box box;
     REQUIRE(box.run("function raise() error(0.1234567890123) end") == "");
     std::set<std::string> said;
@@ -172,7 +172,7 @@ TEST_CASE("an error that is a number is told where there is no memory left for i
     CHECK(said == std::set<std::string>{"0.1234567890123", "not enough memory"});
 }
 
-TEST_CASE("memory that is let go of is counted back", "[lua][memory]") {
+TEST_CASE("released memory is no longer counted", "[lua][memory]") {
     Box box;
     lua_gc(box.lua(), LUA_GCCOLLECT);
     const std::size_t before = box.state->memory();
@@ -186,7 +186,7 @@ TEST_CASE("memory that is let go of is counted back", "[lua][memory]") {
                                      static_cast<std::size_t>(lua_gc(box.lua(), LUA_GCCOUNTB)));
 }
 
-TEST_CASE("a state that is too small can't be made, and says so", "[lua][memory]") {
+TEST_CASE("a state with too little memory is refused", "[lua][memory]") {
     StateOptions options;
     for (options.memory_limit = 1000; options.memory_limit < 20'000; options.memory_limit += 97) {
         const auto state = create_sandbox(options);
@@ -197,7 +197,7 @@ TEST_CASE("a state that is too small can't be made, and says so", "[lua][memory]
     CHECK(options.memory_limit < 20'000);
 }
 
-TEST_CASE("running out of memory at any point leaves the state whole", "[lua][memory]") {
+TEST_CASE("a state stays usable after a memory error at any point", "[lua][memory]") {
     const char* const text =
         "local t = {} for i = 1, 20 do t['k' .. i] = { i, tostring({}) } end for k, v in pairs(t) do t[k] = v[1] .. k "
         "end "

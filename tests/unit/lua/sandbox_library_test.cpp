@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 #include "bindings/lua/sandbox/missing_names.hpp"
-#include "machine_speed.hpp"
 #include "sandbox_support.hpp"
 
 namespace nezumi {
@@ -53,7 +52,7 @@ TEST_CASE("a script has the safe part of Lua's library and nothing else", "[lua]
           "true true 3.1415926535898");
 }
 
-TEST_CASE("print gives lines to the log", "[lua][library]") {
+TEST_CASE("print writes lines to the log", "[lua][library]") {
     Box box;
     box.run(
         "print() print(1, 1.5, 'a\\0b', nil, true) print(setmetatable({}, { __tostring = function() return 'mine' end "
@@ -64,27 +63,7 @@ TEST_CASE("print gives lines to the log", "[lua][library]") {
     CHECK(box.printed[2] == "mine");
 }
 
-TEST_CASE("print shows tables as the console does", "[lua][library]") {
-    Box box;
-    CHECK(box.run("print({ 1, 2.5, 'x', b = { c = true } }, 'text', {})").empty());
-    CHECK(box.run("local t = { 1 } t.me = t print(t)").empty());
-    CHECK(box.run("print({ { { { { { { 7 } } } } } } })").empty());
-    CHECK(box.run("local t = {} for i = 1, 200 do t[i] = 0 end print(t)").empty());
-    CHECK(box.run("print(setmetatable({ 1 }, { __name = 'Robot' }), setmetatable({}, { __tostring = function() return "
-                  "'mine' end }))")
-              .empty());
-    CHECK(box.run("print(('x'):rep(5000), tostring({}))").empty());
-    REQUIRE(box.printed.size() == 6);
-    CHECK(box.printed[0] == "{ 1, 2.5, \"x\", b = { c = true } }\ttext\t{}");
-    CHECK(box.printed[1] == "{ 1, me = <cycle> }");
-    CHECK(box.printed[2] == "{ { { { { { {...} } } } } } }");
-    CHECK(std::count(box.printed[3].begin(), box.printed[3].end(), '0') == 100);
-    CHECK(box.printed[3].ends_with("  ...\n}"));
-    CHECK(box.printed[4] == "{ 1 }\tmine");
-    CHECK(box.printed[5] == std::string(5000, 'x') + "\ttable: 1");
-}
-
-TEST_CASE("what all tables of one print may take is shared", "[lua][library]") {
+TEST_CASE("all tables of one print share a limit", "[lua][library]") {
     Box box;
     CHECK(box.run("local t = {} for i = 1, 90 do t[i] = ('x'):rep(1900) end print(t, t, t)").empty());
     REQUIRE(box.printed.size() == 1);
@@ -92,17 +71,7 @@ TEST_CASE("what all tables of one print may take is shared", "[lua][library]") {
     CHECK(box.printed[0].ends_with("\t{...}\t{...}"));
 }
 
-TEST_CASE("a table that can't be shown costs its text and no more", "[lua][library]") {
-    Box box;
-    CHECK(box.run("print({ [{}] = 1 }) return 'goes on'") == "goes on");
-    CHECK(box.run("print({ setmetatable({}, { __tostring = function() error('no', 0) end }) }) return 'goes on'") ==
-          "goes on");
-    REQUIRE(box.printed.size() == 2);
-    CHECK(box.printed[0].find("<can't be shown: a table with a table or function as a key") == 0);
-    CHECK(box.printed[1] == "<can't be shown: no>");
-}
-
-TEST_CASE("showing a table takes of the time of the script that prints it", "[lua][library][wallclock][watchdog]") {
+TEST_CASE("the time for showing a table counts as time of the script", "[lua][library][wallclock][watchdog]") {
     Box box;
     const std::string outcome = box.run_for_a_moment(
         "print({ setmetatable({}, { __tostring = function() while true do end end }) }) return 'goes on'");
@@ -139,60 +108,7 @@ TEST_CASE("no text shows an address", "[lua][library]") {
     CHECK(shown.find("0x") == std::string::npos);
 }
 
-TEST_CASE("counts beyond sense are refused at once", "[lua][library]") {
-    Box box;
-    const std::int64_t began = thread_time();
-    CHECK(box.run("return string.rep('x', 1 << 60)") == "box.lua:1: resulting string too large");
-    CHECK(box.run("return string.rep('x', 1 << 40, 'y')") == "box.lua:1: resulting string too large");
-    CHECK(box.run("return string.rep('', 1 << 60)") == "box.lua:1: resulting string too large");
-    CHECK(box.run("return string.rep('', 1 << 60, '')") == "box.lua:1: resulting string too large");
-    CHECK(box.run("return string.rep('', 1000) == ''") == "true");
-    CHECK(box.run("return string.rep('', 1 << 60, 'x')") == "box.lua:1: resulting string too large");
-    CHECK(box.run("return string.rep('x', -1), ('x'):rep(math.mininteger), ('ab'):rep(3, ', '), ('x'):rep(1, 'yyy')") ==
-          "  ab, ab, ab x");
-    CHECK(box.run("return table.move({}, 1, 1 << 60, 2)") ==
-          "box.lua:1: bad argument #3 to 'move' (too many elements to move)");
-    CHECK(box.run("return table.move({}, math.mininteger, math.maxinteger, 2)") ==
-          "box.lua:1: bad argument #3 to 'move' (too many elements to move)");
-    CHECK(box.run("return table.move({}, 1, 3, math.maxinteger)") ==
-          "box.lua:1: bad argument #4 to 'move' (destination wrap around)");
-    CHECK(box.run("return table.concat({}, '', 1, 1 << 60)") ==
-          "box.lua:1: bad argument #1 to 'concat' (too many elements to concatenate)");
-    CHECK(box.run("return table.unpack({}, 1, 1 << 60)") == "box.lua:1: too many results to unpack");
-    CHECK(box.run("return table.unpack({}, math.mininteger, math.maxinteger)") ==
-          "box.lua:1: too many results to unpack");
-    CHECK(box.run("return table.unpack({}, 1, 1e7)") == "box.lua:1: too many results to unpack");
-    CHECK(box.run("return select('#', table.unpack({}, 1, 200000))") == "200000");
-    const std::string lying = "local t = setmetatable({}, { __len = function() return 1 << 60 end }) ";
-    CHECK(box.run(lying + "table.insert(t, 1, 2)") ==
-          "box.lua:1: bad argument #2 to 'insert' (too many elements to move)");
-    CHECK(box.run(lying + "table.remove(t, 1)") ==
-          "box.lua:1: bad argument #2 to 'remove' (too many elements to move)");
-    CHECK(box.run(lying + "table.sort(t)") == "box.lua:1: bad argument #1 to 'sort' (array too big)");
-    CHECK(box.run(lying + "table.concat(t)") ==
-          "box.lua:1: bad argument #1 to 'concat' (too many elements to concatenate)");
-    CHECK(box.run(lying + "table.unpack(t)") == "box.lua:1: too many results to unpack");
-    CHECK(box.run("table.sort(setmetatable({}, { __len = function() return 1 << 24 end }))") ==
-          "box.lua:1: not enough memory: the script reached its limit of 64 MB");
-    CHECK(box.run("table.insert(setmetatable({}, { __len = function() return 'x' end }), 1)") ==
-          "box.lua:1: object length is not an integer");
-    CHECK(
-        box.run("table.insert(setmetatable({}, { __len = function() return math.maxinteger end }), 1) return 'done'") ==
-        "done");
-    CHECK(box.run("return #string.pack((' '):rep(10000))") == "0");  // as long as it may be
-    CHECK(box.run("return string.packsize((' '):rep(10000))") == "0");
-    for (const std::string call :
-         {"pack((' '):rep(10001))", "packsize((' '):rep(10001))", "unpack((' '):rep(10001), '')"})
-        CHECK(box.run("return string." + call).ends_with("(format too long)"));
-    CHECK(box.run("return string.pack((' '):rep(20000))") == "box.lua:1: bad argument #1 to 'pack' (format too long)");
-    CHECK(box.run("return string.unpack((' '):rep(20000), '')") ==
-          "box.lua:1: bad argument #1 to 'unpack' (format too long)");
-    CHECK(box.run("return select('#', ('x'):rep(1e7):byte(1, -1))") ==
-          "box.lua:1: stack overflow (string slice too long)");
-    CHECK(static_cast<double>(thread_time() - began) * 1e-9 < slowness());
-}
-
-TEST_CASE("loops in C over a lying table end by their time", "[lua][watchdog]") {
+TEST_CASE("loops in C functions over a table with a false length end with the time limit", "[lua][watchdog]") {
     const std::string lying =
         "local t = setmetatable({}, { __len = function() return 1 << 23 end, __index = function() return 'x' end, "
         "__newindex = function() end }) ";

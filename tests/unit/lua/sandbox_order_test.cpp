@@ -25,7 +25,7 @@ TEST_CASE("two states give the same order for the same keys", "[lua][order]") {
     CHECK(a.run(text, Budget{2.0}).size() > 5000);
 }
 
-TEST_CASE("collections in the middle of a traversal do no harm", "[lua][order]") {
+TEST_CASE("garbage collection during a traversal does no harm", "[lua][order]") {
     StateOptions options;
     options.memory_limit = 2 << 20;
     Box box(options);

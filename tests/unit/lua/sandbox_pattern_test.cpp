@@ -51,7 +51,7 @@ std::string call_driver(lua_State* lua, const std::string& s, const std::string&
     return result;
 }
 
-TEST_CASE("patterns give what Lua's own give, errors included", "[lua][pattern]") {
+TEST_CASE("patterns give the same results and errors as Lua's own functions", "[lua][pattern]") {
     Box box;
     load_chunk(box.lua(), compile(driver, "driver").value());
     REQUIRE(protected_call(box.lua(), 0, 1, paced_budget));
@@ -93,7 +93,7 @@ TEST_CASE("patterns give what Lua's own give, errors included", "[lua][pattern]"
     CHECK(matches > rounds / 40);
 }
 
-TEST_CASE("a pattern bomb ends in an error, soon", "[lua][pattern][watchdog]") {
+TEST_CASE("a pattern that needs too many steps is an error in a short time", "[lua][pattern][watchdog]") {
     const char* const text =
         GENERATE(as<const char*>{}, "return ('a'):rep(32):find(('a?'):rep(32) .. ('a'):rep(32))",
                  "return ('a'):rep(3000):find('.-.-.-.-b')", "return ('a'):rep(3000):match('.*.*.*.*b')",

@@ -20,7 +20,7 @@ TEST_CASE("a call returns what the function returns", "[lua][call]") {
     CHECK(lua_gettop(box.lua()) == 0);
 }
 
-TEST_CASE("an endless loop is stopped and the place named", "[lua][watchdog]") {
+TEST_CASE("an endless loop is stopped, and the error has its place", "[lua][watchdog]") {
     Box box;
     CHECK(box.run_for_a_moment("while true do end") == "box.lua:1: " + too_long);
     CHECK(box.over_budget);
@@ -124,13 +124,13 @@ TEST_CASE("a coroutine that was stopped stays stopped in later calls", "[lua][wa
     CHECK(box.run("return pcall(kept)") == "false cannot resume dead coroutine");
 }
 
-TEST_CASE("a call that ends in time never ends for its time", "[lua][watchdog]") {
+TEST_CASE("a call within its time is never stopped", "[lua][watchdog]") {
     Box box;
     for (int i = 0; i < 200; ++i)
         CHECK(box.run("local n = 0 for i = 1, 100000 do n = n + i end return n") == "5000050000");
 }
 
-TEST_CASE("the budget is the thread's own time, and says how long it was", "[lua][watchdog]") {
+TEST_CASE("the time limit is CPU time of the thread, and is in the message", "[lua][watchdog]") {
     Box box;
     const std::int64_t began = thread_time();
     CHECK(box.run("while true do end", Budget{0.3}) == "box.lua:1: ran for more than 0.3 s: is there an endless loop?");
@@ -139,7 +139,7 @@ TEST_CASE("the budget is the thread's own time, and says how long it was", "[lua
     CHECK(used < 0.3 + 0.3 * slowness());
 }
 
-TEST_CASE("states in several threads are watched apart", "[lua][watchdog]") {
+TEST_CASE("states in several threads have separate time limits", "[lua][watchdog]") {
     std::vector<std::thread> threads;
     std::vector<std::string> outcomes(6);
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -174,7 +174,7 @@ void give_call(Box& box, lua_State* other) {
     lua_setglobal(box.lua(), "call_other");
 }
 
-TEST_CASE("where the system gives a thread no timer, scripts are stopped all the same", "[lua][watchdog]") {
+TEST_CASE("scripts are also stopped if the system provides no timer", "[lua][watchdog]") {
     const char* const text = GENERATE(
         as<const char*>{}, "while true do end", "while true do pcall(function() while true do end end) end",
         "coroutine.wrap(function() while true do end end)()",
@@ -198,7 +198,7 @@ TEST_CASE("where the system gives a thread no timer, scripts are stopped all the
     CHECK(inner == "in");
 }
 
-TEST_CASE("without a timer work in C functions counts as well", "[lua][watchdog]") {
+TEST_CASE("without a timer, work in C functions also counts", "[lua][watchdog]") {
     rlimit timers{};
     REQUIRE(getrlimit(RLIMIT_SIGPENDING, &timers) == 0);
     std::string outcome;
@@ -232,7 +232,7 @@ TEST_CASE("a thread without a timer is not woken while it is idle", "[lua][watch
     CHECK(interrupted == 0);
 }
 
-TEST_CASE("a call within a call has its own budget, within the outer one's", "[lua][watchdog]") {
+TEST_CASE("an inner call has its own time limit, within that of the outer call", "[lua][watchdog]") {
     Box outer;
     Box inner;
     const bool same_state = GENERATE(false, true);
@@ -248,7 +248,7 @@ TEST_CASE("a call within a call has its own budget, within the outer one's", "[l
     CHECK(outer.run("return call_other()") == "true");
 }
 
-TEST_CASE("calls that nest through C without end are an error", "[lua][call]") {
+TEST_CASE("endless nesting of calls through C functions is an error", "[lua][call]") {
     Box box;
     give_call(box, box.lua());
     CHECK(
@@ -270,7 +270,7 @@ const char* const collector_bomb =
     "for i = 1, n - 1 do t[keys[i]] = keys[i + 1] end local first = keys[1] keys = nil "
     "function bomb() m.__mode = 'k' local junk while true do junk = { first, t } end end ";
 
-TEST_CASE("work without end in the garbage collector is left, and its state given up", "[lua][watchdog]") {
+TEST_CASE("endless work in the garbage collector is abandoned, and its state is lost", "[lua][watchdog]") {
     Box box;
     Box bystander;
     const std::string lost =
@@ -297,7 +297,7 @@ TEST_CASE("work without end in the garbage collector is left, and its state give
     CHECK(next.run_for_a_moment("while true do end") == "box.lua:1: " + too_long);
 }
 
-TEST_CASE("Lua's own code is left half a budget late", "[lua][watchdog]") {
+TEST_CASE("Lua's own C code is abandoned after one and a half times the limit", "[lua][watchdog]") {
     Box box;
     // What calls a table is looked for in a circle, which was closed after setmetatable has looked.
     REQUIRE(box.run("local k = setmetatable({}, {}) getmetatable(k).__call = k "
@@ -309,7 +309,7 @@ TEST_CASE("Lua's own code is left half a budget late", "[lua][watchdog]") {
     CHECK(used < 0.3);
 }
 
-TEST_CASE("a host's system calls and errno are left alone", "[lua][watchdog]") {
+TEST_CASE("the timer does not change system calls and errno of the program", "[lua][watchdog]") {
     Box box;
     box.run("return 1");
     errno = 42;

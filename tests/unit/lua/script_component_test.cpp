@@ -19,14 +19,14 @@ TEST_CASE("a file is a component type that is named after it", "[lua][component]
     CHECK(ScriptRig("param('x', 1)").component->version() == 1);
 }
 
-TEST_CASE("about tells of the file", "[lua][component]") {
+TEST_CASE("about describes the file", "[lua][component]") {
     ScriptRig rig("about { version = '1.2', vendor = 'me', category = 'test' } param('x', 1)");
     CHECK(rig.component->script().about().version == "1.2");
     CHECK(rig.component->script().about().vendor == "me");
     CHECK(rig.component->script().about().category == "test");
 }
 
-TEST_CASE("an endless command ends by its budget and the component goes on", "[lua][component][command][watchdog]") {
+TEST_CASE("an endless command ends with its time, and the component continues", "[lua][component][command][watchdog]") {
     ScriptRig rig("command('loop', function() while true do end end) function on_execute() end");
     rig.activate();
     auto result = rig.component->call_command("loop", {}, rig.now);
@@ -37,7 +37,7 @@ TEST_CASE("an endless command ends by its budget and the component goes on", "[l
     CHECK(rig.status() == "ACTIVE");
 }
 
-TEST_CASE("a budget that is used up is told apart from other errors", "[lua][component][watchdog]") {
+TEST_CASE("the end of the time limit is distinguished from other errors", "[lua][component][watchdog]") {
     ScriptRig rig("function on_execute() while true do end end", {.budget = {0.02}});
     rig.activate().tick();
     CHECK(rig.status() == "ERROR");
@@ -45,7 +45,7 @@ TEST_CASE("a budget that is used up is told apart from other errors", "[lua][com
     CHECK(rig.error() == "robot_controller.lua:1: ran for more than 0.02 s: is there an endless loop?");
 }
 
-TEST_CASE("a failed execution and its on_aborting share one budget", "[lua][component][watchdog]") {
+TEST_CASE("a failed execution and its on_aborting share one time limit", "[lua][component][watchdog]") {
     ScriptRig rig("function on_execute() while true do end end function on_aborting() while true do end end",
                   {.budget = {0.3}});
     rig.activate();
@@ -66,7 +66,7 @@ TEST_CASE("a failed execution and its on_aborting share one budget", "[lua][comp
     CHECK(quick.out<bool>("led").read());
 }
 
-TEST_CASE("modules are required by name, once each", "[lua][component][modules]") {
+TEST_CASE("each required module runs once", "[lua][component][modules]") {
     std::vector<std::string> asked;
     const ModuleFinder find = [&](std::string_view name, std::string_view from) -> Expected<SourceText> {
         asked.push_back(std::string(name) + " for " + std::string(from));
@@ -124,7 +124,7 @@ TEST_CASE("compiled code is shared by all components of a file", "[lua][componen
     CHECK(refusal("param('x', = 1)", context).substr(0, 24) == "robot_controller.lua:1: ");
 }
 
-TEST_CASE("a component of a script is small", "[lua][component]") {
+TEST_CASE("a scripted component needs little memory", "[lua][component]") {
     ScriptRig rig(R"(
 local range  = input("in", "TimedShortSeq", "distance sensors; a larger value is nearer")
 local target = output("out", "TimedVelocity2D", "target velocity")

@@ -3,7 +3,8 @@
 
 using namespace nezumi;
 
-TEST_CASE("config.x = v in a script holds from the next tick in every state and at every rate", "[lua][parameters]") {
+TEST_CASE("config.x = v in a script is effective from the next tick, in every state and at every rate",
+          "[lua][parameters]") {
     const auto value = [](const ScriptRig& rig) { return rig.component->parameters().find("x")->value; };
     const auto set = [](ScriptRig& rig, std::int64_t to) {
         PlainData arguments;

@@ -3,7 +3,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("an execution that writes without end is an error before it fills the memory", "[lua][ports]") {
+TEST_CASE("an execution that writes endlessly is an error before the memory is full", "[lua][ports]") {
     const auto error_of = [](const std::string& body) {
         ScriptRig rig(
             "local a = output('a', 'TimedString') local b = output('b', 'TimedVelocity2D')\nfunction on_execute()\n" +
@@ -24,11 +24,11 @@ TEST_CASE("an execution that writes without end is an error before it fills the 
     CHECK(rig.status() == "ACTIVE");
 }
 
-TEST_CASE("an execution that logs without end is cut short, and the next one is heard", "[lua][ports]") {
+TEST_CASE("the log of an execution is limited, and the next execution can log again", "[lua][ports]") {
     ScriptRig rig("local text = ('x'):rep(300000) function on_execute() for i = 1, 10 do log.info(text) end end");
     rig.activate().tick();
     REQUIRE(rig.log.size() == 4);
-    CHECK(rig.log.back() == "warn: more than 1 MB of log in one execution: the rest is left out");
+    CHECK(rig.log.back() == "warn: more than 1 MB of log in one execution: the rest is dropped");
     rig.tick();
     CHECK(rig.log.size() == 8);
 }

@@ -82,7 +82,7 @@ TEST_CASE("two mice stop in front of each other", "[lua][shipped]") {
     CHECK(std::abs(run.truth("right_mouse").velocity.vx) < 0.001);
 }
 
-TEST_CASE("a swarm wanders, stays within its walls and nobody fails", "[lua][shipped]") {
+TEST_CASE("a swarm stays within its walls, and no behaviour fails", "[lua][shipped]") {
     Run run("require 'lib.swarm_arena' { count = 10, side = 4, model = 'swarm_robot' }");
     CHECK(run.spec.rate == 10);
     CHECK(run.spec.seed == 124);
@@ -102,7 +102,7 @@ TEST_CASE("a swarm wanders, stays within its walls and nobody fails", "[lua][shi
     CHECK(run.log == std::vector<std::string>{});
 }
 
-TEST_CASE("a user's own robot drives and sees with no C++", "[lua][shipped]") {
+TEST_CASE("a robot from a user's file drives and measures without C++ code", "[lua][shipped]") {
     Run run(R"(
         arena { box { at = { 1.05, 0 }, size = { 0.1, 1, 0.3 } } }
         robot "mine" { model = "tests/unit/lua/my_robot.lua" }

@@ -13,7 +13,7 @@ using namespace nezumi;
 
 #if !defined(NEZUMI_ADDRESS_SANITIZER)
 
-TEST_CASE("small blocks lie side by side, aligned as pointers, and none in another", "[lua][memory]") {
+TEST_CASE("small blocks are adjacent, aligned, and do not overlap", "[lua][memory]") {
     SmallBlocks blocks;
     std::vector<char*> taken;
     std::vector<std::size_t> sizes;
@@ -35,7 +35,7 @@ TEST_CASE("small blocks lie side by side, aligned as pointers, and none in anoth
     CHECK(bytes > SmallBlocks::region - SmallBlocks::most);
 }
 
-TEST_CASE("a block that has come back is the next of its size, and of no other", "[lua][memory]") {
+TEST_CASE("a released block is reused for the same size only", "[lua][memory]") {
     SmallBlocks blocks;
     void* const first = blocks.take(56);
     void* const second = blocks.take(56);
@@ -47,7 +47,7 @@ TEST_CASE("a block that has come back is the next of its size, and of no other",
     CHECK(blocks.take(56) != second);
 }
 
-TEST_CASE("what is large, or comes when the region is full, has no place in it", "[lua][memory]") {
+TEST_CASE("large blocks, and blocks after the region is full, are refused", "[lua][memory]") {
     SmallBlocks blocks, other;
     CHECK_FALSE(blocks.owns(&blocks));
     CHECK_FALSE(blocks.owns(nullptr));
@@ -63,7 +63,7 @@ TEST_CASE("what is large, or comes when the region is full, has no place in it",
 
 #endif
 
-TEST_CASE("what a state holds is counted to the byte, wherever it lies", "[lua][memory]") {
+TEST_CASE("the memory of a state is counted exactly, in and outside of the region", "[lua][memory]") {
     Box box;
     lua_State* const lua = box.lua();
     const auto gather = [&] {

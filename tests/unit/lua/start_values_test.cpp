@@ -36,7 +36,7 @@ struct ValueRig {
 
 }  // namespace
 
-TEST_CASE("a value is what Lua would read, and any other word a text", "[lua][files]") {
+TEST_CASE("a value is read as in Lua, and any other word is a text", "[lua][files]") {
     const ValueRig rig;
     CHECK(rig.value("30") == Value{std::int64_t{30}});
     CHECK(rig.value("-0.5") == Value{-0.5});
@@ -48,7 +48,7 @@ TEST_CASE("a value is what Lua would read, and any other word a text", "[lua][fi
     CHECK(rig.value("inf") == Value{"inf"s});
 }
 
-TEST_CASE("the last value counts, over the file's and over the set in use", "[lua][files]") {
+TEST_CASE("the last --set counts, before the file and the parameter set in use", "[lua][files]") {
     const ValueRig rig;
     const auto entry = rig.with({.set = {"it.speed=0.3", "it.speed=0.4"}});
     REQUIRE(entry);
@@ -58,7 +58,7 @@ TEST_CASE("the last value counts, over the file's and over the set in use", "[lu
     CHECK(entry->places.at("config.speed").file == "--set it.speed=0.4");
 }
 
-TEST_CASE("a robot begins with the value that its parameter is given", "[lua][files]") {
+TEST_CASE("a robot starts with the given value of its parameter", "[lua][files]") {
     const Scratch folder;
     const auto file = folder.write("system.lua",
                                    "robot 'ev' { model = 'ev3', mass = 0.7 }\nrobot 'mouse' { model = 'raspimouse' }\n"
@@ -89,7 +89,7 @@ TEST_CASE("a robot begins with the value that its parameter is given", "[lua][fi
     CHECK(speed({.set = {"mouse.speed=1"}}, 0) == "--set mouse.speed=1: mouse: this robot has no parameters");
 }
 
-TEST_CASE("a saved system's parameters and sets hold, and a value set by hand over them", "[lua][files]") {
+TEST_CASE("parameters and parameter sets are set by --params, and --set comes before it", "[lua][files]") {
     const ValueRig rig;
     const std::string saved = rig.folder
                                   .write("saved.lua",
@@ -108,6 +108,7 @@ TEST_CASE("a saved system's parameters and sets hold, and a value set by hand ov
     const auto refused = rig.with({.file = other});
     REQUIRE_FALSE(refused);
     CHECK(refused.error().place.line == 2);
-    CHECK(refused.error().message.ends_with(
-        " has no behavior 'ohter' (did you mean 'other'?): --params wants a file that save has written of it"));
+    CHECK(
+        refused.error().message.ends_with(" has no behavior 'ohter' (did you mean 'other'?): --params needs a file "
+                                          "that save has written for this system"));
 }

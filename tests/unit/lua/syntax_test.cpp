@@ -70,8 +70,7 @@ std::string meanings(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("the reader takes what Lua takes and refuses what Lua refuses: files, and the texts of the tests",
-          "[lua][syntax]") {
+TEST_CASE("the parser accepts and refuses the same files and texts as Lua", "[lua][syntax]") {
     const LuaReference lua;
     std::size_t taken = 0;
     std::size_t refused = 0;
@@ -89,7 +88,7 @@ TEST_CASE("the reader takes what Lua takes and refuses what Lua refuses: files, 
     CHECK(refused > 3000);
 }
 
-TEST_CASE("the reader agrees with Lua about texts that were changed at random", "[lua][syntax]") {
+TEST_CASE("the parser accepts and refuses the same randomly changed texts as Lua", "[lua][syntax]") {
     const LuaReference lua;
     const std::string_view words[] = {"and",
                                       "break",
@@ -195,7 +194,7 @@ TEST_CASE("the reader agrees with Lua about texts that were changed at random", 
     CHECK(taken > 500);
 }
 
-TEST_CASE("what Lua's compiler refuses beyond the grammar is refused at its place", "[lua][syntax]") {
+TEST_CASE("errors of Lua's compiler beyond the grammar have their places", "[lua][syntax]") {
     const LuaReference lua;
     const std::pair<const char*, const char*> texts[] = {
         {"break", "1:1"},
@@ -234,7 +233,7 @@ TEST_CASE("what Lua's compiler refuses beyond the grammar is refused at its plac
     }
 }
 
-TEST_CASE("a text that breaks off is told from one that is wrong", "[lua][syntax]") {
+TEST_CASE("an incomplete text is distinguished from a wrong one", "[lua][syntax]") {
     for (const char* text : {"for i = 1, 3 do", "f(", "f(1", "x = {", "[[long", "x = [[long", "--[[ long", "if x then",
                              "function f()", "x = 1 +", "x = 'a", "a.", "a:b", "goto", "local", "x"}) {
         INFO(text);
@@ -246,14 +245,14 @@ TEST_CASE("a text that breaks off is told from one that is wrong", "[lua][syntax
     }
 }
 
-TEST_CASE("a text is known to end in a comment", "[lua][syntax]") {
+TEST_CASE("a comment at the end of a text is detected", "[lua][syntax]") {
     for (const char* text : {"-- a", "x = 1 --[a]", "--[[ a", "--[==[ a ]=]", "--"})
         CHECK(SyntaxTree(text).ends_in_comment());
     for (const char* text : {"", "-- a\n", "--[[ a ]]", "--[==[ a ]==]", "-- a\nx", "'-- a'"})
         CHECK_FALSE(SyntaxTree(text).ends_in_comment());
 }
 
-TEST_CASE("each name means the variable that Lua would take", "[lua][syntax]") {
+TEST_CASE("each name means the same variable as in Lua", "[lua][syntax]") {
     CHECK(meanings("local x = x x = 1") == "x=global x=7");
     CHECK(meanings("local x; do local x = x f(x) end f(x)") == "x=7 f=global x=19 f=global x=7");
     CHECK(meanings("local function f(f) f() end f()") == "f=18 f=16");
@@ -262,7 +261,7 @@ TEST_CASE("each name means the variable that Lua would take", "[lua][syntax]") {
     CHECK(meanings("function t:m() return self end return self") == "t=global self=13 self=global");
 }
 
-TEST_CASE("a keyword after a dot is a name at the console, and nowhere else", "[lua][syntax]") {
+TEST_CASE("only the console accepts a keyword after a dot as a name", "[lua][syntax]") {
     CHECK(refused_at("x = controller.in") == "1:16");
     const SyntaxTree tree("x = controller.in.value", SyntaxTree::Dialect::console);
     CHECK(tree.error() == nullptr);
@@ -271,7 +270,7 @@ TEST_CASE("a keyword after a dot is a name at the console, and nowhere else", "[
     CHECK(*chain == std::vector<std::string>{"controller", "in", "value"});
 }
 
-TEST_CASE("nodes are as long as their text", "[lua][syntax]") {
+TEST_CASE("the text of a node is complete", "[lua][syntax]") {
     const SyntaxTree tree("local a = b.c [1] -- more\nreturn f(a, -1), { x = 2 }");
     std::vector<std::string> texts;
     for (const SyntaxNode& node : tree.nodes()) {
@@ -282,7 +281,7 @@ TEST_CASE("nodes are as long as their text", "[lua][syntax]") {
     CHECK(texts == std::vector<std::string>{"local a = b.c [1]", "b.c [1]", "f(a, -1)", "-1", "x = 2"});
 }
 
-TEST_CASE("a text that nests without end is read to a limit", "[lua][syntax]") {
+TEST_CASE("the depth of nesting is limited", "[lua][syntax]") {
     const LuaReference lua;
     for (const std::string open : {"(", "{", "f(", "function() return ", "do ", "not ", "x.", "a..", "if x then "}) {
         for (const int depth : {10, 90, 100'000}) {

@@ -9,7 +9,7 @@
 using namespace nezumi;
 using namespace nezumi::system_files;
 
-TEST_CASE("the tutorial's system is read whole", "[lua][system_file]") {
+TEST_CASE("the tutorial's system is read completely", "[lua][system_file]") {
     const Project project = Project::of(root / "behaviors/systems/stop_at_wall.lua", {root});
     const auto spec = read_system_file(root / "behaviors/systems/stop_at_wall.lua", project);
     INFO((spec ? std::string() : describe(spec.error())));
@@ -42,7 +42,7 @@ TEST_CASE("the tutorial's system is read whole", "[lua][system_file]") {
                                                   "engine/robots/ir_table.csv"});
 }
 
-TEST_CASE("a robot takes its model, pose, limits, driver and whether it starts", "[lua][system_file]") {
+TEST_CASE("a robot has a model, pose, limits, driver and the option active", "[lua][system_file]") {
     const auto spec = system_of(R"(
         robot("m", { model = "raspimouse.lua", pose = { x = 1, y = -2.5, heading = math.pi }, limits = { speed = 2.0, yaw_rate = 8,
               acceleration = 1, yaw_acceleration = 3 }, backend = "raspimouse", active = false }))");
@@ -60,7 +60,7 @@ TEST_CASE("a robot takes its model, pose, limits, driver and whether it starts",
                     .limits.yaw_rate.has_value());
 }
 
-TEST_CASE("a behaviour takes values of every type, sets and a rate", "[lua][system_file]") {
+TEST_CASE("a behaviour has parameters of every type, parameter sets and a rate", "[lua][system_file]") {
     const auto spec = system_of(R"(behavior "c" { script = "robot_controller.lua", rate = 50, active = false,
         config = { a = 1, b = 1.0, c = true, d = "text", e = { 1, 2 }, f = { 1, 2.5 }, g = { "x" }, h = { true, false }, i = {} },
         sets = { careful = { a = 2 }, fast = { b = 3.5 } }, set = "careful" })");
@@ -82,7 +82,7 @@ TEST_CASE("a behaviour takes values of every type, sets and a rate", "[lua][syst
     CHECK(c.set == "careful");
 }
 
-TEST_CASE("the places of a behaviour's values are remembered", "[lua][system_file]") {
+TEST_CASE("the places of a behaviour's values are stored", "[lua][system_file]") {
     const auto spec = system_of(
         "behavior 'c' {\n  script = 'robot_controller',\n  config = {\n    a = 1,\n  },\n"
         "  sets = { fast = {\n b = 2 } },\n}");
@@ -92,7 +92,7 @@ TEST_CASE("the places of a behaviour's values are remembered", "[lua][system_fil
     CHECK(places.at("sets.fast.b") == Place{"behaviors/systems/s.lua", 7, 2});
 }
 
-TEST_CASE("a native component takes its type, place and carrier", "[lua][system_file]") {
+TEST_CASE("a native component has a type, a position and a robot", "[lua][system_file]") {
     const auto spec = system_of(R"(
         component "eye" { type = "Camera", on = "m", at = { 0.05, 0, 0.08 }, yaw = 0.1, rate = 30, config = { width = 640 } }
         robot "m" { model = "raspimouse" })");
@@ -105,7 +105,7 @@ TEST_CASE("a native component takes its type, place and carrier", "[lua][system_
     CHECK(eye.config == ParameterValues{{"width", std::int64_t{640}}});
 }
 
-TEST_CASE("an arena holds boxes, walls, cylinders, markers and a size", "[lua][system_file]") {
+TEST_CASE("an arena contains boxes, walls, cylinders and markers, and has a size", "[lua][system_file]") {
     const auto spec = system_of(R"(
         arena {
           size = { 4, 3 }, border = false,
@@ -140,7 +140,7 @@ TEST_CASE("an arena holds boxes, walls, cylinders, markers and a size", "[lua][s
     CHECK(spec.arena.markers[0].facing == Approx(std::numbers::pi));
 }
 
-TEST_CASE("an arena has a border unless it says otherwise", "[lua][system_file]") {
+TEST_CASE("an arena has a border by default", "[lua][system_file]") {
     CHECK(system_of("arena { size = { 1, 1 } }").arena.border);
     const auto spec = system_of("arena { size = { 1, 1 }, border = { height = 0.3, thickness = 0.05 } }");
     CHECK(spec.arena.border == BorderSpec{.thickness = 0.05, .height = 0.3});
@@ -148,7 +148,7 @@ TEST_CASE("an arena has a border unless it says otherwise", "[lua][system_file]"
     CHECK(system_of("arena { box { at = { 0, 0 }, size = { 1, 1, 1 }, pitch = -0.2 } }").arena.boxes[0].pitch == -0.2);
 }
 
-TEST_CASE("a maze is drawn, or made from a seed", "[lua][system_file]") {
+TEST_CASE("a maze is drawn, or generated from a seed", "[lua][system_file]") {
     const auto drawn = system_of(R"(
         arena { maze {
           rows = { "+--+", "|  |", "+--+" }, cell = 0.2, at = { 1, 2 },
@@ -164,7 +164,7 @@ TEST_CASE("a maze is drawn, or made from a seed", "[lua][system_file]") {
     CHECK(boxes("{ columns = 4, rows = 4, seed = 2 }") > 6);
 }
 
-TEST_CASE("things of an arena may come from loops, functions and lists", "[lua][system_file]") {
+TEST_CASE("objects of an arena may come from loops, functions and lists", "[lua][system_file]") {
     const auto spec = system_of(R"(
         local function post(x) return cylinder { at = { x, 0 }, radius = 0.05, height = 0.2 } end
         local posts = {}
@@ -197,7 +197,7 @@ TEST_CASE("a map's boxes are in the arena", "[lua][system_file]") {
     CHECK(bad.error().message == "column 'lx': expected a positive number, got 'abc'");
 }
 
-TEST_CASE("classrooms of robots are made by loops", "[lua][system_file]") {
+TEST_CASE("a loop makes many robots", "[lua][system_file]") {
     const auto spec = system_of(R"(
         local config = { speed_x = 0.0 }
         for i = 1, 20 do
@@ -254,13 +254,13 @@ TEST_CASE("a system requires modules of the project, which use its words too", "
     CHECK_THAT(message("require(5)"), Catch::Contains("s.lua:1: require: expected a module's name, got number"));
 }
 
-TEST_CASE("what a system file prints reaches whoever wants it", "[lua][system_file]") {
+TEST_CASE("the output of a system file is passed to the caller", "[lua][system_file]") {
     std::string printed;
     REQUIRE(read("print('hello', 1) seed(1)", {.print = [&](std::string_view line) { printed += line; }}).has_value());
     CHECK(printed == "hello\t1");
 }
 
-TEST_CASE("every system that is shipped can be read", "[lua][system_file]") {
+TEST_CASE("every shipped system can be read", "[lua][system_file]") {
     std::size_t count = 0;
     for (const auto& file : std::filesystem::directory_iterator(root / "behaviors/systems")) {
         const Project project = Project::of(file.path(), {root});
@@ -272,7 +272,7 @@ TEST_CASE("every system that is shipped can be read", "[lua][system_file]") {
     CHECK(count >= 3);
 }
 
-TEST_CASE("a line is painted from point to point", "[lua][system_file]") {
+TEST_CASE("a line has points", "[lua][system_file]") {
     const auto spec = system_of(
         "arena { size = { 2, 2 }, line { points = { { 0, 0 }, { 0.5, 0.25 }, { 1, 1 } } },\n"
         "line { points = { { -1, -1 }, { 0, 0 } }, width = 0.05, color = 'red' } }");
@@ -285,7 +285,7 @@ TEST_CASE("a line is painted from point to point", "[lua][system_file]") {
     CHECK(spec.arena.lines[1].place.line == 2);
 }
 
-TEST_CASE("what a map of ROS has occupied stands in the arena", "[lua][system_file]") {
+TEST_CASE("occupied pixels of a map of ROS become boxes of the arena", "[lua][system_file]") {
     const Scratch scratch;
     scratch.write("behaviors/rooms/map.yaml", "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
     scratch.write("behaviors/rooms/map.pgm", std::string("P5\n2 1\n255\n") + '\0' + '\xfe');
@@ -313,7 +313,7 @@ TEST_CASE("what a map of ROS has occupied stands in the arena", "[lua][system_fi
     CHECK(high->arena.boxes.at(0).at.z == 0.2);
 }
 
-TEST_CASE("the bounds of a box hold for those of maps as well", "[lua][system_file]") {
+TEST_CASE("the limits of a box also apply to boxes of maps", "[lua][system_file]") {
     const Scratch scratch;
     scratch.write("behaviors/any.lua", "");
     const Project project = Project::of(scratch.path("s.lua"));
@@ -331,7 +331,7 @@ TEST_CASE("the bounds of a box hold for those of maps as well", "[lua][system_fi
           "s.lua:2: box: field 'at.x' expected a number up to 1000000, got 1002499");
 }
 
-TEST_CASE("a system says which RTCs see it, and where its ports lead", "[lua][system_file][rtm]") {
+TEST_CASE("rtm lists the exported components, and connections lead to RTCs", "[lua][system_file][rtm]") {
     const auto spec = system_of(
         "behavior 'c' { script = 'robot_controller' }\n"
         "rtm { nameserver = 'pc', export = { 'c' }, interface = '192.168.1.10', rename = { ['c.in'] = 'ir' } }\n"

@@ -14,7 +14,7 @@
 using namespace nezumi;
 using namespace nezumi::system_files;
 
-TEST_CASE("a camera takes its calibration from the file that ROS writes", "[lua][system_file]") {
+TEST_CASE("a camera uses a calibration file of ROS", "[lua][system_file]") {
     const Scratch scratch;
     scratch.write("behaviors/ost.yaml",
                   "image_width: 320\nimage_height: 240\ncamera_matrix: {data: [300, 0, 160, 0, 301, 120, 0, 0, 1]}\n"
@@ -38,7 +38,7 @@ TEST_CASE("a camera takes its calibration from the file that ROS writes", "[lua]
           "component 'x': calibration: is for a Camera, not for a LineDetector");
 }
 
-TEST_CASE("an argument of a system file has its default, or what is given", "[lua][system_file]") {
+TEST_CASE("an argument of a system file has its default or the given value", "[lua][system_file]") {
     const Scratch scratch;
     scratch.write("behaviors/any.lua", "");
     const Project project = Project::of(scratch.path("s.lua"));
@@ -61,7 +61,7 @@ TEST_CASE("an argument of a system file has its default, or what is given", "[lu
           "s.lua:1: argument: expected a name and a default, as in argument(\"n\", 5), got number");
 }
 
-TEST_CASE("the domain of a node of ROS is the environment's where nobody says it", "[lua][system_file]") {
+TEST_CASE("the default domain of a ROS node is that of the environment", "[lua][system_file]") {
     const auto domain_of = [](const std::string& said) {
         const auto spec = system_of("ros { node = 'n'" + said + " }");
         REQUIRE(spec.ros.has_value());
@@ -77,7 +77,7 @@ TEST_CASE("the domain of a node of ROS is the environment's where nobody says it
     CHECK(domain_of("") == 0);
 }
 
-TEST_CASE("more than a turn is asked about: were degrees meant?", "[lua][system_file]") {
+TEST_CASE("an angle of more than a turn gives a note about degrees", "[lua][system_file]") {
     std::vector<std::string> notes;
     SystemFileOptions options;
     options.print = [&](std::string_view line) { notes.emplace_back(line); };

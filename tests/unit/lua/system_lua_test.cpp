@@ -44,7 +44,7 @@ struct Methods {
 
 }  // namespace
 
-TEST_CASE("the words are methods of an object as well", "[lua][system_words]") {
+TEST_CASE("the words are also methods of an object", "[lua][system_words]") {
     Methods methods;
     CHECK(methods.run(R"(
         s:robot "mouse" { model = "raspimouse" }
@@ -60,7 +60,7 @@ TEST_CASE("the words are methods of an object as well", "[lua][system_words]") {
     CHECK(methods.words.finish().has_value());
 }
 
-TEST_CASE("an error of a method is Lua's, and may be caught", "[lua][system_words]") {
+TEST_CASE("an error of a method is a Lua error, which pcall catches", "[lua][system_words]") {
     Methods methods;
     CHECK(methods.run("s:robot('mouse', { model = 'raspimous' })").substr(0, 65) ==
           "t.lua:1: robot 'mouse': there is no robot model 'raspimous' (did ");
@@ -68,7 +68,7 @@ TEST_CASE("an error of a method is Lua's, and may be caught", "[lua][system_word
     CHECK(methods.words.spec().rate == 20);
 }
 
-TEST_CASE("words go on with a system that was read before", "[lua][system_words]") {
+TEST_CASE("words extend a system that was read before", "[lua][system_words]") {
     Methods methods;
     REQUIRE(methods.run("s:robot 'mouse' { model = 'raspimouse' }").empty());
     SystemWords more(methods.project, methods.words.spec());

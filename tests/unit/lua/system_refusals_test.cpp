@@ -21,13 +21,14 @@ TEST_CASE("seed, rates and connections of a system file are read", "[lua][system
     CHECK(system_of("connect('a.x', 'b.in') connect('a.x', 'c.in')").connections.size() == 2);
 }
 
-TEST_CASE("what is no Lua, runs into an error or never ends is one message", "[lua][system_file][watchdog]") {
+TEST_CASE("a file with a syntax error, a run-time error or an endless loop gives one message",
+          "[lua][system_file][watchdog]") {
     CHECK_THAT(system_error("arena {\n  box {\n"), Catch::StartsWith("s.lua:"));
     CHECK_THAT(system_error("local a = nil\nlocal b = a.x"),
                Catch::StartsWith("s.lua:2: attempt to index a nil value"));
     CHECK(system_error("error('no arena today')") == "s.lua:1: no arena today");
     CHECK_THAT(system_error("\x1bLua"), Catch::Contains("bytecode"));
-    CHECK(system_error("") == "s.lua: the file says nothing: expected robot, behavior, arena, connect ...");
+    CHECK(system_error("") == "s.lua: the file declares nothing: expected robot, behavior, arena, connect ...");
     const auto endless = read("while true do end", {.seconds = 0.05});
     REQUIRE_FALSE(endless.has_value());
     CHECK(endless.error().kind == Error::Kind::out_of_time);
@@ -38,13 +39,7 @@ TEST_CASE("what is no Lua, runs into an error or never ends is one message", "[l
                Catch::Contains("memory"));
 }
 
-TEST_CASE("a missing system file is one plain message", "[lua][system_file]") {
-    const Project project = Project::of("nothing.lua");
-    CHECK(describe(read_system_file("nothing.lua", project).error()) == "nothing.lua: there is no such file");
-    CHECK(describe(read_system_file("behaviors", project).error()) == "behaviors: is a folder, expected a file");
-}
-
-TEST_CASE("a check of a system file tells every unknown global", "[lua][system_file]") {
+TEST_CASE("a check of a system file reports every unknown global", "[lua][system_file]") {
     const Project project = Project::of(root / "behaviors/systems/s.lua", {root});
     CHECK(check_system_text("seed(1)", "s.lua", project).empty());
     const auto errors = check_system_text("sead(1)\nif false then\n  robott 'm' {}\nend", "s.lua", project);

@@ -22,7 +22,7 @@ SystemSpec read_text(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a system is written as a person would write it", "[lua][system_text]") {
+TEST_CASE("a system is written in the style of a person", "[lua][system_text]") {
     const SystemSpec spec = read_text(R"(
         arena { box { at = { 0.8, 0.0, 0.15 }, size = { 0.1, 1.0, 0.3 } } }
         robot "mouse" { model = "raspimouse", pose = { heading = 1.5 } }
@@ -86,7 +86,7 @@ TEST_CASE("painted lines are written and read back", "[lua][system_text]") {
     CHECK(write_system_text(read_text(text), "Lines") == text);
 }
 
-TEST_CASE("what RTCs see is written and read back", "[lua][system_text][rtm]") {
+TEST_CASE("rtm is written and read back", "[lua][system_text][rtm]") {
     const SystemSpec spec = read_text(
         "behavior 'c' { script = 'robot_controller' }\n"
         "rtm { export = 'c', nameserver = 'pc', rename = { ['c.in'] = 'ir' } }\n"

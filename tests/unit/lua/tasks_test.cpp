@@ -3,7 +3,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("a task that never waits uses up the execution's budget", "[lua][tasks][watchdog]") {
+TEST_CASE("a task that never waits ends with the execution's time", "[lua][tasks][watchdog]") {
     const Text body =
         GENERATE(as<Text>{}, "while true do end", "coroutine.wrap(function() while true do end end)()",
                  "while true do pcall(function() while true do end end) end", "wait(0.01) while true do end");
@@ -16,7 +16,7 @@ TEST_CASE("a task that never waits uses up the execution's budget", "[lua][tasks
     CHECK(rig.status() == "INACTIVE");
 }
 
-TEST_CASE("a reload begins tasks anew, with the state kept, and says so", "[lua][tasks][reload]") {
+TEST_CASE("a reload starts tasks again, keeps the state, and reports it", "[lua][tasks][reload]") {
     const Text wait = GENERATE(as<Text>{}, "wait(1)", "wait_until(function() return false end)",
                                "coroutine.wrap(function() wait(1) end)()", "pcall(wait, 1)");
     const auto text = [&](const Text& step) {
@@ -37,7 +37,7 @@ TEST_CASE("a reload begins tasks anew, with the state kept, and says so", "[lua]
     CHECK(world.out<std::int32_t>("it.out") == 11);
 }
 
-TEST_CASE("a roll-back in probation goes on where the old version's tasks stood", "[lua][tasks][reload]") {
+TEST_CASE("a version that goes back in its first executions continues its tasks", "[lua][tasks][reload]") {
     ReloadRig world;
     const Text good =
         "local out = output('out', 'TimedLong')\ntask('t', function() out:write(1) wait(0.05) out:write(2) end)\n";

@@ -42,7 +42,7 @@ TEST_CASE("a connection to an RTC carries what a port publishes", "[openrtm][awa
     REQUIRE(rig.tells_line("connected: relay.out to rtm:In0.in"));  // here as well
     rig.publish(seven);
     rig.turn();
-    CHECK(payload_of(rig.hears(*in, "got "), type_index<std::int32_t>(), std::endian::little) == Value(seven));
+    CHECK(payload_of(rig.hears(*in, "got "), message_of<std::int32_t>(), std::endian::little) == Value(seven));
 }
 
 TEST_CASE("an RTC whose port does not fit is reported and not connected", "[openrtm][away][wallclock]") {

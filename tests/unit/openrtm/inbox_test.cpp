@@ -23,8 +23,8 @@ std::vector<std::uint8_t> bytes_of(const Value& value, std::endian order = std::
 }
 
 struct InboxRig {
-    explicit InboxRig(std::size_t type) { open_to(type); }
-    void open_to(std::size_t type) {
+    explicit InboxRig(const MessageType* type) { open_to(type); }
+    void open_to(const MessageType* type) {
         auto other = make_in_port(type, "in", "", 0);
         inbox.open_to({{"c.in", other.get()}});
         port = std::move(other);
@@ -42,8 +42,8 @@ struct InboxRig {
 TEST_CASE("a message of every type arrives as it was sent, in both byte orders", "[openrtm][inbox]") {
     for (const Value& sample : samples()) {
         for (const std::endian order : {std::endian::little, std::endian::big}) {
-            CAPTURE(message_type_names[message_index(sample.type())], order == std::endian::little);
-            InboxRig rig(message_index(sample.type()));
+            CAPTURE(message_name(sample.type()), order == std::endian::little);
+            InboxRig rig(message_of(sample.type()));
             CHECK(rig.put(bytes_of(sample, order), order) == PutAnswer::taken);
             const auto arrivals = rig.inbox.take();
             REQUIRE(arrivals.size() == 1);
@@ -57,8 +57,8 @@ TEST_CASE("a message of every type arrives as it was sent, in both byte orders",
 
 TEST_CASE("a malformed message is refused and counted", "[openrtm][inbox]") {
     for (const Value& sample : samples()) {
-        CAPTURE(message_type_names[message_index(sample.type())]);
-        InboxRig rig(message_index(sample.type()));
+        CAPTURE(message_name(sample.type()));
+        InboxRig rig(message_of(sample.type()));
         auto bytes = bytes_of(sample);
         bytes.pop_back();
         CHECK(rig.put(bytes) == PutAnswer::malformed);
@@ -67,13 +67,13 @@ TEST_CASE("a malformed message is refused and counted", "[openrtm][inbox]") {
         CHECK(rig.inbox.malformed() == 2);
         CHECK(rig.inbox.take().empty());
     }
-    InboxRig rig(type_index<Velocity2D>());
+    InboxRig rig(message_of<Velocity2D>());
     CHECK(rig.put(bytes_of(Velocity2D{.vx = std::numeric_limits<double>::quiet_NaN()})) == PutAnswer::malformed);
     CHECK(rig.problem == "expected finite numbers");
 }
 
 TEST_CASE("messages of a port that is not read wait, and the oldest are dropped", "[openrtm][inbox]") {
-    InboxRig rig(type_index<std::int32_t>());
+    InboxRig rig(message_of<std::int32_t>());
     const int sent = static_cast<int>(Inbox::most_waiting) + 10;
     for (int i = 0; i < sent; ++i) CHECK(rig.put(bytes_of(std::int32_t{i})) == PutAnswer::taken);
     const auto arrivals = rig.inbox.take();
@@ -84,7 +84,7 @@ TEST_CASE("messages of a port that is not read wait, and the oldest are dropped"
 }
 
 TEST_CASE("the size of waiting pictures is limited", "[openrtm][inbox]") {
-    InboxRig rig(type_index<CameraImage>());
+    InboxRig rig(message_of<CameraImage>());
     const CameraImage picture{.width = 1000, .height = 1000, .bpp = 24, .format = "rgb8", .pixels = Octets(3'000'000)};
     const auto bytes = bytes_of(picture);
     for (int i = 0; i < 20; ++i) CHECK(rig.put(bytes) == PutAnswer::taken);
@@ -94,7 +94,7 @@ TEST_CASE("the size of waiting pictures is limited", "[openrtm][inbox]") {
 }
 
 TEST_CASE("names of connections count as waiting bytes", "[openrtm][inbox]") {
-    InboxRig rig(type_index<std::int32_t>());
+    InboxRig rig(message_of<std::int32_t>());
     const std::string name(Inbox::most_bytes / 4, 'x');
     for (int i = 0; i < 8; ++i)
         CHECK(rig.inbox.put("c.in", name, bytes_of(std::int32_t{i}), std::endian::little, rig.problem) ==
@@ -103,30 +103,30 @@ TEST_CASE("names of connections count as waiting bytes", "[openrtm][inbox]") {
 }
 
 TEST_CASE("a port that is not open accepts nothing and loses waiting messages", "[openrtm][inbox]") {
-    InboxRig rig(type_index<bool>());
+    InboxRig rig(message_of<bool>());
     CHECK(rig.inbox.put("c.other", "peer", bytes_of(true), std::endian::little, rig.problem) == PutAnswer::unknown);
     CHECK(rig.put(bytes_of(true)) == PutAnswer::taken);
-    rig.open_to(type_index<bool>());
+    rig.open_to(message_of<bool>());
     CHECK(rig.inbox.take().size() == 1);
     CHECK(rig.put(bytes_of(true)) == PutAnswer::taken);
-    rig.open_to(type_index<double>());
+    rig.open_to(message_of<double>());
     CHECK(rig.inbox.take().empty());
 }
 
 TEST_CASE("a sender of velocities that disconnects leaves a zero", "[openrtm][inbox]") {
-    InboxRig velocity(type_index<Velocity2D>());
+    InboxRig velocity(message_of<Velocity2D>());
     CHECK(velocity.put(bytes_of(Velocity2D{.vx = 0.2})) == PutAnswer::taken);
     velocity.inbox.put_zero("c.in", "peer");
     const auto arrivals = velocity.inbox.take();
     REQUIRE(arrivals.size() == 1);
     CHECK(arrivals[0].value == Value(Velocity2D{}));
-    InboxRig other(type_index<double>());
+    InboxRig other(message_of<double>());
     other.inbox.put_zero("c.in", "peer");
     CHECK(other.inbox.take().empty());
 }
 
 TEST_CASE("of waiting velocities the latest moves the robot, unless it is old", "[openrtm][inbox]") {
-    InboxRig rig(type_index<Velocity2D>());
+    InboxRig rig(message_of<Velocity2D>());
     const auto put_two = [&] {
         for (const double speed : {0.1, 0.2}) CHECK(rig.put(bytes_of(Velocity2D{.vx = speed})) == PutAnswer::taken);
     };
@@ -141,7 +141,7 @@ TEST_CASE("of waiting velocities the latest moves the robot, unless it is old", 
     put_two();
     rig.inbox.put_zero("c.in", "peer");
     CHECK(rig.inbox.take(later + 1s).size() == 1);  // a stop holds
-    InboxRig other(type_index<std::int32_t>());
+    InboxRig other(message_of<std::int32_t>());
     CHECK(other.put(bytes_of(std::int32_t{7})) == PutAnswer::taken);
     CHECK(other.inbox.take(later + 1s).size() == 1);
 }

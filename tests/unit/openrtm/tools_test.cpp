@@ -38,7 +38,7 @@ TEST_CASE("a connection made by an RTC or a tool is one of the system", "[openrt
     REQUIRE(rig.live->system().foreign_connections().size() == 1);  // so `save` keeps it
     rig.publish(std::int32_t{7});
     rig.turn();
-    CHECK(payload_of(rig.hears(*in, "got "), type_index<std::int32_t>(), std::endian::little) ==
+    CHECK(payload_of(rig.hears(*in, "got "), message_of<std::int32_t>(), std::endian::little) ==
           Value(std::int32_t{7}));
     // It is not made twice, and what ends it there ends it here.
     CHECK(rig.answer(*in, "profiles relay0 out", "profiles") == "profiles made by the fake");

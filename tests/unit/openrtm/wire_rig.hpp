@@ -101,7 +101,7 @@ inline std::string hex_of(const Value& value, std::endian order) {
 }
 
 /// The payload of "got HEX"; the zero of the type where there is none.
-inline Value payload_of(const std::string& line, std::size_t type, std::endian order) {
+inline Value payload_of(const std::string& line, const MessageType* type, std::endian order) {
     std::vector<std::uint8_t> bytes;
     for (std::size_t i = 4; i + 1 < line.size(); i += 2)
         bytes.push_back(static_cast<std::uint8_t>(std::stoi(line.substr(i, 2), nullptr, 16)));

@@ -21,14 +21,14 @@ std::string endian_of(std::endian order) {
 Value received(WireRig& rig, Peer& peer, const Value& value, std::endian order) {
     rig.publish(value);
     rig.turn();
-    return payload_of(rig.hears(peer, "got "), message_index(value.type()), order);
+    return payload_of(rig.hears(peer, "got "), message_of(value.type()), order);
 }
 
 }  // namespace
 
 TEST_CASE("every type is pushed to an RTC and from one, in both byte orders", "[openrtm][wire][wallclock]") {
     for (const Value& sample : samples()) {
-        const std::string_view type = message_type_names[message_index(sample.type())];
+        const std::string_view type = message_name(sample.type());
         CAPTURE(type);
         WireRig rig(type);
         const auto in = rig.rtc("In0", "in", type, "in");
@@ -60,7 +60,7 @@ TEST_CASE("messages are fetched from both sides", "[openrtm][wire][wallclock]") 
     rig.publish(std::int32_t{7});
     rig.turn();
     in->say("fetch");
-    CHECK(payload_of(rig.hears(*in, "got "), type_index<std::int32_t>(), std::endian::little) ==
+    CHECK(payload_of(rig.hears(*in, "got "), message_of<std::int32_t>(), std::endian::little) ==
           Value(std::int32_t{7}));
 
     REQUIRE(rig.answer(*out, "connect relay0 in dataflow_type=pull", "connected ") == "connected 0");
@@ -78,7 +78,7 @@ TEST_CASE("an out-port can have several connections, but none twice", "[openrtm]
     rig.publish(std::int32_t{7});
     rig.turn();
     for (const auto& peer : {first.get(), second.get()})
-        CHECK(payload_of(rig.hears(*peer, "got "), type_index<std::int32_t>(), std::endian::little) ==
+        CHECK(payload_of(rig.hears(*peer, "got "), message_of<std::int32_t>(), std::endian::little) ==
               Value(std::int32_t{7}));
 }
 

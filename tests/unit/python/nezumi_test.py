@@ -160,7 +160,7 @@ class ConsoleTest(Case):
             running = nezumi.systems()
             self.assertEqual([each.name for each in running], ["stop_at_wall"] * 2)
             said = self.refused(nezumi.Error, nezumi.attach, "stop_at_wall")
-            self.assertIn("several systems are running, say which by its name or its process: stop_at_wall (process ", said)
+            self.assertIn("several systems are running, choose one by its name or process number: stop_at_wall (process ", said)
             self.assertIn("no system 'room' is running; running: stop_at_wall", self.refused(nezumi.Ended, nezumi.attach, "room"))
             first.step(3)
             seen = []

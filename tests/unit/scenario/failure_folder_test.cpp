@@ -8,13 +8,13 @@
 
 using namespace nezumi;
 
-TEST_CASE("the folder of a failure is called like its file and its run", "[lua][scenario][folder]") {
+TEST_CASE("the folder of a failure has the names of its file and its run", "[lua][scenario][folder]") {
     CHECK(run_file_name("tests/stop_test.lua", "drives [speed=0.1, turn=-2]", true) ==
           "stop_test-drives-speed=0.1-turn=-2");
     CHECK(run_file_name("停止_test.lua", "壁の前で止まる", true) == "停止_test-壁の前で止まる");
 }
 
-TEST_CASE("no two runs share the folder of their failures, whatever their names", "[lua][scenario][folder]") {
+TEST_CASE("two runs never share a folder for failures, whatever their names", "[lua][scenario][folder]") {
     const auto name = [](std::string_view run) { return run_file_name("a_test.lua", run, true); };
     CHECK(name("a/b") != name("a:b"));
     CHECK(name("a b") != name("a-b"));
@@ -22,7 +22,7 @@ TEST_CASE("no two runs share the folder of their failures, whatever their names"
     CHECK(run_file_name("one/a_test.lua", "x", false) != run_file_name("two/a_test.lua", "x", false));
 }
 
-TEST_CASE("the folder of a failure lies below the one that was given, whatever its name", "[lua][scenario][folder]") {
+TEST_CASE("the folder of a failure is below the given folder, whatever its name", "[lua][scenario][folder]") {
     for (const std::string_view run : {"", ".", "..", "../..", "/", "-", "\n", "a/../../b", "日本", "\xff\xfe"}) {
         for (const char* file : {".lua", "..", "...lua", "日本.lua", "-.lua", "/"}) {
             const std::string name = run_file_name(file, run, true);
@@ -37,7 +37,7 @@ TEST_CASE("the folder of a failure lies below the one that was given, whatever i
     CHECK(long_name.find("x-") != std::string::npos);  // no letter is cut in two
 }
 
-TEST_CASE("the folder of a failure is emptied of an earlier one, and of nothing else", "[lua][scenario][folder]") {
+TEST_CASE("only files of an earlier failure are removed from the folder of a failure", "[lua][scenario][folder]") {
     const Scratch scratch;
     static_cast<void>(scratch.write("out/run/trace.csv", "old"));
     static_cast<void>(scratch.write("out/mine.txt", "kept"));

@@ -39,7 +39,7 @@ struct Tried {
 
 }  // namespace
 
-TEST_CASE("a comparison is found with its sides as the text says them", "[lua][scenario][condition]") {
+TEST_CASE("a comparison is found with the texts of its sides", "[lua][scenario][condition]") {
     const ObservedSource found = observe("math.abs(a.velocity.vx) < limit");
     CHECK(found.text == "function() return h(0,math.abs(a.velocity.vx) ,( limit)) end");
     REQUIRE(found.comparisons.size() == 1);
@@ -50,7 +50,7 @@ TEST_CASE("a comparison is found with its sides as the text says them", "[lua][s
     CHECK(found.comparisons[0].for_false);
 }
 
-TEST_CASE("what decides follows the words and, or and not", "[lua][scenario][condition]") {
+TEST_CASE("and, or and not determine which comparison decides", "[lua][scenario][condition]") {
     const auto flags = [](std::string_view expression) {
         std::string out;
         for (const Comparison& c : observe(expression).comparisons) {
@@ -72,7 +72,7 @@ TEST_CASE("what decides follows the words and, or and not", "[lua][scenario][con
     CHECK(flags("a < 1 == true").empty());
 }
 
-TEST_CASE("functions of another form are left alone", "[lua][scenario][condition]") {
+TEST_CASE("functions of another form are not changed", "[lua][scenario][condition]") {
     CHECK(observe("flag").text.empty());
     CHECK(observe("any(function() return a < 1 end)").text.empty());
     CHECK(observe_comparisons("f = function() local x = 1 return x < 2 end", 1, 1, "h").text.empty());
@@ -82,12 +82,12 @@ TEST_CASE("functions of another form are left alone", "[lua][scenario][condition
         observe_comparisons("f, g = function() return a < 2 end, function() return b < 2 end", 1, 1, "h").text.empty());
 }
 
-TEST_CASE("a condition over several lines keeps its lines", "[lua][scenario][condition]") {
+TEST_CASE("a condition with several lines keeps its line numbers", "[lua][scenario][condition]") {
     const ObservedSource found = observe_comparisons("f(function()\n  return a -- first\n    < b\nend)", 1, 4, "h");
     CHECK(found.text == "function()\n  return h(0,a -- first\n    ,( b))\nend");
 }
 
-TEST_CASE("a condition that notes what it compares has the outcome and the effects of the original",
+TEST_CASE("a condition that records comparisons has the result and the effects of the original",
           "[lua][scenario][condition]") {
     Tried tried(
         "local calls, limit = 0, 3\n"
@@ -101,7 +101,7 @@ TEST_CASE("a condition that notes what it compares has the outcome and the effec
     CHECK_FALSE(tried.condition->comparisons()[1].sampled);
 }
 
-TEST_CASE("the margin is that of the comparison nearest to its limit", "[lua][scenario][condition]") {
+TEST_CASE("the margin is the distance of the comparison nearest to its limit", "[lua][scenario][condition]") {
     Tried tried("local a, b = 0.25, 10\nreturn function() return a < 0.5 and b > 9.875 end");
     CHECK(tried.sample());
     const auto margin = margin_of(tried.condition->comparisons(), true);
@@ -110,14 +110,14 @@ TEST_CASE("the margin is that of the comparison nearest to its limit", "[lua][sc
     CHECK(text_of(*margin->comparison) == "b > 9.875");
 }
 
-TEST_CASE("the reason names what does not hold, and by how much", "[lua][scenario][condition]") {
+TEST_CASE("the reason names the comparison that failed, and by how much", "[lua][scenario][condition]") {
     Tried tried("local pose, limit = { x = 0.75 }, 0.5\nreturn function() return pose.x < limit and pose.x > 0 end");
     CHECK_FALSE(tried.sample());
     CHECK(reason_of(tried.condition->comparisons(), false) ==
           "pose.x < limit: pose.x was 0.75 m, limit was 0.5 m, off the limit by 0.25 m");
 }
 
-TEST_CASE("constants of the compiler do not become globals", "[lua][scenario][condition]") {
+TEST_CASE("compile-time constants do not become globals", "[lua][scenario][condition]") {
     Tried tried("local limit <const> = 3\nreturn function() return math.abs(-2) < limit end");
     CHECK(tried.sample());
 }

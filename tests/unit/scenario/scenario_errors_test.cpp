@@ -32,14 +32,14 @@ TEST_CASE("the message of the component is the first line of the report", "[scen
                Catch::Matches("FAILED it\n    [^\n]*behaviors/late.lua:3: late went to ERROR: no good\n[^]*"));
 }
 
-TEST_CASE("of several components in ERROR all are told, the first as the failure", "[scenario][errors]") {
+TEST_CASE("several components in ERROR are all reported, the first as the failure", "[scenario][errors]") {
     const RunResult result =
         ErrorRig("s:load 'systems/two.lua'\ns:behavior 'other' { script = 'late' }\ns:run(1)").run();
     CHECK(outcome_of(result) == "failed: behaviors/late.lua:3: late went to ERROR: no good");
     CHECK(result.facts.back() == "also behaviors/late.lua:3: other went to ERROR: no good");
 }
 
-TEST_CASE("measures of runs with a component in ERROR are left out of the summary, which says so",
+TEST_CASE("the summary omits measures of runs with a component in ERROR, and says so",
           "[scenario][errors][measures][session]") {
     ScenarioRig rig(
         "scenario('it', { sweep = { at = { 0.2, 0.4, 5 } } }, function(s, p)\n"
@@ -54,5 +54,5 @@ TEST_CASE("measures of runs with a component in ERROR are left out of the summar
     CHECK(end.summary.failed == 2);
     CHECK(end.measured.size() == 3);
     CHECK_THAT(rig.said, Catch::Contains("\nat [s] of it: 1 run, min 5, median 5, mean 5, max 5 (2 with a component in "
-                                         "ERROR, or not run to the end, left out)\n"));
+                                         "ERROR, or not run to the end, omitted)\n"));
 }

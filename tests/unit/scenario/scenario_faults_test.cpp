@@ -12,7 +12,7 @@ constexpr double for_ever = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE("faults end in their time, and what lay under one works again", "[lua][scenario][faults]") {
+TEST_CASE("faults end at their time, and the effect below works again", "[lua][scenario][faults]") {
     std::string done;
     Faults faults;
     const auto effect = [&](char put, char undone) {
@@ -38,7 +38,7 @@ TEST_CASE("faults end in their time, and what lay under one works again", "[lua]
     CHECK(faults.empty());
 }
 
-TEST_CASE("a fault that ends under another one says nothing", "[lua][scenario][faults]") {
+TEST_CASE("a fault that ends below another one is not reported", "[lua][scenario][faults]") {
     std::string done;
     Faults faults;
     const auto effect = [&](char put, char undone) {

@@ -30,13 +30,13 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 }  // namespace
 
-TEST_CASE("a golden that is not there fails and says how to write it", "[lua][scenario][golden]") {
+TEST_CASE("a missing golden fails, and the message says how to write it", "[lua][scenario][golden]") {
     ScenarioRig rig(drive);
     CHECK(outcome_of(rig.run()).starts_with("failed: it_test.lua:3: golden 'it.csv': "));
     CHECK(outcome_of(rig.run()).ends_with("; nezumi test --update-goldens writes it"));
 }
 
-TEST_CASE("a run agrees with the golden that it wrote", "[lua][scenario][golden]") {
+TEST_CASE("a run matches the golden that it wrote", "[lua][scenario][golden]") {
     ScenarioRig rig(drive);
     write_golden(rig);
     CHECK(outcome_of(rig.run()) == "passed");
@@ -47,7 +47,7 @@ TEST_CASE("a run agrees with the golden that it wrote", "[lua][scenario][golden]
     CHECK(std::count(text.begin(), text.end(), '\n') == 11);
 }
 
-TEST_CASE("a golden outside of the project is neither read nor written", "[lua][scenario][golden]") {
+TEST_CASE("a golden outside of the project is refused", "[lua][scenario][golden]") {
     for (const char* name : {"../it.csv", "link/it.csv"}) {
         ScenarioRig rig(replaced(drive, "it.csv", name));
         std::filesystem::create_directory_symlink(rig.folder().path().parent_path(), rig.folder().path("link"));
@@ -62,7 +62,7 @@ TEST_CASE("a golden outside of the project is neither read nor written", "[lua][
     }
 }
 
-TEST_CASE("each run of a sweep has a golden of its own", "[lua][scenario][golden]") {
+TEST_CASE("each run of a sweep has its own golden", "[lua][scenario][golden]") {
     ScenarioRig rig(
         "scenario('it', { sweep = { speed = { 0.1, 0.2 }, way = { 'a/b' } } }, function(s, p)\n"
         "  local w = s:load 'systems/stop_at_wall.lua' w.controller.config.speed_x = p.speed\n"
@@ -86,7 +86,7 @@ TEST_CASE("each run of a sweep has a golden of its own", "[lua][scenario][golden
     CHECK(rig.said.find("golden 'out/" + names[1] + "': line ") != std::string::npos);
 }
 
-TEST_CASE("a value beyond the tolerance is named with its line and time", "[lua][scenario][golden]") {
+TEST_CASE("a value outside of the tolerance is reported with line and time", "[lua][scenario][golden]") {
     ScenarioRig rig(drive);
     write_golden(rig);
     const std::string text = text_of_file(rig.folder().path("it.csv"));
@@ -105,7 +105,7 @@ TEST_CASE("a value beyond the tolerance is named with its line and time", "[lua]
           "nothing");
 }
 
-TEST_CASE("a golden of another length or of other ports differs", "[lua][scenario][golden]") {
+TEST_CASE("a golden with another length or other ports differs", "[lua][scenario][golden]") {
     ScenarioRig rig(drive);
     write_golden(rig);
     const std::string text = text_of_file(rig.folder().path("it.csv"));
@@ -118,7 +118,7 @@ TEST_CASE("a golden of another length or of other ports differs", "[lua][scenari
     CHECK(outcome_of(rig.run()) == "failed: it_test.lua:3: golden 'it.csv': the file is empty");
 }
 
-TEST_CASE("whatever a golden's file says is shown as text, and not at length", "[lua][scenario][golden]") {
+TEST_CASE("the content of a golden's file is shown as short, printable text", "[lua][scenario][golden]") {
     ScenarioRig rig(drive);
     write_golden(rig);
     const std::string text = text_of_file(rig.folder().path("it.csv"));
@@ -146,7 +146,7 @@ TEST_CASE("a golden has every message of a tick", "[lua][scenario][golden]") {
           "time,teller.out\n0.01," + said + "0.01," + more + "0.02," + said + "0.02," + more);
 }
 
-TEST_CASE("a golden is that of one line of a run, and of several runs that write the same", "[lua][scenario][golden]") {
+TEST_CASE("a golden belongs to one line of a run, or to several runs with the same values", "[lua][scenario][golden]") {
     ScenarioRig twice(
         "scenario('it', function(s)\n"
         "  s:load 'systems/stop_at_wall.lua'\n"

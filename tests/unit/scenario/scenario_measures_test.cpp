@@ -15,7 +15,7 @@ MeasuredRun measured(const std::string& name, double value, const std::string& u
 
 }  // namespace
 
-TEST_CASE("a run keeps a number under each name, without a world and when it fails", "[scenario][measures]") {
+TEST_CASE("a run records a number for each name, also without a world and if it fails", "[scenario][measures]") {
     ScenarioRig rig(
         "scenario('it', function(s)\n"
         "  s:measure('count', 3)\n"
@@ -29,7 +29,7 @@ TEST_CASE("a run keeps a number under each name, without a world and when it fai
     CHECK(from_bytes(to_bytes(result)).value().measures == result.measures);
 }
 
-TEST_CASE("quantiles lie between values as R and NumPy have them", "[scenario][measures]") {
+TEST_CASE("quantiles are interpolated as in R and NumPy", "[scenario][measures]") {
     CHECK(quantile({7}, 0.25) == 7);
     CHECK(quantile({1, 2, 3, 4}, 0.25) == 1.75);
     CHECK(quantile({1, 2, 3, 4}, 0.5) == 2.5);
@@ -45,7 +45,7 @@ TEST_CASE("a summary has one line for each measure of a scenario", "[scenario][m
     CHECK(text_of(all[1]) == "time [m] of a: 1 run, min 9, median 9, mean 9, max 9");
 }
 
-TEST_CASE("the table has a row for each run, and names no column twice", "[scenario][measures]") {
+TEST_CASE("the table has a row for each run, and each column once", "[scenario][measures]") {
     const auto text = [](std::string value) {
         PlainData data;
         data.values.emplace_back(std::move(value));
@@ -63,7 +63,7 @@ TEST_CASE("the table has a row for each run, and names no column twice", "[scena
     CHECK(measures_csv({}) == "scenario,run,seed,passed\n");
 }
 
-TEST_CASE("a session sums up what its runs measured, each as it was planned", "[scenario][measures][session]") {
+TEST_CASE("a session summarizes the measures of the planned runs", "[scenario][measures][session]") {
     ScenarioRig rig(
         "scenario('it', { sweep = { x = range(0, 100) }, samples = 9 }, function(s, p)\n"
         "  s:measure('x', p.x, 'm')\n"

@@ -1,10 +1,9 @@
-// Slips in a scenario's own words: the scenario could not be run, and what is in the text is found before it runs.
+// Methods of scenarios refuse wrong arguments. Texts with mistakes are in tests/texts/scenarios.
 #include <catch2/catch.hpp>
 #include <map>
 #include <string>
 
 #include "bindings/lua/files/system_lua.hpp"
-#include "bindings/scenario/method_scan.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
 #include "tests/unit/scenario/scenario_rig.hpp"
 
@@ -12,18 +11,11 @@ using namespace nezumi;
 
 namespace {
 
-std::string slips(const std::string& text) {
-    const std::vector<std::string_view> words{"always", "check", "run"};
-    std::string all;
-    for (const Error& error : unknown_methods(text, "t.lua", words)) all += describe(error) + "\n";
-    return all;
-}
-
 std::string with_world(const std::string& line) { return outcome_of("s:load 'systems/stop_at_wall.lua'\n" + line); }
 
 }  // namespace
 
-TEST_CASE("every method of a scenario refuses an argument too many and one of a wrong kind", "[scenario][bridge]") {
+TEST_CASE("every method of a scenario refuses too many arguments and a wrong type", "[scenario][bridge]") {
     struct Refusals {
         std::string surplus, surplus_says, wrong, wrong_says;
     };
@@ -105,85 +97,4 @@ TEST_CASE("every method of a scenario refuses an argument too many and one of a 
         CHECK(with_world(refusals.surplus) == begin + refusals.surplus_says);
         if (!refusals.wrong.empty()) CHECK(with_world(refusals.wrong) == begin + refusals.wrong_says);
     }
-}
-
-TEST_CASE("words that a scenario does not have are found in its text", "[scenario][diagnostics]") {
-    CHECK(slips("scenario('a', function(s)\n  s:rum(1) s:run(1)\n  if x then s:chek(1) end\nend)") ==
-          "t.lua:2:5: s has no 'rum' (did you mean 'run'?)\nt.lua:3:15: s has no 'chek' (did you mean 'check'?)\n");
-    CHECK(slips("scenario('a', { sweep = { f = { function() end } } }, function(it, p) it:rum() end)") ==
-          "t.lua:1:74: it has no 'rum' (did you mean 'run'?)\n");
-    CHECK(slips("scenario('a', function(s) local function g() s:rum() end for i = 1, 2 do g() end end) s:rum()") ==
-          "t.lua:1:48: s has no 'rum' (did you mean 'run'?)\n");
-    CHECK(slips("scenario('a', function(s) s:run() end) scenario('b', function(t) t:rum() end)") ==
-          "t.lua:1:68: t has no 'rum' (did you mean 'run'?)\n");
-    CHECK(slips("scenario('a', function(s) repeat local x = 1 until x s:rum() end)") ==
-          "t.lua:1:56: s has no 'rum' (did you mean 'run'?)\n");
-}
-
-TEST_CASE("a scenario is followed past locals without a value", "[scenario][diagnostics]") {
-    CHECK(slips("scenario('a', function(s) local a\ns:rum() end)") ==
-          "t.lua:2:3: s has no 'rum' (did you mean 'run'?)\n");
-    CHECK(slips("scenario('a', function(s) local a <const>, b; s:rum() end)") ==
-          "t.lua:1:49: s has no 'rum' (did you mean 'run'?)\n");
-    CHECK(slips("scenario('a', function(s) do local s = 1 s:rum() end s:chek() end)") ==
-          "t.lua:1:56: s has no 'chek' (did you mean 'check'?)\n");
-    CHECK(slips("scenario('a', function(s) if x then local s = 1 s:rum() else s:chek() end end)") ==
-          "t.lua:1:64: s has no 'chek' (did you mean 'check'?)\n");
-    CHECK(slips("scenario('a', function(s) f(function(s) s:rum() end) local function s() end s:rum() end)").empty());
-    CHECK(slips("scenario('a', function(s) for s in x do s:rum() end s:chek() end)") ==
-          "t.lua:1:55: s has no 'chek' (did you mean 'check'?)\n");
-}
-
-TEST_CASE("a scenario is followed into functions that have a name", "[scenario][diagnostics]") {
-    const std::string says = "t has no 'rum' (did you mean 'run'?)\n";
-    CHECK(slips("local function body(t) t:rum() end scenario('a', {}, body) scenario('b', body)") ==
-          "t.lua:1:26: " + says);
-    CHECK(slips("local body = function(t) t:rum() end scenario('a', body)") == "t.lua:1:28: " + says);
-    CHECK(slips("local function f(x, t) t:rum() end scenario('a', function(s) f({ 1, s }, s) f(s.mouse, 2) end)") ==
-          "t.lua:1:26: " + says);
-    CHECK(slips("local function g(t) t:rum() end local function f(it) g(it) end scenario('a', function(s) f(s) end)") ==
-          "t.lua:1:23: " + says);
-    CHECK(slips("function f(t) f(t) t:rum() end scenario('a', f)") == "t.lua:1:22: " + says);
-    // Not given the scenario, or nobody knows.
-    CHECK(slips("local function f(t) t:rum() end scenario('a', function(s) f(s.mouse) f(x, s) x.f(s) end)").empty());
-    CHECK(slips("local function f(t) t:rum() end function f(t) end scenario('a', function(s) f(s) end)").empty());
-    CHECK(slips("local function f(t) t:rum() end scenario('a', f())").empty());
-    CHECK(slips("local function f() s:rum() end scenario('a', f)").empty());
-}
-
-TEST_CASE("a scenario is followed under a further name", "[scenario][diagnostics]") {
-    CHECK(slips("scenario('a', function(s) local w = s w:rum() do local v <const> = w; v:chek() end v:rum() end)") ==
-          "t.lua:1:41: w has no 'rum' (did you mean 'run'?)\n"
-          "t.lua:1:73: v has no 'chek' (did you mean 'check'?)\n");
-    CHECK(slips("scenario('a', function(s) local s = s s:rum() end)") ==
-          "t.lua:1:41: s has no 'rum' (did you mean 'run'?)\n");
-    CHECK(slips("scenario('a', function(s) local w = s.mouse w:rum() local v = s or w v:rum() end)").empty());
-    CHECK(slips("scenario('a', function(s) s = other s:rum() end)").empty());
-    CHECK(slips("scenario('a', function(s) f { s = s } s:rum() end)") ==
-          "t.lua:1:41: s has no 'rum' (did you mean 'run'?)\n");
-}
-
-TEST_CASE("a seed that is called as a method is refused with what gives a scenario one", "[scenario][diagnostics]") {
-    const std::string says =
-        "s has no 'seed': the option seed = N of the scenario gives its runs one, and s.seed reads it";
-    CHECK(slips("scenario('a', function(s) s:seed(3) end)") == "t.lua:1:29: " + says + "\n");
-}
-
-TEST_CASE("what only looks like a scenario's word is left alone", "[scenario][diagnostics]") {
-    CHECK(slips("-- s:rum()\nscenario('a', function(s) print('s:rum()') x.s:rum() y:s() s.rum() s.mouse:rum() end)")
-              .empty());
-    CHECK(slips("scenario('a', function(s) local s = other s:rum() end)").empty());
-    CHECK(slips("scenario('a', function(s) local a, s = 1, 2 s:rum() end)").empty());
-    CHECK(slips("scenario('a', function(s) f(function(s) s:rum() end) end)").empty());
-    CHECK(slips("scenario('a', function(s) for _, s in pairs(t) do s:rum() end end)").empty());
-    CHECK(slips("scenario('a', function(s)").empty());
-    CHECK(slips("scenario(").empty());
-    CHECK(slips("scenario 'a'").empty());
-}
-
-TEST_CASE("a scenario's function declares what it is given", "[scenario][diagnostics]") {
-    ScenarioRig rig("scenario('it', function(s, p, extra) end)");
-    static_cast<void>(rig.session());
-    CHECK(rig.said.find("scenario 'it': the function gets the scenario and its values; its parameter 'extra' is never "
-                        "given: leave it out") != std::string::npos);
 }

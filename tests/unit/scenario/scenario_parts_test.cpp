@@ -87,7 +87,7 @@ struct PartsRig : ScenarioRig {
 
 }  // namespace
 
-TEST_CASE("the parts of a session, merged, tell what the whole session tells", "[scenario][parts]") {
+TEST_CASE("the merged parts of a session give the report of the whole session", "[scenario][parts]") {
     PartsRig rig;
     rig.options.jobs = 2;
     const SessionEnd whole = rig.session();
@@ -113,7 +113,7 @@ TEST_CASE("the parts of a session, merged, tell what the whole session tells", "
     }
 }
 
-TEST_CASE("a run that nobody has made is named, with the part that makes it", "[scenario][parts]") {
+TEST_CASE("a missing run is reported with its part", "[scenario][parts]") {
     PartsRig rig;
     for (std::size_t part = 1; part <= 2; ++part) rig.make_part(part, 2);
     const PlannedRun second = rig.plan().runs[1];
@@ -131,7 +131,7 @@ TEST_CASE("a run that nobody has made is named, with the part that makes it", "[
     CHECK(rig.merge(2).reports[1].result.outcome == RunOutcome::passed);
 }
 
-TEST_CASE("folders that are no parts of one session are refused", "[scenario][parts]") {
+TEST_CASE("folders that are not parts of one session are refused", "[scenario][parts]") {
     PartsRig rig;
     rig.make_part(1, 2);
     rig.options.seed = 7;
@@ -147,7 +147,7 @@ TEST_CASE("folders that are no parts of one session are refused", "[scenario][pa
     CHECK(describe(twice.error()) == (rig.part(1) / "." / "").string() + ": is given twice: leave one of them out");
     const auto none = find_plan({rig.folder().path("behaviors")});
     REQUIRE_FALSE(none);
-    CHECK(none.error().message == "has no results of nezumi test --shard: expected a folder that one wrote by -o");
+    CHECK(none.error().message == "has no results of nezumi test --shard: expected a folder that it wrote with -o");
     rig.folder().write("part-1/results/plan-1-of-2", "nezumi plan 1\nand no more");
     CHECK(find_plan({rig.part(1)}).error().message == "has no plan that this nezumi can read");
     // A part that is made again takes the place of one of other runs.
@@ -155,7 +155,7 @@ TEST_CASE("folders that are no parts of one session are refused", "[scenario][pa
     CHECK(find_plan({rig.part(1), rig.part(2)}));
 }
 
-TEST_CASE("a session that resumes makes only what is not kept, and tells of all", "[scenario][parts]") {
+TEST_CASE("a resumed session makes only the missing runs, and reports all", "[scenario][parts]") {
     PartsRig rig("scenario('counts', { sweep = { n = { 1, 2, 3, 4 } } }, function(s, p) s:measure('n', p.n) end)\n");
     const TestPlan plan = rig.plan();
     rig.options.made_with = 5;
@@ -190,8 +190,9 @@ TEST_CASE("a session that resumes makes only what is not kept, and tells of all"
     CHECK(all == 4);
 }
 
-TEST_CASE("what results were made of: the version, the seed, the project's behaviours and what a scenario may read",
-          "[scenario][parts]") {
+TEST_CASE(
+    "the fingerprint depends on the version, the seed, the project's behaviours and the files that a scenario may read",
+    "[scenario][parts]") {
     PartsRig rig("scenario('it', function() end)\n");
     const auto now = [&](const std::string& version = "1", std::uint64_t seed = 1) {
         return fingerprint(rig.plan(), seed, version, rig.options.installed);
@@ -218,7 +219,7 @@ TEST_CASE("what results were made of: the version, the seed, the project's behav
     CHECK(now() != with_map);
 }
 
-TEST_CASE("what sessions write beside their scenarios is nothing that results were made of", "[scenario][parts]") {
+TEST_CASE("files that sessions write do not change the fingerprint", "[scenario][parts]") {
     PartsRig rig("scenario('it', function() end)\n");
     const auto scenario = rig.folder().write("tests/scenarios/deep_test.lua", "scenario('deep', function() end)");
     const auto now = [&] {
@@ -237,8 +238,7 @@ TEST_CASE("what sessions write beside their scenarios is nothing that results we
     CHECK(now() != before);
 }
 
-TEST_CASE("a session that was not to keep its results leaves none, and one that is killed leaves those that were over",
-          "[scenario][parts]") {
+TEST_CASE("a session leaves results only with the option keep, or if it is killed", "[scenario][parts]") {
     PartsRig rig(
         "scenario('counts', { timeout = 1e8, sweep = { n = { 1, 2, 3 } } }, function(s, p)\n"
         "  s:load 'systems/stop_at_wall.lua'\n"
@@ -268,7 +268,7 @@ TEST_CASE("a session that was not to keep its results leaves none, and one that 
     CHECK(is_kept(2));
 }
 
-TEST_CASE("a worker that is killed costs its own run, which a session that resumes makes again", "[scenario][parts]") {
+TEST_CASE("a killed worker loses its run, which a resumed session makes again", "[scenario][parts]") {
     PartsRig rig(
         "scenario('loads', { sweep = { n = { 1, 2, 3 } } }, function(s, p)\n"
         "  if p.n == 2 then s:load 'systems/stop_at_wall.lua' end\n"
@@ -291,7 +291,7 @@ TEST_CASE("a worker that is killed costs its own run, which a session that resum
     CHECK(made == 1);
 }
 
-TEST_CASE("a result that can't be kept for others is no result", "[scenario][parts]") {
+TEST_CASE("a run whose result can't be stored counts as not made", "[scenario][parts]") {
     PartsRig rig("scenario('it', function() end)\n");
     rig.folder().write("failures", "a file");
     const SessionEnd end = rig.session();

@@ -10,7 +10,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("answers come in the order of the tasks, however long each takes", "[lua][scenario][pool]") {
+TEST_CASE("answers are in the order of the tasks, whatever time each takes", "[lua][scenario][pool]") {
     std::string all;
     PoolTasks tasks;
     tasks.count = 6;
@@ -27,7 +27,7 @@ TEST_CASE("answers come in the order of the tasks, however long each takes", "[l
     CHECK(all == "012345");
 }
 
-TEST_CASE("a process that crashes costs its task and no other", "[lua][scenario][pool]") {
+TEST_CASE("a crash of a process ends only its task", "[lua][scenario][pool]") {
     std::vector<std::string> all;
     PoolTasks tasks;
     tasks.count = 3;
@@ -53,7 +53,7 @@ TEST_CASE("an interruption ends all processes at once", "[lua][scenario][pool]")
     CHECK(run_in_processes(tasks, 2) == PoolEnd::interrupted);
 }
 
-TEST_CASE("an interruption loses no answer of a task that was over", "[lua][scenario][pool]") {
+TEST_CASE("an interruption loses no answer of a finished task", "[lua][scenario][pool]") {
     std::vector<std::size_t> all;
     PoolTasks tasks;
     tasks.count = 4;
@@ -70,7 +70,7 @@ TEST_CASE("an interruption loses no answer of a task that was over", "[lua][scen
     CHECK(all == std::vector<std::size_t>{1, 2});
 }
 
-TEST_CASE("a hangup interrupts as a signal to stop does, unless it is ignored", "[lua][scenario][pool]") {
+TEST_CASE("a hangup interrupts like other signals, unless it is ignored", "[lua][scenario][pool]") {
     PoolTasks tasks;
     tasks.count = 1;
     tasks.run = [](std::size_t) -> std::string {
@@ -86,7 +86,7 @@ TEST_CASE("a hangup interrupts as a signal to stop does, unless it is ignored", 
     std::signal(SIGHUP, before);
 }
 
-TEST_CASE("a pool tells after each task how many are over", "[lua][scenario][pool]") {
+TEST_CASE("a pool reports the number of finished tasks after each task", "[lua][scenario][pool]") {
     std::vector<std::size_t> told;
     PoolTasks tasks;
     tasks.count = 3;
@@ -97,7 +97,7 @@ TEST_CASE("a pool tells after each task how many are over", "[lua][scenario][poo
     CHECK(told == std::vector<std::size_t>{1, 2, 3});
 }
 
-TEST_CASE("a result travels as bytes, and half of it is an error", "[lua][scenario][pool]") {
+TEST_CASE("a result is sent as bytes, and incomplete bytes are an error", "[lua][scenario][pool]") {
     RunResult result{.outcome = RunOutcome::failed,
                      .error = {"no", {"a.lua", 3, 4}},
                      .facts = {"one", "", std::string("\0\n", 2)},
@@ -112,7 +112,7 @@ TEST_CASE("a result travels as bytes, and half of it is an error", "[lua][scenar
     for (std::size_t size = 0; size < bytes.size(); ++size) CHECK_FALSE(from_bytes(bytes.substr(0, size)));
 }
 
-TEST_CASE("JUnit's text holds whatever a scenario says", "[lua][scenario][report]") {
+TEST_CASE("every text of a scenario is valid in JUnit's XML", "[lua][scenario][report]") {
     RunReport report{.file = "a_test.lua", .line = 3, .scenario = "x", .name = "x [a=\"<&\x01\xff\xc3\xa9]"};
     report.result.outcome = RunOutcome::failed;
     report.result.error = {"a < b & \"c\"", {"a_test.lua", 4}};
@@ -124,7 +124,7 @@ TEST_CASE("JUnit's text holds whatever a scenario says", "[lua][scenario][report
     CHECK(text.find("<system-out>]]&gt;&#10;two?[0m&#10;be?hind&#10;</system-out>") != std::string::npos);
 }
 
-TEST_CASE("TAP counts all, and escapes what it would take for a directive", "[lua][scenario][report]") {
+TEST_CASE("TAP counts all runs, and escapes directives", "[lua][scenario][report]") {
     std::string text;
     const auto reporter = tap_reporter([&](std::string_view more) { text += more; });
     reporter->begin(2);
@@ -139,7 +139,7 @@ TEST_CASE("TAP counts all, and escapes what it would take for a directive", "[lu
     CHECK(text.ends_with("  ...\n"));
 }
 
-TEST_CASE("a plot shows its curves between the least and the greatest value", "[lua][scenario][report]") {
+TEST_CASE("a plot shows curves between the smallest and the largest value", "[lua][scenario][report]") {
     const Curve limit{"limit", {{0, 1}, {3, 1}}, '-'}, x{"x", {{0, 0}, {1, 1}, {2, 2}, {3, 3}}, '*'};
     CHECK(plain_plot({limit, x}, {.columns = 17, .rows = 4}) ==
           std::vector<std::string>{"3 |                *", "  |           ******", "  |-----*******-----", "0 |******",

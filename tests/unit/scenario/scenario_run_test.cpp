@@ -5,7 +5,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("a robot that drives against a wall is no news to be warned of", "[lua][scenario][run]") {
+TEST_CASE("a robot that touches a wall gives no warning", "[lua][scenario][run]") {
     const RunResult result = ScenarioRig(
                                  "scenario('it', function(s)\n"
                                  "  s:load 'systems/stop_at_wall.lua'\n"
@@ -17,7 +17,7 @@ TEST_CASE("a robot that drives against a wall is no news to be warned of", "[lua
     CHECK(result.printed.empty());
 }
 
-TEST_CASE("each line of what a scenario prints is a line of its own", "[lua][scenario][run]") {
+TEST_CASE("each line of a scenario's output is a separate line", "[lua][scenario][run]") {
     const RunResult result = ScenarioRig("scenario('it', function() print('a\\n\\nb') print('') end)").run();
     CHECK(result.printed == std::vector<std::string>{"a", "", "b", ""});
 }
@@ -36,8 +36,7 @@ TEST_CASE("worlds of different rates tick when they are due", "[lua][scenario][r
     CHECK(outcome_of(rig.run()) == "passed");
 }
 
-TEST_CASE("a reload that never ends its loading ends the scenario: it could not be run",
-          "[lua][scenario][run][watchdog]") {
+TEST_CASE("a reload whose top level never ends ends the scenario with an error", "[lua][scenario][run][watchdog]") {
     for (const char* text : {"while true do end", "function on_reload() while true do end end"}) {
         const std::string outcome =
             outcome_of("s:load 'systems/stop_at_wall.lua'\ns:run(0.1)\ns:reload('controller', { text = \"" +
@@ -48,7 +47,7 @@ TEST_CASE("a reload that never ends its loading ends the scenario: it could not 
     }
 }
 
-TEST_CASE("a failure tells by how much, the ports it looked at and the time", "[lua][scenario][run]") {
+TEST_CASE("a failure reports the difference, the ports that were read, and the time", "[lua][scenario][run]") {
     ScenarioRig rig(
         "scenario('it', function(s)\n"
         "  local w = s:load 'systems/stop_at_wall.lua'\n"
@@ -63,7 +62,7 @@ TEST_CASE("a failure tells by how much, the ports it looked at and the time", "[
     CHECK(result.facts[2].starts_with("  controller.out  TimedVelocity2D"));
 }
 
-TEST_CASE("a run tells how near its conditions came to their limits", "[lua][scenario][run]") {
+TEST_CASE("a run reports the smallest margins of its conditions", "[lua][scenario][run]") {
     ScenarioRig rig(
         "scenario('it', function(s)\n"
         "  s:load 'systems/stop_at_wall.lua'\n"
@@ -74,7 +73,7 @@ TEST_CASE("a run tells how near its conditions came to their limits", "[lua][sce
           std::vector<std::string>{"always 'early': came within 0.25 of the limit at 1.00 s (s:now() < 1.25)"});
 }
 
-TEST_CASE("a hold that begins at its limit tells how near it came to it afterwards", "[lua][scenario][run]") {
+TEST_CASE("the margin of a hold that begins at its limit is measured afterwards", "[lua][scenario][run]") {
     const auto margins = [](const std::string& condition) {
         ScenarioRig rig(
             "scenario('it', function(s)\n  s:load 'systems/stop_at_wall.lua'\n  s:maintain('holds', { hold = 1 }, "

@@ -30,14 +30,14 @@ std::vector<std::string> tell(const SessionEnd& end) {
 
 }  // namespace
 
-TEST_CASE("a plan has every combination, in sorted order of the keys", "[lua][scenario][session]") {
+TEST_CASE("a plan has all combinations, sorted by key", "[lua][scenario][session]") {
     ScenarioRig rig(sweep);
     CHECK(names(rig.plan()) ==
           std::vector<std::string>{"drives [noise=true, speed=0.1]", "drives [noise=true, speed=0.2]",
                                    "drives [noise=false, speed=0.1]", "drives [noise=false, speed=0.2]", "stands"});
 }
 
-TEST_CASE("a filter takes parts of names; a whole name means no other", "[lua][scenario][session]") {
+TEST_CASE("a filter matches parts of names, and a whole name matches only itself", "[lua][scenario][session]") {
     ScenarioRig rig(sweep);
     CHECK(rig.plan("speed=0.1").runs.size() == 2);
     CHECK(names(rig.plan("drives [noise=true, speed=0.2]")) ==
@@ -48,7 +48,7 @@ TEST_CASE("a filter takes parts of names; a whole name means no other", "[lua][s
     CHECK(none.error().message == "no scenario matches 'drivs' (did you mean 'drives'?); --list shows all");
 }
 
-TEST_CASE("hashes are the same with any number of jobs and every time", "[lua][scenario][session]") {
+TEST_CASE("hashes are the same with every number of jobs and each time", "[lua][scenario][session]") {
     ScenarioRig rig(sweep);
     rig.options.jobs = 1;
     const SessionEnd serial = rig.session();
@@ -63,7 +63,7 @@ TEST_CASE("hashes are the same with any number of jobs and every time", "[lua][s
     CHECK_FALSE(tell(rig.session()) == tell(serial));
 }
 
-TEST_CASE("a failing sample is simplified, and found again from its command", "[lua][scenario][session]") {
+TEST_CASE("a failing sample is simplified, and its command repeats it", "[lua][scenario][session]") {
     ScenarioRig rig(
         "scenario('small', { sweep = { x = range(0, 100), y = range(-5, 5) }, samples = 30 }, function(s, p)\n"
         "  s:robot 'mouse' { model = 'raspimouse' }\n"
@@ -90,7 +90,7 @@ TEST_CASE("a failing sample is simplified, and found again from its command", "[
           std::vector<std::string>{"fails where the simplest failure does: small [x=20.0, y=0.0]"});
 }
 
-TEST_CASE("a failure leaves its text in a folder that it names", "[lua][scenario][session]") {
+TEST_CASE("a failure writes its text to a folder and names the folder", "[lua][scenario][session]") {
     ScenarioRig rig("scenario('a/b: \"c\"', function(s) s:check(false, 'no') end)");
     const SessionEnd end = rig.session();
     REQUIRE(end.reports.size() == 1);
@@ -102,7 +102,7 @@ TEST_CASE("a failure leaves its text in a folder that it names", "[lua][scenario
     CHECK(rig.said.find("files: " + result.folder) != std::string::npos);
 }
 
-TEST_CASE("a file that can't be read costs itself, and the status", "[lua][scenario][session]") {
+TEST_CASE("a file that can't be read changes the status, and the other files run", "[lua][scenario][session]") {
     ScenarioRig rig(sweep);
     static_cast<void>(rig.folder().write("broken_test.lua", "scenario('x', function(s)\n"));
     static_cast<void>(rig.folder().write("empty_test.lua", "-- nothing\n"));

@@ -39,7 +39,7 @@ double number(const SweepPoint& point) { return point.front().second.data.values
 
 }  // namespace
 
-TEST_CASE("a sweep makes every combination, the last key changing fastest", "[lua][scenario][sweep]") {
+TEST_CASE("a sweep makes all combinations, and the last key changes fastest", "[lua][scenario][sweep]") {
     std::vector<std::string> names;
     for (const SweepPoint& point : combinations(two_lists())) names.push_back(text_of(point));
     CHECK(names == std::vector<std::string>{"[name=fast, speed=0.1]", "[name=fast, speed=2]", "[name=fast, speed=3.0]",
@@ -53,7 +53,7 @@ TEST_CASE("a scenario without a sweep has one run without values", "[lua][scenar
     CHECK(text_of(combinations({}).front()).empty());
 }
 
-TEST_CASE("the values in a run's name lead back to its point", "[lua][scenario][sweep]") {
+TEST_CASE("the values in a run's name identify its point", "[lua][scenario][sweep]") {
     const Sweep sweep = two_lists();
     for (const SweepPoint& point : combinations(sweep)) CHECK(find_point(sweep, text_of(point)) == point);
     CHECK_FALSE(find_point(sweep, "[name=fast, speed=0.2]"));
@@ -69,7 +69,7 @@ TEST_CASE("the values in a run's name lead back to its point", "[lua][scenario][
     CHECK_FALSE(find_point(drawn, "[x=nan]"));
 }
 
-TEST_CASE("draws lie within the range and depend on seed and index alone", "[lua][scenario][sweep]") {
+TEST_CASE("draws are within the range, and depend only on seed and index", "[lua][scenario][sweep]") {
     const Sweep sweep = one_range({.lo = 2, .hi = 3});
     for (std::size_t i = 0; i < 50; ++i) {
         const SweepPoint point = draw_point(sweep, 7, i);
@@ -81,7 +81,7 @@ TEST_CASE("draws lie within the range and depend on seed and index alone", "[lua
     }
 }
 
-TEST_CASE("a range with a step draws its multiples, as integers when lo and step are", "[lua][scenario][sweep]") {
+TEST_CASE("a range with a step draws multiples, which are integers if lo and step are", "[lua][scenario][sweep]") {
     const Sweep sweep = one_range({.lo = 1, .hi = 9, .step = 4, .whole = true});
     bool seen[10]{};
     for (std::size_t i = 0; i < 50; ++i) {
@@ -92,7 +92,7 @@ TEST_CASE("a range with a step draws its multiples, as integers when lo and step
     CHECK((seen[1] && seen[5] && seen[9]));
 }
 
-TEST_CASE("values that can be counted are drawn without repetition", "[lua][scenario][sweep]") {
+TEST_CASE("countable values are drawn without repetition", "[lua][scenario][sweep]") {
     const auto texts = [](const Sweep& sweep, std::uint64_t seed) {
         std::vector<std::string> all;
         for (const SweepPoint& point : draws(sweep, seed)) all.push_back(text_of(point));
@@ -136,7 +136,7 @@ TEST_CASE("a range of one number is one value, not as many as there are samples"
     CHECK(draws(sweep, 7).size() == 20);
 }
 
-TEST_CASE("a value's text for a table has neither quotes nor escapes of Lua", "[lua][scenario][sweep]") {
+TEST_CASE("the text of a value in a table has no quotes and no escapes", "[lua][scenario][sweep]") {
     const auto plain = [](const std::string& text) {
         PlainData data;
         data.values.emplace_back(text);
@@ -150,14 +150,14 @@ TEST_CASE("a value's text for a table has neither quotes nor escapes of Lua", "[
     CHECK(plain_text(to_sweep_value(std::move(number))) == "0.5");
 }
 
-TEST_CASE("values of a range without a step are drawn each by itself", "[lua][scenario][sweep]") {
+TEST_CASE("values of a range without a step are drawn independently", "[lua][scenario][sweep]") {
     const Sweep sweep = one_range({.lo = 0, .hi = 1});
     const std::vector<SweepPoint> all = draws(sweep, 7);
     REQUIRE(all.size() == 50);
     for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] == draw_point(sweep, 7, i));
 }
 
-TEST_CASE("a control character in a text is its code in the run's name", "[lua][scenario][sweep]") {
+TEST_CASE("a control character in a text appears as its code in the run's name", "[lua][scenario][sweep]") {
     const auto name = [](const std::string& text) { return value(text).text; };
     CHECK(name("a\tb") == "\"a\\x09b\"");
     CHECK(name("\x1f") == "\"\\x1f\"");
@@ -169,7 +169,7 @@ TEST_CASE("a control character in a text is its code in the run's name", "[lua][
     CHECK(name("a\"b") == "\"a\\\"b\"");
 }
 
-TEST_CASE("simplifying comes to an end, nearer to zero or shorter with every step", "[lua][scenario][sweep]") {
+TEST_CASE("simplifying ends, because each step is nearer to zero or shorter", "[lua][scenario][sweep]") {
     const Sweep sweep = one_range({.lo = -10, .hi = 10});
     for (std::size_t i = 0; i < 20; ++i) {
         SweepPoint point = draw_point(sweep, 3, i);
@@ -192,7 +192,7 @@ TEST_CASE("simplifying comes to an end, nearer to zero or shorter with every ste
     }
 }
 
-TEST_CASE("a listed value is simplified to one that stands before it", "[lua][scenario][sweep]") {
+TEST_CASE("a listed value is simplified to an earlier one", "[lua][scenario][sweep]") {
     const Sweep sweep = two_lists();
     const std::vector<SweepPoint> all = combinations(sweep);
     CHECK(simpler(sweep, all.front()).empty());

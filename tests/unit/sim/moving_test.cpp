@@ -78,7 +78,7 @@ TEST_CASE("a move to an impossible place is refused and changes nothing", "[sim]
     w.add(mouse_spec(), 0, 0, 0, "mouse");
     const auto before = w.world->things();
     CHECK(refusal(w, "box 1", {{2.5, 0}, 0}) ==
-          "box 1 at x = 2.5, y = 0 is outside the arena of 4 x 4 m: put it inside, or say border = false");
+          "box 1 at x = 2.5, y = 0 is outside the arena of 4 x 4 m: put it inside, or set border = false");
     CHECK(refusal(w, "box 1", {{0, 0}, 0}) == "box 1 at x = 0, y = 0 overlaps robot 'mouse': move one of them");
     CHECK(refusal(w, "box 1", {{-1, 0}, 0}) == "box 1 at x = -1, y = 0 overlaps box 2: move one of them");
     CHECK(refusal(w, "box 2", {{1, 0}, 0}) == "box 2 at x = 1, y = 0 overlaps box 1: move one of them");

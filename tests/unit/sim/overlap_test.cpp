@@ -52,8 +52,9 @@ TEST_CASE("a step ends with any number of overlaps, and one warning is given", "
     TryWorld heap(arena);
     heap.run(0.02);
     CHECK(heap.world->breakdown() == nullptr);
-    CHECK(*heap.warnings == std::vector<std::string>{"physics: too many shapes overlap: a step has no room for "
-                                                     "all contacts: some are left out"});
+    CHECK(*heap.warnings ==
+          std::vector<std::string>{
+              "physics: too many shapes overlap: a step has no room for all contacts: some are ignored"});
 
     // Touches nothing that moves, but 400 pillars.
     arena = {};

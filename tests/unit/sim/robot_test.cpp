@@ -319,10 +319,10 @@ TEST_CASE("no robot starts or is placed outside an arena with a border", "[sim][
         CHECK(moved.has_value() != border);
         if (!border) continue;
         CHECK(outside.error().message ==
-              "robot 'other' at x = 5, y = 0 is outside the arena of 2 x 2 m: put it inside, or say border = false");
+              "robot 'other' at x = 5, y = 0 is outside the arena of 2 x 2 m: put it inside, or set border = false");
         CHECK(
             moved.error().message ==
-            "robot 'robot0' at x = 0, y = -1.5 is outside the arena of 2 x 2 m: put it inside, or say border = false");
+            "robot 'robot0' at x = 0, y = -1.5 is outside the arena of 2 x 2 m: put it inside, or set border = false");
         CHECK(w.truth().pose.position.y == Approx(0).margin(1e-9));
     }
 }

@@ -134,7 +134,7 @@ TEST_CASE("a sound does not wait for the one before", "[sim][sound][wallclock]")
         for (std::size_t i = 0; i < SoundFiles::most_waiting; ++i) files.play("ev3", {Sound::Kind::tone, 0, 0, {}});
         files.tell();
         CHECK(warnings.size() >= 1);
-        CHECK(warnings.front() == "sounds come faster than they can be written: some are left out");
+        CHECK(warnings.front() == "sounds come faster than they can be written: some are dropped");
     }
 }
 

@@ -197,7 +197,7 @@ TEST_CASE("an execution is explained to any browser, also a view-only one", "[we
     CHECK(seen["robots"][0]["wheels"].is_object());
     const auto refused = WebRig::answer(browser, {{"do", "explain"}, {"id", 2}, {"component", "mouse"}});
     CHECK(refused["ok"] == false);
-    CHECK(refused["text"] == "mouse is no behaviour: it has no lines");
+    CHECK(refused["text"] == "mouse is not a behaviour: it has no lines");
 
     rig.paused = true;
     CHECK(WebRig::answer(browser, {{"do", "explain"}, {"id", 3}, {"component", "controller"}})["ok"] == true);

@@ -1,0 +1,352 @@
+// Looks through folders for the file that a name means, and resolves what its fields name in turn.
+#include "engine/messages/message_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "engine/base/names.hpp"
+#include "engine/messages/idl_file.hpp"
+#include "engine/messages/message_catalog.hpp"
+#include "engine/messages/msg_file.hpp"
+#include "engine/ports/port_base.hpp"
+
+namespace nezumi {
+namespace fs = std::filesystem;
+namespace {
+
+// "light_sensors" and "LightSensors" are one name of a file.
+std::string folded(std::string_view name) {
+    std::string text;
+    for (const char c : name) {
+        if (c != '_') text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return text;
+}
+
+// A name in two parts: that of the package, or "", and the rest.
+struct TypeName {
+    std::string package, name;
+};
+
+// "Obstacle", "sensor_msgs/Imu", and how others write that: "sensor_msgs/msg/Imu", "RTC::TimedOctet".
+std::optional<TypeName> parse_name(std::string_view text) {
+    std::string name(text);
+    for (const std::string_view between : {"::", "/msg/"}) {
+        for (std::size_t at = name.find(between); at != std::string::npos; at = name.find(between))
+            name.replace(at, between.size(), "/");
+    }
+    const std::size_t slash = name.rfind('/');
+    TypeName made{slash == std::string::npos ? "" : name.substr(0, slash), name.substr(slash + 1)};
+    std::string_view rest = name;
+    while (true) {
+        const std::size_t end = std::min(rest.find('/'), rest.size());
+        if (!is_identifier(rest.substr(0, end))) return std::nullopt;
+        if (end == rest.size()) return made;
+        rest.remove_prefix(end + 1);
+    }
+}
+
+// Whether a Lua file beside behaviours is a message: the others say no such thing.
+bool returns_message(std::string_view text) {
+    for (std::size_t at = text.find("return"); at != std::string_view::npos; at = text.find("return", at + 1)) {
+        const std::string_view rest = text.substr(std::min(text.find_first_not_of(" \t\r\n", at + 6), text.size()));
+        if (rest.starts_with("message") && (rest.size() == 7 || rest.find_first_of(" \t\"'(", 7) == 7)) return true;
+    }
+    return false;
+}
+
+// A compiled type that lies in memory as a definition says: what others define is then that one.
+const Type* same_compiled(const std::string& kind, const MessageDefinition& definition) {
+    const Type* type = compiled_payload(kind.substr(kind.rfind('/') + 1));
+    if (type == nullptr || type->kind != Type::Kind::structure) return nullptr;
+    const auto same = [](const Type::Field& field, const FieldDefinition& other) { return field.name == other.name; };
+    return std::equal(type->fields.begin(), type->fields.end(), definition.fields.begin(), definition.fields.end(),
+                      same)
+               ? type
+               : nullptr;
+}
+
+constexpr std::string_view list_all = "; `nezumi types` lists them all";
+
+}  // namespace
+
+class MessageFiles::Search {
+public:
+    Search(const MessageFiles& files, std::vector<SourceText>& read) : files_(files), read_(read) {}
+
+    // Where a type is defined: a file, and of those of IDL which structure.
+    struct Definition {
+        fs::path path;
+        std::string package;
+        std::string structure;
+    };
+
+    Expected<const MessageType*> find(std::string_view text, const fs::path& from) {
+        problem_.reset();
+        if (const auto compiled = find_message_type(text)) return *compiled;
+        const auto name = parse_name(text);
+        auto found = name ? definition_of(*name, from) : std::nullopt;
+        if (problem_) return Unexpected(*problem_);
+        if (found) return define(*found);
+        std::vector<std::string> all = files_.names(from);
+        const auto compiled = compiled_message_names();
+        all.insert(all.end(), compiled.begin(), compiled.end());
+        if (!chain_.empty()) all.insert(all.end(), field_kinds().begin(), field_kinds().end());
+        return failure(
+            fmt::format("unknown type '{}'{}{}", shown(text), did_you_mean(text, {all.begin(), all.end()}), list_all));
+    }
+
+    // All that a folder defines; a file that can't be read defines nothing.
+    void add_names(const fs::path& folder, const std::string& package, bool of_messages, std::set<std::string>& names) {
+        const std::string prefix = package.empty() ? "" : package + "/";
+        for (const std::string& entry : project().files().names_in(folder)) {
+            const fs::path path = folder / entry;
+            if (path.extension() == ".lua" && package.empty() && (of_messages || is_message(path))) {
+                names.insert(type_of_file(path.string()));
+            } else if (path.extension() == ".msg") {
+                names.insert(prefix + path.stem().string());
+            } else if (path.extension() == ".idl") {
+                if (const auto all = idl_at(path)) {
+                    for (const MessageDefinition& each : **all) names.insert(each.name);
+                }
+            } else if (of_messages && package.empty() && project().files().is_folder(path)) {
+                add_names(path, entry, true, names);
+                add_names(path / "msg", entry, true, names);
+            }
+        }
+    }
+
+    Expected<std::vector<const MessageType*>> types_in(const SourceText& source) {
+        sources_[source.path] = source;
+        const fs::path path(source.path);
+        std::vector<const MessageType*> all;
+        if (path.extension() != ".idl") {
+            std::string package = path.parent_path().filename().string();
+            if (package == "msg") package = path.parent_path().parent_path().filename().string();
+            if (package == "messages" || path.extension() == ".lua") package.clear();
+            const auto type = define({path, package, ""});
+            if (!type) return Unexpected(type.error());
+            all.push_back(*type);
+            return all;
+        }
+        const auto structures = idl_at(path);
+        if (!structures) return Unexpected(structures.error());
+        for (const MessageDefinition& each : **structures) {
+            if (each.place.file != source.shown) continue;
+            const auto type = define({path, "", each.name});
+            if (!type) return Unexpected(type.error());
+            all.push_back(*type);
+        }
+        return all;
+    }
+
+private:
+    const Project& project() const { return files_.project_; }
+
+    Expected<SourceText> source_of(const fs::path& path) {
+        if (const auto known = sources_.find(path.string()); known != sources_.end()) return known->second;
+        auto source = project().read_source(path.string());
+        if (!source) return source;
+        read_.push_back(*source);
+        sources_[path.string()] = *source;
+        return source;
+    }
+
+    bool is_message(const fs::path& path) {
+        const auto text = project().read(path);
+        return text && returns_message(*text);
+    }
+
+    using Structures = std::vector<MessageDefinition>;
+    Expected<const Structures*> idl_at(const fs::path& path) {
+        if (const auto known = idl_.find(path.string()); known != idl_.end()) return &known->second;
+        const auto source = source_of(path);
+        if (!source) return Unexpected(source.error());
+        auto structures =
+            read_idl(*source, [&](std::string_view name, const SourceText& from) { return included(name, from); });
+        if (!structures) return Unexpected(structures.error());
+        return &(idl_[path.string()] = std::move(*structures));
+    }
+
+    Expected<SourceText> included(std::string_view name, const SourceText& from) {
+        const fs::path path(name);
+        const bool leaves = std::find(path.begin(), path.end(), "..") != path.end();
+        if (path.is_absolute() || leaves || name.empty())
+            return failure("expected a file beside it or in behaviors/messages/");
+        // OpenRTM's are installed elsewhere there: <rtm/idl/BasicDataType.idl>.
+        for (const fs::path& each : {path, path.filename()}) {
+            for (const fs::path& folder : project().places(FileKind::message, from.path)) {
+                for (const fs::path& file : {folder / each, folder / "rtc" / each}) {
+                    if (project().files().is_file(file)) return source_of(file.lexically_normal());
+                }
+            }
+        }
+        return failure("there is no such file beside it or in behaviors/messages/");
+    }
+
+    // Those in a folder that a name means; `name` without a package means also those of packages.
+    std::vector<Definition> in_folder(const fs::path& folder, const std::string& package, const TypeName& name,
+                                      bool of_messages) {
+        std::vector<Definition> all;
+        std::vector<Definition> of_packages;
+        for (const std::string& entry : project().files().names_in(folder)) {
+            const fs::path path = folder / entry;
+            const bool means_package = name.package.empty() || name.package == package;
+            if (path.extension() == ".lua") {
+                if (package.empty() && name.package.empty() && folded(path.stem().string()) == folded(name.name) &&
+                    (of_messages || is_message(path)))
+                    all.push_back({path, "", ""});
+            } else if (path.extension() == ".msg") {
+                if (means_package && path.stem() == name.name) all.push_back({path, package, ""});
+            } else if (path.extension() == ".idl") {
+                const auto structures = idl_at(path);
+                if (!structures) {
+                    if (!problem_) problem_ = structures.error();
+                    continue;
+                }
+                for (const MessageDefinition& each : **structures) {
+                    const TypeName its = *parse_name(each.name);
+                    if (its.name == name.name && (name.package.empty() || its.package == name.package) &&
+                        each.place.file == project().shown(path))
+                        all.push_back({path, its.package, each.name});
+                }
+            } else if (of_messages && package.empty() && (name.package.empty() || name.package == entry)) {
+                for (const fs::path& inner : {path, path / "msg"}) {
+                    for (Definition& each : in_folder(inner, entry, name, true)) of_packages.push_back(std::move(each));
+                }
+            }
+        }
+        return all.empty() ? of_packages : all;
+    }
+
+    std::optional<Definition> definition_of(const TypeName& name, const fs::path& from) {
+        const std::vector<fs::path> folders = project().places(FileKind::message, from);
+        for (std::size_t i = 0; i < folders.size(); ++i) {
+            const bool is_again = std::find(folders.begin(), folders.begin() + static_cast<std::ptrdiff_t>(i),
+                                            folders[i]) != folders.begin() + static_cast<std::ptrdiff_t>(i);
+            if (is_again && i > 0 && folders[i] != folders[0]) continue;
+            const std::vector<Definition> all = in_folder(folders[i], "", name, i > 0);
+            if (all.size() > 1) {
+                const bool differ = all[0].package != all[1].package;
+                problem_ = Error{fmt::format("type '{}' is defined by {} and by {}{}", name.name,
+                                             project().shown(all[0].path), project().shown(all[1].path),
+                                             differ ? fmt::format(": name it '{}/{}' or '{}/{}'", all[0].package,
+                                                                  name.name, all[1].package, name.name)
+                                                    : ": remove one of them")};
+            }
+            if (problem_) return std::nullopt;
+            if (!all.empty()) return all.front();
+        }
+        return std::nullopt;
+    }
+
+    Expected<const MessageType*> define(const Definition& found) {
+        const auto source = source_of(found.path);
+        if (!source) return Unexpected(source.error());
+        if (found.path.extension() == ".idl") {
+            const auto structures = idl_at(found.path);
+            if (!structures) return Unexpected(structures.error());
+            return define_structure(**structures, found.structure);
+        }
+        auto definition =
+            found.path.extension() == ".msg" ? read_msg(*source, found.package) : files_.read_lua_(*source, project());
+        if (!definition) return Unexpected(definition.error());
+        return make(*definition, [&](const FieldDefinition& field) -> Expected<const Type*> {
+            if (const Type* compiled = compiled_payload(field.kind)) return compiled;
+            const auto inner = find(field.kind, found.path);
+            if (!inner) return Unexpected(inner.error());
+            return (*inner)->payload;
+        });
+    }
+
+    Expected<const MessageType*> define_structure(const Structures& all, const std::string& name) {
+        // What OpenRTM calls so is what is compiled in.
+        if (const auto compiled = find_message_type(name.substr(name.rfind('/') + 1));
+            compiled && name.starts_with("RTC/"))
+            return *compiled;
+        return make(without_stamp(structure_of(all, name)), fields_of(all));
+    }
+
+    // A structure within another one has its stamp as a field.
+    MessageCatalog::Payloads fields_of(const Structures& all) {
+        return [this, &all](const FieldDefinition& field) -> Expected<const Type*> {
+            if (field.kind == wide_text) return failure("nezumi has no wide characters: a string holds UTF-8");
+            const MessageDefinition& definition = structure_of(all, field.kind);
+            if (const Type* compiled = same_compiled(field.kind, definition)) return compiled;
+            const auto inner = make(definition, fields_of(all));
+            if (!inner) return Unexpected(inner.error());
+            return (*inner)->payload;
+        };
+    }
+
+    // A file that was read names no structures but those that are there.
+    static const MessageDefinition& structure_of(const Structures& all, const std::string& name) {
+        return *std::find_if(all.begin(), all.end(), [&](const MessageDefinition& each) { return each.name == name; });
+    }
+
+    Expected<const MessageType*> make(const MessageDefinition& definition, const MessageCatalog::Payloads& payloads) {
+        const auto inside = std::find(chain_.begin(), chain_.end(), definition.name);
+        if (inside != chain_.end()) {
+            return failure(fmt::format("message '{}' is in itself: {} has {}", definition.name,
+                                       fmt::join(inside, chain_.end(), " has "), definition.name));
+        }
+        constexpr std::size_t most = 64;
+        if (chain_.size() > most) return failure(fmt::format("expected at most {} messages in one another", most));
+        chain_.push_back(definition.name);
+        auto made = MessageCatalog::shared().define(definition, payloads);
+        chain_.pop_back();
+        return made;
+    }
+
+    const MessageFiles& files_;
+    std::vector<SourceText>& read_;
+    std::map<std::string, SourceText> sources_;
+    std::map<std::string, Structures> idl_;
+    std::vector<std::string> chain_;  // messages that are being made, each in the one before
+    std::optional<Error> problem_;
+};
+
+MessageFiles::MessageFiles(Project project, LuaMessageReader read_lua)
+    : project_(std::move(project)), read_lua_(std::move(read_lua)) {}
+
+Expected<FoundMessage> MessageFiles::find(std::string_view name, const fs::path& from,
+                                          std::vector<SourceText>* read) const {
+    std::vector<SourceText> files;
+    const auto type = Search(*this, files).find(name, from);
+    if (read != nullptr) *read = files;
+    if (!type) return Unexpected(type.error());
+    return FoundMessage{*type, (*type)->is_compiled() ? std::vector<SourceText>{} : std::move(files)};
+}
+
+std::vector<std::string> MessageFiles::names(const fs::path& from) const {
+    std::set<std::string> all;
+    std::vector<SourceText> files;
+    Search search(*this, files);
+    const std::vector<fs::path> folders = project_.places(FileKind::message, from);
+    for (std::size_t i = 0; i < folders.size(); ++i) search.add_names(folders[i], "", i > 0, all);
+    return {all.begin(), all.end()};
+}
+
+std::vector<const MessageType*> MessageFiles::all(const fs::path& from) const {
+    std::vector<const MessageType*> types;
+    std::vector<SourceText> files;
+    Search search(*this, files);
+    for (const std::string& name : names(from)) {
+        const auto found = search.find(name, from);
+        if (found && !(*found)->is_compiled()) types.push_back(*found);
+    }
+    return types;
+}
+
+Expected<std::vector<const MessageType*>> MessageFiles::types_in(const SourceText& source) const {
+    std::vector<SourceText> files;
+    return Search(*this, files).types_in(source);
+}
+
+}  // namespace nezumi

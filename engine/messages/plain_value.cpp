@@ -1,0 +1,69 @@
+// Reads a constant or a default.
+#include "engine/messages/plain_value.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdint>
+#include <string>
+
+#include "engine/base/trimmed.hpp"
+#include "engine/messages/definition.hpp"
+
+namespace nezumi {
+namespace {
+
+Expected<Value> whole_value(std::string_view text, std::string_view given) {
+    const bool negative = text.starts_with('-');
+    if (negative || text.starts_with('+')) text.remove_prefix(1);
+    const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
+    if (hexadecimal) text.remove_prefix(2);
+    std::uint64_t size = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), size, hexadecimal ? 16 : 10);
+    constexpr auto most = std::uint64_t{1} << 63;
+    if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size() ||
+        size > (negative ? most : most - 1))
+        return failure(fmt::format("expected an integer below 2^63, got '{}'", shown(given)));
+    return Value(negative ? static_cast<std::int64_t>(0 - size) : static_cast<std::int64_t>(size));
+}
+
+}  // namespace
+
+Expected<Value> plain_value(std::string_view text, std::string_view kind) {
+    const Type* type = type_of_kind(kind);
+    if (type == nullptr || type->kind == Type::Kind::octets)
+        return failure(fmt::format("a '{}' can't be written as a constant", shown(kind)));
+    if (type->kind == Type::Kind::boolean) {
+        if (text == "true" || text == "True" || text == "TRUE" || text == "1") return Value(true);
+        if (text == "false" || text == "False" || text == "FALSE" || text == "0") return Value(false);
+        return failure(fmt::format("expected true or false, got '{}'", shown(text)));
+    }
+    if (type->kind == Type::Kind::text) {
+        const bool quoted =
+            text.size() >= 2 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
+        return Value(quoted ? text.substr(1, text.size() - 2) : text);
+    }
+    if (type->is_integer()) {
+        // A character is its code.
+        if (text.size() == 3 && text.front() == '\'' && text.back() == '\'')
+            return Value(std::int64_t{static_cast<unsigned char>(text[1])});
+        return whole_value(text, text);
+    }
+    double number = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size())
+        return failure(fmt::format("expected a number, got '{}'", shown(text)));
+    return Value(number);
+}
+
+FieldComment parse_comment(std::string_view comment) {
+    const std::size_t end = comment.find(']');
+    constexpr std::size_t longest = 12;
+    if (!comment.starts_with('[') || end == std::string_view::npos || end < 2 || end > longest)
+        return {"", std::string(comment)};
+    const std::string_view rest = trimmed(comment.substr(end + 1));
+    if (rest.starts_with("or [")) return {"", std::string(comment)};
+    return {std::string(comment.substr(1, end - 1)), std::string(rest)};
+}
+
+}  // namespace nezumi

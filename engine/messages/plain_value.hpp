@@ -1,0 +1,22 @@
+// Single values as definitions of others write them: in .msg and .idl files.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/base/error.hpp"
+#include "engine/values/value.hpp"
+
+namespace nezumi {
+
+/// A truth value, a number or a text for a field of this kind ("boolean", "double", ...). Numbers may be hexadecimal;
+/// texts may be quoted.
+Expected<Value> plain_value(std::string_view text, std::string_view kind);
+
+/// A comment of a field as its unit and what it means: "[m/s] forward". Where it begins with no unit, that is "".
+struct FieldComment {
+    std::string unit, doc;
+};
+FieldComment parse_comment(std::string_view comment);
+
+}  // namespace nezumi
