@@ -10,8 +10,8 @@
 #include "engine/trace/series.hpp"
 
 namespace nezumi {
-namespace {
 
+/// What `samples` gives.
 struct PortSamples {
     static constexpr std::string_view type_name = "samples";
     std::vector<std::string> labels;        ///< of the values: "vx", "[1]", "" for a single one
@@ -19,6 +19,8 @@ struct PortSamples {
     std::vector<bool> are_texts;            ///< for each label
     std::vector<std::vector<double>> rows;  ///< stamp [s] and values, the oldest first
 };
+
+namespace {
 
 // The samples after `since` [s], of these the last `most`.
 PortSamples samples_of(const Series& series, double since, std::size_t most) {
