@@ -89,7 +89,7 @@ private:
             const IdlType type = read_type();
             do {
                 auto [name, declared] = read_declarator(type);
-                add(name, std::move(declared));
+                add(name, declared);
             } while (take(","));
             expect(";");
         } else if (take("enum")) {
@@ -152,8 +152,8 @@ private:
         }
     }
 
-    void add(const std::string& name, IdlType type) {
-        if (!error_ && !types_.try_emplace(in_module(name), std::move(type)).second)
+    void add(const std::string& name, const IdlType& type) {
+        if (!error_ && !types_.try_emplace(in_module(name), type).second)
             fail(fmt::format("'{}' is defined twice", shown(name)));
     }
 
@@ -340,7 +340,7 @@ private:
         const int line = token_.line;
         const bool from_root = take("::");
         std::string name = take_name();
-        while (take("::")) name += "/" + take_name();
+        while (take("::")) name.append("/").append(take_name());
         if (error_) return {};
         std::string within = from_root ? "" : module_;
         while (true) {

@@ -126,10 +126,11 @@ Expected<const MessageType*> MessageCatalog::define(const MessageDefinition& def
 
     const Lock lock(mutex_);
     const auto [place, is_new] = all_.try_emplace(key_of(definition, elements));
+    const auto made_at = place;  // clang lets no lambda use a structured binding
     if (!is_new) return last_[definition.name] = &place->second->message;
     auto made = std::make_unique<Entry>();
     const auto refuse = [&](const FieldDefinition& field, std::string_view text) {
-        all_.erase(place);
+        all_.erase(made_at);
         return wrong(definition, field, fmt::format(" {}", text));
     };
     std::vector<Type::Field> fields;
@@ -184,7 +185,7 @@ Expected<const MessageType*> MessageCatalog::define(const MessageDefinition& def
             std::string problem = set_default(value, field.initial);
             if (problem.empty()) {
                 problem = explain_misfit(field.limits, value.view());
-                if (!problem.empty()) problem = "has a default out of its range: " + problem;
+                if (!problem.empty()) problem.insert(0, "has a default out of its range: ");
             }
             if (!problem.empty()) return refuse(field, problem);
         }
