@@ -344,7 +344,7 @@ private:
         if (error_) return {};
         std::string within = from_root ? "" : module_;
         while (true) {
-            const auto found = types_.find(within.empty() ? name : within + "/" + name);
+            const auto found = types_.find(within.empty() ? name : fmt::format("{}/{}", within, name));
             if (found != types_.end()) return found->second;
             if (within.empty()) break;
             const std::size_t slash = within.rfind('/');
