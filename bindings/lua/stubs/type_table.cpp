@@ -15,23 +15,27 @@ struct Row {
     std::string path, values, unit, doc;
 };
 
-std::string values_of(const Type& type) {
+// `numbers`: which ones its field may have.
+std::string values_of(const Type& type, Numbers numbers = Numbers::finite) {
     const bool many = type.element != nullptr;
     const Type& single = many ? *type.element : type;
-    if (many && single.element != nullptr) return "array of " + values_of(single);
+    if (many && single.element != nullptr) return "array of " + values_of(single, numbers);
     const std::string array = !many ? "" : type.length == 0 ? "array of " : fmt::format("array of {} ", type.length);
     const std::string_view plural = many ? "s" : "";
     if (single.is_integer()) {
         const auto [min, max] = single.integer_range();
         return fmt::format("{}integer{} from {} to {}", array, plural, min, max);
     }
+    const bool any = numbers == Numbers::any;
+    const std::string number = fmt::format("{}{}number{}", array, any ? "" : "finite ", plural);
+    const std::string_view others = any ? ", also inf and nan" : "";
     switch (single.kind) {
         case Type::Kind::boolean: return many ? "array of booleans" : "true or false";
         case Type::Kind::float32: {
             constexpr float limit = std::numeric_limits<float>::max();
-            return fmt::format("{}finite number{} from {:.4g} to {:.4g}", array, plural, -limit, limit);
+            return fmt::format("{} from {:.4g} to {:.4g}{}", number, -limit, limit, others);
         }
-        case Type::Kind::float64: return fmt::format("{}finite number{}", array, plural);
+        case Type::Kind::float64: return fmt::format("{}{}", number, others);
         case Type::Kind::text: return many ? "array of strings" : "string";
         case Type::Kind::octets: return "string of bytes";
         case Type::Kind::enumeration: return array + fmt::format("{}", fmt::join(single.choices, " | "));
@@ -46,7 +50,7 @@ void add_rows(std::vector<Row>& rows, const std::string& path, const Type& type)
         const Type& single = many ? *field.type->element : *field.type;
         if (many || single.fields.empty() || !field.doc.empty()) {
             const std::string limits = field.limits != nullptr ? limits_text(*field.limits) : "";
-            rows.push_back({name, values_of(*field.type) + limits, field.unit, field.doc});
+            rows.push_back({name, values_of(*field.type, field.numbers) + limits, field.unit, field.doc});
         }
         add_rows(rows, name + (many ? "[i]." : "."), single);
     }
