@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -35,6 +36,8 @@ const Type* find_type(const std::string& name, const OtherForms& others) {
 
 Json write_any(const Value& value, const OtherForms& others) {
     if (const auto* table = value.get_if<TableRef>()) return Json{{"table", table->index}};
+    // As a number whatever its size: nothing else says here that it is none of the texts.
+    if (const auto* whole = value.get_if<std::int64_t>()) return *whole;
     for (const PlainType& each : plain_types()) {
         if (each.type != &value.type()) continue;
         Json json = value_to_json(value, others);
@@ -95,8 +98,27 @@ std::string read_elements(const Json& json, const ValuePlace& out, const OtherFo
     return wrong;
 }
 
+// Other programs read numbers of JSON as doubles, which hold whole numbers up to 2^53 exactly. Larger ones are texts.
+template <class T>
+Json write_whole(const T& number) {
+    if constexpr (std::is_same_v<T, bool>) {
+        return number;
+    } else {
+        constexpr std::int64_t most = std::int64_t{1} << 53;
+        if (std::cmp_less_equal(number, most) && std::cmp_greater_equal(number, -most)) return number;
+        return std::to_string(number);
+    }
+}
+
 template <class T>
 std::string read_whole(const Json& json, T& out) {
+    if constexpr (!std::is_same_v<T, bool>) {
+        if (const auto* text = json.get_ptr<const std::string*>()) {
+            const char* const end = text->data() + text->size();
+            const auto read = std::from_chars(text->data(), end, out);
+            if (read.ec == std::errc() && read.ptr == end) return "";
+        }
+    }
     constexpr auto largest = std::uint64_t{std::numeric_limits<T>::max()};
     if (json.is_number_unsigned() ? json.get<std::uint64_t>() > largest
                                   : !json.is_number_integer() || !std::is_signed_v<T> ||
@@ -196,8 +218,11 @@ Json value_to_json(const ValueView& value, const OtherForms& others) {
         case Type::Kind::other: return others.write(value);
         default:
             return visit_number(value, []<class T>(const T& number) -> Json {
-                if constexpr (std::is_floating_point_v<T>) return number_to_json(static_cast<double>(number));
-                return number;
+                if constexpr (std::is_floating_point_v<T>) {
+                    return number_to_json(static_cast<double>(number));
+                } else {
+                    return write_whole(number);
+                }
             });
     }
 }
