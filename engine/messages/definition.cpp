@@ -53,6 +53,13 @@ const Type* type_of_kind(std::string_view kind) {
     return found != single_kinds.end() ? &found->second() : nullptr;
 }
 
+std::span<const std::pair<std::string_view, std::string_view>> foreign_kinds() {
+    static constexpr std::pair<std::string_view, std::string_view> kinds[] = {
+        {"char", "octet"}, {"int8", "int8"},    {"uint8", "octet"},    {"int16", "short"},     {"uint16", "ushort"},
+        {"int32", "long"}, {"uint32", "ulong"}, {"int64", "longlong"}, {"uint64", "ulonglong"}};
+    return kinds;
+}
+
 const Type* compiled_payload(std::string_view name) {
     for (const MessageType& each : compiled_message_types()) {
         if (each.name == name) return each.payload;

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/base/error.hpp"
@@ -45,6 +46,9 @@ struct MessageDefinition {
 std::span<const std::string_view> field_kinds();
 /// The type of such a kind; null where it is none.
 const Type* type_of_kind(std::string_view kind);
+
+/// What definitions of ROS and of IDL call the same: the name there, as "uint16", and the kind here, "ushort".
+std::span<const std::pair<std::string_view, std::string_view>> foreign_kinds();
 
 /// A structure within compiled messages, "Point2D", or the payload of one of these; null where there is none.
 const Type* compiled_payload(std::string_view name);

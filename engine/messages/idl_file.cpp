@@ -316,20 +316,10 @@ private:
             if (is("double")) return fail("nezumi has no long double: a double is near enough"), IdlType{};
             return {.kind = prefix + (take("long") ? "longlong" : "long")};
         }
-        constexpr std::array<std::pair<std::string_view, std::string_view>, 13> words{{{"boolean", "boolean"},
-                                                                                       {"octet", "octet"},
-                                                                                       {"char", "octet"},
-                                                                                       {"float", "float"},
-                                                                                       {"double", "double"},
-                                                                                       {"int8", "int8"},
-                                                                                       {"uint8", "octet"},
-                                                                                       {"int16", "short"},
-                                                                                       {"uint16", "ushort"},
-                                                                                       {"int32", "long"},
-                                                                                       {"uint32", "ulong"},
-                                                                                       {"int64", "longlong"},
-                                                                                       {"uint64", "ulonglong"}}};
-        for (const auto& [word, kind] : words) {
+        for (const std::string_view kind : {"boolean", "octet", "float", "double"}) {
+            if (take(kind)) return {.kind = std::string(kind)};
+        }
+        for (const auto& [word, kind] : foreign_kinds()) {
             if (take(word)) return {.kind = std::string(kind)};
         }
         return read_named_type();

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <filesystem>
@@ -16,20 +15,21 @@
 namespace nezumi {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> ros_kinds{{{"bool", "boolean"},
-                                                                                   {"byte", "octet"},
-                                                                                   {"char", "octet"},
-                                                                                   {"int8", "int8"},
-                                                                                   {"uint8", "octet"},
-                                                                                   {"int16", "short"},
-                                                                                   {"uint16", "ushort"},
-                                                                                   {"int32", "long"},
-                                                                                   {"uint32", "ulong"},
-                                                                                   {"int64", "longlong"},
-                                                                                   {"uint64", "ulonglong"},
-                                                                                   {"float32", "float"},
-                                                                                   {"float64", "double"},
-                                                                                   {"string", "string"}}};
+// Those that only ROS calls so.
+constexpr std::pair<std::string_view, std::string_view> ros_kinds[] = {
+    {"bool", "boolean"}, {"byte", "octet"}, {"float32", "float"}, {"float64", "double"}, {"string", "string"}};
+
+// The kind that ROS calls so; "" for a message.
+std::string_view kind_of_ros(std::string_view name) {
+    const auto find_in = [&](const auto& kinds) -> std::string_view {
+        for (const auto& [theirs, ours] : kinds) {
+            if (theirs == name) return ours;
+        }
+        return "";
+    };
+    const std::string_view kind = find_in(ros_kinds);
+    return kind.empty() ? find_in(foreign_kinds()) : kind;
+}
 
 // Takes letters, digits and these from the begin of a text.
 std::string_view take_word(std::string_view& text, std::string_view more = "_") {
@@ -139,9 +139,8 @@ private:
         const std::string name(take_word(text, "_/"));
         if (name.empty()) return wrong(fmt::format("expected a type, got '{}'", shown(text)));
         if (name == "wstring") return wrong("nezumi has no wstring: take a string, which holds UTF-8");
-        const auto known =
-            std::find_if(ros_kinds.begin(), ros_kinds.end(), [&](const auto& each) { return each.first == name; });
-        field.kind = known != ros_kinds.end() ? std::string(known->second) : full_name(name);
+        const std::string_view known = kind_of_ros(name);
+        field.kind = known.empty() ? full_name(name) : std::string(known);
         if (name == "string" && take(text, "<=")) {
             if (auto ok = read_length(text, field.limits.length); !ok) return ok;
         }

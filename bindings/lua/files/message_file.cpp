@@ -104,7 +104,8 @@ private:
         }
         all.done();
         if (check.ok() && made.fields.empty())
-            check.explain({}, "it has no fields: write { \"distance\", \"double\" }");
+            return Unexpected(file_.fail(
+                {fmt::format("message '{}' has no fields: write {{ \"distance\", \"double\" }}", name_), place}));
         if (auto ok = check.result(); !ok) return Unexpected(file_.fail(ok.error()));
         definition = std::move(made);
         return {};
