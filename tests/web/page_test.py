@@ -211,7 +211,7 @@ class Connection(rig.PageCase):
         self.assertIn("Connection lost", page.text(".notices"))
         again = self.system(WALL, options=["--port", str(system.port)])
         self.assertEqual(again.port, system.port)
-        page.until("document.querySelector('.notices').textContent.includes('was started anew')", "the page says so")
+        page.until("document.querySelector('.notices').textContent.includes('was restarted and does not know this page')", "the page says so")
         page.open(again.url)
         self.assertFalse(page.js("return document.body.classList.contains('offline')"))
 
