@@ -54,7 +54,7 @@ Expected<CommandEnd> command_explain(Session::Parts& parts, const Arguments& arg
     const std::string name = at->component->name();
     const auto trace = parts.live.explain_next(name);
     if (!trace) return Unexpected(trace.error());
-    parts.explained.push_back({name, *trace, parts.live.starts()});
+    parts.explained.push_back({name, *trace, parts.live.generation()});
     if (parts.clock.is_paused()) parts.show("time is paused: step() lets it execute");
     return CommandEnd::done;
 }

@@ -18,7 +18,7 @@ enum class Outcome : unsigned char { done, number, value, table, failed };
 class Wait {
 public:
     explicit Wait(Session::Parts& parts)
-        : parts_(parts), start_(parts.live.starts()), end_(parts.live.system().now().tick + parts.ticks) {
+        : parts_(parts), start_(parts.live.generation()), end_(parts.live.system().now().tick + parts.ticks) {
         parts.clock.advance(parts.ticks);
         parts.moves = parts.clock.moves();
     }
@@ -30,8 +30,8 @@ public:
     }
 
 private:
-    bool is_here() const { return parts_.live.starts() == start_ && parts_.live.system().now().tick == end_; }
-    bool is_taken_over() const { return parts_.live.starts() != start_ || parts_.clock.moves() != parts_.moves; }
+    bool is_here() const { return parts_.live.generation() == start_ && parts_.live.system().now().tick == end_; }
+    bool is_taken_over() const { return parts_.live.generation() != start_ || parts_.clock.moves() != parts_.moves; }
 
     Session::Parts& parts_;
     int start_;
@@ -272,6 +272,12 @@ const std::vector<ConsoleCommand>& console_commands() {
          command_speed,
          false,
          {Offer::max}},
+        {"resume", "resume()", "time goes on; in a past, what followed happens again", 0, command_run},
+        {"rewind", "rewind(seconds)", "goes back so far in time, and pauses", 1, command_rewind, true},
+        {"seek", "seek(12.3) or seek(\"main\", 12.3)", "goes to this time of a branch, or to its end, and pauses", 2,
+         command_seek, true},
+        {"branches", "branches()", "the courses that this run has taken: a change of the past begins a new one", 0,
+         command_branches},
         {"restart",
          "restart() or restart \"anyway\"",
          "reads the system file again and starts at time 0",

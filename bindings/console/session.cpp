@@ -290,7 +290,7 @@ void Session::after_tick() {
         return true;
     });
     std::erase_if(parts.explained, [&parts](const Explained& each) {
-        const bool is_same = each.start == parts.live.starts();
+        const bool is_same = each.start == parts.live.generation();
         const auto seen = is_same ? parts.live.explanation(each.component, each.trace)
                                   : Expected<std::optional<Explanation>>(failure(each.component + " began anew"));
         if (seen && !*seen) return false;

@@ -30,11 +30,6 @@ std::string_view name_of(RunEnd how) {
 
 std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
-bool is_journaled(const Act& act, bool succeeded) {
-    return succeeded || std::holds_alternative<Command>(act) || std::holds_alternative<Activate>(act) ||
-           std::holds_alternative<Deactivate>(act) || std::holds_alternative<Reset>(act);
-}
-
 Expected<std::unique_ptr<Journal>> Journal::create(const std::filesystem::path& file) {
     auto opened = ResultFile::open(file);
     if (!opened) return Unexpected(opened.error());
@@ -63,7 +58,7 @@ void Journal::begin(RunningSystem& live, const std::string& version, bool hardwa
                {"seed_wins", live.options().build.seed_wins},
                {"params", text_to_json(live.options().values.file)},
                {"set", std::move(set)},
-               {"files", files_to_json(known(live.take_files()))}};
+               {"files", files_to_json(known(live.history().files()))}};
     add([first = std::move(first)] { return line(first); });
     live.observe_acts(this);
     flush();
@@ -109,15 +104,15 @@ FilesSeen Journal::known(FilesSeen files) {
     return files;
 }
 
-void Journal::acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result,
-                    FilesSeen files) {
-    if (!is_journaled(act, result.has_value())) return;
-    add([when, act, who, &scripts = *live_->options().scripts, failed = !result, files = known(std::move(files))] {
+void Journal::acted(const ActTime& when, std::shared_ptr<const PastAct> act, const Expected<ActResult>& result) {
+    if (!is_of_history(act->act, result.has_value())) return;
+    FilesSeen files = known(act->files);
+    add([when, act = std::move(act), &scripts = *live_->options().scripts, files = std::move(files)] {
         Json json{{"at", at(when)},
-                  {"who", text_to_json(to_text(who))},
-                  {"do", nezumi::name_of(act)},
-                  {"with", to_json(act, scripts)}};
-        if (failed) json["failed"] = true;
+                  {"who", text_to_json(to_text(act->who))},
+                  {"do", nezumi::name_of(act->act)},
+                  {"with", to_json(act->act, scripts)}};
+        if (act->failed) json["failed"] = true;
         if (!files.empty()) json["files"] = files_to_json(files);
         return line(json);
     });

@@ -66,8 +66,7 @@ public:
     /// Drops what is not written yet, so that `end` returns soon, with an error. Any thread may call it.
     void give_up() { writer_.give_up(); }
 
-    void acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result,
-               FilesSeen files) override;
+    void acted(const ActTime& when, std::shared_ptr<const PastAct> act, const Expected<ActResult>& result) override;
     void ran_out_of_time(const ActTime& when, const std::string& component, const Component::OutOfTime& call) override;
 
 private:
@@ -94,8 +93,6 @@ private:
     std::optional<Error> error_;
 };
 
-/// True if a replay needs this act: it succeeded, or it ran a script's hook or command.
-bool is_journaled(const Act& act, bool succeeded);
 /// Returns "9f86d081884c7d65".
 std::string hash_text(std::uint64_t hash);
 

@@ -155,7 +155,7 @@ Expected<void> Replay::read_entry(const std::string& line, int number) {
     if (!when) return wrong(number, "'at' must be the start's number, the tick and the act's number");
     Entry entry{.line = number, .when = *when};
     if (const auto call = json.find("out_of_time"); call != json.end()) return read_out_of_time(*call, *when, number);
-    if (!entries_.empty()) {
+    if (!entries_.empty() && entries_.back().name != Describe<Seek>::name) {
         const ActTime& before = entries_.back().when;
         if (std::pair(when->start, when->tick) < std::pair(before.start, before.tick))
             return wrong(number, fmt::format("{} comes after {}", text_of(*when), text_of(before)));
@@ -216,7 +216,6 @@ Expected<void> Replay::check_system(const fs::path& file) const {
 Expected<std::unique_ptr<RunningSystem>> Replay::load(LiveOptions options) {
     options.files = &*files_;
     options.installed = installed_;
-    options.world = with_pictures_from(*files_, std::move(options.world));
     options.build.seed = seed_;
     options.build.seed_wins = seed_wins_;
     options.values = values_;

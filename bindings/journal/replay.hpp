@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "bindings/journal/journal.hpp"
-#include "bindings/journal/recorded_files.hpp"
 #include "engine/base/error.hpp"
 #include "engine/live/running_system.hpp"
+#include "engine/time/recorded_files.hpp"
 
 namespace nezumi {
 

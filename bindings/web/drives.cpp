@@ -15,7 +15,7 @@ Value resting(const Value& value) {
 bool Drives::has_it(const Drive& drive) const {
     const auto port = live_.system().port(drive.port);
     const Actor* holder = live_.system().holder(drive.port);
-    return drive.start == live_.starts() && port && (*port)->override() == Override::held && holder != nullptr &&
+    return drive.start == live_.generation() && port && (*port)->override() == Override::held && holder != nullptr &&
            *holder == drive.who;
 }
 
@@ -40,7 +40,7 @@ Expected<void> Drives::take(ClientId client, const DriveMessage& message, const 
     auto held = live_.act(Hold{message.port, *message.value, message.take}, who);
     if (!held) return Unexpected(held.error());
     live_.system().log(LogLevel::info, to_text(who) + ": drives " + message.port);
-    drives_.push_back({client, who, message.port, *message.value, now, -1, live_.starts()});
+    drives_.push_back({client, who, message.port, *message.value, now, -1, live_.generation()});
     return {};
 }
 

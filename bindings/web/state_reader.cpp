@@ -72,8 +72,8 @@ std::optional<double> number_of(const ValueView& leaf) {
 
 std::unique_ptr<State> StateReader::at(std::unique_ptr<State> state, const Watch& wanted, double late) {
     const System& system = live_.system();
-    if (starts_ != live_.starts() || layout_ != system.layout() || number_ == 0) {
-        starts_ = live_.starts();
+    if (starts_ != live_.generation() || layout_ != system.layout() || number_ == 0) {
+        starts_ = live_.generation();
         layout_ = system.layout();
         ++number_;
         counts_.clear();

@@ -217,6 +217,15 @@ Json drivers_to_json(const System& system) {
     return drivers;
 }
 
+// The branches, and where the present stands among them.
+Json past_to_json(const RunningSystem& live) {
+    const RunHistory& history = live.history();
+    Json branches = Json::array();
+    for (const RunHistory::Branch& branch : history.branches())
+        branches.push_back({{"name", branch.name}, {"ends", branch.seconds}});
+    return {{"branches", std::move(branches)}, {"branch", history.current()}, {"is_past", live.is_past()}};
+}
+
 }  // namespace
 
 Json system_to_json(const RunningSystem& live) {
@@ -225,9 +234,10 @@ Json system_to_json(const RunningSystem& live) {
               {"file", live.project().shown(live.file())},
               {"name", live.file().stem().string()},
               {"rate", system.settings().rate},
-              {"start", live.starts()},
+              {"start", live.generation()},
               {"real", system.settings().real_time},
               {"stopped", system.is_stopped()},
+              {"past", past_to_json(live)},
               {"components", Json::array()},
               {"connections", Json::array()}};
     const TreeNode tree = live.tree();
@@ -254,8 +264,10 @@ std::uint64_t system_fingerprint(const RunningSystem& live) {
     const System& system = live.system();
     std::uint64_t print = 0xcbf29ce484222325U;
     const auto mix = [&](std::uint64_t value) { print = (print ^ value) * 0x100000001b3U; };
-    mix(static_cast<std::uint64_t>(live.starts()));
+    mix(static_cast<std::uint64_t>(live.generation()));
     mix(system.layout());
+    mix(live.history().branches().size());
+    mix(live.is_past() ? 1 : 0);
     mix(system.is_stopped() ? 1 : 0);
     mix(system.world() != nullptr ? system.world()->markers().size() : 0);
     for (const Component* component : system.components()) {

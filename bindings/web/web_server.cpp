@@ -47,9 +47,12 @@ WebServer::WebServer(RunningSystem& live, ClockControl& clock, ConsoleServer& co
               [this](ClientId client, const std::string& port, const std::string& why) {
                   hub_.send(client, dump({{"is", "drive"}, {"port", port}, {"ok", false}, {"text", why}}));
               }),
-      relay_(consoles, [this](ClientId client, std::string_view line) {
-          hub_.send(client, fmt::format(R"({{"is":"console","event":{}}})", line), true);
-      }) {}
+      relay_(consoles,
+             [this](ClientId client, std::string_view line) {
+                 hub_.send(client, fmt::format(R"({{"is":"console","event":{}}})", line), true);
+             }),
+      seeks_(live, clock,
+             [this](ClientId client, std::int64_t id, const Expected<void>& done) { answer(client, id, done); }) {}
 
 Expected<std::unique_ptr<WebServer>> WebServer::open(RunningSystem& live, ClockControl& clock, ConsoleServer& consoles,
                                                      const WebOptions& options) {
@@ -103,6 +106,7 @@ bool WebServer::serve(Clock::time_point until, double late) {
         dealt_ = 0;
     }
     finish_restart();
+    const bool seeks = seeks_.serve(until);
     const auto now = Clock::now();
     drives_.serve(now);
     relay_.serve();
@@ -111,7 +115,7 @@ bool WebServer::serve(Clock::time_point until, double late) {
         show(late, now);
     }
     explain();
-    return dealt_ < waiting_.size();
+    return seeks || dealt_ < waiting_.size();
 }
 
 void WebServer::deal_with(const Hub::Incoming& incoming) {
@@ -161,6 +165,10 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
         // What would be lost is asked for, as with the page's own button.
         if (std::holds_alternative<Restart>(act->act)) return restart(client, message.id, browser);
         note(browser, act->shown);
+        if (const auto* where = std::get_if<Seek>(&act->act)) {
+            if (auto ok = seeks_.begin(client, message.id, browser.who, *where); !ok) return Unexpected(ok.error());
+            return Reply::later;
+        }
         const auto result = live_.act(act->act, browser.who);
         if (!result) return Unexpected(result.error());
         return Reply::now;
@@ -179,7 +187,7 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
         if (explained_.size() >= most_explained) return failure("too many explanations are already waiting");
         const auto trace = live_.explain_next(wanted->component);
         if (!trace) return Unexpected(trace.error());
-        explained_.push_back({client, wanted->component, *trace, live_.starts()});
+        explained_.push_back({client, wanted->component, *trace, live_.generation()});
         return Reply::now;
     }
     if (const auto* time = std::get_if<TimeMessage>(&message.body)) {
@@ -253,7 +261,7 @@ Expected<void> WebServer::set_time(const TimeMessage& time, const Browser& brows
 void WebServer::explain() {
     std::erase_if(explained_, [&](const Explained& each) {
         if (!browsers_.contains(each.client)) return true;
-        const auto seen = each.start == live_.starts()
+        const auto seen = each.start == live_.generation()
                               ? live_.explanation(each.component, each.trace)
                               : Expected<std::optional<Explanation>>(failure(each.component + " began anew"));
         if (seen && !*seen) return false;
@@ -267,14 +275,14 @@ void WebServer::explain() {
 
 void WebServer::describe_system(Clock::time_point now) {
     // Frames must not contain what browsers do not know yet.
-    const bool other = layout_ != live_.system().layout() || starts_ != live_.starts();
+    const bool other = layout_ != live_.system().layout() || starts_ != live_.generation();
     if (!other && now - described_ < std::chrono::duration<double>(1 / descriptions)) return;
     described_ = now;
     const std::uint64_t fingerprint = system_fingerprint(live_);
     if (!other && fingerprint == fingerprint_) return;
     fingerprint_ = fingerprint;
     layout_ = live_.system().layout();
-    starts_ = live_.starts();
+    starts_ = live_.generation();
     const auto& floor = live_.spec().arena.floor;
     hub_.show_floor(floor && live_.system().world() != nullptr ? floor->image : "");
     hub_.show(Hub::Slot::system, dump(system_to_json(live_)));

@@ -14,6 +14,7 @@
 #include "bindings/web/drives.hpp"
 #include "bindings/web/hub.hpp"
 #include "bindings/web/pictures.hpp"
+#include "bindings/web/seeks.hpp"
 #include "bindings/web/sockets.hpp"
 #include "bindings/web/state_reader.hpp"
 #include "engine/live/act_worker.hpp"
@@ -107,6 +108,7 @@ private:
     };
     RestartRequest restart_;  // the restart being prepared
     ActWorker worker_;
+    Seeks seeks_;
     Clock::time_point shown_{};
     Clock::time_point described_{};
     std::uint64_t fingerprint_ = 0;

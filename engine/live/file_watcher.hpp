@@ -48,6 +48,12 @@ public:
     /// Sets the watched files. For files that were already watched, the known content stays.
     void watch(const Files& files);
 
+    /// The watched files with the contents that were seen last.
+    Files known() const {
+        const std::lock_guard lock(shared_->mutex);
+        return shared_->known;
+    }
+
     /// Whether there are changes or losses to take; only reads a flag.
     bool has_news() const { return shared_->has_news.load(std::memory_order_relaxed); }
     /// The files that have changed since the last call, sorted by path, each once with its present content. Files that

@@ -11,8 +11,10 @@
 
 namespace nezumi {
 
-LiveReload::LiveReload(RunningSystem& live, Reloads& reloads, const std::vector<std::string>& other_files)
+LiveReload::LiveReload(RunningSystem& live, Reloads& reloads, const std::vector<std::string>& other_files,
+                       const FileWatcher::Files& seen)
     : live_(live), reloads_(reloads) {
+    watcher_.watch(seen);
     for (const std::string& path : other_files) {
         if (const auto text = read_source(path)) other_files_.try_emplace(path, ScriptFile(*text).hash);
     }

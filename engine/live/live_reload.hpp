@@ -16,7 +16,12 @@ class LiveReload {
 public:
     /// Watches every script of the system with its modules, and `other_files` (system, robots, maps), whose changes are
     /// only reported. A file that can't be read any more is reported once. Must be destroyed before the next start.
-    LiveReload(RunningSystem& live, Reloads& reloads, const std::vector<std::string>& other_files);
+    /// `seen` are contents of files that are no change, though other contents run.
+    LiveReload(RunningSystem& live, Reloads& reloads, const std::vector<std::string>& other_files,
+               const FileWatcher::Files& seen = {});
+
+    /// The contents of the files that were seen last.
+    FileWatcher::Files seen() const { return watcher_.known(); }
 
     /// Call this between two ticks. Only reads a flag if nothing has changed.
     void between_ticks() {

@@ -23,7 +23,7 @@ inline bool takes_files(const Act& act) {
 /// The result of `RunningSystem::prepare` for `RunningSystem::commit`.
 struct PreparedAct {
     Act act;                       ///< the act to perform: a `Reload` of all changed files has their names
-    int start = 0;                 ///< number of the system's start that it was prepared for
+    int generation = 0;            ///< of the system that it was prepared for
     FilesSeen files{};             ///< the files that were read
     std::optional<Error> error{};  ///< why it can't be performed
 

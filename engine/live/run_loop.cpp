@@ -24,7 +24,8 @@ constexpr double wake_margin = 0.0002;
 
 }  // namespace
 
-RunLoop::RunLoop(RunningSystem& live, const Options& options) : live_(live), options_(options), starts_(live.starts()) {
+RunLoop::RunLoop(RunningSystem& live, const Options& options)
+    : live_(live), options_(options), generation_(live.generation()) {
     assert(options.speed > 0);
     pace_anew();
 }
@@ -77,8 +78,8 @@ bool RunLoop::ended() const {
 }
 
 void RunLoop::follow_restart() {
-    if (starts_ == live_.starts()) return;
-    starts_ = live_.starts();
+    if (generation_ == live_.generation()) return;
+    generation_ = live_.generation();
     pace_anew();  // its rate may have changed
 }
 

@@ -122,7 +122,7 @@ private:
     std::int64_t ticks_left_ = forever;
     std::uint64_t moves_ = 0;
     double advanced_ = 0;
-    int starts_ = 0;
+    int generation_ = 0;
     bool more_waits_ = false;
     bool quit_ = false;
 };

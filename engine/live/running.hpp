@@ -11,6 +11,8 @@ namespace nezumi {
 
 /// Members are destroyed in the reverse order of declaration.
 struct RunningSystem::Running {
+    LogSink log;    // empty: while the past is computed, nothing is logged
+    int start = 0;  // number of the start, for log lines
     SystemSpec spec;
     std::unique_ptr<Behaviors> behaviors;
     Makers makers;

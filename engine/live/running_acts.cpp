@@ -32,8 +32,8 @@ Preparation RunningSystem::prepare(const Act& act, FilesSeen found) const {
     if (const auto* add = std::get_if<Add>(&act)) work = work_of(*add, *this);
     if (const auto* restart = std::get_if<Restart>(&act)) work = work_of(*restart, *this);
     assert(work);
-    return [act, start = starts_, project = project_, found = std::move(found), work = std::move(work)] {
-        PreparedAct prepared{.act = act, .start = start};
+    return [act, generation = generation_, project = project_, found = std::move(found), work = std::move(work)] {
+        PreparedAct prepared{.act = act, .generation = generation};
         FileSnapshot files(project.files(), found);
         work(prepared, project.through(files));
         prepared.files = files.take();
@@ -42,7 +42,8 @@ Preparation RunningSystem::prepare(const Act& act, FilesSeen found) const {
 }
 
 bool RunningSystem::fits(const PreparedAct& prepared) const {
-    return prepared.start == starts_ && (prepared.reload == nullptr || running_->reloads->fits(*prepared.reload));
+    return prepared.generation == generation_ &&
+           (prepared.reload == nullptr || running_->reloads->fits(*prepared.reload));
 }
 
 Expected<ActResult> RunningSystem::commit(PreparedAct prepared, const Actor& who) {
@@ -65,10 +66,13 @@ Expected<ActResult> RunningSystem::perform_and_tell(const Act& act, const Actor&
     const ActTime time = when();
     auto done = perform();
     ++acts_;
-    if (act_observer_ != nullptr) {
-        act_observer_->acted(time, act, who, done, files != nullptr ? std::move(*files) : FilesSeen());
-        tell_out_of_time(std::holds_alternative<Restart>(act) ? when() : time);
-    }
+    if (repeats_) return done;
+    const auto past =
+        std::make_shared<const PastAct>(PastAct{act, who, !done, files != nullptr ? std::move(*files) : FilesSeen()});
+    const bool is_seek = std::holds_alternative<Seek>(act);
+    if (is_of_history(act, done.has_value()) && !is_seek) history_.add({time, past});
+    if (act_observer_ != nullptr) act_observer_->acted(time, past, done);
+    if (!is_seek) tell_out_of_time(std::holds_alternative<Restart>(act) ? when() : time);
     return done;
 }
 
@@ -136,7 +140,9 @@ Expected<ActResult> RunningSystem::perform(const Remove& act, const Actor& who, 
 }
 
 Expected<ActResult> RunningSystem::perform(const Restart& /*act*/, const Actor& /*who*/, PreparedAct* prepared) {
-    auto next = build(std::move(prepared->spec), std::move(prepared->behaviors));
+    FileSnapshot files(project_.files(), std::move(prepared->files));
+    auto next = build(std::move(prepared->spec), std::move(prepared->behaviors), files);
+    prepared->files = files.take();
     if (!next) return Unexpected(next.error());
     hash_before_ = trace_hash();
     take(std::move(*next));

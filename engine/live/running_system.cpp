@@ -10,8 +10,16 @@
 #include "engine/live/answer_question.hpp"
 #include "engine/live/prepare.hpp"
 #include "engine/live/running.hpp"
+#include "engine/time/recorded_files.hpp"
 
 namespace nezumi {
+namespace {
+
+// How often the hash of a history is noted.
+constexpr std::int64_t ticks_between_hashes = 100;
+
+}  // namespace
+
 Expected<std::unique_ptr<RunningSystem>> RunningSystem::load(const std::filesystem::path& file, LiveOptions options) {
     FileSnapshot files(*options.files);
     const Project project = Project::of(file, options.installed, files);
@@ -34,7 +42,7 @@ Expected<std::unique_ptr<RunningSystem>> RunningSystem::make(SystemSpec spec, Pr
     auto running = live->build(std::move(spec), files);
     if (!running) return Unexpected(running.error());
     live->take(std::move(*running));
-    live->files_ = files.take();
+    live->history_.begin(files.take());
     return live;
 }
 
@@ -45,14 +53,17 @@ RunningSystem::~RunningSystem() = default;
 
 Expected<std::unique_ptr<RunningSystem::Running>> RunningSystem::build(SystemSpec spec, const FileSnapshot& files) {
     auto behaviors = load_behaviors(spec, context_of(spec, options_.build), project_.through(files), options_);
-    return build(std::move(spec), std::move(behaviors));
+    return build(std::move(spec), std::move(behaviors), files);
 }
 
 Expected<std::unique_ptr<RunningSystem::Running>> RunningSystem::build(SystemSpec spec,
-                                                                       std::unique_ptr<Behaviors> behaviors) {
+                                                                       std::unique_ptr<Behaviors> behaviors,
+                                                                       const ProjectFiles& files) {
     auto next = std::make_unique<Running>();
     next->spec = std::move(spec);
-    next->makers.world = options_.world;
+    // A run that is repeated has the pictures of then.
+    const bool is_of_disk = !repeats_ && options_.files == &disk();
+    next->makers.world = is_of_disk ? options_.world : with_pictures_from(files, options_.world);
     next->makers.bodies = options_.bodies;
     next->makers.drivers = options_.drivers;
     next->makers.rig = options_.rig;
@@ -62,10 +73,12 @@ Expected<std::unique_ptr<RunningSystem::Running>> RunningSystem::build(SystemSpe
     next->makers.behavior = [&all = *next->behaviors](const BehaviorEntry& entry, const MakerContext&) {
         return all.take(entry);
     };
+    next->log = options_.build.log;
+    next->start = starts_ + 1;
     BuildOptions options = options_.build;
-    options.log = [log = options_.build.log, start = starts_ + 1](LogLine line) {
-        line.start = start;
-        if (log) log(line);
+    options.log = [running = next.get()](LogLine line) {
+        line.start = running->start;
+        if (running->log) running->log(line);
     };
     auto system = build_system(next->spec, next->makers, options);
     if (!system) return Unexpected(system.error());
@@ -74,9 +87,15 @@ Expected<std::unique_ptr<RunningSystem::Running>> RunningSystem::build(SystemSpe
     return next;
 }
 
-std::unique_ptr<RunningSystem::Running> RunningSystem::take(std::unique_ptr<Running> running) {
+std::unique_ptr<RunningSystem::Running> RunningSystem::replace(std::unique_ptr<Running> running) {
     std::swap(running_, running);
     endings_.clear();
+    ++generation_;
+    return running;
+}
+
+std::unique_ptr<RunningSystem::Running> RunningSystem::take(std::unique_ptr<Running> next) {
+    std::unique_ptr<Running> running = replace(std::move(next));
     running_->system->observe(running_->hash);
     trace_.start(*running_->system);
     if (options_.watch) running_->live_reload.emplace(*this, *running_->reloads, running_->spec.files);
@@ -90,7 +109,6 @@ std::unique_ptr<RunningSystem::Running> RunningSystem::take(std::unique_ptr<Runn
 }
 
 void RunningSystem::activate() {
-    files_.clear();
     if (!foreseen_.empty()) take_foreseen();
     activate_all(*running_->system, running_->spec);
 }
@@ -129,18 +147,29 @@ void RunningSystem::tick() {
     }
     if (!endings_.empty()) end_holds();
     if (!foreseen_.empty()) take_foreseen();
+    repeat_known();
+    if (!gone_.empty() && !is_past()) {
+        for (const Actor& who : std::exchange(gone_, {})) let_go(who);
+    }
     const ActTime time = when();
     running_->system->tick();
-    if (act_observer_ != nullptr) tell_out_of_time(time);
-    // An emergency stop is never refused.
+    tell_out_of_time(time);
+    if (is_past()) {
+        repeat_known(false);
+    } else if (running_->system->now().tick % ticks_between_hashes == 0) {
+        history_.add({when(), PastHash{trace_hash()}});
+    }
+    // An emergency stop is never refused. One that is known comes as an act.
     for (const auto& component : running_->system->components()) {
-        if (component->take_stop()) static_cast<void>(act(Stop{}, {Actor::Kind::joystick, component->name()}));
+        if (component->take_stop() && !history_.is_past(time))
+            static_cast<void>(act(Stop{}, {Actor::Kind::joystick, component->name()}));
     }
 }
 
 ActTime RunningSystem::when() const { return {starts_, running_->system->now().tick, acts_}; }
 
 void RunningSystem::let_go(const Actor& who) {
+    if (is_past()) return gone_.push_back(who);  // it begins no branch
     for (const std::string& path : running_->system->held_by(who)) {
         const auto port = running_->system->port(path);
         if (port && (*port)->type() == message_of<Velocity2D>()) {
@@ -178,8 +207,11 @@ void RunningSystem::take_foreseen() {
 void RunningSystem::tell_out_of_time(const ActTime& time) {
     for (const auto& component : running_->system->components()) {
         if (!component->has_new_out_of_time()) continue;
-        for (const auto& call : component->take_out_of_time())
-            act_observer_->ran_out_of_time(time, component->name(), call);
+        for (auto& call : component->take_out_of_time()) {
+            if (repeats_ || history_.is_past(time)) continue;
+            if (act_observer_ != nullptr) act_observer_->ran_out_of_time(time, component->name(), call);
+            history_.add({time, PastCall{component->name(), std::move(call)}});
+        }
     }
 }
 

@@ -16,6 +16,7 @@
 #include "engine/project/project.hpp"
 #include "engine/system/act.hpp"
 #include "engine/system/build_system.hpp"
+#include "engine/time/run_history.hpp"
 #include "engine/trace/trace.hpp"
 #include "engine/trace/trace_hash.hpp"
 #include "engine/tree/node.hpp"
@@ -41,25 +42,18 @@ struct LiveOptions {
     std::function<void(std::string_view)> print;  ///< gets the output of system files, a line at a time; may be empty
 };
 
-/// The time of an act: the start, the next tick, and its number among all acts.
-struct ActTime {
-    int start = 1;
-    std::int64_t tick = 0;
-    std::int64_t sequence = 0;
-    bool operator==(const ActTime&) const = default;
-};
-
 /// Observes everything that makes one run differ from another.
 class ActObserver {
 public:
     virtual ~ActObserver() = default;
-    /// An act, its result (also if it was refused), and the files that it read.
-    virtual void acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result,
-                       FilesSeen files) = 0;
+    /// An act, and its result, also if it was refused.
+    virtual void acted(const ActTime& when, std::shared_ptr<const PastAct> act, const Expected<ActResult>& result) = 0;
     /// A call into a script ran out of its time.
     virtual void ran_out_of_time(const ActTime& when, const std::string& component,
                                  const Component::OutOfTime& call) = 0;
 };
+
+class PastRun;
 
 class RunningSystem {
 public:
@@ -102,6 +96,25 @@ public:
     bool fits(const PreparedAct& prepared) const;
     /// Between two ticks: performs the act; refuses it if it does not fit or if its preparation failed.
     Expected<ActResult> commit(PreparedAct prepared, const Actor& who);
+    /// Begins to compute the moment that `Seek` names, from the history; `PastRun::go_on` goes on with it, and `commit`
+    /// goes there. The error says why it can't be returned to: real robots, other hosts, a time that never was.
+    Expected<std::unique_ptr<PastRun>> begin_seek(const Seek& where);
+    /// Between two ticks: the system is what it was at that moment. What followed is known: ticks repeat it with its
+    /// acts, and after its end the run goes on. Every other act before then begins a new branch.
+    Expected<ActResult> commit(PastRun& past, const Actor& who);
+    /// Everything that has happened, up to the present.
+    const RunHistory& history() const { return history_; }
+    /// The branches up to now; the present one has come as far as the system.
+    const RunHistory& history_until_now();
+    /// Whether the present is a past whose future is known.
+    bool is_past() const { return history_.is_past(when()); }
+    /// Computes a history again, from its start: this system has been loaded from its files and is not active yet.
+    void repeat(RunHistory past);
+    /// Repeats what is known to have happened before the next tick, as `tick` does; without acts, only up to the first
+    /// act.
+    void repeat_known(bool acts = true);
+    /// The first tick at which a repeated history was another one than before.
+    const std::optional<ActTime>& differs() const { return differs_; }
     /// Releases the ports of an actor that is gone, such as a closed connection; a velocity is zero for a tick first.
     void let_go(const Actor& who);
     /// Requests a line trace of an execution of a behaviour, which does not change the execution. Returns the number of
@@ -124,8 +137,10 @@ public:
         Component::OutOfTime call;
     };
     void foresee(std::vector<Foreseen> calls) { foreseen_ = std::move(calls); }
-    /// The number of starts: pointers into the system are invalid after it has grown.
+    /// The number of starts, as in `ActTime`.
     int starts() const { return starts_; }
+    /// Pointers into the system are invalid after this has changed: after each start and each seek.
+    int generation() const { return generation_; }
 
     /// Builds a system that has not moved yet again, from another description; parameter values stay. After an error
     /// the system has not changed.
@@ -144,8 +159,6 @@ public:
     const Project& project() const { return project_; }
     const LiveOptions& options() const { return options_; }
     PartReader part_reader() const { return {project_, options_.scripts, defined_messages(system())}; }
-    /// What its start has found of files, once, until it is activated: what a journal keeps.
-    FilesSeen take_files() { return std::exchange(files_, {}); }
     /// Of everything since the start; after a restart, also of the hash before.
     std::uint64_t trace_hash() const;
     /// The recorded values, over restarts.
@@ -170,20 +183,27 @@ private:
     Expected<ActResult> perform(const Restart& act, const Actor& who, PreparedAct* prepared);
     ActDoor door();
     void watch_again();
+    Expected<ActResult> perform(const Seek& act, const Actor& who, PreparedAct* prepared);
     void end_holds();
     void take_foreseen();
     void tell_out_of_time(const ActTime& time);
+    // Continues with the system that has computed the past.
+    Expected<ActResult> take(PastRun& past);
     static Expected<std::unique_ptr<RunningSystem>> make(SystemSpec spec, Project project, LiveOptions options,
                                                          FileSnapshot& files);
     Expected<std::unique_ptr<Running>> build(SystemSpec spec, const FileSnapshot& files);
-    Expected<std::unique_ptr<Running>> build(SystemSpec spec, std::unique_ptr<Behaviors> behaviors);
-    // Returns the replaced one.
+    Expected<std::unique_ptr<Running>> build(SystemSpec spec, std::unique_ptr<Behaviors> behaviors,
+                                             const ProjectFiles& files);
+    // Both return the replaced one.
     std::unique_ptr<Running> take(std::unique_ptr<Running> running);
+    std::unique_ptr<Running> replace(std::unique_ptr<Running> running);
 
     std::filesystem::path file_;  // empty: no file
     Project project_;
     LiveOptions options_;
-    FilesSeen files_;  // of the start
+    RunHistory history_;
+    bool repeats_ = false;  // what is performed now is known
+    std::optional<ActTime> differs_;
     Trace trace_;
     ActObserver* act_observer_ = nullptr;
     std::int64_t acts_ = 0;
@@ -194,9 +214,11 @@ private:
         std::int64_t tick;
     };
     std::vector<Ending> endings_;  // of holds, after the tick with a zero
+    std::vector<Actor> gone_;      // while the present was a past
     std::unique_ptr<Running> running_;
     std::optional<std::uint64_t> hash_before_;  // of earlier starts
     int starts_ = 0;
+    int generation_ = 0;
 };
 
 }  // namespace nezumi

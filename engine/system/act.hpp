@@ -130,12 +130,18 @@ struct Remove {
     std::string component;
 };
 struct Restart {};
+/// Makes a simulated system what it was at a tick, before the acts that came then. `RunningSystem::begin_seek`.
+struct Seek {
+    std::string branch{};    ///< "main", "branch 1", ...; "": the present one
+    std::int64_t tick = -1;  ///< of the start; -1: the end of the branch
+    int start = 0;           ///< number of the start; 0: the last one of the branch
+};
 struct Stop {};
 struct Rearm {};
 
 using Act = std::variant<SetParameter, Write, Inject, Hold, Release, Drop, Freeze, Activate, Deactivate, Reset, Use,
                          Connect, Disconnect, Teleport, MoveMarker, MoveThing, AddMarker, RemoveMarker, Disturb, Press,
-                         Command, Reload, Rollback, Add, Remove, Restart, Stop, Rearm>;
+                         Command, Reload, Rollback, Add, Remove, Restart, Seek, Stop, Rearm>;
 
 /// Calls a function with the members of an act, whose names describe it.
 template <class T>

@@ -14,6 +14,23 @@ void Trace::start(System& system) {
     follow_layout();
 }
 
+void Trace::remember_like(const Trace& other) {
+    if (other.remembers_ports_) remember_ports();
+    for (const auto& [name, followed] : other.followed_) {
+        if (followed.remembered) static_cast<void>(remember(name));
+    }
+}
+
+void Trace::take_over(Trace& other) {
+    System& system = *other.system_;
+    system.stop_observing(other);
+    start(system);
+    for (auto& [name, followed] : followed_) {
+        const auto same = other.followed_.find(name);
+        if (followed.remembered && same != other.followed_.end()) std::swap(followed.series, same->second.series);
+    }
+}
+
 Expected<Trace::Followed*> Trace::find(std::string_view name) {
     if (const auto known = followed_.find(name); known != followed_.end()) return &known->second;
     auto channel = Channel::find(*system_, name);

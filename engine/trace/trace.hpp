@@ -22,6 +22,11 @@ public:
     /// channels stay; remembered numbers are dropped.
     void start(System& system);
 
+    /// Remembers what the other trace, of the same system at another time, remembers, as far as it exists.
+    void remember_like(const Trace& other);
+    /// Switches to the system of the other trace, with the values that this has remembered.
+    void take_over(Trace& other);
+
     /// Follows the channel with this name from now on. It lives as long as this object. The error names what does not
     /// exist.
     Expected<const Channel*> follow(std::string_view name);

@@ -192,6 +192,40 @@ class Cameras(rig.PageCase):
         page.until("document.querySelector('.pictures figcaption').textContent !== %r" % caption, "another one follows")
 
 
+class Past(rig.PageCase):
+    """Going back by the time line."""
+
+    def go_to(self, seconds):
+        self.page.js("const slider = document.querySelector('.timeline input'); slider.value = %r;"
+                     "slider.dispatchEvent(new Event('input')); slider.dispatchEvent(new Event('change'))" % seconds)
+
+    def test_the_slider_goes_back_and_a_change_there_begins_a_branch(self):
+        self.open(WALL)
+        page = self.page
+        clock = "parseFloat(document.querySelector('.clock').textContent)"
+        page.until(clock + " > 1.5", "some time has passed")
+        self.go_to(0.5)
+        page.until("!document.querySelector('.timeline .is-past').hidden", "the page says that this is a past")
+        page.until(clock + " === 0.5", "the clock shows the past")
+        self.assertTrue(page.js("return document.querySelector('.timeline select').hidden"))
+        page.find(".timeline button").click()
+        page.until("document.querySelector('.timeline .is-past').hidden", "the end of the branch is there")
+        page.until(clock + " > 1.5", "the clock shows the end")
+        end = page.js("return " + clock)
+        self.go_to(0.5)
+        page.until("!document.querySelector('.timeline .is-past').hidden", "the page says that this is a past")
+        page.view("parameters")
+        number = page.find("input.number[aria-label='controller.speed_x']")
+        number.clear()
+        number.send_keys("0.2\n")
+        page.until("!document.querySelector('.timeline select').hidden", "there are two branches")
+        self.assertEqual(page.js("return document.querySelector('.timeline select').value"), "branch 1")
+        page.until(clock + " === 0.5", "the clock shows the branch")
+        page.js("const select = document.querySelector('.timeline select'); select.value = 'main';"
+                "select.dispatchEvent(new Event('change'))")
+        page.until(clock + " === %r" % end, "the end of main is there")
+
+
 class Connection(rig.PageCase):
     """Reloading, losing, coming back; looking only."""
 

@@ -34,8 +34,8 @@ void RunResults::after_tick() {
         if (recorder_->error()) loop_->quit();
     }
     if (picture_file_.empty()) return;
-    if (starts_ != live_->starts()) trajectories_.clear();
-    starts_ = live_->starts();
+    if (starts_ != live_->generation()) trajectories_.clear();
+    starts_ = live_->generation();
     trajectories_.add(live_->system(), live_->trace());
 }
 

@@ -20,7 +20,7 @@ Expected<std::unique_ptr<RunRtm>> RunRtm::open(RunLoop& loop, std::function<void
     auto server =
         openrtm::RtmServer::open({.system = [&live]() -> const System& { return live.system(); },
                                   .spec = [&live]() -> const SystemSpec& { return live.spec(); },
-                                  .starts = [&live] { return live.starts(); },
+                                  .starts = [&live] { return live.generation(); },
                                   .act = [&live](const Act& act, const Actor& who) { return live.act(act, who); },
                                   .deliver = [&live](const Port& port, const Act& act,
                                                      const Actor& who) { return live.deliver(port, act, who); },

@@ -199,7 +199,7 @@ Expected<PlainData> ask_host(const Objects& objects, const RunningSystem& live, 
     const auto turn = [&]() -> Expected<Answer> {
         const Network* network = live.system().network();
         if (network == nullptr) return Unexpected(find_host(live.system(), question.host).error());
-        if (number && start != live.starts()) return failure("the system was restarted meanwhile");
+        if (number && start != live.generation()) return failure("the system was restarted meanwhile");
         if (number) {
             got = network->answer(*number);
             return Answer{};
@@ -207,7 +207,7 @@ Expected<PlainData> ask_host(const Objects& objects, const RunningSystem& live, 
         const auto asked = network->ask(question);
         if (!asked) return Unexpected(asked.error());
         number = *asked;
-        start = live.starts();
+        start = live.generation();
         return Answer{};
     };
     while (!got) {

@@ -38,6 +38,8 @@ export class Acts {
   activate = (component) => this.act("Activate", { component });
   deactivate = (component) => this.act("Deactivate", { component });
   reset = (component) => this.act("Reset", { component });
+  /// Without a time, to the end of the branch.
+  seek = (branch, tick = -1) => this.act("Seek", { branch, tick, start: 0 });
   remove = (component) => this.act("Remove", { component });
   connect = (from, to) => this.act("Connect", { from, to });
   disconnect = (from, to) => this.act("Disconnect", { from, to });

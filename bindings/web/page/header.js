@@ -2,6 +2,7 @@
 import { ask } from "./ask.js";
 import { at_most_every, el, is_typing, svg } from "./dom.js";
 import { T } from "./texts.js";
+import { make_timeline } from "./timeline.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, "max"];
 
@@ -135,5 +136,5 @@ export function make_header(parts) {
     kind.textContent = words.filter(Boolean).join(" · ");
   });
   return el("header", {}, el("div", { class: "title" }, dot, systems, kind), make_time(parts),
-    make_share(parts), make_theme_button(), make_stop(parts));
+    make_share(parts), make_theme_button(), make_stop(parts), make_timeline(parts));
 }

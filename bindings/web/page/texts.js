@@ -33,6 +33,9 @@ const EN = {
     speed: "Speed", max: "max", late: (ms) => `${ms} ms late`, on_time: "on time", paused: "paused",
     running: "running", seconds: (s) => `${s} s` },
 
+  past: { label: "Time line", time: "Go to this time", branch: "Branch", now: "Now", now_hint: "To the end of this branch",
+    of: (time, end) => `${time} of ${end}`, is_past: "past", hint: "What followed happens again when time runs. Every change begins a new branch." },
+
   world: {
     label: "The world, seen from above. Drag to turn, two fingers or the right button to move, the wheel to zoom.",
     top: "Top", follow: "Follow", rays: "Rays", trails: "Trails", names: "Names", whole: "Whole",

@@ -281,6 +281,8 @@ TEST_CASE("the page about editors does what it says", "[cli][docs]") { follow("e
 
 TEST_CASE("the page about the console does what it says", "[cli][docs]") { follow("console.md"); }
 
+TEST_CASE("the page about going back in time does what it says", "[cli][docs]") { follow("time.md"); }
+
 TEST_CASE("the page about the seminar's systems does what it says", "[cli][docs]") {
     follow("seminar.md", source_root());
 }

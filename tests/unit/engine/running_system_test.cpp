@@ -56,9 +56,9 @@ TEST_CASE("what needs scripts is refused where there are none", "[engine][live]"
 
 TEST_CASE("a message for a port that is known is the act of its path, and refused as that", "[engine][live]") {
     struct Acts final : ActObserver {
-        void acted(const ActTime& /*when*/, const Act& act, const Actor& /*who*/, const Expected<ActResult>& /*result*/,
-                   FilesSeen /*files*/) override {
-            ports.push_back(std::get<Inject>(act).port);
+        void acted(const ActTime& /*when*/, std::shared_ptr<const PastAct> act,
+                   const Expected<ActResult>& /*result*/) override {
+            ports.push_back(std::get<Inject>(act->act).port);
         }
         void ran_out_of_time(const ActTime& /*when*/, const std::string& /*component*/,
                              const Component::OutOfTime& /*call*/) override {}

@@ -4,10 +4,12 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <random>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -47,6 +49,8 @@ public:
         for (int i = 0; i < ticks; ++i) {
             if (random_() % 20 == 0) act();
             live_->tick();
+            see();
+            ++ticks_;
             if (i % 500 == 0) journal.mark();
             journal.serve();
             if (after_tick && !after_tick(journal)) break;
@@ -187,6 +191,14 @@ function on_execute()
         write_scripts(random_());
         return Restart{};
     }
+    Act make(std::in_place_type_t<Seek>) {
+        if (ticks_ > 5000) return Rearm{};  // a past is computed from the start
+        const auto& branches = live_->history_until_now().branches();
+        const auto& branch = branches[below(branches.size())];
+        if (below(4) == 0) return Seek{.branch = branch.name};
+        return Seek{branch.name, static_cast<std::int64_t>(below(static_cast<std::uint64_t>(branch.end.tick) + 1)),
+                    branch.end.start};
+    }
     Act make(std::in_place_type_t<Stop>) { return Stop{}; }
     Act make(std::in_place_type_t<Rearm>) { return Rearm{}; }
 
@@ -201,7 +213,13 @@ function on_execute()
         const Act act = make_any(below(std::variant_size_v<Act>), std::make_index_sequence<std::variant_size_v<Act>>());
         // What stops a system for long is undone soon.
         const Actor who{one_of({Actor::Kind::console, Actor::Kind::browser}), ""};
-        if (live_->act(act, who)) done.insert(name_of(act));
+        const auto acted = live_->act(act, who);
+        if (acted) done.insert(name_of(act));
+        if (std::holds_alternative<Seek>(act)) {
+            INFO((acted ? "" : describe(acted.error())));
+            CHECK(acted);
+            see();
+        }
         if (below(3) == 0) {
             for (const Act& again :
                  {Act{Rearm{}}, Act{Reset{"controller"}}, Act{Activate{"controller"}}, Act{Activate{"mouse"}}}) {
@@ -210,7 +228,17 @@ function on_execute()
         }
     }
 
+    // A tick of a branch has one hash, however often it is come to.
+    void see() {
+        const ActTime now = live_->when();
+        const auto [known, is_new] =
+            seen_.try_emplace({live_->history().current(), now.start, now.tick}, live_->trace_hash());
+        if (known->second != live_->trace_hash()) FAIL_CHECK("tick " << now.tick << " is another one than before");
+    }
+
+    int ticks_ = 0;
     std::uint64_t seed_;
+    std::map<std::tuple<std::size_t, int, std::int64_t>, std::uint64_t> seen_;
     std::mt19937_64 random_;
     std::unique_ptr<RunningSystem> live_;
 };

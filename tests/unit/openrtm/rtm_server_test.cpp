@@ -74,9 +74,9 @@ private:
 
 // Remembers who did what.
 struct Acts final : ActObserver {
-    void acted(const ActTime& /*when*/, const Act& act, const Actor& who, const Expected<ActResult>& result,
-               FilesSeen /*files*/) override {
-        lines.push_back(std::string(name_of(act)) + " by " + to_text(who) +
+    void acted(const ActTime& /*when*/, std::shared_ptr<const PastAct> act,
+               const Expected<ActResult>& result) override {
+        lines.push_back(std::string(name_of(act->act)) + " by " + to_text(act->who) +
                         (result ? "" : ": " + result.error().message));
     }
     void ran_out_of_time(const ActTime& /*when*/, const std::string& /*component*/,

@@ -1,5 +1,5 @@
 // Relative paths start at the folder in which the run was started.
-#include "bindings/journal/recorded_files.hpp"
+#include "engine/time/recorded_files.hpp"
 
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -69,7 +69,7 @@ void RecordedFiles::update(const FilesSeen& seen) {
     for (const auto& [path, found] : seen) seen_[path].update(found);
 }
 
-WorldFactory with_pictures_from(const RecordedFiles& files, WorldFactory make) {
+WorldFactory with_pictures_from(const ProjectFiles& files, WorldFactory make) {
     return [&files, make = std::move(make)](const ArenaSpec& arena, const PhysicsSpec& physics,
                                             auto warn) -> Expected<std::unique_ptr<World>> {
         if (!arena.floor) return make(arena, physics, std::move(warn));

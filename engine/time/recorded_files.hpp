@@ -32,7 +32,7 @@ private:
     FilesSeen seen_;
 };
 
-/// Worlds whose pictures are read through `files`, which must outlive them.
-WorldFactory with_pictures_from(const RecordedFiles& files, WorldFactory make);
+/// Worlds whose pictures are read through `files`, which must outlive the function.
+WorldFactory with_pictures_from(const ProjectFiles& files, WorldFactory make);
 
 }  // namespace nezumi

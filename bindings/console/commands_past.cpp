@@ -1,0 +1,146 @@
+// Commands that go back in time. The past is computed between two ticks, in slices.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bindings/console/console_commands.hpp"
+#include "bindings/lua/sandbox/watchdog.hpp"
+#include "engine/live/past_run.hpp"
+
+namespace nezumi {
+
+/// A row of what `branches` gives.
+struct BranchRow {
+    static constexpr std::string_view type_name = "branch";
+    std::string name;
+    std::string parent;  ///< the branch that it left; "" for the first
+    double left;         ///< [s] when it left its parent
+    double ends;         ///< [s] how far it has come, since its last start
+    bool present;        ///< the system is on it
+};
+
+namespace {
+
+using Clock = PastRun::Clock;
+
+// How long others wait for a slice.
+constexpr std::chrono::milliseconds slice{5};
+// Progress is shown from this time on.
+constexpr std::chrono::milliseconds patience{300};
+
+std::int64_t tick_at(const RunningSystem& live, double seconds) {
+    return std::llround(seconds * live.system().settings().rate);
+}
+
+double seconds_at(const RunningSystem& live, const ActTime& when) {
+    return static_cast<double>(when.tick) / live.system().settings().rate;
+}
+
+std::string told(const RunningSystem& live) {
+    const std::string& branch = live.history().branches()[live.history().current()].name;
+    return fmt::format("at {:g} s of {}, paused{}", live.system().now().seconds, branch,
+                       live.is_past() ? ": resume() repeats what followed, every change begins a new branch" : "");
+}
+
+// Goes to the moment that `find` returns, which is called between two ticks.
+template <class Find>
+Expected<CommandEnd> go_to(Session::Parts& parts, const Find& find) {
+    // The time that this takes is not the time of a script.
+    const CallPause pause;
+    auto past = parts.at_system([&]() -> std::optional<Expected<std::unique_ptr<PastRun>>> {
+        if (parts.clock.is_hardware()) return failure("real robots can't go back in time");
+        const Expected<Seek> where = find();
+        if (!where) return Unexpected(where.error());
+        auto begun = parts.live.begin_seek(*where);
+        if (begun) parts.clock.pause();
+        return begun;
+    });
+    if (!past) return failure("interrupted");
+    if (!*past) return Unexpected(past->error());
+    PastRun& run = ***past;
+    const auto begin = Clock::now();
+    int shown_percent = -1;
+    Expected<bool> there = false;
+    const bool whole = parts.worker.perform([&] {
+        there = run.go_on(Clock::now() + slice);
+        const int percent = static_cast<int>(100 * run.progress());
+        if (!parts.options.batch && Clock::now() - begin > patience && percent != shown_percent) {
+            parts.show_in_place(fmt::format("going back: {} %, Ctrl-C gives up", percent));
+            shown_percent = percent;
+        }
+        const bool ended = !there || *there;
+        if (!ended) parts.bell().ring();  // the next slice comes at once
+        return ended;
+    });
+    if (!whole) return failure("interrupted");
+    if (!there) return Unexpected(there.error());
+    std::string text;
+    const auto done = parts.at_system([&] {
+        auto gone = std::make_optional(parts.live.commit(run, parts.options.who));
+        if (*gone) text = told(parts.live);
+        return gone;
+    });
+    if (!done) return failure("interrupted");
+    if (!*done) return Unexpected(done->error());
+    shown_percent < 0 ? parts.show(text) : parts.show_in_place(text);
+    return CommandEnd::done;
+}
+
+}  // namespace
+
+Expected<CommandEnd> command_seek(Session::Parts& parts, const Arguments& arguments) {
+    const bool has_branch = arguments.kind(1) == "string";
+    std::string branch;
+    std::optional<double> seconds;
+    if (has_branch) {
+        const auto name = arguments.text(1, "the name of a branch");
+        if (!name) return Unexpected(name.error());
+        branch = *name;
+    }
+    if (!has_branch && arguments.has(2)) return failure("expected one time, or a branch and a time");
+    if (!has_branch || arguments.has(2)) {
+        const auto given = arguments.number(has_branch ? 2 : 1, "a time in seconds");
+        if (!given) return Unexpected(given.error());
+        if (!(*given >= 0 && *given < 1e9)) return failure(fmt::format("expected a time in seconds, got {:g}", *given));
+        seconds = *given;
+    }
+    return go_to(parts, [&]() -> Expected<Seek> {
+        return Seek{.branch = branch, .tick = seconds ? tick_at(parts.live, *seconds) : -1};
+    });
+}
+
+Expected<CommandEnd> command_rewind(Session::Parts& parts, const Arguments& arguments) {
+    const auto seconds = arguments.number(1, "seconds");
+    if (!seconds) return Unexpected(seconds.error());
+    if (!(*seconds >= 0)) return failure(fmt::format("expected seconds from 0 on, got {:g}", *seconds));
+    return go_to(parts, [&]() -> Expected<Seek> {
+        const std::int64_t now = parts.live.system().now().tick;
+        if (*seconds > parts.live.system().now().seconds + 1e-9)
+            return failure(fmt::format("only {:g} s have passed since the start", parts.live.system().now().seconds));
+        return Seek{.tick = now - tick_at(parts.live, *seconds), .start = parts.live.starts()};
+    });
+}
+
+Expected<CommandEnd> command_branches(Session::Parts& parts, const Arguments& /*arguments*/) {
+    const RunHistory& history = parts.live.history_until_now();
+    std::vector<BranchRow> rows;
+    for (std::size_t index = 0; index < history.branches().size(); ++index) {
+        const RunHistory::Branch& branch = history.branches()[index];
+        rows.push_back({.name = branch.name,
+                        .parent = index == 0 ? "" : history.branches()[branch.parent].name,
+                        .left = seconds_at(parts.live, branch.left),
+                        .ends = branch.seconds,
+                        .present = index == history.current()});
+    }
+    parts.value = std::move(rows);
+    return CommandEnd::value;
+}
+
+}  // namespace nezumi

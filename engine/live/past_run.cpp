@@ -1,0 +1,51 @@
+// The files of the start come from memory, so that a file that was saved since does not change the past.
+#include "engine/live/past_run.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace nezumi {
+
+Expected<std::unique_ptr<PastRun>> PastRun::begin(RunningSystem& live, std::size_t branch, const Seek& where,
+                                                  const ActTime& to) {
+    std::unique_ptr<PastRun> past(new PastRun(live, branch, where, to));
+    past->files_.update(live.history().files());
+    LiveOptions options = live.options();
+    options.files = &past->files_;
+    options.build.log = {};
+    options.build.out_of_time_is_fatal = false;
+    options.print = {};
+    options.watch = false;
+    auto system = RunningSystem::load(live.file(), std::move(options));
+    if (!system) return failure("the past can't be computed again: " + describe(system.error()));
+    past->system_ = std::move(*system);
+    past->system_->repeat(live.history().course(branch));
+    past->system_->trace().remember_like(live.trace());
+    past->system_->activate();
+    return past;
+}
+
+Expected<bool> PastRun::go_on(Clock::time_point until) {
+    for (;;) {
+        // The end of a branch is what it was after the acts that came then.
+        system_->repeat_known(!is_there() || where_.tick < 0);
+        if (const auto& differs = system_->differs()) {
+            return failure(fmt::format(
+                "the past can't be computed again: at tick {} of start {} it becomes another one than it was",
+                differs->tick, differs->start));
+        }
+        if (is_there()) return true;
+        if (Clock::now() >= until) return false;
+        system_->tick();
+    }
+}
+
+double PastRun::progress() const {
+    // Earlier starts are not counted: their lengths are only known when they are over.
+    const ActTime now = system_->when();
+    if (now.start != to_.start) return 0;
+    return to_.tick == 0 ? 1 : static_cast<double>(now.tick) / static_cast<double>(to_.tick);
+}
+
+}  // namespace nezumi

@@ -1,0 +1,258 @@
+// Going back in a running simulation: states, branches, and what follows.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/live/past_run.hpp"
+#include "tests/unit/live_rig.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+const Actor user{Actor::Kind::console};
+
+// What a script has in memory, a task in the middle of a wait, random numbers and a noisy sensor.
+const std::string busy_behavior = R"(
+local range = input("in", "TimedShortSeq", "numbers")
+local target = output("out", "TimedVelocity2D", "velocity")
+param("speed", 0.1, { min = -1, max = 1 })
+local shared = { 0 }
+state.a, state.b, state.steps = shared, shared, 0
+command("kick", function() state.a[1] = state.a[1] + 100 end, "")
+task("patrol", function()
+  wait(0.37)
+  state.steps = state.steps + 1
+  wait_until(function() return range:read()[1] and range:read()[1] > 0 end, { within = 0.21 })
+end, { repeating = true })
+function on_execute()
+  state.a[1] = state.a[1] + 1
+  local turn = math.random() - 0.5 + state.b[1] * 1e-4
+  target:write { vx = config.speed, va = turn + (range:read()[1] or 0) * 1e-5 }
+end
+)";
+const std::string busy_system = R"(
+arena { size = { 3, 3 }, box { at = { 0.8, 0.0, 0.15 }, size = { 0.1, 1.0, 0.3 } } }
+robot    "mouse"  { model = "raspimouse", noise = 0.05 }
+behavior "keeper" { script = "busy", sets = { fast = { speed = 0.3 } } }
+connect("mouse.ir_sensor_out", "keeper.in")
+connect("keeper.out", "mouse.target_velocity_in")
+)";
+
+struct PastRig : LiveRig {
+    PastRig() : LiveRig(busy_system, {{"busy", busy_behavior}}) {}
+
+    std::string seek(const Seek& where) {
+        const auto done = live->act(where, user);
+        return done ? "" : describe(done.error());
+    }
+    std::string seek(std::int64_t tick, const std::string& branch = "") {
+        return seek(Seek{.branch = branch, .tick = tick});
+    }
+    void act(const Act& act) {
+        const auto done = live->act(act, user);
+        INFO((done ? "" : describe(done.error())));
+        REQUIRE(done);
+    }
+    void set_speed(double speed) { act(SetParameter{"keeper", "speed", speed}); }
+};
+
+}  // namespace
+
+TEST_CASE("a system that goes back is what it was, to the last bit, and what followed happens again", "[lua][past]") {
+    PastRig it;
+    std::vector<std::uint64_t> hashes{it.live->trace_hash()};
+    for (int i = 0; i < 500; ++i) {
+        if (i == 120) it.set_speed(0.2);
+        if (i == 200) it.act(Command{"keeper", "kick", {}});
+        if (i == 300) it.act(Use{"keeper", "fast"});
+        if (i == 333) it.act(Teleport{"mouse", {{-0.5, 0.2}, 1.0}});
+        it.tick();
+        hashes.push_back(it.live->trace_hash());
+    }
+    for (const int tick : {250, 500, 0, 1, 333, 120, 334, 499}) {
+        INFO(tick);
+        REQUIRE(it.seek(tick) == "");
+        CHECK(it.live->system().now().tick == tick);
+        CHECK(it.live->trace_hash() == hashes[static_cast<std::size_t>(tick)]);
+        CHECK(it.live->is_past() == (tick < 500));
+    }
+    REQUIRE(it.seek(100) == "");
+    for (std::size_t tick = 101; tick <= 500; ++tick) {
+        it.tick();
+        CHECK(it.live->trace_hash() == hashes[tick]);
+    }
+    CHECK_FALSE(it.live->is_past());
+    CHECK(it.live->history().branches().size() == 1);
+    CHECK_FALSE(it.live->differs());
+    it.tick();  // after its end, the run goes on
+    CHECK(it.live->system().now().tick == 501);
+}
+
+TEST_CASE("an act in the past begins a branch, and the old future can be gone to", "[lua][past]") {
+    PastRig it;
+    it.tick(300);
+    const std::uint64_t main_end = it.live->trace_hash();
+    REQUIRE(it.seek(150) == "");
+    it.set_speed(-0.3);
+    CHECK(it.live->history().branches().size() == 2);
+    CHECK_FALSE(it.live->is_past());
+    it.tick(50);
+    const std::uint64_t branch_end = it.live->trace_hash();
+    CHECK(branch_end != main_end);
+    REQUIRE(it.seek(-1, "main") == "");
+    CHECK(it.live->trace_hash() == main_end);
+    CHECK(it.live->system().now().tick == 300);
+    REQUIRE(it.seek(-1, "branch 1") == "");
+    CHECK(it.live->trace_hash() == branch_end);
+    // The start of a branch is that of its parent, and a branch can have branches.
+    REQUIRE(it.seek(100, "branch 1") == "");
+    CHECK(it.live->is_past());
+    it.tick(60);
+    it.set_speed(0.05);
+    CHECK(it.live->history().branches().back().name == "branch 2");
+    it.tick(40);
+    const std::uint64_t second = it.live->trace_hash();
+    REQUIRE(it.seek(-1, "main") == "");
+    REQUIRE(it.seek(-1, "branch 2") == "");
+    CHECK(it.live->trace_hash() == second);
+}
+
+TEST_CASE("an act that is refused in the past begins no branch", "[lua][past]") {
+    PastRig it;
+    it.tick(100);
+    REQUIRE(it.seek(50) == "");
+    CHECK_FALSE(it.live->act(SetParameter{"keeper", "speed", 7.0}, user));
+    CHECK(it.live->is_past());
+    CHECK(it.live->history().branches().size() == 1);
+}
+
+TEST_CASE("a past with other scripts has those scripts, whatever the files are now", "[lua][past]") {
+    PastRig it;
+    it.tick(100);
+    std::string later = busy_behavior;
+    later.replace(later.find("- 0.5"), 5, "- 0.9");
+    it.folder.write("behaviors/busy.lua", later);
+    it.act(Reload{});
+    it.tick(100);
+    const std::uint64_t end = it.live->trace_hash();
+    it.folder.write("behaviors/busy.lua", "this is no Lua");
+    it.folder.write("system.lua", "neither is this");
+    REQUIRE(it.seek(50) == "");
+    CHECK(it.live->system().find("keeper")->version() == 1);
+    it.tick(150);
+    CHECK(it.live->system().find("keeper")->version() == 2);
+    CHECK(it.live->trace_hash() == end);
+}
+
+TEST_CASE("a past may be before a restart", "[lua][past]") {
+    PastRig it;
+    it.tick(130);
+    const std::uint64_t first = it.live->trace_hash();
+    it.act(Restart{});
+    it.tick(70);
+    const std::uint64_t second = it.live->trace_hash();
+    REQUIRE(it.seek(Seek{.tick = 130, .start = 1}) == "");
+    CHECK(it.live->starts() == 1);
+    CHECK(it.live->trace_hash() == first);
+    REQUIRE(it.seek(Seek{.tick = 0, .start = 2}) == "");
+    CHECK(it.live->system().now().tick == 0);
+    it.tick(70);
+    CHECK(it.live->trace_hash() == second);
+    REQUIRE(it.seek(Seek{.tick = 20}) == "");  // of the start that is now
+    CHECK(it.live->starts() == 2);
+}
+
+TEST_CASE("a seek that is given up leaves the present untouched", "[lua][past]") {
+    PastRig it;
+    it.tick(200);
+    const std::uint64_t now = it.live->trace_hash();
+    {
+        auto past = it.live->begin_seek({.tick = 150});
+        REQUIRE(past);
+        const auto there = (*past)->go_on(PastRun::Clock::now());
+        REQUIRE(there);
+        CHECK_FALSE(*there);
+        CHECK((*past)->progress() < 1);
+    }
+    CHECK(it.live->trace_hash() == now);
+    CHECK_FALSE(it.live->is_past());
+    it.tick(10);
+    PastRig same;
+    same.tick(210);
+    CHECK(it.live->trace_hash() == same.live->trace_hash());
+}
+
+TEST_CASE("a moment that never was is refused", "[lua][past]") {
+    PastRig it;
+    it.tick(100);
+    CHECK(it.seek(101) == "main has come to 1 s only");
+    CHECK(it.seek(5, "other") == "there is no branch 'other': branches() lists them");
+    CHECK(it.seek(Seek{.tick = 5, .start = 2}) == "main has come to 1 s only");
+    const auto past = it.live->begin_seek({.tick = 50});
+    REQUIRE(past);
+    REQUIRE((*past)->go_on(PastRun::Clock::time_point::max()));
+    it.act(Restart{});
+    const auto done = it.live->commit(**past, user);
+    REQUIRE_FALSE(done);
+    CHECK(describe(done.error()) == "the system has changed while the past was computed");
+}
+
+TEST_CASE("plots of a past show what was before it", "[lua][past]") {
+    PastRig it;
+    it.live->trace().remember_ports();
+    it.tick(300);
+    const auto before = it.live->trace().remember("keeper.out");
+    REQUIRE(before);
+    REQUIRE(it.seek(200) == "");
+    const auto after = it.live->trace().remember("keeper.out");
+    REQUIRE(after);
+    CHECK(*before == *after);
+    REQUIRE((*after)->size() > 100);
+    CHECK((*after)->seconds((*after)->size() - 1) <= 2.0);
+    CHECK((*after)->seconds((*after)->size() - 1) > 1.9);
+}
+
+TEST_CASE("random acts, seeks and branches lead to states that were there", "[lua][past]") {
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+        INFO(seed);
+        std::mt19937 random(seed);
+        const auto below = [&](std::int64_t end) {
+            return std::uniform_int_distribution<std::int64_t>(0, end - 1)(random);
+        };
+        PastRig it;
+        std::map<std::pair<std::string, std::int64_t>, std::uint64_t> seen;
+        const auto branch = [&] { return it.live->history().branches()[it.live->history().current()].name; };
+        for (int i = 0; i < 60; ++i) {
+            const std::int64_t what = below(10);
+            if (what < 5) {
+                for (std::int64_t ticks = below(40); ticks >= 0; --ticks) {
+                    it.tick();
+                    const auto [known, is_new] =
+                        seen.try_emplace({branch(), it.live->system().now().tick}, it.live->trace_hash());
+                    CHECK(known->second == it.live->trace_hash());
+                }
+            } else if (what == 5) {
+                it.set_speed(static_cast<double>(below(100)) / 100);
+            } else if (what == 6) {
+                it.act(Command{"keeper", "kick", {}});
+            } else if (what == 7) {
+                it.act(Teleport{"mouse", {{-0.01 * static_cast<double>(below(80)), 0.3}, 1.0}});
+            } else {
+                const auto& branches = it.live->history_until_now().branches();
+                const auto& to = branches[static_cast<std::size_t>(below(static_cast<std::int64_t>(branches.size())))];
+                const std::string name = to.name;
+                const std::int64_t tick = below(to.end.tick + 1);
+                REQUIRE(it.seek(tick, name) == "");
+                const auto known = seen.find({name, tick});
+                if (known != seen.end()) CHECK(it.live->trace_hash() == known->second);
+            }
+        }
+        CHECK_FALSE(it.live->differs());
+    }
+}
