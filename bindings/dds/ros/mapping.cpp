@@ -16,6 +16,7 @@
 #include "engine/ports/payload.hpp"
 #include "engine/ports/port.hpp"
 #include "engine/values/cdr.hpp"
+#include "engine/values/limits.hpp"
 
 namespace nezumi::ros {
 namespace {
@@ -131,6 +132,52 @@ private:
     T payload_{};
 };
 
+// Messages that a file defines carry no stamp but those of their own fields.
+class DefinedSender final : public Publication {
+public:
+    DefinedSender(InPort<Value>& port, std::unique_ptr<dds::Writer> writer) : port_(port), writer_(std::move(writer)) {}
+
+    void send(double /*offset*/, const Velocity2D* /*measured*/) override {
+        while (port_.is_new()) {
+            write_cdr(bytes_, on_the_wire, ValueView(port_.take().data));
+            static_cast<void>(writer_->write(bytes_));
+        }
+    }
+    void send_zero(double /*stamp*/) override {}
+    bool moves() const override { return false; }
+
+private:
+    InPort<Value>& port_;
+    std::unique_ptr<dds::Writer> writer_;
+    Octets bytes_;
+};
+
+class DefinedTaker final : public Subscription {
+public:
+    DefinedTaker(std::unique_ptr<dds::Reader> reader, const Type& payload)
+        : reader_(std::move(reader)), payload_(payload) {}
+
+    std::string receive(double /*clock*/, const Give& give) override {
+        std::string problem;
+        for (const dds::TopicSample& sample : reader_->take()) {
+            Value value(payload_);
+            const Expected<void> read = read_cdr(sample.bytes, on_the_wire, ValuePlace(value));
+            std::string wrong = read ? find_misfit(ValueView(value)) : read.error().message;
+            if (read && wrong.empty() && !is_finite(value)) wrong = "a number is not finite";
+            if (wrong.empty()) {
+                give(std::move(value));
+            } else {
+                problem = std::move(wrong);
+            }
+        }
+        return problem;
+    }
+
+private:
+    std::unique_ptr<dds::Reader> reader_;
+    const Type& payload_;
+};
+
 template <class T, class Message>
 Mapping pair(std::string_view frame, bool sensor_data) {
     Mapping made;
@@ -138,7 +185,7 @@ Mapping pair(std::string_view frame, bool sensor_data) {
     made.type = Describe<Message>::name;
     made.frame = frame;
     made.sensor_data = sensor_data;
-    made.definition = type_of<Message>;
+    made.definition = &type_of<Message>();
     made.publish = [](InPortBase& port, std::unique_ptr<dds::Writer> writer,
                       std::string its_frame) -> std::unique_ptr<Publication> {
         return std::make_unique<Sender<T, Message>>(static_cast<InPort<T>&>(port), std::move(writer),
@@ -150,6 +197,21 @@ Mapping pair(std::string_view frame, bool sensor_data) {
         };
     }
     return made;
+}
+
+// The mapping of a type that a file defines: its payload is the message.
+Mapping defined(const MessageType& type) {
+    return {
+        .port_type = &type,
+        .type = type.ros,
+        .definition = type.payload,
+        .publish = [](InPortBase& port, std::unique_ptr<dds::Writer> writer,
+                      std::string) -> std::unique_ptr<Publication> {
+            return std::make_unique<DefinedSender>(static_cast<InPort<Value>&>(port), std::move(writer));
+        },
+        .subscribe = [&payload = *type.payload](std::unique_ptr<dds::Reader> reader) -> std::unique_ptr<Subscription> {
+            return std::make_unique<DefinedTaker>(std::move(reader), payload);
+        }};
 }
 
 constexpr std::string_view body = "base_link", odometry = "odom", camera = "camera";
@@ -187,11 +249,19 @@ std::span<const Mapping> mappings() {
     return all;
 }
 
-Expected<const Mapping*> find_mapping(const MessageType* port_type, std::string_view type, bool takes) {
+Expected<Mapping> find_mapping(const MessageType* port_type, std::string_view type, bool takes) {
     std::vector<std::string_view> types;
+    if (!port_type->is_compiled()) {
+        if (port_type->ros.empty()) {
+            return failure(fmt::format("{} has no name in ROS: write ros = \"PACKAGE/msg/NAME\" in {}", port_type->name,
+                                       port_type->file));
+        }
+        if (type.empty() || type == port_type->ros) return defined(*port_type);
+        types.push_back(port_type->ros);
+    }
     for (const Mapping& each : mappings()) {
         if (each.port_type != port_type || (takes && each.subscribe == nullptr)) continue;
-        if (type.empty() || each.type == type) return &each;
+        if (type.empty() || each.type == type) return each;
         types.push_back(each.type);
     }
     const std::string_view name = port_type->name;
@@ -210,7 +280,7 @@ dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes) 
             .depth = velocity && !writes   ? 1
                      : mapping.sensor_data ? sensor_depth
                                            : usual_depth,
-            .user_data = fmt::format("typehash={};", type_hash(mapping.definition()))};
+            .user_data = fmt::format("typehash={};", type_hash(*mapping.definition))};
 }
 
 std::string mapping_table() {

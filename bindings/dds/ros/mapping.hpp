@@ -43,19 +43,19 @@ struct Mapping {
     std::string_view type;     ///< of ROS: "geometry_msgs/msg/Twist"
     std::string_view frame;    ///< default of its header; "" for none
     bool sensor_data = false;  ///< best effort, as ROS uses it for sensors
-    const Type& (*definition)() = nullptr;
+    const Type* definition = nullptr;
     std::unique_ptr<Publication> (*publish)(InPortBase& port, std::unique_ptr<dds::Writer> writer,
                                             std::string frame) = nullptr;
     /// None if this type can't be received.
-    std::unique_ptr<Subscription> (*subscribe)(std::unique_ptr<dds::Reader> reader) = nullptr;
+    std::function<std::unique_ptr<Subscription>(std::unique_ptr<dds::Reader> reader)> subscribe{};
 };
 
-/// The first mapping of a port's type is its default.
+/// Of the compiled message types. The first mapping of a port's type is its default.
 std::span<const Mapping> mappings();
 
-/// The mapping of a port's type to a type of ROS, or to the default for "". An error lists the possible types. `takes`:
-/// from ROS.
-Expected<const Mapping*> find_mapping(const MessageType* port_type, std::string_view type, bool takes);
+/// The mapping of a port's type to a type of ROS, or to the default for "". A type that a file defines has the name in
+/// ROS that the file gives it. An error lists the possible types. `takes`: from ROS.
+Expected<Mapping> find_mapping(const MessageType* port_type, std::string_view type, bool takes);
 
 /// The DDS topic of "/cmd_vel", with its quality of service.
 dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes);

@@ -67,7 +67,7 @@ Expected<void> RosNode::make_port(System& system, const RosTopic& topic, bool pu
     if (!mapping) return refuse(mapping.error().message);
     const std::string name = port_name(topic.topic);
     if (find_port(name) != nullptr) return refuse(fmt::format("the topic {} exists already", topic.topic));
-    const std::string doc = fmt::format("{}, {}", topic.topic, (*mapping)->type);
+    const std::string doc = fmt::format("{}, {}", topic.topic, mapping->type);
     if (publishes) {
         const bool newest = type == message_of<Velocity2D>() || type == message_of<CameraImage>();
         in_ports_.push_back(make_in_port(type, name, doc, newest ? 0 : most_waiting));
@@ -83,23 +83,23 @@ void RosNode::open() {
     const auto tell = [&] { log(LogLevel::error, transport_.problem()); };
     for (const Line& line : lines_) {
         const bool publishes = line.port->direction() == Direction::in;
-        const Topic topic = ros::topic_of(line.said.topic, *line.mapping, publishes);
+        const Topic topic = ros::topic_of(line.said.topic, line.mapping, publishes);
         if (publishes) {
             auto writer = transport_.write(topic);
             if (writer == nullptr) {
                 tell();
                 continue;
             }
-            const std::string frame = line.said.frame.empty() ? std::string(line.mapping->frame) : line.said.frame;
+            const std::string frame = line.said.frame.empty() ? std::string(line.mapping.frame) : line.said.frame;
             auto& port = static_cast<InPortBase&>(*line.port);
-            publications_.push_back({&port, line.mapping->publish(port, std::move(writer), frame)});
+            publications_.push_back({&port, line.mapping.publish(port, std::move(writer), frame)});
         } else {
             auto reader = transport_.read(topic);
             if (reader == nullptr) {
                 tell();
                 continue;
             }
-            subscriptions_.push_back({line.port, line.mapping->subscribe(std::move(reader))});
+            subscriptions_.push_back({line.port, line.mapping.subscribe(std::move(reader))});
         }
     }
     if (system_.settings().real_time) return;

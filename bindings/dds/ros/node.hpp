@@ -44,7 +44,7 @@ protected:
 private:
     struct Line {
         RosTopic said;
-        const ros::Mapping* mapping;
+        ros::Mapping mapping;
         Port* port;  // of this node
     };
 

@@ -9,47 +9,71 @@
 #include <map>
 #include <utility>
 
+#include "engine/ports/payload.hpp"
+
 namespace nezumi::ros {
 namespace {
 
 // The descriptions of types as JSON, by name.
 using Descriptions = std::map<std::string_view, std::string>;
 
-// `type_id` of type_description_interfaces/msg/FieldType; plus 48 for an array, plus 144 for an unbounded sequence.
-int field_type(const Type& type) {
+// The `type_id`, capacities and nested name of type_description_interfaces/msg/FieldType: plus 48 for an array, 96 for
+// a sequence with a bound, 144 for one without.
+struct FieldType {
+    int id = 0;
+    std::size_t capacity = 0;
+    std::size_t text_capacity = 0;
+    std::string_view nested{};
+};
+
+FieldType field_type(const Type& type, std::size_t most) {
+    constexpr std::size_t unbounded = FieldLimits{}.length;
     switch (type.kind) {
-        case Type::Kind::structure: return 1;
-        case Type::Kind::int8: return 2;
-        case Type::Kind::uint8: return 3;
-        case Type::Kind::int16: return 4;
-        case Type::Kind::uint16: return 5;
-        case Type::Kind::int32: return 6;
-        case Type::Kind::uint32: return 7;
-        case Type::Kind::int64: return 8;
-        case Type::Kind::uint64: return 9;
-        case Type::Kind::float32: return 10;
-        case Type::Kind::float64: return 11;
-        case Type::Kind::boolean: return 15;
-        case Type::Kind::text: return 17;
-        case Type::Kind::array: return 48 + field_type(*type.element);
-        case Type::Kind::sequence: return 144 + field_type(*type.element);
-        case Type::Kind::octets: return 144 + 3;
-        default: assert(false && "no type of ROS 2"); return 0;
+        case Type::Kind::structure: return {1, 0, 0, ros_name(type)};
+        case Type::Kind::int8: return {2};
+        case Type::Kind::uint8: return {3};
+        case Type::Kind::int16: return {4};
+        case Type::Kind::uint16: return {5};
+        case Type::Kind::int32: return {6};
+        case Type::Kind::uint32: return {7};
+        case Type::Kind::enumeration: return {7};
+        case Type::Kind::int64: return {8};
+        case Type::Kind::uint64: return {9};
+        case Type::Kind::float32: return {10};
+        case Type::Kind::float64: return {11};
+        case Type::Kind::boolean: return {15};
+        case Type::Kind::text: return most == unbounded ? FieldType{17} : FieldType{21, 0, most};
+        case Type::Kind::octets: return most == unbounded ? FieldType{144 + 3} : FieldType{96 + 3, most};
+        case Type::Kind::array: {
+            FieldType found = field_type(*type.element, unbounded);
+            found.id += 48;
+            found.capacity = type.length;
+            return found;
+        }
+        case Type::Kind::sequence: {
+            FieldType found = field_type(*type.element, unbounded);
+            found.id += most == unbounded ? 144 : 96;
+            found.capacity = most == unbounded ? 0 : most;
+            return found;
+        }
+        default: assert(false && "no type of ROS 2"); return {};
     }
 }
 
 // Describes a type and all types that it contains.
 void describe_type(const Type& type, Descriptions& all) {
-    if (all.contains(type.name)) return;
+    if (all.contains(ros_name(type))) return;
     std::string fields;
     for (const Type::Field& field : type.fields) {
         const Type& single = field.type->element != nullptr ? *field.type->element : *field.type;
         if (single.kind == Type::Kind::structure) describe_type(single, all);
+        const FieldType found =
+            field_type(*field.type, field.limits != nullptr ? field.limits->length : FieldLimits{}.length);
         fields += fmt::format(
-            R"({}{{"name": "{}", "type": {{"type_id": {}, "capacity": {}, "string_capacity": 0, "nested_type_name": "{}"}}}})",
-            fields.empty() ? "" : ", ", field.name, field_type(*field.type), field.type->length, single.name);
+            R"({}{{"name": "{}", "type": {{"type_id": {}, "capacity": {}, "string_capacity": {}, "nested_type_name": "{}"}}}})",
+            fields.empty() ? "" : ", ", field.name, found.id, found.capacity, found.text_capacity, found.nested);
     }
-    all.emplace(type.name, std::move(fields));
+    all.emplace(ros_name(type), std::move(fields));
 }
 
 std::string type_text(std::string_view name, std::string_view fields) {
@@ -58,15 +82,19 @@ std::string type_text(std::string_view name, std::string_view fields) {
 
 }  // namespace
 
+std::string_view ros_name(const Type& type) {
+    return type.message != nullptr && !type.message->ros.empty() ? std::string_view(type.message->ros) : type.name;
+}
+
 std::string type_hash(const Type& type) {
     Descriptions all;
     describe_type(type, all);
     std::string others;
     for (const auto& [other, fields] : all) {
-        if (other != type.name) others += (others.empty() ? "" : ", ") + type_text(other, fields);
+        if (other != ros_name(type)) others += (others.empty() ? "" : ", ") + type_text(other, fields);
     }
     const std::string json = fmt::format(R"({{"type_description": {}, "referenced_type_descriptions": [{}]}})",
-                                         type_text(type.name, all.find(type.name)->second), others);
+                                         type_text(ros_name(type), all.find(ros_name(type))->second), others);
     std::array<unsigned char, crypto_hash_sha256_BYTES> digest{};
     crypto_hash_sha256(digest.data(), reinterpret_cast<const unsigned char*>(json.data()), json.size());
     std::string text = "RIHS01_";

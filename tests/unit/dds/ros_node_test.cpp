@@ -28,7 +28,7 @@ std::vector<double> speeds(Reader& reader) {
 struct CommandRig : NodeRig {
     CommandRig() : NodeRig(spec_of({{"part.speed", "/cmd_vel", "geometry_msgs/msg/Twist"}}, {})) {
         const auto mapping = ros::find_mapping(message_of<Velocity2D>(), "geometry_msgs/msg/Twist", false);
-        robot = other->read(ros::topic_of("/cmd_vel", **mapping, false));
+        robot = other->read(ros::topic_of("/cmd_vel", *mapping, false));
         tick();
         go();
         CHECK(speeds(*robot) == std::vector<double>{0.5});
@@ -46,7 +46,7 @@ TEST_CASE("a node publishes ports' messages with the simulation's time, and publ
     NodeRig rig(spec_of({{"part.speed", "/velocity", "geometry_msgs/msg/TwistStamped"}}, {}));
     REQUIRE(rig.refusal.empty());
     const auto mapping = ros::find_mapping(message_of<Velocity2D>(), "geometry_msgs/msg/TwistStamped", false);
-    const auto reader = rig.other->read(ros::topic_of("/velocity", **mapping, false));
+    const auto reader = rig.other->read(ros::topic_of("/velocity", *mapping, false));
     const auto clock = rig.other->read({.name = "rt/clock", .type = "rosgraph_msgs::msg::dds_::Clock_"});
     rig.tick();
     rig.part->speed.write({.vx = 0.5});
@@ -68,7 +68,7 @@ TEST_CASE("a node publishes ports' messages with the simulation's time, and publ
 TEST_CASE("a node of real robots uses the time of day and publishes no clock", "[dds][ros]") {
     NodeRig rig(spec_of({{"part.speed", "/velocity", "geometry_msgs/msg/TwistStamped"}}, {}), true);
     const auto mapping = ros::find_mapping(message_of<Velocity2D>(), "geometry_msgs/msg/TwistStamped", false);
-    const auto reader = rig.other->read(ros::topic_of("/velocity", **mapping, false));
+    const auto reader = rig.other->read(ros::topic_of("/velocity", *mapping, false));
     rig.tick();
     rig.part->speed.write({.vx = 0.5});
     rig.tick();
@@ -85,7 +85,7 @@ TEST_CASE("a node takes valid messages from topics and rejects others", "[dds][r
     REQUIRE(rig.refusal.empty());
     rig.tick();
     const auto mapping = ros::find_mapping(message_of<Velocity2D>(), "", true);
-    const auto writer = rig.other->write(ros::topic_of("/cmd_vel", **mapping, true));
+    const auto writer = rig.other->write(ros::topic_of("/cmd_vel", *mapping, true));
     ros::Twist twist;
     twist.linear.x = 0.1;
     twist.angular.z = -1;
@@ -114,7 +114,7 @@ TEST_CASE("a velocity that came while time stood has no effect afterwards", "[dd
     REQUIRE(rig.refusal.empty());
     rig.tick();
     const auto writer =
-        rig.other->write(ros::topic_of("/cmd_vel", **ros::find_mapping(message_of<Velocity2D>(), "", true), true));
+        rig.other->write(ros::topic_of("/cmd_vel", *ros::find_mapping(message_of<Velocity2D>(), "", true), true));
     writer->write(bytes_of(ros::Twist{}));
     if (!real) rig.node().between_ticks();  // of a simulation that is paused
     rig.clock += 0.6;
@@ -130,7 +130,7 @@ TEST_CASE("a simulation that is slower than the clock takes every velocity", "[d
     NodeRig rig(spec_of({}, {{"part.target", "/cmd_vel"}}));
     rig.tick();
     const auto writer =
-        rig.other->write(ros::topic_of("/cmd_vel", **ros::find_mapping(message_of<Velocity2D>(), "", true), true));
+        rig.other->write(ros::topic_of("/cmd_vel", *ros::find_mapping(message_of<Velocity2D>(), "", true), true));
     writer->write(bytes_of(ros::Twist{}));
     rig.clock += 2;
     rig.tick();
@@ -142,10 +142,10 @@ TEST_CASE("an odometry has the velocity of its robot, or that of its poses", "[d
     REQUIRE(mapping.has_value());
     FakeDomain domain;
     const auto here = domain.join(), there = domain.join();
-    const dds::Topic topic = ros::topic_of("/odom", **mapping, true);
+    const dds::Topic topic = ros::topic_of("/odom", *mapping, true);
     const auto reader = there->read(topic);
     const auto port = make_in_port(message_of<Pose2D>(), "odom", "", 0);
-    const auto publication = (*mapping)->publish(*port, here->write(topic), "odom");
+    const auto publication = mapping->publish(*port, here->write(topic), "odom");
     const auto sent = [&](const Pose2D& pose, std::int64_t tick, const Velocity2D* measured) {
         port->inject(pose);
         port->latch({.tick = tick, .seconds = static_cast<double>(tick) / 100});
@@ -170,8 +170,8 @@ TEST_CASE("a range of Humble, without variance, is accepted", "[dds][ros]") {
     REQUIRE(mapping.has_value());
     FakeDomain domain;
     const auto place = domain.join();
-    const dds::Topic topic = ros::topic_of("/ir", **mapping, true);
-    const auto subscription = (*mapping)->subscribe(place->read(topic));
+    const dds::Topic topic = ros::topic_of("/ir", *mapping, true);
+    const auto subscription = mapping->subscribe(place->read(topic));
     const auto writer = place->write(topic);
     ros::Range range;
     range.range = 0.5;

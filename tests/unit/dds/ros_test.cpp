@@ -56,18 +56,18 @@ TEST_CASE("the hashes of types are those that ROS 2 publishes", "[dds][ros]") {
 TEST_CASE("topics and types have ROS 2's names on the wire", "[dds][ros]") {
     const auto twist = ros::find_mapping(message_of<Velocity2D>(), "", false);
     REQUIRE(twist.has_value());
-    const dds::Topic written = ros::topic_of("/cmd_vel", **twist, true);
+    const dds::Topic written = ros::topic_of("/cmd_vel", *twist, true);
     CHECK(written.name == "rt/cmd_vel");
     CHECK(written.type == "geometry_msgs::msg::dds_::Twist_");
     CHECK(written.reliable);
     CHECK(written.user_data.starts_with("typehash=RIHS01_"));
     CHECK(written.user_data.back() == ';');
-    const dds::Topic read = ros::topic_of("/cmd_vel", **twist, false);
+    const dds::Topic read = ros::topic_of("/cmd_vel", *twist, false);
     CHECK_FALSE(read.reliable);
     CHECK(read.depth == 1);
     const auto scan = ros::find_mapping(message_of<RangeData>(), "sensor_msgs/msg/LaserScan", false);
     REQUIRE(scan.has_value());
-    CHECK_FALSE(ros::topic_of("/scan", **scan, true).reliable);
+    CHECK_FALSE(ros::topic_of("/scan", *scan, true).reliable);
 }
 
 TEST_CASE("an impossible type for a port is refused with the possible ones", "[dds][ros]") {

@@ -1,0 +1,166 @@
+// Topics of ROS with types that files define.
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "bindings/dds/ros/mapping.hpp"
+#include "bindings/dds/ros/type_hash.hpp"
+#include "engine/messages/message_catalog.hpp"
+#include "engine/messages/msg_file.hpp"
+#include "engine/values/view.hpp"
+#include "tests/unit/dds/node_rig.hpp"
+
+using namespace nezumi;
+using namespace nezumi::dds;
+
+namespace {
+
+MessageDefinition definition_of(const std::string& name, const std::string& text) {
+    auto read = read_msg({name + ".msg", name + ".msg", text}, "my_msgs");
+    INFO((read ? "" : describe(read.error())));
+    REQUIRE(read);
+    return *read;
+}
+
+const MessageType* define(const MessageDefinition& definition, const Type* inner = nullptr) {
+    const auto made = MessageCatalog::shared().define(
+        definition, [&](const FieldDefinition&) -> Expected<const Type*> { return inner; });
+    INFO((made ? "" : describe(made.error())));
+    REQUIRE(made);
+    return *made;
+}
+
+const MessageType* obstacle_type() {
+    const MessageType* corner = define(definition_of("Corner", "float32 x\nfloat32 y\n"));
+    return define(
+        definition_of("Obstacle",
+                      "float64 distance # [m]\nstring label\nCorner[] corners\nuint8[3] colour\nint64 count\n"),
+        corner->payload);
+}
+
+// What a program of ROS has in its generated types.
+struct RosCorner {
+    static constexpr std::string_view type_name = "my_msgs/msg/Corner";
+    float x, y;
+};
+struct RosObstacle {
+    static constexpr std::string_view type_name = "my_msgs/msg/Obstacle";
+    double distance;
+    std::string label;
+    std::vector<RosCorner> corners;
+    std::array<std::uint8_t, 3> colour;
+    std::int64_t count;
+};
+
+class Carrier final : public Device {
+public:
+    explicit Carrier(const MessageType* type) : Device("part", "Part") {
+        out_ports_.push_back(make_out_port(type, "seen", ""));
+        in_ports_.push_back(make_in_port(type, "given", "", 10));
+    }
+    void sense(const Time& /*now*/) override {}
+    void actuate(const Time& /*now*/) override {}
+    OutPort<Value>& seen() { return static_cast<OutPort<Value>&>(*out_ports_.front()); }
+    InPort<Value>& given() { return static_cast<InPort<Value>&>(*in_ports_.front()); }
+};
+
+struct DefinedRig {
+    explicit DefinedRig(const RosSpec& spec, const MessageType* type)
+        : system({.clock = [this] { return clock; }}, [this](const LogLine& line) { log.push_back(line.text); }) {
+        auto made = std::make_unique<Carrier>(type);
+        part = made.get();
+        REQUIRE(system.add(std::move(made)));
+        REQUIRE(part->activate(system.now()));
+        auto added =
+            RosNode::add(system, spec, *place, {.clock = [this] { return clock; }, .wall_clock = [] { return 1.5e9; }});
+        if (!added) refusal = describe(added.error());
+    }
+    void tick() {
+        auto& node = dynamic_cast<RosNode&>(*system.find("ros/mouse"));
+        node.between_ticks();
+        node.before_tick(
+            [](const Port& port, const Act& act, const Actor&) { return deliver(const_cast<Port&>(port), act); });
+        system.tick();
+    }
+    double clock = 100;
+    FakeDomain domain;
+    std::unique_ptr<DdsTransport> place = domain.join();
+    std::unique_ptr<DdsTransport> other = domain.join();
+    std::vector<std::string> log;
+    std::string refusal;
+    System system;
+    Carrier* part = nullptr;
+};
+
+const RosObstacle sent{.distance = 0.5, .label = "box", .corners = {{1, 2}, {3, 4}}, .colour = {9, 8, 7}, .count = -5};
+
+}  // namespace
+
+TEST_CASE("a type that a file defines goes to ROS and comes from it, under the name that the file gives it",
+          "[dds][ros][messages]") {
+    const MessageType* type = obstacle_type();
+    CHECK(type->ros == "my_msgs/msg/Obstacle");
+    DefinedRig rig(spec_of({{"part.seen", "/seen"}}, {{"part.given", "/given"}}), type);
+    REQUIRE(rig.refusal.empty());
+    const std::string dds_type = "my_msgs::msg::dds_::Obstacle_";
+    const dds::Topic given = ros::topic_of("/given", *ros::find_mapping(type, "", true), true);
+    CHECK(given.type == dds_type);
+    const auto reader = rig.other->read(ros::topic_of("/seen", *ros::find_mapping(type, "", false), false));
+    const auto writer = rig.other->write(given);
+    rig.tick();
+    for (const std::endian order : {std::endian::little, std::endian::big}) {
+        Octets bytes;
+        write_cdr(bytes, {.order = order, .header = true}, sent);
+        REQUIRE(writer->write(bytes));
+        rig.tick();
+        rig.tick();
+        REQUIRE(rig.part->given().is_new());
+        const Value got = rig.part->given().take().data;
+        rig.part->seen().write(got);
+        rig.tick();
+        rig.tick();
+        const auto samples = reader->take();
+        REQUIRE(samples.size() == 1);
+        RosObstacle back{};
+        REQUIRE(read_cdr(samples[0].bytes, {.header = true}, back));
+        CHECK(back.distance == 0.5);
+        CHECK(back.label == "box");
+        REQUIRE(back.corners.size() == 2);
+        CHECK(back.corners[1].y == 4);
+        CHECK(back.colour == sent.colour);
+        CHECK(back.count == -5);
+    }
+    CHECK(rig.log.empty());
+}
+
+TEST_CASE("the hash of a type that a file defines is that of the same type generated for ROS", "[dds][ros][messages]") {
+    CHECK(ros::type_hash(*obstacle_type()->payload) == ros::type_hash(type_of<RosObstacle>()));
+    const std::string bounded = "string<=4 name\nint32[<=3] few\n";
+    const MessageType* type = define(definition_of("Bounded", bounded));
+    const MessageType* plain = define(definition_of("Bounded", "string name\nint32[] few\n"));
+    CHECK(ros::type_hash(*type->payload) != ros::type_hash(*plain->payload));
+}
+
+TEST_CASE("a message of ROS that does not keep to its definition is rejected with the field", "[dds][ros][messages]") {
+    const MessageType* type = define(definition_of("Few", "int32[<=2] few\n"));
+    DefinedRig rig(spec_of({}, {{"part.given", "/given"}}), type);
+    const auto writer = rig.other->write(ros::topic_of("/given", *ros::find_mapping(type, "", true), true));
+    rig.tick();
+    Octets bytes;
+    write_cdr(bytes, {.header = true}, std::vector<std::int32_t>{1, 2, 3});
+    REQUIRE(writer->write(bytes));
+    rig.tick();
+    CHECK_FALSE(rig.part->given().is_new());
+    REQUIRE(rig.log.size() == 1);
+    CHECK(rig.log[0] == "a message was rejected: field 'few' expected at most 2 elements, got 3");
+}
+
+TEST_CASE("a type without a name in ROS is refused with what to write", "[dds][ros][messages]") {
+    MessageDefinition definition = definition_of("Nameless", "int32 number\n");
+    definition.ros.clear();
+    DefinedRig rig(spec_of({{"part.seen", "/seen"}}, {}), define(definition));
+    CHECK(rig.refusal ==
+          "ros: part.seen: my_msgs/Nameless has no name in ROS: write ros = \"PACKAGE/msg/NAME\" in Nameless.msg");
+    DefinedRig other(spec_of({{"part.seen", "/seen", "my_msgs/msg/Corner"}}, {}), obstacle_type());
+    CHECK(other.refusal ==
+          "ros: part.seen: my_msgs/Obstacle becomes no 'my_msgs/msg/Corner'; there is my_msgs/msg/Obstacle");
+}
