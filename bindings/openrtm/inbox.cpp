@@ -7,6 +7,7 @@
 
 #include "engine/ports/payload.hpp"
 #include "engine/values/cdr.hpp"
+#include "engine/values/limits.hpp"
 
 namespace nezumi::openrtm {
 namespace {
@@ -47,9 +48,9 @@ PutAnswer Inbox::put(std::string_view path, std::string_view from, std::span<con
     Arrival arrival{std::string(path), std::string(from), make_payload(type)};
     double tm = 0;
     const auto read = read_cdr_message(bytes, arrival.value, tm, {.order = order});
-    const bool is_fit = read && is_finite(arrival.value);
-    if (!read) problem = read.error().message;
-    if (read && !is_fit) problem = "expected finite numbers";
+    problem = read ? find_misfit(ValueView(arrival.value)) : read.error().message;
+    if (problem.empty() && !is_finite(arrival.value)) problem = "expected finite numbers";
+    const bool is_fit = problem.empty();
     const std::lock_guard lock(mutex_);
     if (!is_fit) {
         ++malformed_;

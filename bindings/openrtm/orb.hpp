@@ -22,6 +22,8 @@ struct RtcPort {
     std::string name{};  ///< "in": its name in the RTC
     std::string type{};  ///< "TimedShortSeq"
     bool is_in = false;
+    std::string id{};  ///< of its type: "IDL:Seen/Obstacle:1.0"; "": the type is OpenRTM's own
+    std::string type_id() const { return id.empty() ? "IDL:RTC/" + type + ":1.0" : id; }
     bool operator==(const RtcPort&) const = default;
 };
 

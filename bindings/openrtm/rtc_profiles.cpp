@@ -16,12 +16,21 @@ namespace {
 
 std::string path_of(const Component& component, const Port& port) { return component.name() + "." + port.name(); }
 
+// "Obstacle" of "IDL:Seen/Obstacle:1.0".
+std::string short_name(const std::string& id) {
+    const std::string name = id.substr(id.rfind('/') == id.npos ? id.find(':') + 1 : id.rfind('/') + 1);
+    return name.substr(0, name.find(':'));
+}
+
 void add_port(RtcProfile& profile, const Component& component, const Port& port, const ParameterValues& rename) {
-    if (!is_rtm_type(port.type_name())) return;
+    const MessageType& type = *port.type();
+    const std::string id = rtm_type_id(type);
+    if (id.empty()) return;
     RtcPort added{.path = path_of(component, port),
                   .name = port.name(),
-                  .type = std::string(port.type_name()),
-                  .is_in = port.direction() == Direction::in};
+                  .type = type.is_compiled() ? type.name : short_name(id),
+                  .is_in = port.direction() == Direction::in,
+                  .id = type.is_compiled() ? "" : id};
     if (const auto other = rename.find(added.path); other != rename.end())
         added.name = other->second.get<std::string>();
     profile.ports.push_back(std::move(added));

@@ -360,7 +360,10 @@ private:
 MessageDefinition without_stamp(MessageDefinition message) {
     const FieldDefinition& first = message.fields.front();
     const bool is_time = first.kind == "Time" || first.kind.ends_with("/Time");
-    if (first.name != "tm" || !is_time || !first.shape.empty() || message.fields.size() < 2) return message;
+    if (first.name != "tm" || !is_time || !first.shape.empty() || message.fields.size() < 2) {
+        message.rtm.clear();  // OpenRTM's ports carry messages with a stamp
+        return message;
+    }
     message.fields.erase(message.fields.begin());
     message.is_single = message.fields.size() == 1 && message.fields.front().name == "data";
     return message;

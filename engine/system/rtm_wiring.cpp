@@ -14,8 +14,10 @@ constexpr std::array<std::string_view, 2> own_types{"CameraIntrinsics", "SeenMar
 
 }  // namespace
 
-bool is_rtm_type(std::string_view type) {
-    return std::find(own_types.begin(), own_types.end(), type) == own_types.end();
+std::string rtm_type_id(const MessageType& type) {
+    if (!type.is_compiled()) return type.rtm;
+    if (std::find(own_types.begin(), own_types.end(), type.name) != own_types.end()) return "";
+    return fmt::format("IDL:RTC/{}:1.0", type.name);
 }
 
 std::string needs_export(std::string_view end, std::string_view component) {
@@ -35,8 +37,11 @@ Expected<RtmEnds> rtm_ends(const System& system, const ConnectionSpec& connectio
     if (!port) return Unexpected(port.error());
     if (((*port)->direction() == Direction::in) != is_from)
         return failure(fmt::format("{} is an {}-port", ours, is_from ? "out" : "in"));
-    if (!is_rtm_type((*port)->type_name()))
-        return failure(fmt::format("{} is a {}, which OpenRTM does not know", ours, (*port)->type_name()));
+    const MessageType& type = *(*port)->type();
+    if (rtm_type_id(type).empty()) {
+        return failure(fmt::format("{} is a {}, which OpenRTM does not know{}", ours, type.name,
+                                   type.is_compiled() ? "" : ": write rtm = \"IDL:MODULE/NAME:1.0\" in " + type.file));
+    }
     return RtmEnds{ours, std::move(*theirs)};
 }
 

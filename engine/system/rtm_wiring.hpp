@@ -11,8 +11,9 @@
 
 namespace nezumi {
 
-/// Whether OpenRTM-aist has a message type: all but what was added to its own.
-bool is_rtm_type(std::string_view type);
+/// The repository id by which OpenRTM-aist knows a message type: "IDL:RTC/TimedShortSeq:1.0", or what the file that
+/// defines it says. "" for none: what was added to OpenRTM's own types, and definitions without a name there.
+std::string rtm_type_id(const MessageType& type);
 
 /// The error if a component's port can't be connected to `end`, a port of another program, because the component is not
 /// exported.

@@ -191,7 +191,7 @@ ComponentProfile profile_of(Script& script) {
     }
     for (const PortDeclaration& port : script.ports()) {
         const std::string& type = port.type->name;
-        if (!is_rtm_type(type))
+        if (rtm_type_id(*port.type).empty())
             profile.remarks.push_back(fmt::format("port '{}': OpenRTM has no type {}", port.name, type));
         profile.ports.push_back({.direction = port.direction,
                                  .name = port.name,

@@ -56,7 +56,7 @@ void PortObject::show_inside(PortObject& from, PortObject& to) {
     profile.ports.length(2);
     profile.ports[0] = RTC::PortService::_duplicate(from.self_);
     profile.ports[1] = RTC::PortService::_duplicate(to.self_);
-    add_own_terms(profile.properties, from.port_.type);
+    add_own_terms(profile.properties, from.port_.type_id());
     from.add_inside(to.port_.path, profile);
     to.add_inside(from.port_.path, profile);
 }
@@ -70,7 +70,7 @@ RTC::ReturnCode_t PortObject::request_inside(RtcRequest::What what, const std::s
 }
 
 RTC::ReturnCode_t PortObject::connect_inside(const RTC::ConnectorProfile& profile, PortObject& other) {
-    if (other.port_.is_in == port_.is_in || other.port_.type != port_.type) return RTC::BAD_PARAMETER;
+    if (other.port_.is_in == port_.is_in || other.port_.type_id() != port_.type_id()) return RTC::BAD_PARAMETER;
     const RTC::ReturnCode_t made = request_inside(RtcRequest::What::connect, other.port_.path);
     if (made != RTC::RTC_OK) return made;
     add_inside(other.port_.path, profile);

@@ -45,7 +45,7 @@ std::string connect(PortObject& ours, const RtcLink& wanted, RTC::PortService_pt
     profile.ports.length(2);
     profile.ports[0] = RTC::PortService::_duplicate(self);
     profile.ports[1] = RTC::PortService::_duplicate(theirs);
-    add_own_terms(profile.properties, ours.port().type);
+    add_own_terms(profile.properties, ours.port().type_id());
     return std::string(reason_for(ours.connect(profile)));
 }
 

@@ -18,7 +18,7 @@ namespace {
 SDOPackage::NVList properties_of(const RtcPort& port) {
     SDOPackage::NVList list;
     add_text(list, "port.port_type", port.is_in ? "DataInPort" : "DataOutPort");
-    add_text(list, "dataport.data_type", "IDL:RTC/" + port.type + ":1.0");
+    add_text(list, "dataport.data_type", port.type_id());
     add_text(list, "dataport.interface_type", "corba_cdr");
     add_text(list, "dataport.dataflow_type", "push,pull");
     add_text(list, "dataport.subscription_type", port.is_in ? "Any" : "flush,new,periodic");
@@ -329,7 +329,7 @@ RTC::ReturnCode_t PortObject::notify_connect(RTC::ConnectorProfile& connector) {
     if (connector.connector_id.in()[0] == '\0' || !is_short(connector)) return RTC::BAD_PARAMETER;
     const std::string id = connector.connector_id.in();  // a peer may answer with another one
     const std::string type = text_of(connector.properties, "dataport.data_type");
-    if (!type.empty() && type != port_.type && type != "IDL:RTC/" + port_.type + ":1.0") return RTC::BAD_PARAMETER;
+    if (!type.empty() && type != port_.type && type != port_.type_id()) return RTC::BAD_PARAMETER;
     const auto terms = terms_of(connector.properties);
     if (!terms) return RTC::BAD_PARAMETER;
     if (const auto other = port_of_ours(connector); other.in() != nullptr)

@@ -72,8 +72,8 @@ std::optional<Terms> terms_of(const SDOPackage::NVList& properties) {
     return terms;
 }
 
-void add_own_terms(SDOPackage::NVList& properties, const std::string& type) {
-    add_text(properties, "dataport.data_type", "IDL:RTC/" + type + ":1.0");
+void add_own_terms(SDOPackage::NVList& properties, const std::string& type_id) {
+    add_text(properties, "dataport.data_type", type_id);
     add_text(properties, "dataport.interface_type", "corba_cdr");
     add_text(properties, "dataport.dataflow_type", "push");
     add_text(properties, "dataport.subscription_type", "flush");

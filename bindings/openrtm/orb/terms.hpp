@@ -25,6 +25,6 @@ struct Terms {
 /// Returns nothing if they ask for an unsupported interface or serializer; only CORBA's CDR is supported.
 std::optional<Terms> terms_of(const SDOPackage::NVList& properties);
 /// Adds the terms of the connections that we make: each message at once, pushed. `type`: "TimedLong".
-void add_own_terms(SDOPackage::NVList& properties, const std::string& type);
+void add_own_terms(SDOPackage::NVList& properties, const std::string& type_id);
 
 }  // namespace nezumi::openrtm

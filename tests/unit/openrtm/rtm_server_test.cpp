@@ -86,7 +86,10 @@ struct Acts final : ActObserver {
 
 struct ServerRig : LiveRig {
     explicit ServerRig(const std::string& system = exported_system, const BuildOptions& build = {})
-        : LiveRig(system, {{"counter", counter_behavior}}, disk(), build) {
+        : ServerRig(system, {{"counter", counter_behavior}}, build) {}
+    ServerRig(const std::string& system, const std::map<std::string, std::string>& behaviors,
+              const BuildOptions& build = {})
+        : LiveRig(system, behaviors, disk(), build) {
         live->observe_acts(&acts);
         auto opened = RtmServer::open(host(), [this](const OrbOptions& options, RtcSite&) {
             told.options = options;
@@ -470,6 +473,47 @@ TEST_CASE("an emergency stop sends zero to RTCs in every tick, until rearm", "[o
     rig.turn();
     CHECK(rig.said_lines == std::vector<std::string>{
                                 "rtm: emergency stop: RTCs connected to controller.out are sent zero until rearm()"});
+}
+
+TEST_CASE("a type that a file defines is exported under the name that the file gives it", "[rtm][messages]") {
+    const std::string system = R"(
+behavior "seer" { script = "seer" }
+rtm { export = { "seer" } }
+)";
+    const std::string seer = R"(
+local given = input("given", "Obstacle")
+local seen = output("seen", "Obstacle")
+local plain = output("plain", "Plain")
+function on_execute() if given.is_new then seen:write(given:read()) end end
+)";
+    const std::string obstacle = R"(return message "Obstacle" {
+  rtm = "IDL:Seen/Obstacle:1.0",
+  { "distance", "double", min = 0 },
+  { "label", "string" },
+})";
+    const std::string plain = R"(return message "Plain" { { "number", "long" } })";
+    ServerRig it(system, {{"seer", seer}, {"messages/obstacle", obstacle}, {"messages/plain", plain}});
+    REQUIRE(it.told.profiles.size() == 1);
+    const std::vector<RtcPort>& ports = it.told.profiles[0].ports;
+    REQUIRE(ports.size() == 2);
+    CHECK(ports[0].type == "Obstacle");
+    CHECK(ports[0].type_id() == "IDL:Seen/Obstacle:1.0");
+    it.told.wanted["seer.seen"] = {.little = true, .big = true};
+    std::vector<std::uint8_t> bytes;
+    write_cdr(bytes, {}, CdrTime{3, 0}, 0.5, std::string("box"));
+    CHECK(it.server->put("seer.given", "Peer0.out", bytes, std::endian::little) == PutAnswer::taken);
+    it.turn(3);
+    REQUIRE(it.told.sent.size() == 2);
+    CdrTime time;
+    double distance = 0;
+    std::string label;
+    REQUIRE(read_cdr(it.told.sent[0].second, {}, time, distance, label));
+    CHECK(distance == 0.5);
+    CHECK(label == "box");
+    REQUIRE(read_cdr(it.told.sent[1].second, {.order = std::endian::big}, time, distance, label));
+    CHECK(label == "box");
+    write_cdr(bytes, {}, CdrTime{3, 0}, -0.5, std::string("box"));
+    CHECK(it.server->put("seer.given", "Peer0.out", bytes, std::endian::little) == PutAnswer::malformed);
 }
 
 TEST_CASE("an emergency stop does not change a robot's measurements", "[openrtm][server]") {
