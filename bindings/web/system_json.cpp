@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "bindings/web/types_json.hpp"
 #include "engine/system/network.hpp"
 #include "engine/trace/channel.hpp"
 
@@ -256,6 +257,7 @@ Json system_to_json(const RunningSystem& live) {
                                        {"modules", system.world()->marker_cells(marker.id)}});
     }
     json["drivers"] = drivers_to_json(system);
+    json["types"] = defined_types_to_json(system);
     json["hosts"] = hosts_to_json(system);
     return json;
 }

@@ -133,6 +133,41 @@ class Words(rig.PageCase):
         self.assertEqual(page.errors(), [])
 
 
+class Messages(rig.PageCase):
+    """Types that files define."""
+
+    def test_values_of_a_type_that_a_file_defines_are_shown_and_plotted(self):
+        obstacle = """return message "Obstacle" {
+  { "distance", "double", unit = "m" },
+  { "colour", { "red", "green", "blue" } },
+  { "corners", "Point2D[]" },
+  { "box", "double[3]" },
+  { "big", "longlong" },
+}"""
+        seer = """local seen = output("seen", "Obstacle", "")
+function on_execute()
+  seen:write { distance = now(), colour = "green", corners = { { x = 1, y = 2 } }, box = { 4, 5, 6 }, big = (1 << 60) + 1 }
+end"""
+        self.open(text='behavior "seer" { script = "seer" }', scripts={"seer": seer, "messages/obstacle": obstacle})
+        page = self.page
+        page.view("plots")
+        page.choose(".plots select", "seer.seen")
+        fields = "[...document.querySelectorAll('.plots select')[1].options].map((each) => each.value)"
+        page.until(fields + ".includes('distance')", "the fields are offered")
+        offered = page.js("return " + fields)
+        for field in ("corners[1].y", "box[3]"):
+            self.assertIn(field, offered)
+        page.choose(".plots select:nth-of-type(2)", "distance")
+        page.press("Plot")
+        page.until("document.querySelectorAll('.plots canvas').length > 0", "it is drawn")
+        page.view("diagram")
+        page.js("document.querySelector('[data-port=\"seer.seen\"]').dispatchEvent(new MouseEvent('pointerenter', { bubbles: true }));"
+                "document.querySelector('[data-port=\"seer.seen\"]').focus()")
+        page.until("document.querySelector('#view-diagram').textContent.includes('green')", "the value is shown")
+        self.assertIn("1152921504606846977", page.text("#view-diagram"))
+        self.assertEqual(page.errors(), [])
+
+
 class Listening(rig.PageCase):
     """The page by TLS, as other computers get it."""
 

@@ -64,6 +64,7 @@ class System:
             with open(file, "w") as out:
                 out.write(text)
             for name, script in (scripts or {}).items():
+                os.makedirs(os.path.dirname(os.path.join(self.folder, "behaviors", name)), exist_ok=True)
                 with open(os.path.join(self.folder, "behaviors", name + ".lua"), "w") as out:
                     out.write(script)
         home = runtime or self.folder

@@ -55,7 +55,7 @@ export function make_add_form(parts) {
   const is_new = el("input", { type: "checkbox", checked: true });
   // Types of existing ports first: a new port will usually be connected to one of them.
   const types = () => {
-    const all = Object.entries(model.hello.types).filter(([, fields]) => fields[0]?.name === "tm").map(([type]) => type).sort();
+    const all = Object.entries(model.types).filter(([, fields]) => fields[0]?.name === "tm").map(([type]) => type).sort();
     return [...new Set([...model.all_ports().map(([, { type }]) => type).filter((type) => all.includes(type)).sort(), ...all])];
   };
   const port_row = () => {

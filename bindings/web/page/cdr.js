@@ -66,11 +66,19 @@ export class Cdr {
       const is_big = size === 8 && type !== "double";
       return (stream) => {
         const value = stream.view[get](stream.take(size, size), true);
-        return is_big ? Number(value) : value;
+        if (!is_big) return value;
+        return Number.isSafeInteger(Number(value)) ? Number(value) : String(value);
       };
     }
     if (type === "bool") return (stream) => stream.view.getUint8(stream.take(1, 1)) !== 0;
     if (type === "string") return read_text;
+    const choices = /^enum<(.+)>$/.exec(type)?.[1].split(",");
+    if (choices) return (stream) => choices[stream.view.getUint32(stream.take(4, 4), true)] ?? "";
+    const array = /^array<(.+),(\d+)>$/.exec(type);
+    if (array) {
+      const read = this.#reader(array[1]);
+      return (stream) => Array.from({ length: Number(array[2]) }, () => read(stream));
+    }
     const element = /^sequence<(.+)>$/.exec(type)?.[1];
     if (element === "octet" || element === "uint8") {
       return (stream) => {

@@ -148,12 +148,13 @@ export class Model extends Emitter {
   #take(said) {
     if (said.is === "hello") {
       this.hello = said;
-      this.#cdr = new Cdr(said.types);
+      this.#cdr = new Cdr(this.types);
       this.emit("hello");
     } else if (said.is === "system") {
       const before = this.system;
       this.system = said;
       this.boxes = with_hosts(said);
+      this.#cdr = new Cdr(this.types);
       for (const { parameters } of said.components) for (const each of parameters) each.type = each.type.replace("array of ", "");
       if (before && (before.start !== said.start || before.file !== said.file)) this.#forget();
       this.#ask_floor(said);
@@ -161,6 +162,11 @@ export class Model extends Emitter {
     } else {
       this.emit(said.is, said);
     }
+  }
+
+  /// The types of messages and frames: those of the program, and those that files of the system define.
+  get types() {
+    return { ...this.hello?.types, ...this.system?.types };
   }
 
   #forget() {

@@ -46,6 +46,24 @@ bool has_gone(WebRig& rig) {
 
 }  // namespace
 
+TEST_CASE("a browser gets the types that files of the system define", "[web][messages]") {
+    WebRig rig("behavior 'seer' { script = 'seer' }\n",
+               {{"seer", "output('seen', 'Obstacle', '') output('where', 'Corner', '')"},
+                {"messages/corner", "return message 'Corner' { { 'x', 'float' } }"},
+                {"messages/obstacle",
+                 "return message 'Obstacle' { { 'colour', { 'red', 'green' } }, { 'corners', 'Corner[]' }, "
+                 "{ 'size', 'double[3]', unit = 'm' } }"}});
+    RawBrowser browser = rig.open();
+    const auto types = Json::parse(browser.next_text("\"is\":\"system\""))["types"];
+    CHECK(types["Obstacle"][0]["name"] == "tm");
+    CHECK(types["Obstacle"][1]["type"] == "enum<red,green>");
+    CHECK(types["Obstacle"][2]["type"] == "sequence<payload Corner>");
+    CHECK(types["Obstacle"][3]["type"] == "array<double,3>");
+    CHECK(types["Obstacle"][3]["unit"] == "m");
+    CHECK(types["Corner"][0]["name"] == "tm");
+    CHECK(types["payload Corner"][0]["name"] == "x");
+}
+
 TEST_CASE("a browser gets the system, its types and all poses", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
