@@ -187,9 +187,8 @@ Mapping pair(std::string_view frame, bool sensor_data) {
     made.sensor_data = sensor_data;
     made.definition = &type_of<Message>();
     made.publish = [](InPortBase& port, std::unique_ptr<dds::Writer> writer,
-                      std::string its_frame) -> std::unique_ptr<Publication> {
-        return std::make_unique<Sender<T, Message>>(static_cast<InPort<T>&>(port), std::move(writer),
-                                                    std::move(its_frame));
+                      const std::string& its_frame) -> std::unique_ptr<Publication> {
+        return std::make_unique<Sender<T, Message>>(static_cast<InPort<T>&>(port), std::move(writer), its_frame);
     };
     if constexpr (requires(const Message& from, T& to) { from_ros(from, to); }) {
         made.subscribe = [](std::unique_ptr<dds::Reader> reader) -> std::unique_ptr<Subscription> {
@@ -206,7 +205,7 @@ Mapping defined(const MessageType& type) {
         .type = type.ros,
         .definition = type.payload,
         .publish = [](InPortBase& port, std::unique_ptr<dds::Writer> writer,
-                      std::string) -> std::unique_ptr<Publication> {
+                      const std::string&) -> std::unique_ptr<Publication> {
             return std::make_unique<DefinedSender>(static_cast<InPort<Value>&>(port), std::move(writer));
         },
         .subscribe = [&payload = *type.payload](std::unique_ptr<dds::Reader> reader) -> std::unique_ptr<Subscription> {

@@ -44,8 +44,9 @@ struct Mapping {
     std::string_view frame;    ///< default of its header; "" for none
     bool sensor_data = false;  ///< best effort, as ROS uses it for sensors
     const Type* definition = nullptr;
-    std::unique_ptr<Publication> (*publish)(InPortBase& port, std::unique_ptr<dds::Writer> writer,
-                                            std::string frame) = nullptr;
+    std::function<std::unique_ptr<Publication>(InPortBase& port, std::unique_ptr<dds::Writer> writer,
+                                               const std::string& frame)>
+        publish{};
     /// None if this type can't be received.
     std::function<std::unique_ptr<Subscription>(std::unique_ptr<dds::Reader> reader)> subscribe{};
 };

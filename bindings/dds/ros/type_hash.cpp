@@ -35,7 +35,7 @@ FieldType field_type(const Type& type, std::size_t most) {
         case Type::Kind::int16: return {4};
         case Type::Kind::uint16: return {5};
         case Type::Kind::int32: return {6};
-        case Type::Kind::uint32: return {7};
+        case Type::Kind::uint32:
         case Type::Kind::enumeration: return {7};
         case Type::Kind::int64: return {8};
         case Type::Kind::uint64: return {9};
