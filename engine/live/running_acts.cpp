@@ -3,6 +3,7 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/live/past_run.hpp"
 #include "engine/live/prepare.hpp"
 #include "engine/live/running.hpp"
 #include "engine/live/running_system.hpp"
@@ -74,6 +75,10 @@ Expected<ActResult> RunningSystem::perform_and_tell(const Act& act, const Actor&
     if (act_observer_ != nullptr) act_observer_->acted(time, past, done);
     if (!is_seek) tell_out_of_time(std::holds_alternative<Restart>(act) ? when() : time);
     return done;
+}
+
+Expected<ActResult> RunningSystem::commit(PastRun& past, const Actor& who) {
+    return perform_and_tell(past.where(), who, nullptr, [&] { return take(past); });
 }
 
 Expected<void> RunningSystem::check(const PreparedAct& prepared) const {

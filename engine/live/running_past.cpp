@@ -28,10 +28,6 @@ Expected<std::unique_ptr<PastRun>> RunningSystem::begin_seek(const Seek& where) 
     return PastRun::begin(*this, *branch, where, to);
 }
 
-Expected<ActResult> RunningSystem::commit(PastRun& past, const Actor& who) {
-    return perform_and_tell(past.where(), who, nullptr, [&] { return take(past); });
-}
-
 Expected<ActResult> RunningSystem::perform(const Seek& act, const Actor& /*who*/, PreparedAct* /*prepared*/) {
     auto past = begin_seek(act);
     if (!past) return Unexpected(past.error());
