@@ -77,7 +77,7 @@ Expected<void> Golden::compare(const std::string& csv) const {
             const std::string actual = ids[i] == time_column ? rows_[row].time : cell(rows_[row], ids[i]);
             const std::string wanted = i < expected.size() ? expected[i] : "";
             if (actual == wanted) continue;
-            const std::string where = fmt::format("line {}, at {} s: {}", row + 2, rows_[row].time, names[i]);
+            const std::string where = fmt::format("line {}, at {} s: {}", row + 2, rows_[row].time, shown(names[i]));
             const auto a = number_of(actual);
             const auto b = number_of(wanted);
             if (!a || !b)

@@ -101,8 +101,9 @@ MessageCatalog::MessageCatalog() = default;
 MessageCatalog::~MessageCatalog() = default;
 
 MessageCatalog& MessageCatalog::shared() {
-    static MessageCatalog catalog;
-    return catalog;
+    // Never destroyed: values of its types, also within it, may end later than any order of destruction allows.
+    static MessageCatalog* const catalog = new MessageCatalog;
+    return *catalog;
 }
 
 Expected<const MessageType*> MessageCatalog::define(const MessageDefinition& definition, const Payloads& payloads) {
