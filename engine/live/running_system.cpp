@@ -159,10 +159,9 @@ void RunningSystem::tick() {
     } else if (running_->system->now().tick % ticks_between_hashes == 0) {
         history_.add({when(), PastHash{trace_hash()}});
     }
-    // An emergency stop is never refused. One that is known comes as an act.
+    // An emergency stop is never refused.
     for (const auto& component : running_->system->components()) {
-        if (component->take_stop() && !history_.is_past(time))
-            static_cast<void>(act(Stop{}, {Actor::Kind::joystick, component->name()}));
+        if (component->take_stop()) static_cast<void>(act(Stop{}, {Actor::Kind::joystick, component->name()}));
     }
 }
 
