@@ -24,11 +24,11 @@ Octets bytes_of(const M& message) {
 }
 
 /// A node of ROS in a system with one part, and another place in its domain.
-struct NodeRig {
-    explicit NodeRig(const RosSpec& spec, bool real = false)
+template <class P>
+struct NodeRigOf {
+    NodeRigOf(const RosSpec& spec, std::unique_ptr<P> made, bool real = false)
         : system({.real_time = real, .clock = [this] { return clock; }},
                  [this](const LogLine& line) { log.push_back(line.text); }) {
-        auto made = std::make_unique<Part>("part");
         part = made.get();
         REQUIRE(system.add(std::move(made)));
         REQUIRE(part->activate(system.now()));
@@ -54,7 +54,11 @@ struct NodeRig {
     std::vector<std::string> arrivals;  // acts of what came
     std::string refusal;
     System system;
-    Part* part = nullptr;
+    P* part = nullptr;
+};
+
+struct NodeRig : NodeRigOf<Part> {
+    explicit NodeRig(const RosSpec& spec, bool real = false) : NodeRigOf(spec, std::make_unique<Part>("part"), real) {}
 };
 
 inline RosSpec spec_of(std::vector<RosTopic> publish, std::vector<RosTopic> subscribe) {

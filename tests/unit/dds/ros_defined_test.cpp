@@ -63,32 +63,8 @@ public:
     InPort<Value>& given() { return static_cast<InPort<Value>&>(*in_ports_.front()); }
 };
 
-struct DefinedRig {
-    explicit DefinedRig(const RosSpec& spec, const MessageType* type)
-        : system({.clock = [this] { return clock; }}, [this](const LogLine& line) { log.push_back(line.text); }) {
-        auto made = std::make_unique<Carrier>(type);
-        part = made.get();
-        REQUIRE(system.add(std::move(made)));
-        REQUIRE(part->activate(system.now()));
-        auto added =
-            RosNode::add(system, spec, *place, {.clock = [this] { return clock; }, .wall_clock = [] { return 1.5e9; }});
-        if (!added) refusal = describe(added.error());
-    }
-    void tick() {
-        auto& node = dynamic_cast<RosNode&>(*system.find("ros/mouse"));
-        node.between_ticks();
-        node.before_tick(
-            [](const Port& port, const Act& act, const Actor&) { return deliver(const_cast<Port&>(port), act); });
-        system.tick();
-    }
-    double clock = 100;
-    FakeDomain domain;
-    std::unique_ptr<DdsTransport> place = domain.join();
-    std::unique_ptr<DdsTransport> other = domain.join();
-    std::vector<std::string> log;
-    std::string refusal;
-    System system;
-    Carrier* part = nullptr;
+struct DefinedRig : NodeRigOf<Carrier> {
+    DefinedRig(const RosSpec& spec, const MessageType* type) : NodeRigOf(spec, std::make_unique<Carrier>(type)) {}
 };
 
 const RosObstacle sent{.distance = 0.5, .label = "box", .corners = {{1, 2}, {3, 4}}, .colour = {9, 8, 7}, .count = -5};
