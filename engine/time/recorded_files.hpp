@@ -32,7 +32,8 @@ private:
     FilesSeen seen_;
 };
 
-/// Worlds whose pictures are read through `files`, which must outlive the function.
+/// Worlds whose pictures are read through `files`, which must outlive the function. Empty if
+/// `make` is.
 WorldFactory with_pictures_from(const ProjectFiles& files, WorldFactory make);
 
 }  // namespace nezumi

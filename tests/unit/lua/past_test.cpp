@@ -203,6 +203,51 @@ TEST_CASE("a moment that never was is refused", "[lua][past]") {
     CHECK(describe(done.error()) == "the system has changed while the past was computed");
 }
 
+TEST_CASE("a system that others are connected with, or that has no file, does not go back", "[lua][past]") {
+    const LiveRig it("rtm { export = {} }\nbehavior 'b' { script = 'b' }\n", {{"b", "function on_execute() end"}});
+    CHECK(it.live->act(Seek{.tick = 0}, user).error().message ==
+          "a system that is connected with other programs can't go back in time");
+    LiveOptions options;
+    options.scripts = &lua_scripts();
+    const auto live = RunningSystem::make(SystemSpec{}, Project::of("system.lua"), std::move(options));
+    REQUIRE(live);
+    CHECK((*live)->act(Seek{.tick = 0}, user).error().message == "a system without a file can't go back in time");
+}
+
+TEST_CASE("a past that becomes another one is refused with its tick, and the present stays", "[lua][past]") {
+    // Its numbers do not depend on the run alone.
+    class Counter final : public Device {
+    public:
+        explicit Counter(std::string name) : Device(std::move(name), "Counter") {}
+        void sense(const Time& /*now*/) override { number_.write(++count()); }
+        void actuate(const Time& /*now*/) override {}
+
+    private:
+        static std::int32_t& count() {
+            static std::int32_t the = 0;
+            return the;
+        }
+        OutPort<std::int32_t>& number_ = add_out_port<std::int32_t>("number");
+    };
+    const Scratch folder;
+    LiveOptions options;
+    options.scripts = &lua_scripts();
+    options.components["Counter"]["sim"] = [](const ComponentEntry& entry, System&) {
+        return Expected<std::unique_ptr<Component>>(std::make_unique<Counter>(entry.name));
+    };
+    const auto file = folder.write("system.lua", "component 'it' { type = 'Counter' }\n");
+    const auto live = RunningSystem::load(file, std::move(options));
+    INFO((live ? "" : describe(live.error())));
+    REQUIRE(live);
+    (*live)->activate();
+    for (int i = 0; i < 250; ++i) (*live)->tick();
+    const std::uint64_t now = (*live)->trace_hash();
+    CHECK((*live)->act(Seek{.tick = 220}, user).error().message ==
+          "the past can't be computed again: at tick 100 of start 1 it becomes another one than it was");
+    CHECK((*live)->trace_hash() == now);
+    CHECK_FALSE((*live)->is_past());
+}
+
 TEST_CASE("plots of a past show what was before it", "[lua][past]") {
     PastRig it;
     it.live->trace().remember_ports();
