@@ -59,9 +59,9 @@ std::string_view message_name(const Type& payload);
 template <class Make>
 decltype(auto) with_payload_type(const MessageType& type, Make&& make) {
     using Result = decltype(make.template operator()<bool>());
-    using Entry = Result (*)(Make&);
+    using Call = Result (*)(Make&);
     static constexpr auto table = []<std::size_t... I>(std::index_sequence<I...>) {
-        return std::array<Entry, compiled_message_count + 1>{
+        return std::array<Call, compiled_message_count + 1>{
             [](Make& m) -> Result { return m.template operator()<detail::PayloadAt<I>>(); }...,
             [](Make& m) -> Result { return m.template operator()<Value>(); }};
     }
