@@ -15,15 +15,18 @@ using namespace nezumi;
 
 namespace {
 
+// A chunk's own time limit is not what is tested here.
+constexpr Budget ample{5.0};
+
 // The values that a chunk returns.
 PlainData take(const std::string& text, std::vector<Dropped>* dropped = nullptr) {
     auto state = create_sandbox().value();
     lua_State* L = state->lua();
     REQUIRE(load_chunk(L, compile(text, "test").value()));
-    REQUIRE(protected_call(L, 0, LUA_MULTRET, {}));
+    REQUIRE(protected_call(L, 0, LUA_MULTRET, ample));
     const int count = lua_gettop(L);
     std::vector<Dropped> ignored;
-    auto data = take_plain(L, count, Budget{5.0}, std::vector<std::string>(static_cast<std::size_t>(count), "v"),
+    auto data = take_plain(L, count, ample, std::vector<std::string>(static_cast<std::size_t>(count), "v"),
                            dropped != nullptr ? *dropped : ignored);
     CHECK(lua_gettop(L) == count);
     REQUIRE(data);
@@ -35,11 +38,11 @@ std::string check(const PlainData& data, const std::string& text) {
     auto state = create_sandbox().value();
     lua_State* L = state->lua();
     REQUIRE(load_chunk(L, compile(text, "test").value()));
-    REQUIRE(protect(L, {}, [&](lua_State* inside) {
+    REQUIRE(protect(L, ample, [&](lua_State* inside) {
         push_plain(inside, data);
         return lua_gettop(inside);
     }));
-    auto ok = protected_call(L, static_cast<int>(data.values.size()), 0, {});
+    auto ok = protected_call(L, static_cast<int>(data.values.size()), 0, ample);
     return ok ? "" : ok.error().message;
 }
 
@@ -174,7 +177,7 @@ TEST_CASE("a look takes whole tables as far as its limit goes, the nearest first
         lua_settop(L, 0);
         REQUIRE(load_chunk(L, compile(text, "test").value()));
         REQUIRE(protected_call(L, 0, 1, {}));
-        auto seen = snapshot_plain(L, Budget{5.0}, limit);
+        auto seen = snapshot_plain(L, ample, limit);
         CHECK(lua_gettop(L) == 1);
         REQUIRE(seen);
         return *seen;

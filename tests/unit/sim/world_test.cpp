@@ -2,7 +2,7 @@
 #include "tests/unit/sim/try_world.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <random>
 #include <thread>
 
@@ -361,10 +361,11 @@ TEST_CASE("the time to add ten thousand robots is proportional to their number",
         const RobotSpec disc = swarm_spec();
         TryWorld w;
         w.bodies.reserve(10000);
-        const auto begin = std::chrono::steady_clock::now();
+        const auto begin = std::clock();
         for (int i = 0; i < count; ++i) w.add_kept(disc, 0.3 * (i % 100), 0.3 * (i / 100), 0, "r");
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     };
+    // Of the processor's time, the least of some tries: with the square of the number this would be a hundred times.
     const double few = std::min(seconds(1000), seconds(1000));
-    CHECK(seconds(10000) < 30 * few + 0.1);
+    CHECK(std::min({seconds(10000), seconds(10000), seconds(10000)}) < 40 * few + 0.1);
 }
