@@ -20,7 +20,7 @@ const std::string wall_system = "behaviors/systems/stop_at_wall.lua";
 
 TEST_CASE("commands that are cut off cost the exit status", "[cli][run]") {
     const Scratch files;
-    files.write("commands", "print('begins')\nrun(1e8)\n");
+    files.write("commands", "\nprint('begins') run(1e8)\n");  // one line, as the signal may come before the next begins
     Program program({"run", "behaviors/systems/stop_at_wall.lua", "--batch"}, "", files.path("commands").string());
     REQUIRE(program.wait_for_output("begins"));
     program.send(SIGINT);
