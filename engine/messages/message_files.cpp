@@ -89,8 +89,11 @@ public:
 
     Expected<const MessageType*> find(std::string_view text, const fs::path& from) {
         problem_.reset();
-        if (const auto compiled = find_message_type(text)) return *compiled;
         const auto name = parse_name(text);
+        if (const auto compiled = find_message_type(text)) {
+            const auto again = name ? redefinition_of(name->name, from) : std::nullopt;
+            return again ? define(*again) : *compiled;
+        }
         auto found = name ? definition_of(*name, from) : std::nullopt;
         if (problem_) return Unexpected(*problem_);
         if (found) return define(*found);
@@ -225,6 +228,20 @@ private:
         return all.empty() ? of_packages : all;
     }
 
+    // A file that would define a built-in type, beside the file at `from` or among messages.
+    std::optional<Definition> redefinition_of(std::string_view built_in, const fs::path& from) {
+        const std::vector<fs::path> folders = project().places(FileKind::message, from);
+        for (std::size_t i = 0; i < folders.size(); ++i) {
+            for (const std::string& entry : project().files().names_in(folders[i])) {
+                const fs::path path = folders[i] / entry;
+                const bool is_lua = path.extension() == ".lua" && folded(path.stem().string()) == folded(built_in) &&
+                                    (i > 0 || is_message(path));
+                if (is_lua || (path.extension() == ".msg" && path.stem() == built_in)) return Definition{path, "", ""};
+            }
+        }
+        return std::nullopt;
+    }
+
     std::optional<Definition> definition_of(const TypeName& name, const fs::path& from) {
         const std::vector<fs::path> folders = project().places(FileKind::message, from);
         for (std::size_t i = 0; i < folders.size(); ++i) {
@@ -258,7 +275,12 @@ private:
             found.path.extension() == ".msg" ? read_msg(*source, found.package) : files_.read_lua_(*source, project());
         if (!definition) return Unexpected(definition.error());
         return make(*definition, [&](const FieldDefinition& field) -> Expected<const Type*> {
-            if (const Type* compiled = compiled_payload(field.kind)) return compiled;
+            if (const Type* compiled = compiled_payload(field.kind)) {
+                const auto again = redefinition_of(field.kind, found.path);
+                if (!again) return compiled;
+                const auto refused = define(*again);
+                return refused ? Expected<const Type*>((*refused)->payload) : Unexpected(refused.error());
+            }
             const auto inner = find(field.kind, found.path);
             if (!inner) return Unexpected(inner.error());
             return (*inner)->payload;
@@ -291,6 +313,9 @@ private:
     }
 
     Expected<const MessageType*> make(const MessageDefinition& definition, const MessageCatalog::Payloads& payloads) {
+        if (find_message_type(definition.name) || compiled_payload(definition.name) != nullptr)
+            return failure(fmt::format("message '{}': a type of this name is built in", definition.name),
+                           definition.place);
         const auto inside = std::find(chain_.begin(), chain_.end(), definition.name);
         if (inside != chain_.end()) {
             return failure(fmt::format("message '{}' is in itself: {} has {}", definition.name,

@@ -81,8 +81,6 @@ private:
                 fmt::format("message '{}': expected a name of letters and digits, as 'Obstacle'", shown(*name)));
         if (*name != of_file)
             return refuse(fmt::format("message '{}': a file of this name defines '{}'", *name, of_file));
-        if (find_message_type(*name) || compiled_payload(*name) != nullptr)
-            return refuse(fmt::format("message '{}': a type of this name is built in", *name));
         name_ = *name;
         return {};
     }
