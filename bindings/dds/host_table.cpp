@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bindings/dds/announced_types.hpp"
 #include "engine/base/names.hpp"
 #include "engine/values/cdr.hpp"
 
@@ -16,7 +17,6 @@ namespace {
 // Limits on what hosts announce, because they are not trusted.
 constexpr std::size_t most_hosts = 256;
 constexpr std::size_t most_announcement_bytes = std::size_t{1} << 20, most_ports = 16'384, most_connections = 1024;
-constexpr std::size_t longest_reason = 1000;
 constexpr std::size_t most_ended = 4096;
 
 constexpr auto by_name = [](const AnnouncedPort& a, const AnnouncedPort& b) { return a.name < b.name; };
@@ -43,9 +43,20 @@ bool is_bounded(const Announcement& said) {
     const auto fits = [](const AnnouncedConnection& each) {
         return is_path(each.from, true) && is_path(each.to, true) && each.why.size() <= longest_reason;
     };
-    return said.ports.size() <= most_ports && said.heard.size() <= 4 * most_hosts &&
-           said.wants.size() <= most_connections && said.refusals.size() <= most_connections &&
-           std::isfinite(said.lockstep) && said.lockstep >= 0 && said.partners.size() <= most_hosts &&
+    std::size_t fields = 0;
+    for (const AnnouncedType& type : said.types) fields += type.fields.size();
+    const auto is_short = [](const AnnouncedField& field) {
+        return field.path.size() <= longest_name && field.values.size() <= longest_name;
+    };
+    return said.ports.size() <= most_ports && said.types.size() <= most_types && fields <= most_fields &&
+           std::all_of(said.types.begin(), said.types.end(),
+                       [&](const AnnouncedType& type) {
+                           return type.type.size() <= longest_name && type.name.size() <= longest_name &&
+                                  std::all_of(type.fields.begin(), type.fields.end(), is_short);
+                       }) &&
+           said.heard.size() <= 4 * most_hosts && said.wants.size() <= most_connections &&
+           said.refusals.size() <= most_connections && std::isfinite(said.lockstep) && said.lockstep >= 0 &&
+           said.partners.size() <= most_hosts &&
            std::all_of(said.partners.begin(), said.partners.end(),
                        [](const std::string& name) { return is_identifier(name) && name.size() <= longest_name; }) &&
            std::all_of(said.ports.begin(), said.ports.end(),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bindings/dds/announced_types.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/messages/message_catalog.hpp"
 
@@ -157,7 +158,7 @@ std::vector<Ends> SystemNetwork::present() const {
 }
 
 void SystemNetwork::refuse(const Ends& ends, const std::string& why) {
-    if (!refusals_.try_emplace(ends, why).second) return;
+    if (!refusals_.try_emplace(ends, why.substr(0, longest_reason)).second) return;
     if (++told_ > most_told) return;
     system_.log(LogLevel::warn, fmt::format("host {} may not connect({}, {}): {}", other_of(ends), local(ends.first),
                                             local(ends.second), why));
@@ -173,8 +174,15 @@ Expected<bool> SystemNetwork::can_be(const Ends& ends, const Announcement& host)
     const AnnouncedPort* theirs = HostTable::find_port(host, without_host(their_end));
     if (!ours || theirs == nullptr) return false;
     if (theirs->type == wire_name(*(*ours)->type())) return true;
-    return failure(
-        fmt::format("types differ: {} is {}, {} is {}", our_end, (*ours)->type_name(), their_end, shown(theirs->type)));
+    const auto defined = std::find_if(host.types.begin(), host.types.end(),
+                                      [&](const AnnouncedType& each) { return each.type == theirs->type; });
+    if (defined != host.types.end()) {
+        const std::string difference = explain_difference(*(*ours)->type(), our_end, *defined, their_end);
+        if (!difference.empty())
+            return failure(fmt::format("the definitions of {} differ: {}", (*ours)->type_name(), difference));
+    }
+    return failure(fmt::format("types differ: {} is {}, {} is {}", our_end, (*ours)->type_name(), their_end,
+                               shown(defined != host.types.end() ? defined->name : theirs->type)));
 }
 
 // Returns true if nothing is left for the next check.
@@ -303,24 +311,31 @@ void SystemNetwork::tell_problem(const std::string& path) {
         system_.log(LogLevel::error, fmt::format("network: {}: {}", path, transport_.problem()));
 }
 
-std::vector<AnnouncedPort> SystemNetwork::own_ports() const {
-    std::vector<AnnouncedPort> all;
+void SystemNetwork::announce_ports(Announcement& next) const {
+    std::vector<const MessageType*> types;
     const auto add = [&](const Component& component, const Port& port) {
-        all.push_back({nezumi::path(component, port), wire_name(*port.type()), port.direction() == Direction::in});
+        next.ports.push_back(
+            {nezumi::path(component, port), wire_name(*port.type()), port.direction() == Direction::in});
+        types.push_back(port.type());
     };
     for (const auto& component : system_.components()) {
         if (is_remote(component->name())) continue;
         for (const auto& port : std::as_const(*component).in_ports()) add(*component, *port);
         for (const auto& port : std::as_const(*component).out_ports()) add(*component, *port);
     }
-    return all;
+    next.types = announced_types(types);
 }
 
 void SystemNetwork::announce(const std::vector<Ends>& present) {
     Announcement next;
     next.head = {.protocol = protocol, .host = settings_.name, .version = settings_.version};
     next.run = settings_.run;
-    next.ports = layout_ == system_.layout() && said_.run != 0 ? said_.ports : own_ports();
+    if (layout_ == system_.layout() && said_.run != 0) {
+        next.ports = said_.ports;
+        next.types = said_.types;
+    } else {
+        announce_ports(next);
+    }
     for (const Ends& ends : present) {
         if (!brought_.contains(ends)) next.wants.push_back({ends.first, ends.second});
     }

@@ -73,7 +73,7 @@ private:
     void open_topics(const std::vector<Ends>& present);
     void announce(const std::vector<Ends>& present);
     void tell_problem(const std::string& path);
-    std::vector<AnnouncedPort> own_ports() const;
+    void announce_ports(Announcement& next) const;
     void note_waiting();
     std::string whole(std::string_view path) const;
     std::string local(std::string_view path) const;

@@ -14,13 +14,15 @@
 namespace nezumi::dds {
 
 /// Changes with whatever makes two hosts unable to understand each other.
-inline constexpr std::uint32_t protocol = 3;
+inline constexpr std::uint32_t protocol = 4;
 
 /// How all of it is encoded.
 inline constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
 
 /// [bytes] of a name in a message; longer ones are refused.
 inline constexpr std::size_t longest_name = 200;
+/// [bytes] of the reason for a refusal.
+inline constexpr std::size_t longest_reason = 1000;
 
 /// What every announcement begins with, in every protocol: enough to say who can't be understood.
 struct AnnouncementHead {
@@ -41,6 +43,25 @@ struct AnnouncedPort {
     static constexpr std::string_view type_name = "AnnouncedPort";
 };
 
+/// A field of a message type, or one within it.
+struct AnnouncedField {
+    std::string path;    ///< "corners[i].x"; "" where the message is a single value
+    std::string values;  ///< which ones it may have, and their unit
+    bool operator==(const AnnouncedField&) const = default;
+
+    static constexpr std::string_view type_name = "AnnouncedField";
+};
+
+/// A message type that a file defines. Hosts whose definitions differ say the field by it.
+struct AnnouncedType {
+    std::string type;  ///< as ports announce it
+    std::string name;  ///< as its file defines it
+    std::vector<AnnouncedField> fields;
+    bool operator==(const AnnouncedType&) const = default;
+
+    static constexpr std::string_view type_name = "AnnouncedType";
+};
+
 /// A connection between two hosts, both ends "host/name.port"; in a refusal with the reason.
 struct AnnouncedConnection {
     std::string from;   ///< host/name.port of an out-port
@@ -58,6 +79,7 @@ struct Announcement {
     std::uint64_t number = 0;                   ///< of this announcement in its run, from 1 on
     std::vector<std::uint64_t> heard;           ///< runs of the hosts whose announcements it has
     std::vector<AnnouncedPort> ports;           ///< that it has
+    std::vector<AnnouncedType> types;           ///< of these ports, but the compiled ones; large ones may be left out
     std::vector<AnnouncedConnection> wants;     ///< connections that it was asked for
     std::vector<AnnouncedConnection> refusals;  ///< of those that other hosts want with it
     double lockstep = 0;                        ///< [Hz] its ticks, 0 where it keeps its own time

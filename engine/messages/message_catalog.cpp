@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/lua_text.hpp"
+#include "engine/messages/message_fields.hpp"
 #include "engine/values/layout.hpp"
 #include "engine/values/limits.hpp"
 #include "engine/values/value_text.hpp"
@@ -197,22 +198,16 @@ Expected<const MessageType*> MessageCatalog::define(const MessageDefinition& def
     return last_[definition.name] = &place->second->message;
 }
 
-namespace {
-
-std::uint64_t mix_shape(std::uint64_t seed, const Type& type) {
-    seed = mix(mix(seed, static_cast<std::uint64_t>(type.kind)), type.length);
-    for (const std::string& choice : type.choices) seed = mix(seed, std::string_view(choice));
-    for (const Type::Field& field : type.fields) seed = mix_shape(mix(seed, std::string_view(field.name)), *field.type);
-    return type.element != nullptr ? mix_shape(seed, *type.element) : seed;
-}
-
-}  // namespace
-
 std::string wire_name(const MessageType& type) {
     if (type.is_compiled()) return type.name;
     std::string name = type.name;
     std::replace(name.begin(), name.end(), '/', '_');
-    return fmt::format("{}_{:016x}", name, mix_shape(0, *type.payload));
+    std::uint64_t seed = 0;
+    for (const MessageField& row : message_fields(type)) {
+        if (row.is_structure) continue;
+        for (const std::string* text : {&row.path, &row.values, &row.unit}) seed = mix(seed, std::string_view(*text));
+    }
+    return fmt::format("{}_{:016x}", name, seed);
 }
 
 const MessageType* MessageCatalog::find(std::string_view name) {

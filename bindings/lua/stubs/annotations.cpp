@@ -11,8 +11,8 @@
 #include "bindings/lua/script/declaration_fields.hpp"
 #include "bindings/lua/stubs/member_table.hpp"
 #include "bindings/lua/stubs/record_annotations.hpp"
-#include "bindings/lua/stubs/type_table.hpp"
 #include "engine/base/lua_text.hpp"
+#include "engine/messages/message_fields.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/world/robot_fields.hpp"
 

@@ -14,7 +14,4 @@ std::string type_table(const MessageType& message);
 /// All message types that are compiled in and these, and what holds for all of them.
 std::string type_table(const std::vector<const MessageType*>& defined = {});
 
-/// " from 0 to 5", " up to 100 elements": what a field allows beside its type.
-std::string limits_text(const FieldLimits& limits);
-
 }  // namespace nezumi

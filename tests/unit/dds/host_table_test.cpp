@@ -2,6 +2,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 
+#include "bindings/dds/announced_types.hpp"
 #include "bindings/dds/host_table.hpp"
 
 using namespace nezumi;
@@ -100,6 +101,17 @@ TEST_CASE("an announcement that is too large or has invalid names is reported on
     CHECK(refused(said));
     said = fits;
     said.refusals = {{"ev3/part.out", "me/part.in", std::string(1001, 'x')}};
+    CHECK(refused(said));
+    fits.types = {{"Obstacle_0123", "Obstacle", {{"distance", "finite number in m"}}}};
+    CHECK_FALSE(refused(fits));
+    said = fits;
+    said.types.assign(most_types + 1, fits.types[0]);
+    CHECK(refused(said));
+    said = fits;
+    said.types[0].fields.assign(most_fields + 1, fits.types[0].fields[0]);
+    CHECK(refused(said));
+    said = fits;
+    said.types[0].fields[0].values = std::string(longest_name + 1, 'x');
     CHECK(refused(said));
     for (const std::string& wrong : {std::string("part"), std::string("part."), std::string("a b.c"),
                                      std::string("\x1b[2J.x"), std::string(300, 'a') + ".b"}) {

@@ -4,30 +4,14 @@
 
 #include "bindings/dds/ros/mapping.hpp"
 #include "bindings/dds/ros/type_hash.hpp"
-#include "engine/messages/message_catalog.hpp"
-#include "engine/messages/msg_file.hpp"
 #include "engine/values/view.hpp"
+#include "tests/unit/dds/defined_types.hpp"
 #include "tests/unit/dds/node_rig.hpp"
 
 using namespace nezumi;
 using namespace nezumi::dds;
 
 namespace {
-
-MessageDefinition definition_of(const std::string& name, const std::string& text) {
-    auto read = read_msg({name + ".msg", name + ".msg", text}, "my_msgs");
-    INFO((read ? "" : describe(read.error())));
-    REQUIRE(read);
-    return *read;
-}
-
-const MessageType* define(const MessageDefinition& definition, const Type* inner = nullptr) {
-    const auto made = MessageCatalog::shared().define(
-        definition, [&](const FieldDefinition&) -> Expected<const Type*> { return inner; });
-    INFO((made ? "" : describe(made.error())));
-    REQUIRE(made);
-    return *made;
-}
 
 const MessageType* obstacle_type() {
     const MessageType* corner = define(definition_of("Corner", "float32 x\nfloat32 y\n"));
@@ -51,20 +35,9 @@ struct RosObstacle {
     std::int64_t count;
 };
 
-class Carrier final : public Device {
-public:
-    explicit Carrier(const MessageType* type) : Device("part", "Part") {
-        out_ports_.push_back(make_out_port(type, "seen", ""));
-        in_ports_.push_back(make_in_port(type, "given", "", 10));
-    }
-    void sense(const Time& /*now*/) override {}
-    void actuate(const Time& /*now*/) override {}
-    OutPort<Value>& seen() { return static_cast<OutPort<Value>&>(*out_ports_.front()); }
-    InPort<Value>& given() { return static_cast<InPort<Value>&>(*in_ports_.front()); }
-};
-
 struct DefinedRig : NodeRigOf<Carrier> {
-    DefinedRig(const RosSpec& spec, const MessageType* type) : NodeRigOf(spec, std::make_unique<Carrier>(type)) {}
+    DefinedRig(const RosSpec& spec, const MessageType* type)
+        : NodeRigOf(spec, std::make_unique<Carrier>("part", type)) {}
 };
 
 const RosObstacle sent{.distance = 0.5, .label = "box", .corners = {{1, 2}, {3, 4}}, .colour = {9, 8, 7}, .count = -5};

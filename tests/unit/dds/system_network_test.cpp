@@ -173,7 +173,8 @@ TEST_CASE("hosts of different versions are reported", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3", true, "1.1"), pi(room, "pi");
     pass(room, 2, ev3, pi);
-    CHECK(pi.told("warn: host ev3 is here; it runs nezumi 1.1, protocol 3, this one nezumi 1.0, protocol 3"));
+    CHECK(pi.told(fmt::format(
+        "warn: host ev3 is here; it runs nezumi 1.1, protocol {0}, this one nezumi 1.0, protocol {0}", protocol)));
 }
 
 TEST_CASE("only the last announcement since the last check counts", "[dds][network]") {
