@@ -221,6 +221,7 @@ Expected<std::unique_ptr<RunningSystem>> Replay::load(LiveOptions options) {
     options.values = values_;
     options.build.out_of_time_is_fatal = false;
     options.watch = false;
+    options.is_replay = true;
     options.budget = headless_budget;
     auto live = RunningSystem::load(system_, std::move(options));
     if (live) (*live)->foresee(std::exchange(foreseen_, {}));

@@ -39,6 +39,7 @@ struct LiveOptions {
     BuildOptions build;
     Budget budget = paced_budget;  ///< of each call into a script; `headless_budget` in runs without a clock
     bool watch = false;            ///< reload scripts when they are saved
+    bool is_replay = false;        ///< what other programs did is known: none of them is there
     std::function<void(std::string_view)> print;  ///< gets the output of system files, a line at a time; may be empty
 };
 

@@ -21,6 +21,8 @@ SubCommand receive_command();
 SubCommand marker_command();
 SubCommand network_command();
 SubCommand rtc_command();
+SubCommand open_command();
+SubCommand compare_command();
 /// These two describe the whole program, which `program` gives.
 SubCommand completion_command(SubCommand (*program)());
 SubCommand manual_command(SubCommand (*program)());

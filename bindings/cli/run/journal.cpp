@@ -22,6 +22,8 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
                 fmt::format("{}:{}: the last line is incomplete and is ignored", file_, replay_->torn_line()));
         if (!replay_->end())
             notes_.push_back(fmt::format("{}: has no end: that run was cut off, and so is this one", file_));
+        if (options.opens_replay && replay_->end() == RunEnd::error)
+            notes_.push_back(fmt::format("{}: an error ended that run: {}", file_, replay_->end_message()));
         auto loaded = replay_->load(std::move(live));
         if (loaded) live_ = loaded->get();
         return loaded;
@@ -35,6 +37,17 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
     live_ = loaded->get();
     journal_->begin(*live_, version(), options.hardware.has_value());
     return loaded;
+}
+
+Expected<void> RunJournal::go_to_end(const volatile std::sig_atomic_t& end) {
+    for (;;) {
+        const auto more = replay_->before_tick(*live_);
+        if (!more) return Unexpected(more.error());
+        if (!*more || end != 0) break;
+        live_->tick();
+    }
+    opened_ = std::move(replay_);
+    return {};
 }
 
 void RunJournal::follow(RunLoop& loop) {

@@ -1,6 +1,7 @@
 // The journal that a run writes or replays, or neither.
 #pragma once
 
+#include <csignal>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,9 @@ public:
     Expected<std::unique_ptr<RunningSystem>> load(const RunOptions& options, LiveOptions live);
     /// Messages to show before the run starts.
     const std::vector<std::string>& notes() const { return notes_; }
+    /// Performs a replay that is opened, up to its end; then this run is no replay any more. Gives up when `end` is not
+    /// 0.
+    Expected<void> go_to_end(const volatile std::sig_atomic_t& end);
     /// Follows the loop, which must outlive this object.
     void follow(RunLoop& loop);
 
@@ -48,6 +52,7 @@ private:
     RunningSystem* live_ = nullptr;
     std::unique_ptr<Journal> journal_;
     std::unique_ptr<Replay> replay_;
+    std::unique_ptr<Replay> opened_;  // has been performed; its files are those of the system
     std::string file_;
     std::vector<std::string> notes_;
     ActTime stopped_;

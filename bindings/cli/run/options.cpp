@@ -4,8 +4,10 @@
 #include <arpa/inet.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 
 #include "bindings/cli/files/output_files.hpp"
@@ -190,15 +192,28 @@ std::vector<Option> run_options(RunWords& words) {
     };
 }
 
+std::vector<Option> open_options(RunWords& words) {
+    words.opens_replay = true;
+    std::vector<Option> options{
+        {"RUN", &words.replay, "a journal, which `nezumi run --journal` wrote", "", {}, FileUse::source}};
+    constexpr std::string_view same[] = {"--batch", "--speed", "--port", "--no-web", "--open", "--listen", "--threads"};
+    for (Option& each : run_options(words)) {
+        if (std::find(std::begin(same), std::end(same), each.name) != std::end(same))
+            options.push_back(std::move(each));
+    }
+    return options;
+}
+
 Expected<RunOptions> read_run_options(const RunWords& words) {
+    const bool repeats = !words.replay.empty() && !words.opens_replay;
     RunOptions options{.file = words.file,
-                       .headless = words.headless || words.batch || !words.replay.empty(),
+                       .headless = words.headless || words.batch || repeats,
                        .batch = words.batch,
                        .keep_going = words.keep_going,
                        .trace_hash = words.trace_hash,
                        .real_time = words.real_time};
     if (words.file.empty() && words.replay.empty()) return failure("FILE is missing; see nezumi run --help");
-    if (words.speed == "max" || (words.speed.empty() && (words.batch || !words.replay.empty()))) {
+    if (words.speed == "max" || (words.speed.empty() && (words.batch || repeats))) {
         options.speed = as_fast_as_possible;
     } else if (!words.speed.empty()) {
         const auto speed = number<double>(words.speed);
@@ -245,6 +260,7 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
     if (words.keep_going && !words.journal.empty())
         return failure("--keep-going: a journal is of a system that loads whole: leave out --journal");
     options.replay = words.replay;
+    options.opens_replay = words.opens_replay;
     options.values = {.file = words.params, .set = words.set};
     for (const auto& [option, given] : {std::pair{"--batch", words.batch},
                                         {"--seed", !words.seed.empty()},
@@ -252,8 +268,7 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
                                         {"--journal", !words.journal.empty()},
                                         {"--set", !words.set.empty()},
                                         {"--params", !words.params.empty()}}) {
-        if (!words.replay.empty() && given)
-            return failure(fmt::format("--replay repeats the journal: leave out {}", option));
+        if (repeats && given) return failure(fmt::format("--replay repeats the journal: leave out {}", option));
     }
     if (!words.ports.empty()) {
         if (words.record.empty())

@@ -32,10 +32,13 @@ struct RunWords {
     bool twin = false;
     bool no_web = false;
     bool open = false;
+    bool opens_replay = false;  ///< of `nezumi open`
 };
 
 /// They as a command has them. `words` must outlive the parsing.
 std::vector<Option> run_options(RunWords& words);
+/// Those of `nezumi open`, whose RUN is the replay.
+std::vector<Option> open_options(RunWords& words);
 
 /// Where the page for browsers is served.
 struct Web {
@@ -60,7 +63,8 @@ struct RunOptions {
     std::vector<std::string> ports;    ///< "name.port"; empty: every out-port
     std::int64_t every = 1;            ///< one tick of so many is recorded
     std::string journal;               ///< "" for none
-    std::string replay;                ///< "" for none; then headless
+    std::string replay;                ///< "" for none
+    bool opens_replay = false;         ///< the replay comes first, as fast as possible; then the run is paused
     std::string sounds;                ///< folder for what robots say; "" for none
     StartValues values;                ///< over the file's
     std::optional<Web> web;            ///< none: no page is served

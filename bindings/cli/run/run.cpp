@@ -153,19 +153,23 @@ private:
                              .held = [this] { return held(); }});
 
         live_->activate();
+        if (options_.opens_replay) {
+            if (auto there = journal_.go_to_end(signals_->received()); !there) return Unexpected(there.error());
+        }
         loop_.emplace(*live_, RunLoop::Options{.speed = options_.speed, .problems = &problems_});
         RunLoop& loop = *loop_;
         loop.end_when(signals_->received());
         loop.end_at(options_.duration);
         loop.wait_while([this] { return is_behind(); });
         journal_.follow(loop);
+        if (options_.opens_replay) loop.pause();
         StartButtons start_buttons(loop, [this](const std::string& text) { say(text); });
         ShutdownButtons shutdown_buttons(loop, [this](const std::string& text) { say(text); });
         for (const std::string& note : journal_.notes()) screen_.say(note);
         StatusLine status_line(loop, screen_);
         if (screen_.is_live()) loop.add(status_line);
         if (auto open = open_rtm(); !open) return Unexpected(open.error());
-        if (auto open = options_.replay.empty() ? open_console() : Expected<void>(); !open)
+        if (auto open = options_.replay.empty() || options_.opens_replay ? open_console() : Expected<void>(); !open)
             return Unexpected(open.error());
         tell_undriven();
         results_.follow(loop);

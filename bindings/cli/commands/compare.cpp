@@ -1,0 +1,95 @@
+// `nezumi compare`: the first tick in which two runs differ.
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "bindings/cli/base/environment.hpp"
+#include "bindings/cli/base/version.hpp"
+#include "bindings/cli/commands/commands.hpp"
+#include "bindings/journal/compare_runs.hpp"
+#include "engine/base/visible.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+struct LoadedRun {
+    std::unique_ptr<Replay> replay;  // its files outlive the system
+    std::unique_ptr<RunningSystem> system;
+};
+
+Expected<LoadedRun> load(const std::string& file) {
+    auto replay = Replay::read(file, version());
+    if (!replay) return Unexpected(replay.error());
+    auto system = (*replay)->load(simulated_systems());
+    if (!system) return Unexpected(system.error());
+    return LoadedRun{std::move(*replay), std::move(*system)};
+}
+
+void show(const RunDifference& found, const std::string& first, const std::string& second) {
+    const auto text_of = [](const ActTime& when) {
+        return fmt::format("tick {}{}", when.tick, when.start == 1 ? "" : fmt::format(" of start {}", when.start));
+    };
+    fmt::print("first difference: {}, {:g} s\n", text_of(found.when), found.seconds);
+    if (text_of(found.when) != text_of(found.second_when))
+        fmt::print("  {} is at {} then\n", visible(second), text_of(found.second_when));
+    for (const DifferingValue& value : found.values) {
+        fmt::print("  {}: {} and {}{}\n", value.name, value.first, value.second,
+                   value.by ? fmt::format(", a difference of {:g}", *value.by) : "");
+    }
+    if (found.more_values > 0) fmt::print("  and {} more values\n", found.more_values);
+    if (found.component.empty()) return;
+    if (found.lines.empty()) {
+        fmt::print("{} executed the same lines with the same values\n", found.component);
+        return;
+    }
+    fmt::print("{} executed these lines differently (- in {}, + in {}):\n", found.component, visible(first),
+               visible(second));
+    for (const DifferingLine& line : found.lines) fmt::print("  {} {}\n", line.of_first ? '-' : '+', line.text);
+}
+
+int compare(const std::string& first, const std::string& second) {
+    if (auto ok = need_simulation({{"compare", true}}); !ok) return refuse(ok.error());
+    auto a = load(first);
+    if (!a) return refuse(a.error());
+    auto b = load(second);
+    if (!b) return refuse(b.error());
+    const auto compared = compare_runs(*a->replay, *a->system, *b->replay, *b->system);
+    if (!compared) return refuse(compared.error());
+    for (const std::string& file : compared->files) fmt::print("different files: {}\n", visible(file));
+    if (compared->difference) {
+        show(*compared->difference, first, second);
+        return exit_failed;
+    }
+    const double common = std::min(compared->first_end, compared->second_end);
+    if (compared->first_end == compared->second_end) {
+        fmt::print("equal: all that was published in {:g} s\n", common);
+        return exit_done;
+    }
+    const bool first_is_longer = compared->first_end > compared->second_end;
+    fmt::print("equal up to {:g} s, where {} ends; {} goes on to {:g} s\n", common,
+               visible(first_is_longer ? second : first), visible(first_is_longer ? first : second),
+               std::max(compared->first_end, compared->second_end));
+    return exit_failed;
+}
+
+}  // namespace
+
+SubCommand compare_command() {
+    struct Words {
+        std::string first, second;
+    };
+    auto words = std::make_shared<Words>();
+    return {
+        .name = "compare",
+        .help = "Compare two runs: the first tick that differs, and what differed there",
+        .options = {{"FIRST", &words->first, "a journal that `nezumi run --journal` wrote", "", {}, FileUse::source},
+                    {"SECOND", &words->second, "the journal of the other run", "", {}, FileUse::source}},
+        .run = [words] { return compare(words->first, words->second); },
+        .footer =
+            "Both runs are repeated, and every message is compared. Where the first one differs, the executed lines "
+            "of the behaviour\nthat published it are compared too.\n"
+            "Exit status: 0 the runs are equal, 1 they differ, 2 they could not be compared."};
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,28 @@
+// `nezumi open`: a run that has been, paused at its end, with its past.
+#include <memory>
+#include <utility>
+
+#include "bindings/cli/base/environment.hpp"
+#include "bindings/cli/commands/commands.hpp"
+#include "bindings/cli/run/options.hpp"
+#include "bindings/cli/run/run.hpp"
+
+namespace nezumi::cli {
+
+SubCommand open_command() {
+    auto words = std::make_shared<RunWords>();
+    return {.name = "open",
+            .help = "Open a run that has been, in the page and the console, paused at its end",
+            .options = open_options(*words),
+            .run =
+                [words] {
+                    auto options = read_run_options(*words);
+                    return options ? run_system(std::move(*options)) : refuse(options.error());
+                },
+            .footer =
+                "The run is repeated from its journal, and no other file is read. rewind(5), seek(12.3) and the page's "
+                "time line go to\nany moment of it; resume() lets what followed happen again, and a change begins a "
+                "branch. The journal stays as it is."};
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,48 @@
+// Finds the first tick in which two journaled runs differ, and what differed there.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bindings/journal/replay.hpp"
+#include "engine/base/error.hpp"
+#include "engine/live/running_system.hpp"
+
+namespace nezumi {
+
+/// A part of what a port published in the first tick that differs.
+struct DifferingValue {
+    std::string name;          ///< "controller.out.vx"
+    std::string first;         ///< in the first run; "nothing" if it published nothing in this tick
+    std::string second;        ///< in the second run
+    std::optional<double> by;  ///< the difference of numbers
+};
+
+/// An executed line that only one of the runs has, with its values.
+struct DifferingLine {
+    bool of_first = true;
+    std::string text;  ///< "keeper.lua:9  local near = 3   near = 31"
+};
+
+struct RunDifference {
+    ActTime when{};         ///< of the first tick that differs, in the first run
+    ActTime second_when{};  ///< of this tick in the second run, another one if it was restarted at other ticks
+    double seconds = 0;     ///< [s] of the tick
+    std::vector<DifferingValue> values{};  ///< of the ports that differ, in the order of the system
+    std::size_t more_values = 0;           ///< that are left out
+    std::string component{};               ///< the first one with a script among those whose ports differ; "" for none
+    std::vector<DifferingLine> lines{};    ///< of its execution in that tick
+};
+
+struct RunComparison {
+    std::optional<RunDifference> difference;  ///< none: all published messages are equal as long as both go on
+    double first_end = 0, second_end = 0;     ///< [s] ends of the two runs; valid if there is no difference
+    std::vector<std::string> files;           ///< whose texts differ when the runs start
+};
+
+/// Performs two runs at once. An error if one of them can't be replayed.
+Expected<RunComparison> compare_runs(Replay& first, RunningSystem& of_first, Replay& second, RunningSystem& of_second);
+
+}  // namespace nezumi
