@@ -52,13 +52,14 @@ Expected<CommandEnd> command_samples(Session::Parts& parts, const Arguments& arg
     }
     const auto since = arguments.has(2) ? arguments.number(2, "seconds") : -std::numeric_limits<double>::infinity();
     if (!since) return Unexpected(since.error());
-    const auto most = arguments.has(3) ? arguments.number(3, "a number of samples") : double{Series::most_samples};
+    const auto most =
+        arguments.has(3) ? arguments.number(3, "a number of samples") : std::numeric_limits<double>::infinity();
     if (!most) return Unexpected(most.error());
     if (!(*most >= 1)) return failure("expected at least 1 sample");
     const auto found = parts.live.trace().remember_part(name);
     if (!found) return Unexpected(found.error());
-    parts.value =
-        samples_of(*found->series, *since, static_cast<std::size_t>(std::min(*most, double{Series::most_samples})));
+    const auto all = static_cast<double>(found->series->most_samples());
+    parts.value = samples_of(*found->series, *since, static_cast<std::size_t>(std::min(*most, all)));
     return CommandEnd::value;
 }
 

@@ -21,6 +21,19 @@ std::size_t Series::place_of(std::string_view text) {
     return texts_.size() - 1;
 }
 
+void Series::keep(std::size_t samples) {
+    const auto row_at = [&](std::size_t index) {
+        return rows_.begin() + static_cast<std::ptrdiff_t>(index * stride());
+    };
+    std::rotate(rows_.begin(), row_at(first_), rows_.end());
+    first_ = 0;
+    if (size_ > samples) {
+        rows_.erase(rows_.begin(), row_at(size_ - samples));
+        size_ = samples;
+    }
+    most_samples_ = samples;
+}
+
 void Series::set_labels(std::vector<std::string> labels, std::vector<bool> are_texts) {
     assert(labels.size() >= labels_.size());
     std::vector<double> rows;
@@ -38,12 +51,12 @@ void Series::set_labels(std::vector<std::string> labels, std::vector<bool> are_t
 void Series::add(double seconds, std::span<const double> values) {
     assert(values.size() <= labels_.size());
     std::size_t place = 0;
-    if (size_ < most_samples) {
+    if (size_ < most_samples_) {
         place = size_++ * stride();
         rows_.resize(place + stride());
     } else {
         place = first_ * stride();
-        first_ = (first_ + 1) % most_samples;
+        first_ = (first_ + 1) % most_samples_;
     }
     rows_[place] = seconds;
     const auto rest = std::copy(values.begin(), values.end(), rows_.begin() + static_cast<std::ptrdiff_t>(place) + 1);

@@ -12,8 +12,14 @@ namespace nezumi {
 
 class Series {
 public:
-    static constexpr std::size_t most_samples = 6000;  ///< a minute at 100 Hz; then the oldest is dropped
-    static constexpr std::size_t most_values = 16;     ///< of each message
+    static constexpr std::size_t usual_samples = 6000;  ///< a minute at 100 Hz
+    static constexpr std::size_t most_values = 16;      ///< of each message
+
+    /// Keeps so many samples from now on, at least 1; the oldest are dropped.
+    void keep(std::size_t samples);
+    std::size_t most_samples() const { return most_samples_; }
+    /// That its samples take in memory.
+    std::size_t bytes() const { return rows_.size() * sizeof(double); }
 
     /// "vx", "[1]", "" for a single value: one for each value of a sample.
     const std::vector<std::string>& labels() const { return labels_; }
@@ -43,13 +49,14 @@ public:
 
 private:
     std::size_t stride() const { return labels_.size() + 1; }
-    const double* row(std::size_t sample) const { return &rows_[(first_ + sample) % most_samples * stride()]; }
+    const double* row(std::size_t sample) const { return &rows_[(first_ + sample) % most_samples_ * stride()]; }
 
     std::vector<std::string> labels_;
     std::vector<bool> are_texts_;
     std::vector<std::string> texts_;
     std::vector<double> rows_;  // a time stamp, and a value for each label
-    std::size_t first_ = 0;     // row of the oldest sample
+    std::size_t most_samples_ = usual_samples;
+    std::size_t first_ = 0;  // row of the oldest sample
     std::size_t size_ = 0;
 };
 

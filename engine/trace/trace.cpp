@@ -6,6 +6,23 @@
 #include <vector>
 
 namespace nezumi {
+namespace {
+
+constexpr std::int64_t measuring_period = 100;  // ticks
+
+}  // namespace
+
+void Trace::keep(std::size_t samples, std::size_t most) {
+    most_samples_ = samples;
+    most_bytes_ = most;
+    for (auto& [name, followed] : followed_) followed.series.keep(samples);
+}
+
+std::size_t Trace::bytes() const {
+    std::size_t sum = 0;
+    for (const auto& [name, followed] : followed_) sum += followed.series.bytes();
+    return sum;
+}
 
 void Trace::start(System& system) {
     system_ = &system;
@@ -15,6 +32,7 @@ void Trace::start(System& system) {
 }
 
 void Trace::remember_like(const Trace& other) {
+    keep(other.most_samples_, other.most_bytes_);
     if (other.remembers_ports_) remember_ports();
     for (const auto& [name, followed] : other.followed_) {
         if (followed.remembered) static_cast<void>(remember(name));
@@ -36,7 +54,9 @@ Expected<Trace::Followed*> Trace::find(std::string_view name) {
     auto channel = Channel::find(*system_, name);
     if (!channel) return Unexpected(channel.error());
     std::string key = channel->name();
-    return &followed_.emplace(std::move(key), Followed{std::move(*channel)}).first->second;
+    Followed& made = followed_.emplace(std::move(key), Followed{std::move(*channel)}).first->second;
+    made.series.keep(most_samples_);
+    return &made;
 }
 
 Expected<const Channel*> Trace::follow(std::string_view name) {
@@ -98,6 +118,12 @@ void Trace::latched(const System& system) {
         followed.channel.latch(system.now().tick);
         if (followed.remembered) followed.channel.append_to(followed.series, system.now().seconds);
     }
+    if (++measured_ < measuring_period) return;
+    measured_ = 0;
+    if (bytes() <= most_bytes_) return;
+    std::size_t longest = 0;
+    for (const auto& [name, followed] : followed_) longest = std::max(longest, followed.series.size());
+    keep(std::max<std::size_t>(longest - longest / 8, 1), most_bytes_);
 }
 
 }  // namespace nezumi

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -17,6 +18,12 @@ class Trace final : public PortObserver {
 public:
     /// In a system with more ports, only requested channels are remembered.
     static constexpr std::size_t most_ports = 400;
+
+    /// [bytes] of all remembered numbers. When they are more, the oldest are dropped.
+    static constexpr std::size_t most_bytes = std::size_t{256} << 20;
+
+    /// Keeps the last `samples` of each channel, instead of `Series::usual_samples`, as far as `most` bytes go.
+    void keep(std::size_t samples, std::size_t most = most_bytes);
 
     /// Switches to the channels of this system, which is at its start, and which must outlive this object. Followed
     /// channels stay; remembered numbers are dropped.
@@ -56,11 +63,15 @@ private:
     };
 
     Expected<Followed*> find(std::string_view name);
+    std::size_t bytes() const;
     void follow_layout();
 
     System* system_ = nullptr;
     std::uint64_t layout_ = 0;  // of the system at the last resolution of channels
     bool remembers_ports_ = false;
+    std::size_t most_samples_ = Series::usual_samples;
+    std::size_t most_bytes_ = most_bytes;
+    std::int64_t measured_ = 0;                              // number of ticks since the memory was measured
     std::map<std::string, Followed, std::less<>> followed_;  // by name
 };
 

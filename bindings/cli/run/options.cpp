@@ -18,6 +18,7 @@ namespace {
 
 constexpr double longest = 1e9;  // [s], some thirty years
 constexpr int most_threads = 256;
+constexpr double longest_history = 10'000;  // [min] a week
 
 template <class T>
 std::optional<T> number(std::string_view word) {
@@ -141,6 +142,8 @@ std::vector<Option> run_options(RunWords& words) {
         {"--params", &words.params,
          "take the parameters of this file, which the console's save has written; by path or name", "FILE.lua"},
         {"--threads", &words.threads, "that run behaviours (default 1); the result is the same", "N"},
+        {"--history", &words.history,
+         "of values to remember for plots (default 1), up to 256 MB; then the oldest are dropped", "MINUTES"},
         {"--keep-going", &words.keep_going,
          "leave out a behaviour that can't be loaded, with its connections, and run the others"},
         {"--trace-hash", &words.trace_hash, "print a hash over all that ports published: equal runs, equal hashes"},
@@ -196,7 +199,8 @@ std::vector<Option> open_options(RunWords& words) {
     words.opens_replay = true;
     std::vector<Option> options{
         {"RUN", &words.replay, "a journal, which `nezumi run --journal` wrote", "", {}, FileUse::source}};
-    constexpr std::string_view same[] = {"--batch", "--speed", "--port", "--no-web", "--open", "--listen", "--threads"};
+    constexpr std::string_view same[] = {"--batch", "--speed",  "--port",    "--no-web",
+                                         "--open",  "--listen", "--threads", "--history"};
     for (Option& each : run_options(words)) {
         if (std::find(std::begin(same), std::end(same), each.name) != std::end(same))
             options.push_back(std::move(each));
@@ -231,6 +235,11 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
     if (!words.seed.empty()) {
         options.seed = number<std::uint64_t>(words.seed);
         if (!options.seed) return wrong("--seed", "a whole number from 0 to 2^64 - 1", words.seed);
+    }
+    if (!words.history.empty()) {
+        options.history = number<double>(words.history);
+        if (!options.history || !(*options.history >= 1 && *options.history <= longest_history))
+            return wrong("--history", fmt::format("minutes from 1 to {:.0f}", longest_history), words.history);
     }
     if (!words.threads.empty()) {
         const auto threads = number<int>(words.threads);

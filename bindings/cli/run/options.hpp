@@ -21,6 +21,7 @@ struct RunWords {
     std::string dev_root, sys_root, device_log, played_log;
     std::string params;
     std::string every;
+    std::string history;
     std::string port, listen;
     std::vector<std::string> set;
     FlagText hw;
@@ -54,7 +55,8 @@ struct RunOptions {
     double speed = 1;    ///< a factor of real time; `as_fast_as_possible` for "max"
     double duration = std::numeric_limits<double>::infinity();  ///< [s] of simulated time
     std::optional<std::uint64_t> seed;
-    bool keep_going = false;  ///< a behaviour that can't be made is left out
+    bool keep_going = false;        ///< a behaviour that can't be made is left out
+    std::optional<double> history;  ///< [min] of values that are remembered; none: `Series::usual_samples`
     int threads = 1;
     bool trace_hash = false;
     bool real_time = false;            ///< ask the kernel for ticks in time; `speed` is a number then

@@ -146,6 +146,10 @@ private:
         live_ = std::move(*live);
         if (options_.file.empty()) options_.file = live_->spec().file;
         signals_.emplace();
+        if (options_.history) {
+            const double samples = *options_.history * 60 * live_->system().settings().rate;
+            live_->trace().keep(std::max(static_cast<std::size_t>(samples), Series::usual_samples));
+        }
         live_->trace().remember_ports();
         if (auto open = results_.open(options_, *live_); !open) return Unexpected(open.error());
         signals_->watch_end({.give_up = [this] { give_up_files(); },

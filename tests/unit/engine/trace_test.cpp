@@ -245,17 +245,17 @@ TEST_CASE("in a system with more ports, only requested ports are remembered", "[
 TEST_CASE("a series keeps the latest samples, and its rows when values are added", "[engine][trace]") {
     Series series;
     series.set_labels({"a"});
-    for (std::size_t i = 0; i < Series::most_samples + 2; ++i) {
+    for (std::size_t i = 0; i < Series::usual_samples + 2; ++i) {
         const double value = static_cast<double>(i);
         series.add(value, std::span(&value, 1));
     }
-    CHECK(series.size() == Series::most_samples);
+    CHECK(series.size() == Series::usual_samples);
     CHECK(series.seconds(0) == 2);
-    CHECK(series.value(series.size() - 1, 0) == Series::most_samples + 1);
+    CHECK(series.value(series.size() - 1, 0) == Series::usual_samples + 1);
     series.set_labels({"a", "b"});
     const double both[] = {1, 2};
     series.add(9000, both);
-    CHECK(series.size() == Series::most_samples);
+    CHECK(series.size() == Series::usual_samples);
     CHECK(series.seconds(0) == 3);
     CHECK(series.value(0, 0) == 3);
     CHECK(std::isnan(series.value(0, 1)));
@@ -264,6 +264,38 @@ TEST_CASE("a series keeps the latest samples, and its rows when values are added
     series.add(1, std::span(both, 1));
     CHECK(series.size() == 1);
     CHECK(std::isnan(series.value(0, 1)));
+}
+
+TEST_CASE("a series can keep more samples, and fewer", "[engine][trace]") {
+    Series series;
+    series.set_labels({"a"});
+    series.keep(4);
+    for (int i = 0; i < 6; ++i) {
+        const double value = i;
+        series.add(value, std::span(&value, 1));
+    }
+    CHECK(series.size() == 4);
+    series.keep(5);
+    const double more = 6;
+    series.add(more, std::span(&more, 1));
+    REQUIRE(series.size() == 5);
+    for (std::size_t i = 0; i < 5; ++i) CHECK(series.seconds(i) == static_cast<double>(i + 2));
+    series.keep(2);
+    REQUIRE(series.size() == 2);
+    CHECK(series.seconds(0) == 5);
+    CHECK(series.value(1, 0) == 6);
+}
+
+TEST_CASE("when the remembered values exceed their memory, the oldest are dropped", "[engine][trace]") {
+    Traced it;
+    it.add("a", says_three_things);
+    it.trace.keep(1'000'000, 40'000);
+    const Series& series = **it.trace.remember("a.out");
+    it.tick(3000);
+    CHECK(series.bytes() <= 40'000 + 100 * 3 * 2 * sizeof(double));
+    CHECK(series.size() > 1000);
+    CHECK(series.seconds(series.size() - 1) > 29.9);
+    CHECK(series.seconds(0) > 1);
 }
 
 TEST_CASE("a table has a row for each message of a tick, the last one with the latest of all", "[engine][trace]") {
