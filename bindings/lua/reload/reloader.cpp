@@ -173,10 +173,11 @@ Expected<ActResult> Reloader::commit(PreparedReload& loaded, const Project& proj
     ActResult report;
     ++reloads_;
     chunks_.take(prepared.chunks);
+    const std::size_t first_lost = lost_.size();
     for (Change& change : changes) {
         ScriptComponent& component = change.component;
         change.next.script->share(&chunks_);
-        let_ports_go(component, change.next, report);
+        let_ports_go(component, change.next, first_lost, report);
         component.commit(std::move(change.next), reloads_);
         component.begin_probation();
         watch_probation(component);
@@ -193,15 +194,17 @@ Expected<ActResult> Reloader::commit(PreparedReload& loaded, const Project& proj
     return report;
 }
 
-void Reloader::let_ports_go(ScriptComponent& component, const ScriptComponent::Version& next, ActResult& report) {
+void Reloader::let_ports_go(ScriptComponent& component, const ScriptComponent::Version& next, std::size_t first_lost,
+                            ActResult& report) {
     system_.change_layout();
     for (Port* port : component.ports_going(next)) {
         const std::string path = component.name() + "." + port->name();
         const bool in = port->direction() == Direction::in;
+        for (System::Dropped& dropped : system_.disconnect_all(*port)) lost_.push_back(std::move(dropped));
+        // Also those that went with the port at their other end.
         std::vector<std::string> peers;
-        for (System::Dropped& dropped : system_.disconnect_all(*port)) {
-            peers.push_back(in ? dropped.from : dropped.to);
-            lost_.push_back(std::move(dropped));
+        for (std::size_t i = first_lost; i < lost_.size(); ++i) {
+            if ((in ? lost_[i].to : lost_[i].from) == path) peers.push_back(in ? lost_[i].from : lost_[i].to);
         }
         const auto& ports = next.script->ports();
         const auto successor =
@@ -258,9 +261,10 @@ void Reloader::finish(const ActResult& report, std::string_view what) {
 
 ActResult Reloader::go_back(int reload, bool keep_settings) {
     ActResult report;
+    const std::size_t first_lost = lost_.size();
     for (ScriptComponent* component : scripts()) {
         if (component->last_reload() != reload) continue;
-        let_ports_go(*component, *component->version_before(), report);
+        let_ports_go(*component, *component->version_before(), first_lost, report);
         component->go_back(keep_settings);
         watch_probation(*component);
         report.components.push_back(component->name());

@@ -29,7 +29,8 @@ private:
     struct Prepared;
 
     std::vector<ScriptComponent*> scripts() const;
-    void let_ports_go(ScriptComponent& component, const ScriptComponent::Version& next, ActResult& report);
+    void let_ports_go(ScriptComponent& component, const ScriptComponent::Version& next, std::size_t first_lost,
+                      ActResult& report);
     void connect_again(ActResult& report);
     // Reports the versions that run now. If `what` is empty, reports the file of each.
     void finish(const ActResult& report, std::string_view what);
