@@ -72,10 +72,13 @@ Expected<CommandEnd> go_to(Session::Parts& parts, const Find& find) {
         there = run.go_on(Clock::now() + slice);
         const int percent = static_cast<int>(100 * run.progress());
         if (!parts.options.batch && Clock::now() - begin > patience && percent != shown_percent) {
-            parts.show_in_place(fmt::format("going back: {} %, Ctrl-C gives up", percent));
+            if (shown_percent < 0) give_keys(parts, true);
+            parts.show_in_place(
+                fmt::format("going back: {} %, {} gives up", percent, parts.seek_has_keys ? "Esc" : "Ctrl-C"));
             shown_percent = percent;
         }
         const bool ended = !there || *there;
+        if (ended) give_keys(parts, false);
         if (!ended) parts.bell().ring();  // the next slice comes at once
         return ended;
     });
@@ -94,6 +97,12 @@ Expected<CommandEnd> go_to(Session::Parts& parts, const Find& find) {
 }
 
 }  // namespace
+
+void give_keys(Session::Parts& parts, bool to_seek) {
+    if (!parts.options.output.take_keys || parts.seek_has_keys == to_seek) return;
+    parts.seek_has_keys = to_seek;
+    parts.options.output.take_keys(to_seek);
+}
 
 Expected<CommandEnd> command_seek(Session::Parts& parts, const Arguments& arguments) {
     const bool has_branch = arguments.kind(1) == "string";

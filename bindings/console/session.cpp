@@ -278,7 +278,7 @@ bool Session::advance(std::chrono::microseconds slice) {
         bell.clear();
         serve(end);
         if (!is_busy() || is_waiting()) return false;
-        if (!bell.wait(end)) return true;
+        if (!bell.wait(end) || Worker::Clock::now() >= end) return true;
     }
 }
 
@@ -312,6 +312,7 @@ void Session::after_tick() {
 void Session::interrupt() {
     Parts& parts = *parts_;
     if (parts.drive.is_on()) key(Key::escape);
+    give_keys(parts, false);
     parts.watches.clear();
     parts.explained.clear();
     parts.awaits_explanation = false;
@@ -332,6 +333,7 @@ void Session::interrupt() {
 
 void Session::key(Key key) {
     Parts& parts = *parts_;
+    if (parts.seek_has_keys && key == Key::escape) return interrupt();
     const bool was_on = parts.drive.is_on();
     parts.drive.key(key, parts.live);
     if (parts.drive.is_on() && (key == Key::faster || key == Key::slower))

@@ -124,6 +124,7 @@ struct Session::Parts {
     bool awaits_explanation = false;  // the job has run, and ends when its explanation is shown
     std::vector<PlotRequest> plots;   ///< that are drawn again and again
     Drive drive;
+    bool seek_has_keys = false;  ///< Esc gives up a seek
 
     // For the worker, and for functions that run for it while it waits:
 
@@ -172,5 +173,8 @@ std::vector<std::string> names_in_scope(Session::Parts& parts);
 
 /// Candidates for the text before the cursor.
 Completion complete(Session::Parts& parts, std::string_view text, std::size_t cursor);
+
+/// Keys go to a seek, so that Esc gives it up, or no longer. Nothing where there are no keys.
+void give_keys(Session::Parts& parts, bool to_seek);
 
 }  // namespace nezumi

@@ -1,5 +1,7 @@
 // Going back from the console: what a person can do while it is computed.
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
 
 #include "tests/unit/console/session_rig.hpp"
 
@@ -19,6 +21,26 @@ TEST_CASE("a seek that is interrupted leaves the present as it is", "[console][p
     CHECK(it.live->trace_hash() == now);
     CHECK_FALSE(it.live->is_past());
     CHECK(it.type("now()") == "100.0");
+}
+
+TEST_CASE("a long seek shows how far it is, and Esc gives it up", "[console][past]") {
+    SessionRig it;
+    it.turn(30'000);
+    const std::uint64_t now = it.live->trace_hash();
+    it.session->submit("seek(299)");
+    // Each turn computes a little, and much time passes.
+    while (!it.keys && it.session->is_busy()) {
+        it.session->advance(std::chrono::microseconds(0));
+        std::this_thread::sleep_for(std::chrono::milliseconds(70));
+    }
+    REQUIRE(it.keys);
+    CHECK(it.shown.find("%, Esc gives up") != std::string::npos);
+    it.session->key(Key::escape);
+    for (int rounds = 0; rounds < 100 && it.session->is_busy(); ++rounds) it.session->advance();
+    CHECK(it.shown.find("! interrupted") != std::string::npos);
+    CHECK_FALSE(it.keys);
+    CHECK(it.live->trace_hash() == now);
+    CHECK_FALSE(it.live->is_past());
 }
 
 TEST_CASE("a step of another console ends when time goes back", "[console][past]") {
