@@ -90,6 +90,19 @@ Expected<std::string> help_asked(Session::Parts& parts, const Arguments& argumen
     return failure(fmt::format("there is no word '{}'{}", shown(*name), did_you_mean(*name, names)));
 }
 
+// A line for each function that was running: "  keeper.lua:9 turn: angle = 0.5, near = true".
+std::string frames_text(const ErrorFrames& frames) {
+    std::vector<std::string> lines;
+    for (const ErrorFrames::Frame& frame : frames.all) {
+        std::string locals;
+        for (const auto& each : frame.locals)
+            locals += fmt::format("{}{} = {}", locals.empty() ? ": " : ", ", each.name, each.text);
+        lines.push_back(
+            fmt::format("  {}:{}{}{}{}", frame.file, frame.line, frame.name.empty() ? "" : " ", frame.name, locals));
+    }
+    return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
 }  // namespace
 
 Expected<CommandEnd> command_ls(Session::Parts& parts, const Arguments& arguments) {
@@ -146,9 +159,12 @@ Expected<CommandEnd> command_errors(Session::Parts& parts, const Arguments&) {
                         line.component.empty() ? "" : " ", line.component, visible_message(line.text)));
     }
     for (const auto& component : parts.live.system().components()) {
-        if (component->state() == LifeState::error)
-            add(fmt::format("{} is in ERROR: {}", component->name(),
-                            visible_message(describe(component->last_error()))));
+        if (component->state() != LifeState::error) continue;
+        const Error& error = component->last_error();
+        add(fmt::format("{} is in ERROR: {}", component->name(), visible_message(describe(error))));
+        // A single function without variables says no more than the error's place.
+        if (error.frames && (error.frames->all.size() > 1 || !error.frames->all.front().locals.empty()))
+            add(frames_text(*error.frames));
     }
     parts.show(text.empty() ? "no errors" : text);
     return CommandEnd::done;

@@ -1,6 +1,7 @@
 // An error of the outside world: a message in one plain sentence, with its place.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -18,6 +19,9 @@ struct Place {
     bool operator==(const Place&) const = default;
 };
 
+/// Where a script was (`engine/components/inside.hpp`).
+struct ErrorFrames;
+
 /// An error of the outside world: wrong input, a missing file, a device that is gone. Never a mistake of this program.
 struct Error {
     enum class Kind {
@@ -28,8 +32,11 @@ struct Error {
     std::string message;  ///< one plain sentence: what was found, what was expected, what to do
     Place place{};        ///< where it was found, if it is in a file
     Kind kind = Kind::ordinary;
+    std::shared_ptr<const ErrorFrames> frames{};  ///< of a running script; null: none
 
-    bool operator==(const Error&) const = default;
+    bool operator==(const Error& other) const {
+        return message == other.message && place == other.place && kind == other.kind;
+    }
 };
 
 template <class T>
@@ -38,7 +45,7 @@ using Unexpected = tl::unexpected<Error>;
 
 /// Returns an `Unexpected` that converts to any `Expected<T>`.
 inline Unexpected failure(std::string message, Place place = {}) {
-    return Unexpected(Error{std::move(message), std::move(place), Error::Kind::ordinary});
+    return Unexpected(Error{std::move(message), std::move(place)});
 }
 
 /// "file:line:column: message", without unknown parts.

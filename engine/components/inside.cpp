@@ -29,6 +29,19 @@ Value value_in(const Probe& probe, PlainData& data) {
 
 }  // namespace
 
+Value add_frames(const ErrorFrames& frames, PlainData& data) {
+    PlainData::Table list;
+    for (const ErrorFrames::Frame& frame : frames.all) {
+        PlainData::Table locals;
+        for (const ErrorFrames::Variable& each : frame.locals) locals.push_back({each.name, each.value});
+        PlainData::Table fields{{"file", frame.file}, {"line", std::int64_t{frame.line}}};
+        fields.push_back({"locals", data.add(std::move(locals))});
+        if (!frame.name.empty()) fields.push_back({"name", frame.name});
+        list.push_back({static_cast<std::int64_t>(list.size()) + 1, data.add(std::move(fields))});
+    }
+    return data.add(std::move(list));
+}
+
 PlainData describe(std::span<const TaskStatus> tasks) {
     return table_of(tasks, [](const TaskStatus& task, PlainData& data) {
         PlainData::Table fields;

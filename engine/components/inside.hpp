@@ -55,6 +55,25 @@ struct TracedLines {
     bool is_cut = false;  ///< there were more lines
 };
 
+/// The functions of a script that were running when an error occurred, the innermost first.
+struct ErrorFrames {
+    struct Variable {
+        std::string name;
+        std::string text;  ///< as people see it
+        Value value;       ///< a number, a truth value, or a text; of a table the text that people see
+    };
+    struct Frame {
+        std::string file;                ///< its name in messages
+        int line = 0;                    ///< that it was executing
+        std::string name{};              ///< by which it was called; "" if unknown
+        std::vector<Variable> locals{};  ///< its variables with a value
+    };
+    std::vector<Frame> all{};
+};
+
+/// Adds a list of tables with `file`, `line`, `name` and `locals`; returns the value that refers to it.
+Value add_frames(const ErrorFrames& frames, PlainData& data);
+
 /// A table from each name to `status`, `since`, and for waiting tasks `waiting` and `line`.
 PlainData describe(std::span<const TaskStatus> tasks);
 /// A table from each name to its `value`, `tm` and `age` at this time [s].

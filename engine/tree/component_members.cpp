@@ -29,8 +29,10 @@ NodeValue failure_of(const Component& component) {
     if (component.state() != LifeState::error) return {};
     const Error& error = component.last_error();
     PlainData data = PlainData::empty_table();
+    const Value frames = error.frames ? add_frames(*error.frames, data) : Value();
     PlainData::Table& fields = data.tables.front();
     if (!error.place.file.empty()) fields.push_back({"file", error.place.file});
+    if (error.frames) fields.push_back({"frames", frames});
     if (error.place.line > 0) fields.push_back({"line", std::int64_t{error.place.line}});
     fields.push_back({"text", error.message});
     fields.push_back({"tm", component.failed_at()});
@@ -110,9 +112,12 @@ const std::vector<MemberInfo>& all_members() {
              return text_if_any(component.state() == LifeState::error ? describe(component.last_error()) : "");
          }>},
         {.name = "failure",
-         .type = "{ text: string, tm: number, file?: string, line?: integer }?",
+         .type = "{ text: string, tm: number, file?: string, line?: integer, frames?: { file: string, line: integer, "
+                 "name?: string, locals: table }[] }?",
          .yields = true,
-         .doc = "in ERROR: the error, its time [s] and line; otherwise nil",
+         .doc =
+             "in ERROR: the error, its time [s], its line, and the functions that were running, the innermost first, "
+             "each with file, line, name and locals; otherwise nil",
          .instead = "its script fails",
          .value = of_component<failure_of>},
         {.name = "leds",

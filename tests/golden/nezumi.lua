@@ -1043,7 +1043,7 @@ function robot_model(fields) end
 ---@field deactivate fun(self: Component): string makes it INACTIVE; gives the status that follows
 ---@field disturb fun(self: Component, velocities?: VelocityConstraintFields) of robots: forces these velocities on it; without them it moves freely again
 ---@field error string? in ERROR: the error; otherwise nil
----@field failure { text: string, tm: number, file?: string, line?: integer }? in ERROR: the error, its time [s] and line; otherwise nil
+---@field failure { text: string, tm: number, file?: string, line?: integer, frames?: { file: string, line: integer, name?: string, locals: table }[] }? in ERROR: the error, its time [s], its line, and the functions that were running, the innermost first, each with file, line, name and locals; otherwise nil
 ---@field leds boolean[] of robots: which of its lights are on
 ---@field limits table<string, number> of robots: the highest speeds and accelerations that it obeys
 ---@field name string its name

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bindings/lua/sandbox/error_frames.hpp"
 #include "bindings/lua/sandbox/line_trace.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 
@@ -127,6 +128,8 @@ void note_error(lua_State* lua, CallRecord& call) {
     lua_Debug activation;
     call.is_deep_recursion = lua_getstack(lua, deep_recursion, &activation) != 0;
     find_error_place(lua, call);
+    // A recursion without end has nothing to tell but itself, and no room on its stack.
+    call.error_frames = call.is_deep_recursion ? nullptr : frames_of(lua);
     find_caller(lua, call.error_place, call.error_caller);
     call.tail_caller.line = 0;
     if (call.error_caller.line == 0) find_tail_caller(lua, call);
@@ -223,7 +226,9 @@ int call_first(lua_State* lua) {
 // The error of `thread`, which is empty afterwards. If it was stopped, nothing may run in it any more.
 CallError take_error(lua_State* from, lua_State* thread, int status, bool is_memory_refused, CallRecord& call) {
     const LuaState& state = LuaState::of(thread);
-    if (call.expired == 0) {
+    if (call.expired != 0) {
+        call.error_frames = frames_of(thread);
+    } else {
         if (call.slice_status == LUA_OK) note_error(thread, call);
         close_thread(from, thread, call);
         status = convert_error(from, thread, status, call);
@@ -250,6 +255,7 @@ CallError take_error(lua_State* from, lua_State* thread, int status, bool is_mem
         }
         error.message += state.hint(error);
     }
+    error.frames = std::move(call.error_frames);
     if (call.seen != 0) error.used_seconds = static_cast<double>(thread_time() - call.seen) * 1e-9;
     if (call.expired == 0) lua_settop(thread, 0);
     return error;

@@ -134,6 +134,8 @@ int depth_of(lua_State* lua) {
 
 }  // namespace
 
+std::string traced_text(lua_State* lua) { return text_of(lua); }
+
 LineTrace::LineTrace(std::vector<Table> tables)
     : outer_(std::exchange(current_trace, this)), tables_(std::move(tables)) {}
 

@@ -65,4 +65,8 @@ private:
     std::vector<Frame> frames_;
 };
 
+/// The value on top of the stack as it is shown in a trace; "" for values without a text, such as functions. Raises no
+/// error and takes no memory of the state.
+std::string traced_text(lua_State* lua);
+
 }  // namespace nezumi

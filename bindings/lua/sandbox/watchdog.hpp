@@ -13,7 +13,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <lua.hpp>
+#include <memory>
 
+#include "engine/base/error.hpp"
 #include "engine/components/budget.hpp"
 
 namespace nezumi {
@@ -68,11 +70,12 @@ public:
     ScriptPlace tail_caller;       ///< the function that was called, if a tail call has replaced it
     int tail_caller_end = 0;       ///< its last line
     std::size_t error_prefix = 0;  ///< bytes of the message that contain the place
-    bool is_deep_recursion = false;  ///< the error was raised within a deep recursion
-    bool closes = false;             ///< a coroutine was closed that no longer exists when its error is handled
-    ScriptPlace closed;              ///< the file of the function in which it began; set if `closes`
-    char closed_file[LUA_IDSIZE];    ///< the same, as Lua shortens it in messages
-    int slice_status = LUA_OK;       ///< the error of a failed slice, which is raised again and already has its place
+    std::shared_ptr<const ErrorFrames> error_frames{};  ///< the functions that were running
+    bool is_deep_recursion = false;                     ///< the error was raised within a deep recursion
+    bool closes = false;           ///< a coroutine was closed that no longer exists when its error is handled
+    ScriptPlace closed;            ///< the file of the function in which it began; set if `closes`
+    char closed_file[LUA_IDSIZE];  ///< the same, as Lua shortens it in messages
+    int slice_status = LUA_OK;     ///< the error of a failed slice, which is raised again and already has its place
 };
 
 /// The innermost call of this thread, or null. Constant-initialised, hence a plain load.

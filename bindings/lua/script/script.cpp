@@ -50,7 +50,8 @@ Expected<std::unique_ptr<Script>> Script::load(const SourceText& source, ScriptC
 }
 
 Error Script::to_error(const CallError& error) const {
-    Error plain{error.message, error.place, error.over_budget ? Error::Kind::out_of_time : Error::Kind::ordinary};
+    Error plain{error.message, error.place, error.over_budget ? Error::Kind::out_of_time : Error::Kind::ordinary,
+                error.frames};
     if (plain.place.file.empty()) plain.place.file = file_.shown;
     return plain;
 }

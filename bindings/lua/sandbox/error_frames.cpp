@@ -1,0 +1,73 @@
+// Reads the stack of a coroutine from within to without.
+#include "bindings/lua/sandbox/error_frames.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "bindings/lua/sandbox/line_trace.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr int searched_calls = 100;
+constexpr int needed_slots = 8;
+
+// The value on top of the stack; nothing if it has no text.
+Value value_of(lua_State* lua) {
+    switch (lua_type(lua, -1)) {
+        case LUA_TBOOLEAN: return lua_toboolean(lua, -1) != 0;
+        case LUA_TNUMBER:
+            if (lua_isinteger(lua, -1) != 0) return std::int64_t{lua_tointeger(lua, -1)};
+            return lua_tonumber(lua, -1);
+        case LUA_TSTRING: {
+            std::size_t size = 0;
+            const char* const text = lua_tolstring(lua, -1, &size);
+            return std::string(text, std::min(size, longest_local));
+        }
+        case LUA_TTABLE: return traced_text(lua);
+        default: return {};
+    }
+}
+
+// Of two variables with one name, the inner one counts, which comes later.
+void add(std::vector<ErrorFrames::Variable>& locals, ErrorFrames::Variable variable) {
+    const auto same =
+        std::find_if(locals.begin(), locals.end(), [&](const auto& each) { return each.name == variable.name; });
+    if (same != locals.end()) {
+        *same = std::move(variable);
+    } else if (locals.size() < static_cast<std::size_t>(most_locals)) {
+        locals.push_back(std::move(variable));
+    }
+}
+
+ErrorFrames::Frame frame_of(lua_State* lua, lua_Debug& activation) {
+    const char* const file = *activation.source == '@' ? activation.source + 1 : activation.short_src;
+    ErrorFrames::Frame frame{
+        .file = file, .line = activation.currentline, .name = activation.name != nullptr ? activation.name : ""};
+    for (int i = 1; const char* name = lua_getlocal(lua, &activation, i); ++i) {
+        if (Value value = value_of(lua); *name != '(' && !value.is_nothing())
+            add(frame.locals, {name, traced_text(lua), std::move(value)});
+        lua_pop(lua, 1);
+    }
+    std::sort(frame.locals.begin(), frame.locals.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+    return frame;
+}
+
+}  // namespace
+
+std::shared_ptr<const ErrorFrames> frames_of(lua_State* coroutine) {
+    if (lua_checkstack(coroutine, needed_slots) == 0) return nullptr;
+    ErrorFrames frames;
+    lua_Debug activation;
+    for (int level = 0; level < searched_calls && frames.all.size() < static_cast<std::size_t>(most_frames) &&
+                        lua_getstack(coroutine, level, &activation) != 0;
+         ++level) {
+        if (lua_getinfo(coroutine, "nSl", &activation) != 0 && activation.currentline > 0)
+            frames.all.push_back(frame_of(coroutine, activation));
+    }
+    return frames.all.empty() ? nullptr : std::make_shared<const ErrorFrames>(std::move(frames));
+}
+
+}  // namespace nezumi
