@@ -235,6 +235,8 @@ CallError take_error(lua_State* from, lua_State* thread, int status, bool is_mem
     }
     CallError error;
     if (call.expired != 0) {
+        // The time may have ended while an error was handled, whose place is known.
+        if (call.expiry_place.line == 0) call.expiry_place = call.error_place;
         if (call.expiry_place.line == 0) find_place(thread, call.expiry_place);
         error = {{"ran for more than " + shown_number(call.budget_seconds) + " s: is there an endless loop?",
                   to_place(call.expiry_place)},

@@ -26,6 +26,7 @@ TEST_CASE("a script that fails in any way only sends its component to ERROR", "[
                       {.budget = {0.05}, .memory_limit = 8 << 20});
         rig.activate().tick();
         CHECK(rig.status() == "ERROR");
+        CAPTURE(rig.error());
         CHECK(rig.error().starts_with("robot_controller.lua:3:"));
         CHECK(rig.out<Velocity2D>("vel").read() == Velocity2D{});
         rig.tick(3);
