@@ -68,8 +68,10 @@ private:
     }
 
     bool differs(const std::string& port) {
-        const Leaves a = leaves_of(find(first_, port), found_.when.tick);
-        const Leaves b = leaves_of(find(second_, port), found_.second_when.tick);
+        const Port* const in_first = find(first_, port);
+        const Port* const in_second = find(second_, port);
+        const Leaves a = leaves_of(in_first, found_.when.tick);
+        const Leaves b = leaves_of(in_second, found_.second_when.tick);
         std::set<std::string> parts;
         for (const Leaves* each : {&a, &b}) {
             for (const auto& [part, leaf] : *each) parts.insert(part);
@@ -86,13 +88,22 @@ private:
             if (in_a != a.end() && in_b != b.end() && in_a->second.number && in_b->second.number)
                 value.by = std::abs(*in_a->second.number - *in_b->second.number);
             any = true;
-            if (found_.values.size() < most_values) {
-                found_.values.push_back(std::move(value));
-            } else {
-                ++found_.more_values;
-            }
+            add(std::move(value));
+        }
+        // Bytes, as of pictures, are no leaves.
+        if (!any && !a.empty() && !b.empty() && !is_equal(in_first->value(), in_second->value())) {
+            any = true;
+            add({port, short_text(in_first->value()), short_text(in_second->value()), {}});
         }
         return any;
+    }
+
+    void add(DifferingValue value) {
+        if (found_.values.size() < most_values) {
+            found_.values.push_back(std::move(value));
+        } else {
+            ++found_.more_values;
+        }
     }
 
     const System& first_;

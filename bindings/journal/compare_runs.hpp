@@ -33,7 +33,7 @@ struct RunDifference {
     std::vector<DifferingValue> values{};  ///< of the ports that differ, in the order of the system
     std::size_t more_values = 0;           ///< that are left out
     std::string component{};               ///< the first one with a script among those whose ports differ; "" for none
-    std::vector<DifferingLine> lines{};    ///< of its execution in that tick
+    std::optional<std::vector<DifferingLine>> lines{};  ///< of its execution in that tick; none if it can't be repeated
 };
 
 struct RunComparison {

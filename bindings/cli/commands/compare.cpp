@@ -38,14 +38,14 @@ void show(const RunDifference& found, const std::string& first, const std::strin
                    value.by ? fmt::format(", a difference of {:g}", *value.by) : "");
     }
     if (found.more_values > 0) fmt::print("  and {} more values\n", found.more_values);
-    if (found.component.empty()) return;
-    if (found.lines.empty()) {
+    if (!found.lines) return;
+    if (found.lines->empty()) {
         fmt::print("{} executed the same lines with the same values\n", found.component);
         return;
     }
     fmt::print("{} executed these lines differently (- in {}, + in {}):\n", found.component, visible(first),
                visible(second));
-    for (const DifferingLine& line : found.lines) fmt::print("  {} {}\n", line.of_first ? '-' : '+', line.text);
+    for (const DifferingLine& line : *found.lines) fmt::print("  {} {}\n", line.of_first ? '-' : '+', line.text);
 }
 
 int compare(const std::string& first, const std::string& second) {
