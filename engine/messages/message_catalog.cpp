@@ -202,7 +202,8 @@ std::string wire_name(const MessageType& type) {
     if (type.is_compiled()) return type.name;
     std::string name = type.name;
     std::replace(name.begin(), name.end(), '/', '_');
-    std::uint64_t seed = 0;
+    // The rows are those of an element where the payload is a sequence.
+    std::uint64_t seed = mix(0, static_cast<std::uint64_t>(type.payload->kind));
     for (const MessageField& row : message_fields(type)) {
         if (row.is_structure) continue;
         for (const std::string* text : {&row.path, &row.values, &row.unit}) seed = mix(seed, std::string_view(*text));

@@ -13,8 +13,8 @@ namespace {
 std::string values_of(const Type& type, Numbers numbers = Numbers::finite) {
     const bool many = type.element != nullptr;
     const Type& single = many ? *type.element : type;
-    if (many && single.element != nullptr) return "array of " + values_of(single, numbers);
     const std::string array = !many ? "" : type.length == 0 ? "array of " : fmt::format("array of {} ", type.length);
+    if (many && single.element != nullptr) return array + values_of(single, numbers);
     const std::string_view plural = many ? "s" : "";
     if (single.is_integer()) {
         const auto [min, max] = single.integer_range();
@@ -24,14 +24,14 @@ std::string values_of(const Type& type, Numbers numbers = Numbers::finite) {
     const std::string number = fmt::format("{}{}number{}", array, any ? "" : "finite ", plural);
     const std::string_view others = any ? ", also inf and nan" : "";
     switch (single.kind) {
-        case Type::Kind::boolean: return many ? "array of booleans" : "true or false";
+        case Type::Kind::boolean: return many ? array + "booleans" : "true or false";
         case Type::Kind::float32: {
             constexpr float limit = std::numeric_limits<float>::max();
             return fmt::format("{} from {:.4g} to {:.4g}{}", number, -limit, limit, others);
         }
         case Type::Kind::float64: return fmt::format("{}{}", number, others);
-        case Type::Kind::text: return many ? "array of strings" : "string";
-        case Type::Kind::octets: return "string of bytes";
+        case Type::Kind::text: return fmt::format("{}string{}", array, plural);
+        case Type::Kind::octets: return fmt::format("{}string{} of bytes", array, plural);
         case Type::Kind::enumeration: return array + fmt::format("{}", fmt::join(single.choices, " | "));
         default: return fmt::format("{}{}", array, single.name);
     }

@@ -15,7 +15,6 @@ struct MessageField {
     std::string unit;    ///< "" for none
     std::string doc;
     bool is_structure = false;  ///< the rows after it are its fields
-    bool operator==(const MessageField&) const = default;
 };
 
 /// All fields of a message, in their order, each before those within it.

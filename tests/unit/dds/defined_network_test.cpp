@@ -11,8 +11,6 @@ using namespace nezumi::dds;
 
 namespace {
 
-using Lines = std::vector<std::string>;
-
 struct DefinedHost : HostRig {
     DefinedHost(Room& its_room, std::string name, const std::string& text) : HostRig(its_room, std::move(name)) {
         auto made = std::make_unique<Carrier>("eye", define(definition_of("Obstacle", text)));
@@ -59,6 +57,16 @@ TEST_CASE("hosts whose definitions differ are not connected, and say the field t
           "the definitions of my_msgs/Obstacle differ: only pi/eye.given has field 'more'");
     CHECK(refusal(known, "string label\nfloat64 distance # [m]\n") ==
           "the definitions of my_msgs/Obstacle differ: its fields have another order");
+}
+
+TEST_CASE("definitions whose arrays have other lengths differ", "[dds][network][messages]") {
+    for (const std::string kind : {"string", "bool", "uint8", "float64"}) {
+        CAPTURE(kind);
+        CHECK(refusal(kind + "[2] all\n", kind + "[3] all\n").find("differ: field 'all' is array of 2 ") !=
+              std::string::npos);
+        CHECK(refusal(kind + "[2] all\n", kind + "[] all\n") != "");
+        CHECK(refusal(kind + "[2] all\n", kind + " all\n") != "");
+    }
 }
 
 TEST_CASE("definitions that differ in their comments alone are connected", "[dds][network][messages]") {
