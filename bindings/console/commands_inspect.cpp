@@ -97,8 +97,8 @@ std::string frames_text(const ErrorFrames& frames) {
         std::string locals;
         for (const auto& each : frame.locals)
             locals += fmt::format("{}{} = {}", locals.empty() ? ": " : ", ", each.name, each.text);
-        lines.push_back(
-            fmt::format("  {}:{}{}{}{}", frame.file, frame.line, frame.name.empty() ? "" : " ", frame.name, locals));
+        lines.push_back(visible(
+            fmt::format("  {}:{}{}{}{}", frame.file, frame.line, frame.name.empty() ? "" : " ", frame.name, locals)));
     }
     return fmt::format("{}", fmt::join(lines, "\n"));
 }

@@ -13,7 +13,7 @@ inline constexpr int most_frames = 20, most_locals = 30;
 inline constexpr std::size_t longest_local = 200;
 
 /// The Lua functions on the stack of a coroutine that has failed, null if there is none. Raises no error and takes no
-/// memory of the state.
+/// memory of the state but for a few places of the stack.
 std::shared_ptr<const ErrorFrames> frames_of(lua_State* coroutine);
 
 }  // namespace nezumi

@@ -28,14 +28,17 @@ std::string cut(std::string text) {
     return text.append("...");
 }
 
-std::string text_of_string(std::string_view text) {
-    std::string shown = "\"";
+// Control characters as dots, so that a text begins no line.
+std::string without_controls(std::string_view text) {
+    std::string shown;
     for (const char each : text.substr(0, LineTrace::longest_value)) {
         const bool is_plain = static_cast<unsigned char>(each) >= ' ' && each != '\x7f';
         shown += is_plain ? each : '.';
     }
-    return shown + "\"";
+    return shown;
 }
+
+std::string text_of_string(std::string_view text) { return "\"" + without_controls(text) + "\""; }
 
 // The value on top of the stack as text; "" for values without a text, such as functions.
 std::string text_of(lua_State* lua, bool within = false);
@@ -61,7 +64,7 @@ std::string text_of_table(lua_State* lua) {
             break;
         }
         const std::string value = lua_type(lua, -2) == LUA_TSTRING ? text_of(lua, true) : "";
-        if (!value.empty()) add(std::string(lua_tostring(lua, -2)) + " = " + value);
+        if (!value.empty()) add(without_controls(lua_tostring(lua, -2)) + " = " + value);
         lua_pop(lua, 1);
     }
     if (length != 0) lua_pop(lua, 1);  // the nil
@@ -120,7 +123,7 @@ void add_fields(std::vector<LineTrace::Value>& values, lua_State* lua, const cha
     for (int count = 0; lua_next(lua, -2) != 0; ++count) {
         if (count >= LineTrace::most_fields) return lua_pop(lua, 2);
         if (lua_type(lua, -2) == LUA_TSTRING)
-            add_value(values, lua, (std::string(name) + "." + lua_tostring(lua, -2)).c_str());
+            add_value(values, lua, (std::string(name) + "." + without_controls(lua_tostring(lua, -2))).c_str());
         lua_pop(lua, 1);
     }
 }
