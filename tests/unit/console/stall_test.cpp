@@ -62,17 +62,20 @@ Run run(SessionRig& it, const std::string& line, std::chrono::milliseconds patie
     return run;
 }
 
-// The best of a few attempts is the line's own: a busy machine, above all a virtual one, charges threads for others.
+// The best of a few attempts is the line's own: a busy machine, above all a virtual one, charges threads for others. So
+// a script that computes can meet its limit of time, and such an attempt does not count.
 Run best_run(const std::string& line, std::chrono::milliseconds patience,
              const std::map<std::string, std::string>& behaviors = {{"counter", counter_behavior}},
              const std::string& shown = "") {
     Run best{.spent = 1e9};
+    std::string said;
     for (int attempt = 0; attempt < 4 && best.spent >= most_of_a_line(); ++attempt) {
         SessionRig it(counter_system, behaviors);
         const Run next = run(it, line, patience);
-        CHECK_THAT(it.shown, Catch::Contains(shown));
-        if (next.spent < best.spent) best = next;
+        said = it.shown;
+        if (said.find(shown) != said.npos && next.spent < best.spent) best = next;
     }
+    CHECK_THAT(said, Catch::Contains(shown));
     return best;
 }
 
@@ -143,7 +146,7 @@ TEST_CASE("a line with much output waits, but the ticks continue", "[console][st
 TEST_CASE("reading a state of a hundred thousand values delays no tick, and small parts are shown",
           "[console][stall][wallclock]") {
     const std::string large = GENERATE(
-        as<std::string>(), "for i = 1, 300000 do state.large[i] = i end",
+        as<std::string>(), "for i = 1, 100000 do state.large[i] = i end",
         "for i = 1, 30000 do state.large['k' .. i] = 'v' .. i end", "for i = 1, 30000 do state.large[i] = { i } end",
         "state.large.text = ('x'):rep(10000000)", "local t = state.large for i = 1, 30000 do t.t = {} t = t.t end");
     const std::string behavior = counter_behavior +
@@ -157,13 +160,7 @@ TEST_CASE("reading a state of a hundred thousand values delays no tick, and smal
          {"return tostring(controller.state.large)", ""},
          {"return controller.state", "count = 0"}}));
     CAPTURE(large, line);
-    double spent = 1e9;
-    for (int attempt = 0; attempt < 4 && spent >= most_of_a_line(); ++attempt) {
-        SessionRig it(counter_system, {{"counter", behavior}});
-        spent = run(it, line, std::chrono::milliseconds(20'000)).spent;
-        CHECK(it.shown.find(answer) != std::string::npos);
-    }
-    CHECK(spent < most_of_a_line());
+    CHECK(best_run(line, std::chrono::milliseconds(20'000), {{"counter", behavior}}, answer).spent < most_of_a_line());
 }
 
 TEST_CASE("a component is added beside the ticks: its files are read and its script runs there",
