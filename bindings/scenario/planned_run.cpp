@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -39,6 +40,19 @@ std::string command_for(const PlannedFile& file, const PlannedRun& run, const Te
                        options.words);
 }
 
+// How two results of one run differ: by their hashes, or by their outcomes if the hashes are equal.
+std::string difference_of(std::string_view name, const RunResult& result, std::string_view other_name,
+                          const RunResult& other) {
+    if (result.hash != other.hash)
+        return fmt::format("{} has hash {:016x}, {} has hash {:016x}", name, result.hash, other_name, other.hash);
+    const auto outcome = [](const RunResult& of) {
+        return of.outcome == RunOutcome::passed   ? "passed"
+               : of.outcome == RunOutcome::failed ? "failed"
+                                                  : "could not run";
+    };
+    return fmt::format("{} {}, {} {}", name, outcome(result), other_name, outcome(other));
+}
+
 }  // namespace
 
 RunResult agree(std::vector<RunResult> results, const Place& place) {
@@ -47,10 +61,10 @@ RunResult agree(std::vector<RunResult> results, const Place& place) {
         if (results[i].hash == first.hash && results[i].outcome == first.outcome) continue;
         if (first.outcome == RunOutcome::could_not_run) break;
         if (results[i].outcome == RunOutcome::could_not_run) return std::move(results[i]);
-        first.outcome = RunOutcome::failed;
-        first.error = {fmt::format("the same run differs: the first has hash {:016x}, number {} has {:016x}",
-                                   first.hash, i + 1, results[i].hash),
+        first.error = {fmt::format("the same run differs: {}",
+                                   difference_of("the first", first, fmt::format("number {}", i + 1), results[i])),
                        place};
+        first.outcome = RunOutcome::failed;
         break;
     }
     return first;
@@ -75,8 +89,8 @@ RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const TestSes
     RunResult again = run_once(file, run, options, files.get(), true);
     if (first) {
         if (again.outcome != first->outcome || again.hash != first->hash)
-            again.facts.push_back(
-                fmt::format("the same run again differs: it had hash {:016x}, then {:016x}", first->hash, again.hash));
+            again.facts.push_back("the repeated run differs: " +
+                                  difference_of("the first run", *first, "the repeated one", again));
         again.outcome = RunOutcome::failed;
         again.wall_seconds = first->wall_seconds;
     } else if (again.outcome != RunOutcome::failed) {

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <unistd.h>
 
+#include "bindings/scenario/planned_run.hpp"
 #include "bindings/scenario/process_pool.hpp"
 #include "bindings/scenario/reporter.hpp"
 #include "engine/trace/text_plot.hpp"
@@ -145,4 +146,16 @@ TEST_CASE("a plot shows curves between the smallest and the largest value", "[lu
           std::vector<std::string>{"3 |                *", "  |           ******", "  |-----*******-----", "0 |******",
                                    "   0 s           3 s", "   - limit   * x"});
     CHECK(plain_plot({{"none"}}, {}).empty());
+}
+
+TEST_CASE("runs that should be equal are reported with their hashes, or with their outcomes", "[lua][scenario]") {
+    const RunResult passed{.hash = 7};
+    const RunResult failed{.outcome = RunOutcome::failed, .hash = 7};
+    const auto told = [](const RunResult& first, const RunResult& second) {
+        return agree({first, second}, {"it_test.lua", 1}).error.message;
+    };
+    CHECK(told(passed, passed).empty());
+    CHECK(told(passed, failed) == "the same run differs: the first passed, number 2 failed");
+    CHECK(told(failed, {.hash = 0x2a}) ==
+          "the same run differs: the first has hash 0000000000000007, number 2 has hash 000000000000002a");
 }
