@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t largest_picture = std::size_t{256} << 20;  // bytes
 constexpr Rgb grey = 0x8a8f98;
 
-// Why these bytes are no PNG, or "".
+// The error if these bytes are not a PNG, or "".
 std::string read_png(std::string_view bytes, Picture& picture) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;

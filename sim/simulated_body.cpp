@@ -114,7 +114,7 @@ void SimulatedBody::measure_motion(std::int64_t tick, double period) {
 std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, double period) {
     std::array<double, few_rays> few;
     const std::span<double> seen = seen_.empty() ? std::span(few).first(rays_) : std::span(seen_);
-    // What was seen before stays where nobody asks.
+    // Rays that are not due keep their earlier values.
     if (due_.empty()) {
         read_ranges(seen);
     } else if (std::any_of(due_.begin(), due_.end(), [](std::uint8_t due) { return due != 0; })) {

@@ -28,7 +28,7 @@ public:
     /// Angle [rad] of each wheel since the start, forward positive, not wrapped.
     virtual Wheels wheel_angles() const = 0;
     /// Distances [m] seen by the range sensors and scans of the spec, in its order, one for each and one for each ray
-    /// of a scan; infinity: nothing in sight. Where `due` says 0 for a distance, nobody asks for it; empty: for all.
+    /// of a scan; infinity: nothing in sight. If `due` is 0 for a distance, it is not needed; empty: all are needed.
     virtual void read_ranges(std::span<double> distances, std::span<const std::uint8_t> due) const = 0;
     void read_ranges(std::span<double> distances) const { read_ranges(distances, {}); }
     /// Whether sensor `index` of the spec (a button or touch sensor) is closed.

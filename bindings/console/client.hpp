@@ -1,4 +1,4 @@
-// The client's end of the console's protocol: what the prompt, attach and batch talk through.
+// The client's side of the console's protocol, for the prompt, attach and batch.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The command that gives what was carried lately as a table, for programs.
+// The command that gives recent values as a table, for programs.
 #include <algorithm>
 #include <cmath>
 #include <limits>

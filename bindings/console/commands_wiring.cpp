@@ -8,8 +8,8 @@
 namespace nezumi {
 namespace {
 
-// "name.port" of a port of the system; of another program's "rtm:NAME.port", or another host's "host/name.port", as it
-// is: connecting finds it.
+// The path "name.port" for a port of the system. Names of other ports ("rtm:NAME.port", "host/name.port") are not
+// changed, because connecting resolves them.
 Expected<std::string> port(Session::Parts& parts, const Arguments& arguments, int index) {
     if (index > arguments.count()) return failure("expected a port or \"name.port\", got nothing");
     if (peer_named(arguments, index)) return arguments.text(index, "a port");

@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    // Puts what the first name means on top of the stack, or finds a component of that name.
+    // Pushes the value of the first name onto the stack, or finds a component with this name.
     bool begin() {
         rest_ = 1;
         lua_pushglobaltable(lua_);
@@ -93,7 +93,7 @@ private:
         return ref != nullptr ? node_of(*ref) : failure("");
     }
 
-    // Hosts and components are known here; for what a component has its host is asked.
+    // Hosts and components are known here. The host is asked for the members of a component.
     Names names_of_host(const ObjectRef& ref, TreeNode::Called called, bool plotted) const {
         Names steps;
         if (ref.kind == ObjectKind::host) steps = {std::string(ref.component())};

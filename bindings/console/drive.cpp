@@ -11,7 +11,7 @@
 namespace nezumi {
 namespace {
 
-// What a port of this type is sent for the stick's place; nothing when the type is none to drive with.
+// The message for a port of this type at this stick position; nothing if such a port can't be driven.
 std::optional<Value> payload(const MessageType* type, double x, double y) {
     if (type == message_of<std::vector<float>>())
         return Value{std::vector<float>{static_cast<float>(x), static_cast<float>(y)}};

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double highest_watched_speed = 1000;  // "max" has no number
 
-// Shows a value with its stamp [s] if it is another one, and the last was not shown just now.
+// Shows a value with its stamp [s] if it has changed, and if the last one was not shown just now.
 void show_value(Session::Parts& parts, PortWatch& watch, double stamp, const auto& text_of) {
     // A batch leaves nothing out.
     const double speed = std::clamp(parts.clock.speed(), 1.0, highest_watched_speed);
@@ -28,7 +28,7 @@ void show_value(Session::Parts& parts, PortWatch& watch, double stamp, const aut
     watch.shown_at = stamp;
 }
 
-// A port of another host that is not connected here: its host is asked.
+// A port of another host that is not connected here: its host is asked for the value.
 bool show_news_of_host(Session::Parts& parts, PortWatch& watch) {
     const System& system = parts.live.system();
     const std::chrono::duration<double> period(parts.options.batch ? 0 : parts.options.watch_period);

@@ -35,7 +35,7 @@ public:
     ConsoleServer(const ConsoleServer&) = delete;
     ConsoleServer& operator=(const ConsoleServer&) = delete;
 
-    /// Lets `nezumi attach` connect, through a socket with the name of the system. On an error nobody can attach;
+    /// Lets `nezumi attach` connect, through a socket with the name of the system. On an error clients can't attach;
     /// nothing else changes.
     Expected<void> listen(std::string_view name, const std::filesystem::path& folder = console_folder());
     /// Sets the function that `picture` and `graph` draw with.

@@ -113,9 +113,9 @@ public:
     void complete(std::string text, std::size_t cursor, std::function<void(Completion)> answer);
     /// Whether an input is not finished yet.
     bool is_busy() const;
-    /// Whether the running input only waits for ticks (`step`, `run`) or for its output to be taken.
+    /// Whether the running input is only waiting for ticks (`step`, `run`) or for its output to be read.
     bool is_waiting() const;
-    /// Does what inputs ask of the system now, until about this time.
+    /// Executes the requests of inputs to the system now, until about this time.
     void serve(std::chrono::steady_clock::time_point until);
     /// The same, and also waits for more requests, until about `slice` of real time has passed or nothing is left to
     /// do. Returns whether more may come.

@@ -27,7 +27,7 @@ struct HostQuestion {
     Worker::Clock::time_point asked{};
 };
 
-/// Goes on with a question: asks if it is not open, and gives the answer once it is there. Does not wait.
+/// Continues a question: sends it if it is not open, and returns the answer when it is available. Does not wait.
 std::optional<Expected<PlainData>> go_on(const System& system, const Question& question, HostQuestion& open);
 
 /// A port whose changes are shown.
@@ -51,7 +51,7 @@ struct PlotRequest {
     double seconds = 0;                ///< that are drawn
     double every = 0;                  ///< [s] of simulated time: it is drawn again; 0: once
     double next = 0;                   ///< [s] when
-    /// Of those names that only another host knows, what it has answered.
+    /// The answers of other hosts about names that only they know.
     struct Elsewhere {
         HostQuestion open{};
         std::optional<RecentCurves> recent{};
@@ -68,17 +68,17 @@ struct PlotCurves {
     std::vector<std::string> silent{};  ///< names without a value in this time
 };
 
-/// Looks at the system, between two ticks; what was not remembered is from now on. Other hosts have answered.
+/// Reads the curves of a plot, between two ticks. Channels that were not remembered before are remembered from now on.
+/// Other hosts have already answered.
 Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot);
 std::string to_text(PlotCurves looked);
 
-// After each tick; both return false when it is over, which is told.
-/// Shows what is new on a watched port.
+// Call these after each tick; both return false when it is over, after reporting this. Shows changes of a watched port.
 bool show_news(Session::Parts& parts, PortWatch& watch);
-/// Draws what is to be drawn again and again.
+/// Draws a repeated plot again when it is due.
 bool draw_again(Session::Parts& parts, PlotRequest& plot);
 
-/// An input, or a question what could stand before the cursor.
+/// An input, or a request for completions at the cursor.
 struct Job {
     std::string text;
     std::size_t cursor = 0;
@@ -174,7 +174,7 @@ std::vector<std::string> names_in_scope(Session::Parts& parts);
 /// Candidates for the text before the cursor.
 Completion complete(Session::Parts& parts, std::string_view text, std::size_t cursor);
 
-/// Keys go to a seek, so that Esc gives it up, or no longer. Nothing where there are no keys.
+/// Sends keys to a seek, so that Esc cancels it, or stops doing this. Does nothing without keys.
 void give_keys(Session::Parts& parts, bool to_seek);
 
 }  // namespace nezumi

@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 // Time for clients to take the rest when the run ends.
 constexpr std::chrono::milliseconds transport_farewell{300};
-// Pause after the process had no descriptor for a new client.
+// The pause after an accept failed because the process had no free descriptor.
 constexpr int no_descriptor_pause = 200;  // ms
 // A client with more waiting bytes than this makes senders wait that can wait.
 constexpr std::size_t high_water = Transport::max_backlog / 2;

@@ -1,4 +1,4 @@
-// One writer and one reader for everything that describes itself, and for the few things that don't.
+// One writer and one reader for all described types, and special code for the few others.
 #include "bindings/journal/act_json.hpp"
 
 #include <fmt/format.h>
@@ -48,7 +48,7 @@ std::string read_part(const Json& json, T& out, const PartReader& parts, std::st
     return "";
 }
 
-// An entry and a marker describe themselves to nobody.
+// Entries and markers have no description.
 OtherForms forms_with(const ScriptHost& scripts) {
     return {.write = [&scripts](const ValueView& value) {
         if (value.type == &type_of<Entry>()) return write_entry(value.as<Entry>(), scripts);
@@ -70,7 +70,7 @@ OtherForms forms_with(const PartReader& parts) {
             .message = [&parts](const std::string& name) { return parts.find_message(name); }};
 }
 
-// The act of this name, as it is when nothing is said; nothing when there is none.
+// The act with this name and default values; nothing if there is no such act.
 template <std::size_t index = 0>
 std::optional<Act> empty_act(std::string_view name) {
     if constexpr (index == std::variant_size_v<Act>) {

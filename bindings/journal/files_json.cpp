@@ -1,4 +1,4 @@
-// A text stands for itself: most of what a journal keeps are files that were read.
+// A file's text is a plain string, because most parts of a journal are files.
 #include "bindings/journal/files_json.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// Values as JSON, whatever bytes and numbers they hold.
+// Values as JSON, with any bytes and numbers.
 #pragma once
 
 #include <functional>
@@ -23,11 +23,11 @@ nlohmann::ordered_json number_to_json(double value);
 /// Reads into `out`. Returns the error, or "".
 std::string read_number(const nlohmann::ordered_json& json, double& out);
 
-/// What values that describe themselves to nobody are in JSON.
+/// The JSON functions for types that have no description.
 struct OtherForms {
     std::function<nlohmann::ordered_json(const ValueView& value)> write{};
     std::function<std::string(const nlohmann::ordered_json& json, const ValuePlace& out)> read{};
-    /// A message type that a file defines, by name; null for none. May be empty.
+    /// Finds a message type of a file by name; null if there is none. May be empty.
     std::function<const MessageType*(const std::string& name)> message{};
 };
 
@@ -37,7 +37,7 @@ struct OtherForms {
 nlohmann::ordered_json value_to_json(const ValueView& value, const OtherForms& others = {});
 /// As `read_number`.
 std::string read_value(const nlohmann::ordered_json& json, const ValuePlace& out, const OtherForms& others = {});
-/// The same of plain data. As in every value, it can then be looked through without a check.
+/// The same for plain data. Like every value that was read, it needs no further check.
 std::string read_plain(const nlohmann::ordered_json& json, PlainData& out);
 
 /// "expected a text, got 5": a long value is shortened.

@@ -34,7 +34,8 @@ public:
     /// Per in-port; above it the oldest is dropped. Of velocities only the latest waits.
     static constexpr std::size_t most_waiting = 64;
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
-    /// A velocity that has waited longer is dropped: the same time after which robots stop without a command.
+    /// A velocity that has waited longer than this is dropped. It is also the time after which robots without a command
+    /// stop.
     static constexpr std::chrono::milliseconds longest_wait{500};
 
     /// Sets the in-ports that accept messages; they must outlive the next call. Waiting messages for others are

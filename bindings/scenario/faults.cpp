@@ -1,4 +1,4 @@
-// A list in the order of begin.
+// A list in the order of their start.
 #include "bindings/scenario/faults.hpp"
 
 #include <algorithm>

@@ -166,7 +166,7 @@ Completion Prompt::complete(const std::string& text, std::size_t cursor) {
 std::optional<Event> Prompt::wait_for_answer(std::int64_t id) {
     answer_.reset();
     while (!(answer_ && answer_->id == id) || keys_) {
-        // The rest of an arrow key's sequence comes at once; a single Escape is followed by nothing.
+        // An arrow key sends several bytes at once. After a single Escape nothing follows.
         const bool undecided = keys_ && !editor_->typed().empty();
         const Came came = wait(undecided ? escape_wait : -1);
         if (came == Came::end) return std::nullopt;

@@ -18,7 +18,7 @@ public:
     /// A drive without a message for this time ends: the port is zero for a tick, then it is released.
     static constexpr std::chrono::milliseconds longest_silence{500};
 
-    /// Tells a browser that it does not drive a port, or no longer does, and why.
+    /// Sends a browser the message that it does not drive a port, or no longer, with the reason.
     using Tell = std::function<void(ClientId, const std::string& port, const std::string& why)>;
 
     /// `live` must outlive it.

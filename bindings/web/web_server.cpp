@@ -274,7 +274,7 @@ void WebServer::explain() {
 }
 
 void WebServer::describe_system(Clock::time_point now) {
-    // Frames must not contain what browsers do not know yet.
+    // Frames must not contain things that browsers do not know yet.
     const bool other = layout_ != live_.system().layout() || starts_ != live_.generation();
     if (!other && now - described_ < std::chrono::duration<double>(1 / descriptions)) return;
     described_ = now;

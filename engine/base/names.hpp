@@ -10,7 +10,7 @@ namespace nezumi {
 std::span<const std::string_view> lua_keywords();
 /// Whether this is a keyword of Lua.
 bool is_keyword(std::string_view name);
-/// Whether a name has only letters, digits and underscores, does not begin with a digit, and is no keyword of Lua.
+/// Whether a name has only letters, digits and underscores, does not begin with a digit, and is not a keyword of Lua.
 bool is_identifier(std::string_view name);
 
 /// The public words, sorted: those of behaviours, of system and scenario files, and of the console, and words that are

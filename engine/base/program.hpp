@@ -13,7 +13,7 @@ namespace nezumi {
 /// Whether a program of this name can be run, as execvp searches for it.
 bool can_run(const std::string& program);
 
-/// A file without a name, for input or output of a program. A pipe would block if nobody reads, and would raise a
+/// A file without a name, for input or output of a program. A pipe would block without a reader, and would raise a
 /// signal if its reader is gone.
 class UnnamedFile {
 public:

@@ -13,7 +13,8 @@ namespace nezumi {
 /// directly.
 class ResultFile {
 public:
-    /// The error says why the file can't be written, such as a pipe without a reader; then it is unchanged.
+    /// Returns an error with the reason if the file can't be written, for example a pipe without a reader. The file is
+    /// then unchanged.
     static Expected<ResultFile> open(const std::string& file);
 
     /// Open for writing, empty. The caller must close it.
@@ -22,8 +23,8 @@ public:
     const std::string& path() const { return path_; }
     /// The path of the older file; empty if there was none.
     const std::string& set_aside() const { return set_aside_; }
-    /// ", and what was there before is now FILE~", after the message that the new file is not complete; "" if there was
-    /// no older file.
+    /// ", and what was there before is now FILE~": an addition to the message that the new file is not complete; "" if
+    /// there was no older file.
     std::string told_of_older() const;
 
     // Call these three functions after the descriptor is closed.

@@ -10,8 +10,8 @@ namespace nezumi {
 /// [Hz] Rates are whole numbers of micro-hertz. A tick shorter than a microsecond is a mistake.
 inline constexpr double slowest_rate = 1e-6, fastest_rate = 1e6;
 
-/// How many physics steps of `physics_step` [s] make a tick at `rate` [Hz]. When that is no whole number, an error that
-/// names the nearest rates.
+/// The number of physics steps of `physics_step` [s] in a tick at `rate` [Hz]. If it is not a whole number, an error
+/// with the nearest rates.
 Expected<int> steps_per_tick(double rate, double physics_step);
 
 /// Whether something that runs at `rate` [Hz] is due in tick `k`, counted from 0, with `tick_rate` [Hz] ticks per

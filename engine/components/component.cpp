@@ -1,4 +1,4 @@
-// The life cycle: which state follows which, and what is safe on the way.
+// The life cycle: its transitions, and safe outputs during each.
 #include "engine/components/component.hpp"
 
 #include <fmt/format.h>
@@ -62,7 +62,7 @@ Expected<void> Component::use(std::string_view set) {
     }
     ParameterValues values = is_none ? ParameterValues() : found->second;
     for (const auto& [name, value] : configured) {
-        // What a reload has made unfit is no reason to be kept to a set.
+        // A configured value that no longer fits after a reload does not prevent leaving a set.
         const auto* parameter = parameters_.find(name);
         if (is_none && (parameter == nullptr || !check_value(parameter->spec, value))) continue;
         values.emplace(name, value);
@@ -82,7 +82,7 @@ Expected<void> Component::use(std::string_view set) {
 void Component::note_out_of_time(OutOfTime ended) {
     constexpr std::size_t most = 16;
     out_of_time_ = ended.error;
-    // A call that ended because one within it did follows from that one.
+    // A call that ended because an inner call ended does not count separately.
     const bool follows = !new_out_of_time_.empty() && new_out_of_time_.back().call > ended.call;
     if (!follows && new_out_of_time_.size() < most) new_out_of_time_.push_back(std::move(ended));
 }
@@ -162,7 +162,7 @@ void Component::execute(const Time& now) {
     if (state_ == LifeState::error) {
         if (error_hook_failed_) return;
         if (auto ok = run_without_velocities(Hook::on_error); !ok) {
-            // Reported once. What led to ERROR stays its reason.
+            // Reported once. The error that led to ERROR stays the reason.
             error_hook_failed_ = true;
             log(LogLevel::error,
                 fmt::format("on_error failed and is not called again before a reset: {}", describe(ok.error())));
@@ -202,7 +202,7 @@ void Component::abort(Error error) {
     for (const auto& port : out_ports_) port->write_safe();
 }
 
-// The safe value that a failure between two ticks left to be published must not go with them.
+// A safe value that an earlier failure between two ticks wrote, and that is not published yet, must stay.
 Expected<void> Component::run_without_velocities(Hook hook) {
     std::vector<std::size_t> before;
     for (const auto& port : out_ports_) before.push_back(port->pending());

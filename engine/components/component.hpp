@@ -101,8 +101,8 @@ public:
     Expected<void> use(std::string_view set);
     /// The parameter set in use; "" if there is none.
     const std::string& set_in_use() const { return set_in_use_; }
-    /// The value of a parameter that nobody has set by hand: of the set in use, otherwise of the system file, otherwise
-    /// its default.
+    /// The value of a parameter that was not set at run time: from the set in use, otherwise from the system file,
+    /// otherwise the default.
     Value configured_value(const ParameterSpec& spec) const;
     /// Counts the successful calls of `use`.
     std::uint64_t uses() const { return uses_; }

@@ -7,7 +7,7 @@
 namespace nezumi {
 namespace {
 
-// A table of all by name, sorted as every table; `entry_of(part, data)` gives each its entry.
+// A table of all parts by name, sorted like every table; `entry_of(part, data)` returns the entry of a part.
 template <class Part, class Entry>
 PlainData table_of(std::span<const Part> parts, const Entry& entry_of) {
     PlainData data = PlainData::empty_table();
@@ -21,7 +21,7 @@ PlainData table_of(std::span<const Part> parts, const Entry& entry_of) {
     return data;
 }
 
-// The value of a probe, its table put among those of `data`.
+// The value of a probe; its table is added to `data`.
 Value value_in(const Probe& probe, PlainData& data) {
     if (probe.value.tables.empty()) return probe.value.values.front();
     return data.add(probe.value.tables.front());

@@ -1,4 +1,4 @@
-// What a component shows beside ports and parameters: commands, tasks, probes, executed lines.
+// The parts of a component that can be read besides ports and parameters: commands, tasks, probes, executed lines.
 #pragma once
 
 #include <cstdint>

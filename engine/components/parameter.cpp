@@ -1,4 +1,4 @@
-// Checks of parameters' values and the messages that say what was wrong.
+// Checks the values of parameters, and writes the error messages.
 #include "engine/components/parameter.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ std::optional<std::int64_t> to_integer(double value) {
 
 bool is_array(const Value& value) { return value.type().kind == Type::Kind::sequence; }
 
-// `value` as one of the type that `like` has, where nothing is lost.
+// Converts `value` to the type of `like` if this loses nothing.
 std::optional<Value> convert(const Value& like, const Value& value) {
     if (&like.type() == &value.type()) return value;
     if (const auto* whole = value.get_if<std::int64_t>(); whole != nullptr && like.is<double>())
@@ -54,7 +54,8 @@ std::string headline(const ParameterSpec& spec) {
     return fmt::format("parameter '{}' ({})", spec.name, type_text(spec.initial));
 }
 
-// Calls `visit(element)` for the elements of an array until it returns false; any other value is its own only element.
+// Calls `visit(element)` for the elements of an array until it returns false; any other value counts as its own single
+// element.
 template <class Visit>
 void for_each_single(const Value& value, const Visit& visit) {
     is_array(value) ? for_each_element(ValueView(value), visit) : static_cast<void>(visit(ValueView(value)));
@@ -65,12 +66,12 @@ bool chooses_elements(const ParameterSpec& spec) {
     return is_array(spec.initial) && !spec.choices.empty() && !is_array(spec.choices.front());
 }
 
-// A value of the type that each of the choices has.
+// A value of the type of the choices.
 Value choice_like(const ParameterSpec& spec) {
     return chooses_elements(spec) ? Value(spec.initial.type().single()) : spec.initial;
 }
 
-// The choices' own declaration: what each of them must fit.
+// The declaration for each of the choices.
 ParameterSpec choice_spec(const ParameterSpec& spec) {
     ParameterSpec bare = spec;
     bare.initial = choice_like(spec);
@@ -79,7 +80,7 @@ ParameterSpec choice_spec(const ParameterSpec& spec) {
     return bare;
 }
 
-// Why this widget can't show such a parameter, or "".
+// The error if this widget can't show such a parameter, or "".
 std::string widget_broken(const ParameterSpec& spec) {
     if (spec.widget.empty() || spec.widget == "text") return "";
     const bool is_number = spec.initial.type().single().is_number();
@@ -97,7 +98,7 @@ std::string widget_broken(const ParameterSpec& spec) {
     return needs.empty() ? "" : fmt::format("the widget '{}' is for {}", spec.widget, needs);
 }
 
-// Why this number may not be, or "".
+// The error if this number is not allowed, or "".
 std::string bound_broken(const ParameterSpec& spec, const ValueView& number) {
     const auto value = visit_number(number, [](const auto& each) { return static_cast<double>(each); });
     if (!std::isfinite(value)) return fmt::format("{} is not a finite number", lua_text(number));
@@ -112,7 +113,7 @@ std::string bound_broken(const ParameterSpec& spec, const ValueView& number) {
     return "";
 }
 
-// Why this array may not have so many elements, or "".
+// The error if the array may not have this number of elements, or "".
 std::string size_broken(const ParameterSpec& spec, std::size_t size) {
     if (spec.min_size && size < *spec.min_size)
         return fmt::format("{} elements are fewer than its min_size {}", size, *spec.min_size);
@@ -121,7 +122,7 @@ std::string size_broken(const ParameterSpec& spec, std::size_t size) {
     return "";
 }
 
-// Why the value, which has the parameter's type, is not within its bounds, or "".
+// The error if the value, which has the parameter's type, is outside of its bounds, or "".
 std::string bounds_broken(const ParameterSpec& spec, const Value& value) {
     std::string why = is_array(value) ? size_broken(spec, ValueView(value).count()) : "";
     if (!why.empty() || !value.type().single().is_number()) return why;
@@ -134,7 +135,7 @@ std::string bounds_broken(const ParameterSpec& spec, const Value& value) {
     return why.empty() || !is_array(value) ? why : fmt::format("element {}: {}", place, why);
 }
 
-// Why this is none of the choices, or "".
+// The error if the value is not one of the choices, or "".
 std::string choice_broken(const ParameterSpec& spec, const Value& value) {
     if (spec.choices.empty() || std::find(spec.choices.begin(), spec.choices.end(), value) != spec.choices.end())
         return "";
@@ -297,7 +298,7 @@ void Parameters::adopt(const Parameters& earlier, std::string_view name) {
     if (!allowed) return;
     parameter.value = std::move(*allowed);
     parameter.set = true;
-    // What was set before that version began keeps what is known here of who did it.
+    // For values set before that version started, the present record of where they were set is kept.
     if (before->from_outside || before->from_within) {
         parameter.from_outside = before->from_outside;
         parameter.from_within = before->from_within;

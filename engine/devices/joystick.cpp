@@ -1,4 +1,4 @@
-// The stick's place, and the wheels' speeds that it stands for.
+// Converts the stick's position to wheel speeds.
 #include "engine/devices/joystick.hpp"
 
 #include <algorithm>
@@ -70,7 +70,7 @@ Expected<void> Joystick::on_deactivated() {
     return {};
 }
 
-// What its gamepad says; nothing without one.
+// The state of its gamepad; nothing without one.
 std::optional<GamepadState> Joystick::look() {
     if (!open_) return std::nullopt;
     if (GamepadSettings wanted = settings(); !gamepad_ || wanted != settings_) {
@@ -112,7 +112,7 @@ void Joystick::sense(const Time& now) {
         point(gamepad->x * edge, gamepad->y * edge);
         speaks_ = true;
     } else if (gamepad || !open_ || speaks_) {
-        // Nobody holds it: it has sprung back.
+        // The stick was released and is in the middle again.
         point(0, 0);
         speaks_ = gamepad.has_value();
     }

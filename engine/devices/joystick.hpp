@@ -41,7 +41,7 @@ struct GamepadState {
 class Gamepad {
 public:
     virtual ~Gamepad() = default;
-    /// Its present state; nothing while none is connected. Never waits.
+    /// The present state; nothing if no gamepad is connected. Never waits.
     virtual std::optional<GamepadState> state() = 0;
     /// The faults since the last call: one line each, with what to do.
     virtual std::vector<std::string> take_faults() = 0;
@@ -54,8 +54,8 @@ public:
     using Open = std::function<std::unique_ptr<Gamepad>(const GamepadSettings&)>;
 
     /// `open` is called on activation, and again after a parameter has changed. Without it there is no gamepad. With
-    /// it, while none is connected and nobody moves the stick, the ports publish nothing, after one message for the
-    /// middle.
+    /// it, while no gamepad is connected and the stick is not moved, the ports publish nothing, after one message for
+    /// the middle.
     explicit Joystick(std::string name, Open open = nullptr);
 
     static constexpr float edge = 150;  ///< [px] from the middle of the pad
@@ -63,7 +63,7 @@ public:
     void sense(const Time& now) override;
     void actuate(const Time& /*now*/) override {}
 
-    /// How often its gamepad's button for emergency stops has been pressed.
+    /// Number of presses of its gamepad's emergency stop button.
     int stops() const { return stops_; }
     bool take_stop() override { return std::exchange(told_stops_, stops_) < stops_; }
 

@@ -1,4 +1,4 @@
-// What other hosts are answered about a system.
+// Answers requests of other hosts about a system.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,15 @@ namespace nezumi {
 /// [characters] of a port's value as a text.
 inline constexpr std::size_t watch_width = 100;
 
-/// What an answer is made of.
+/// The data that answers are made from.
 struct AskedSystem {
     TreeNode tree;  ///< the whole
     Trace& trace;
     ActDoor act;
 };
 
-/// Answers a question of `who`. A look is data; everything else is an act, refused if the host is not `writable`.
+/// Answers a request of `who`. Reading gives data; everything else is an act, which is refused unless the host is
+/// `writable`.
 Expected<PlainData> answer_question(const AskedSystem& asked, const Question& question, bool writable,
                                     const Actor& who);
 

@@ -10,9 +10,9 @@
 
 namespace nezumi {
 
-/// Of a speed: simulated seconds per second.
+/// The limits of a speed: simulated seconds per second.
 inline constexpr double slowest_speed = 0.001, fastest_speed = 1e6;
-/// As a speed: ticks follow each other without waiting.
+/// The speed for ticks without waiting.
 inline constexpr double as_fast_as_possible = std::numeric_limits<double>::infinity();
 
 /// Checks limits of time for command lines, consoles and browsers. The error says what was expected.
@@ -39,7 +39,7 @@ public:
     virtual void advance(std::int64_t ticks) = 0;
     /// Ticks of `advance` are left.
     virtual bool is_advancing() const = 0;
-    /// How often `pause`, `resume` and `advance` have been called: if the number changes, somebody else controls time.
+    /// Number of calls of `pause`, `resume` and `advance`: if it changes, another user controls time.
     virtual std::uint64_t moves() const = 0;
 
     /// A factor from `check_speed`.

@@ -1,4 +1,4 @@
-// From ports to lines to wheels.
+// Follows messages from ports to lines to wheels.
 #include "engine/live/explain.hpp"
 
 #include <fmt/format.h>

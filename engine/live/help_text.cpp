@@ -1,4 +1,4 @@
-// Says what each thing was described as where it was declared.
+// Shows the documentation from the declaration of each thing.
 #include "engine/live/help_text.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 namespace nezumi {
 namespace {
 
-// A text of several lines, each moved to the right.
+// Indents each line of a text.
 std::string indented(std::string_view text) {
     std::string result;
     while (!text.empty()) {

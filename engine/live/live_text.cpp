@@ -44,15 +44,16 @@ std::string bounds_text(const ParameterSpec& spec) {
     return "";
 }
 
-// A message of several lines would tear a list.
+// Only the first line, because a message of several lines would break a list.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-// "  (limited to 0.3 m/s and 2 rad/s)"; "" when there is nothing to say of it.
+// "  (limited to 0.3 m/s and 2 rad/s)"; "" if the port has no note.
 std::string note_text(const Port& port) {
     return port.note().empty() ? "" : fmt::format("  ({})", first_line(port.note()));
 }
 
-// A value of a script as a port's is shown: "0.25", "{ left = 1, right = 2 }". Tables in tables do not come here.
+// A value of a script, shown like the value of a port: "0.25", "{ left = 1, right = 2 }". Nested tables do not occur
+// here.
 std::string plain_text(const PlainData& data, const Value& value, std::size_t width) {
     const auto* table = value.get_if<TableRef>();
     if (table == nullptr) return short_text(value, width);

@@ -13,18 +13,18 @@ namespace nezumi {
 
 /// "mouse.ir_sensor_out  TimedShortSeq  { 0, 0, 0, 0 }  0.01 s old  -> controller.in", and whether it is held.
 std::string port_text(const System& system, const Component& component, const Port& port);
-/// "RobotController, ACTIVE, version 1": type, state, and what is out of the ordinary.
+/// "RobotController, ACTIVE, version 1": type, state, and unusual conditions.
 std::string component_title(const Component& component);
-/// A line for the component, what it says `about` itself, a line for each port, its configuration and its commands.
+/// A line for the component, its `about` values, a line for each port, its configuration and its commands.
 std::string component_text(const System& system, const Component& component);
-/// "\n  about version 1.2, vendor Acme": what a script says of itself; "" when it says nothing.
+/// "\n  about version 1.2, vendor Acme": the `about` values of a script; "" if there are none.
 std::string about_text(const Component& component);
 /// "speed_x = 0.1  m/s, -1.5 to 1.5  straight-ahead speed".
 std::string parameter_text(const Parameters::Parameter& parameter);
 /// A line for each parameter.
 std::string config_text(const Component& component);
 
-/// A component, a port, all ports or parameters, the truth about a robot, a system: what `tostring` gives.
+/// The text of `tostring` for a component, a port, all ports or parameters, the truth about a robot, or a system.
 std::string node_text(const TreeNode& node);
 
 }  // namespace nezumi

@@ -19,15 +19,15 @@ public:
     static Expected<std::unique_ptr<PastRun>> begin(RunningSystem& live, std::size_t branch, const Seek& where,
                                                     const ActTime& to);
 
-    /// Computes until this time. Returns whether the moment is reached. The error says at which time the system became
-    /// another one than it was.
+    /// Computes until this time. Returns whether the moment is reached. The error has the time at which the system
+    /// differed from the original run.
     Expected<bool> go_on(Clock::time_point until);
     /// From 0 to 1.
     double progress() const;
 
     const Seek& where() const { return where_; }
     std::size_t branch() const { return branch_; }
-    /// `RunningSystem::generation` of the system that it is a past of.
+    /// `RunningSystem::generation` of the system whose past this is.
     int generation() const { return generation_; }
     /// The system that computes it.
     RunningSystem& system() { return *system_; }

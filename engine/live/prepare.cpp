@@ -1,4 +1,4 @@
-// Nothing here looks at the system but to copy; what it gives back reads through the snapshot that it is called with.
+// Only copies from the system. The returned functions read files through the snapshot that they are called with.
 #include "engine/live/prepare.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace nezumi {
 namespace {
 
-// The names of what acts have added: what a file says has a line.
+// The names of everything that acts have added: parts from a file have a line.
 std::vector<std::string> added_names(const SystemSpec& spec) {
     std::vector<std::string> added;
     for (const Entry& entry : spec.entries) {
@@ -56,7 +56,7 @@ std::unique_ptr<Behaviors> load_behaviors(const SystemSpec& spec, const MakerCon
                                           const LiveOptions& options) {
     auto behaviors = options.scripts->behaviors(options.budget);
     for (const BehaviorEntry* behavior : entries_of<BehaviorEntry>(spec)) behaviors->load(*behavior, context, project);
-    // The world reads its picture itself, and says what is wrong with it.
+    // Only notes that the file is used: the world reads the picture itself and reports its errors.
     if (spec.arena.floor) static_cast<void>(project.read(spec.arena.floor->image));
     return behaviors;
 }
@@ -65,7 +65,7 @@ PreparingWork work_of(const Reload& act, const RunningSystem& live, const Reload
     SourceText source;
     std::vector<ScriptFile> loaded;
     if (!act.files.empty()) {
-        // These, and what comes from them.
+        // Only these files, and the files that require them.
     } else if (act.component.empty()) {
         loaded = reloads.loaded_files();
     } else {

@@ -17,7 +17,7 @@ PreparingWork work_of(const Reload& act, const RunningSystem& live, const Reload
 PreparingWork work_of(const Add& act, const RunningSystem& live);
 PreparingWork work_of(const Restart& act, const RunningSystem& live);
 
-/// The script of a component; the error says why it has none.
+/// The script of a component; an error if it has none.
 Expected<const ScriptFile*> script_of(const System& system, const std::string& name);
 
 /// Reads the system of a file and applies these options.

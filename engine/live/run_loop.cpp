@@ -19,7 +19,7 @@ Pacer::Clock::duration duration_of(double seconds) {
 
 // The pacer sleeps exactly for the last part of a wait [s].
 constexpr double precise = 0.001;
-// The time [s] before a tick that attendants must leave free.
+// The time [s] before a tick in which attendants must not work.
 constexpr double wake_margin = 0.0002;
 
 }  // namespace

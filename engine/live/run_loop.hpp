@@ -67,9 +67,9 @@ public:
     /// Runs one tick, like `run`, when it is due: for programs with their own loop.
     void tick();
 
-    // Functions that attendants may call in their turn, and anybody before `run`.
+    // Functions for attendants in their turn, and for any caller before `run`.
     bool is_hardware() const override { return live_.system().settings().real_time; }
-    /// Real robots stand from now on, and time goes on: their system ticks at rest.
+    /// Real robots stand from now on, and time continues: their system ticks at rest.
     void pause() override;
     void resume() override;
     bool is_paused() const override { return ticks_left_ == 0; }

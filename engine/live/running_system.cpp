@@ -15,7 +15,7 @@
 namespace nezumi {
 namespace {
 
-// How often the hash of a history is noted.
+// The interval of hashes in a history.
 constexpr std::int64_t ticks_between_hashes = 100;
 
 }  // namespace
@@ -61,7 +61,7 @@ Expected<std::unique_ptr<RunningSystem::Running>> RunningSystem::build(SystemSpe
                                                                        const ProjectFiles& files) {
     auto next = std::make_unique<Running>();
     next->spec = std::move(spec);
-    // A run that is repeated has the pictures of then.
+    // A repeated run uses the pictures of the original run.
     const bool is_of_disk = !repeats_ && options_.files == &disk();
     next->makers.world = is_of_disk ? options_.world : with_pictures_from(files, options_.world);
     next->makers.bodies = options_.bodies;

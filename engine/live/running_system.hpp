@@ -97,40 +97,39 @@ public:
     bool fits(const PreparedAct& prepared) const;
     /// Between two ticks: performs the act; refuses it if it does not fit or if its preparation failed.
     Expected<ActResult> commit(PreparedAct prepared, const Actor& who);
-    /// Begins to compute the moment that `Seek` names, from the history; `PastRun::go_on` goes on with it, and `commit`
-    /// goes there. The error says why it can't be returned to: real robots, other hosts, a time that never was.
+    /// Starts to compute the moment of a `Seek` from the history. `PastRun::go_on` continues, and `commit` goes there.
+    /// An error if this is not possible: real robots, other hosts, a time that never was.
     Expected<std::unique_ptr<PastRun>> begin_seek(const Seek& where);
-    /// Between two ticks: the system is what it was at that moment. What followed is known: ticks repeat it with its
-    /// acts, and after its end the run goes on. Every other act before then begins a new branch.
+    /// Between two ticks: sets the system to the computed moment. The original events after it are known: ticks repeat
+    /// them with their acts, and after their end the run continues. Any other act before their end starts a new branch.
     Expected<ActResult> commit(PastRun& past, const Actor& who);
     /// Everything that has happened, up to the present.
     const RunHistory& history() const { return history_; }
     /// The branches up to now; the present one has come as far as the system.
     const RunHistory& history_until_now();
-    /// Whether the present is a past whose future is known.
+    /// Whether the present is a past moment whose future is known.
     bool is_past() const { return history_.is_past(when()); }
     /// Computes a history again, from its start: this system has been loaded from its files and is not active yet.
     void repeat(RunHistory past);
-    /// Repeats what is known to have happened before the next tick, as `tick` does; without acts, only up to the first
-    /// act.
+    /// Repeats the known events before the next tick, like `tick`; without acts, only up to the first act.
     void repeat_known(bool acts = true);
-    /// The first tick at which a repeated history was another one than before.
+    /// The first tick at which a repeated history differed from the original.
     const std::optional<ActTime>& differs() const { return differs_; }
     /// Releases the ports of an actor that is gone, such as a closed connection; a velocity is zero for a tick first.
     void let_go(const Actor& who);
     /// Requests a line trace of an execution of a behaviour, which does not change the execution. Returns the number of
-    /// the trace, for `explanation`. This is no act, because nothing changes.
+    /// the trace, for `explanation`. This is not an act, because it changes nothing.
     Expected<std::int64_t> explain_next(std::string_view component);
     /// The explanation of this trace or of a later one; nothing before the execution. An error if the component is
     /// gone. Call it after each tick.
     Expected<std::optional<Explanation>> explanation(std::string_view component, std::int64_t trace) const;
-    /// Calls `System::set_at_rest`: a paused loop does this for real robots. No act, because a replay has no clock.
+    /// Calls `System::set_at_rest`: a paused loop does this for real robots. Not an act, because a replay has no clock.
     void set_at_rest(bool at_rest);
     /// Calls `Robot::halt` for each: real robots stop at the next tick, without a braking ramp.
     void halt();
     /// Sets the observer of all further acts. It must outlive this object or be removed with null.
     void observe_acts(ActObserver* observer) { act_observer_ = observer; }
-    /// Calls that must run out of time, by start and tick: what a replay knows of the clock.
+    /// Calls that must run out of time in a replay, by start and tick.
     struct Foreseen {
         int start = 1;
         std::int64_t tick = 0;
@@ -155,12 +154,12 @@ public:
     const std::filesystem::path& file() const { return file_; }
     const System& system() const;
     const SystemSpec& spec() const;
-    /// All of it by name, as it is now.
+    /// The tree of all names in the present system.
     TreeNode tree() const { return TreeNode(system()); }
     const Project& project() const { return project_; }
     const LiveOptions& options() const { return options_; }
     PartReader part_reader() const { return {project_, options_.scripts, defined_messages(system())}; }
-    /// Of everything since the start; after a restart, also of the hash before.
+    /// The trace hash since the start; after a restart it includes the hash before.
     std::uint64_t trace_hash() const;
     /// The recorded values, over restarts.
     Trace& trace() { return trace_; }

@@ -46,7 +46,7 @@ public:
 
     /// All files of the behaviours, including modules.
     virtual std::vector<ScriptFile> loaded_files() const = 0;
-    /// The same, and those that a refused version required.
+    /// The same, with the files that a refused version required.
     virtual std::vector<ScriptFile> files() const = 0;
 };
 
@@ -114,8 +114,8 @@ struct PartReader {
     /// The message types of its ports that files define.
     std::vector<const MessageType*> types{};
 
-    /// `file` is the one beside which names are looked up.
-    /// A message type by name: one of `types`, else the one that was defined last; null for none.
+    /// `file` is the file beside which names are searched. Finds a message type by name: one of `types`, otherwise the
+    /// one defined last; null if there is none.
     const MessageType* find_message(std::string_view name) const;
 
     Expected<SystemSpec> read(std::string_view text, const std::string& file) const {

@@ -1,4 +1,4 @@
-// A twin is an entry like any other, with its own description.
+// Adds each twin as a normal entry with its own description.
 #include "engine/live/twins.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What a file says of a message type, before there is a table of it.
+// The definition of a message type in a file, before its type table is made.
 #pragma once
 
 #include <cstddef>
@@ -15,18 +15,19 @@
 
 namespace nezumi {
 
-/// A field as its definition writes it.
+/// One field of a message definition.
 struct FieldDefinition {
     std::string name{};
     std::string kind{};                  ///< "double", "Point2D"; "" for an enumeration
     std::vector<std::string> choices{};  ///< of an enumeration
-    /// From within: 0 is a sequence of what comes before, another number an array of so many. Empty: one value.
+    /// The dimensions, from the innermost: 0 means a sequence, another number an array of this length. Empty: a single
+    /// value.
     std::vector<std::size_t> shape{};
     FieldLimits limits{};
     std::string unit{};
     std::string doc{};
     Numbers numbers = Numbers::finite;
-    /// What it is where nobody writes it: a truth value, a number, a text, a choice; nothing for the zero value.
+    /// The default: a truth value, a number, a text or a choice. Nothing: the zero value.
     Value initial{};
     Place place{};
 };
@@ -42,22 +43,23 @@ struct MessageDefinition {
     Place place{};
 };
 
-/// The kinds of single values, as definitions name them.
+/// The names of the single types in definitions.
 std::span<const std::string_view> field_kinds();
-/// The type of such a kind; null where it is none.
+/// The type with such a name; null if there is none.
 const Type* type_of_kind(std::string_view kind);
 
-/// What definitions of ROS and of IDL call the same: the name there, as "uint16", and the kind here, "ushort".
+/// Type names of ROS and IDL with the equal type here: "uint16" is "ushort".
 std::span<const std::pair<std::string_view, std::string_view>> foreign_kinds();
 
-/// A structure within compiled messages, "Point2D", or the payload of one of these; null where there is none.
+/// A structure of the compiled messages, such as "Point2D", or the payload of a compiled message; null if there is
+/// none.
 const Type* compiled_payload(std::string_view name);
 
-/// So many messages may be in one another.
+/// The greatest depth of messages within messages.
 inline constexpr int most_message_depth = 12;
-/// So many fields a message may have, with those of the messages in it.
+/// The greatest number of fields of a message, including those of the messages in it.
 inline constexpr std::size_t most_message_fields = 4096;
-/// [bytes] in memory of one value, without its texts and sequences.
+/// The greatest size of a value in memory [bytes], without its texts and sequences.
 inline constexpr std::size_t most_message_size = std::size_t{1} << 20;
 
 }  // namespace nezumi

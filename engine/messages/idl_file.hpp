@@ -1,4 +1,4 @@
-// Reads files in OMG IDL that define messages: each of their structures is one.
+// Reads OMG IDL files that define messages, one for each structure.
 #pragma once
 
 #include <functional>
@@ -10,20 +10,20 @@
 
 namespace nezumi {
 
-/// The kind of a field of wide characters, which no message has.
+/// The kind of a field with wide characters. No message can have such a field.
 inline constexpr std::string_view wide_text = "wstring";
 
-/// Finds the file that an `#include` names, or says why there is none. A file that was included already need not be
-/// found again: what it gives then has no text.
+/// Finds the file of an `#include`; the error says why there is none. A file that was already included need not be
+/// found again: the result may then have no text.
 using IdlIncluder = std::function<Expected<SourceText>(std::string_view name, const SourceText& from)>;
 
-/// The structures of a file and of those that it includes, in their order, by names as "RTC/TimedOctet". Their fields
-/// name each other so. Comments become what structures and fields mean. Errors say file and line: also for unions,
-/// value types and what else is not read.
+/// Reads the structures of a file and of the files that it includes, in order. Their names are like "RTC/TimedOctet",
+/// and their fields use the same names. Comments become the documentation of structures and fields. Errors have file
+/// and line; unions, value types and other unsupported parts are errors too.
 Expected<std::vector<MessageDefinition>> read_idl(const SourceText& source, const IdlIncluder& include);
 
-/// As a message of a port: a first field `tm` of the type `Time` is its stamp, and no field of it. What then has one
-/// field, `data`, is that value itself.
+/// Converts a structure to the message of a port. A first field `tm` of type `Time` becomes the stamp of the message,
+/// not a field. If then only one field `data` is left, its value is the payload.
 MessageDefinition without_stamp(MessageDefinition message);
 
 }  // namespace nezumi

@@ -12,7 +12,7 @@ namespace {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// A line of a comment without what decorates it.
+// A line of a comment without its decoration.
 std::string_view plain_line(std::string_view line) {
     line = trimmed(line, " \t\r\n*/!<");
     for (const std::string_view tag : {"@brief", "\\brief"}) {
@@ -67,7 +67,7 @@ std::string_view IdlLexer::read_directive() {
     const std::size_t begin = at_;
     to_end_of_line();
     std::string_view line = trimmed(text_.substr(begin + 1, at_ - begin - 1));
-    // What is only for some compilers is for none here.
+    // Text for certain compilers is skipped.
     if (line.starts_with("ifdef") || line.starts_with("if ")) skip_conditional();
     if (!line.starts_with("include")) return {};
     line = trimmed(line.substr(7));
@@ -82,7 +82,7 @@ void IdlLexer::skip(std::string& comment) {
         if (c == '\n') {
             ++line_;
             ++at_;
-            // A comment with an empty line behind it belongs to nothing.
+            // A comment with an empty line after it documents nothing.
             if (++empty_lines > 1) comment.clear();
         } else if (std::isspace(static_cast<unsigned char>(c)) != 0) {
             ++at_;
@@ -144,7 +144,7 @@ std::string IdlLexer::comment_behind() {
     std::string comment;
     std::size_t place = text_.find_first_not_of(" \t\r", at_);
     if (place == std::string_view::npos || place >= end || text_[place] != '/') return comment;
-    // One that goes on in the next line stands before what comes there.
+    // A comment that continues on the next line belongs to the next token.
     if (text_.substr(place).starts_with("/*") && text_.find("*/", place) > end) return comment;
     const std::size_t before = std::exchange(at_, place);
     if (!skip_comment(comment)) at_ = before;

@@ -1,4 +1,4 @@
-// The tokens of a file in OMG IDL, with the comments before and behind them.
+// Splits an OMG IDL file into tokens, with the comments before and after them.
 #pragma once
 
 #include <string>
@@ -22,17 +22,17 @@ public:
     explicit IdlLexer(const SourceText& source) : text_(source.text) {}
 
     IdlToken next();
-    /// The comment that stands behind the last token in its line, which is then no comment before the next.
+    /// Reads a comment after the last token of a line. It does not belong to the next token.
     std::string comment_behind();
 
 private:
-    // What neither is a token nor belongs to one.
+    // Characters that belong to no token.
     void skip(std::string& comment);
     bool skip_comment(std::string& comment);
-    // A line that begins with '#'. Returns the name of an `#include`.
+    // Reads a line that begins with '#'. Returns the name of an `#include`.
     std::string_view read_directive();
     void to_end_of_line();
-    // From the end of an `#ifdef`'s line to that of its `#else` or `#endif`.
+    // Skips from the end of an `#ifdef` line to the end of its `#else` or `#endif` line.
     void skip_conditional();
 
     std::string_view text_;

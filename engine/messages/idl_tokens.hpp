@@ -1,4 +1,4 @@
-// The tokens of a file in OMG IDL, one after the other, and what is wrong with the first that does not fit.
+// The tokens of an OMG IDL file in order, with an error for the first token that does not fit.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 
 namespace nezumi {
 
-/// What a parser stands at. After the first error there are no more tokens.
+/// The current token of a parser. After the first error there are no more tokens.
 class IdlTokens {
 protected:
     using Kind = IdlToken::Kind;

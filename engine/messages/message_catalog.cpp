@@ -1,4 +1,4 @@
-// Lays out the structure of a definition.
+// Computes the memory layout of a definition.
 #include "engine/messages/message_catalog.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace nezumi {
 namespace {
 
-// How many structures are in one another, and how many fields there are in all.
+// The depth of structures, and the total number of fields.
 struct Extent {
     int depth = 0;
     std::size_t fields = 0;
@@ -41,7 +41,7 @@ Unexpected wrong(const MessageDefinition& message, const FieldDefinition& field,
     return failure(fmt::format("message '{}': field '{}'{}", message.name, shown(field.name), text), field.place);
 }
 
-// All that makes a type another one.
+// The key of a definition: definitions with the same key are the same type.
 std::string key_of(const MessageDefinition& definition, const std::vector<const Type*>& elements) {
     std::string key = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", definition.name, definition.doc, definition.is_single,
                                   definition.ros, definition.rtm, definition.place.file);
@@ -56,7 +56,7 @@ std::string key_of(const MessageDefinition& definition, const std::vector<const 
     return key;
 }
 
-// Writes the default of a field, which is a plain value, or says why it can't be one.
+// Writes the default of a field, which is a plain value; an error if it does not fit.
 std::string set_default(const ValuePlace& place, const Value& value) {
     const Type& type = *place.type;
     const auto refuse = [&](std::string_view expected) {
@@ -202,7 +202,7 @@ std::string wire_name(const MessageType& type) {
     if (type.is_compiled()) return type.name;
     std::string name = type.name;
     std::replace(name.begin(), name.end(), '/', '_');
-    // The rows are those of an element where the payload is a sequence.
+    // If the payload is a sequence, the rows are those of an element.
     std::uint64_t seed = mix(0, static_cast<std::uint64_t>(type.payload->kind));
     for (const MessageField& row : message_fields(type)) {
         if (row.is_structure) continue;

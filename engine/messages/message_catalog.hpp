@@ -13,8 +13,8 @@
 
 namespace nezumi {
 
-/// Keeps message types, each once: equal definitions are one type, whichever project they come from. It only grows:
-/// values, ports and journals refer to a type for as long as they like. Any thread may call it.
+/// Stores message types, each once: equal definitions give the same type, also from different projects. Types are never
+/// removed, so values, ports and journals can keep pointers to them. May be called from any thread.
 class MessageCatalog {
 public:
     MessageCatalog();
@@ -22,16 +22,16 @@ public:
     MessageCatalog(const MessageCatalog&) = delete;
     MessageCatalog& operator=(const MessageCatalog&) = delete;
 
-    /// That of this process. What it gives depends on the definition alone.
+    /// The catalog of this process. Its results depend only on the definitions.
     static MessageCatalog& shared();
 
-    /// Gives the payload of the message that a field names, or why there is none; the error has no place.
+    /// Returns the payload of a message that a field names. The error has no place.
     using Payloads = std::function<Expected<const Type*>(const FieldDefinition& field)>;
 
-    /// The message type of a definition. An error says the place of the field that it is about.
+    /// Returns the message type of a definition. An error has the place of the wrong field.
     Expected<const MessageType*> define(const MessageDefinition& definition, const Payloads& payloads);
 
-    /// The type of this name that was defined last; null for none.
+    /// The most recently defined type with this name; null if there is none.
     const MessageType* find(std::string_view name);
 
 private:
@@ -42,8 +42,8 @@ private:
     std::map<std::string, const MessageType*, std::less<>> last_;
 };
 
-/// What hosts call a message type between them: an identifier. Of one that a file defines it ends with a hash of its
-/// fields, so that hosts whose definitions differ do not take one for the other.
+/// The identifier of a message type between hosts. For a type from a file it ends with a hash of its fields, so that
+/// hosts with different definitions do not confuse them.
 std::string wire_name(const MessageType& type);
 
 }  // namespace nezumi

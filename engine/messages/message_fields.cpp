@@ -1,4 +1,4 @@
-// Says of each field which values it has, from its type and its limits.
+// Describes the values of each field by its type and its limits.
 #include "engine/messages/message_fields.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 namespace nezumi {
 namespace {
 
-// `numbers`: which ones its field may have.
+// `numbers`: the allowed numbers of the field.
 std::string values_of(const Type& type, Numbers numbers = Numbers::finite) {
     const bool many = type.element != nullptr;
     const Type& single = many ? *type.element : type;

@@ -8,7 +8,7 @@
 
 namespace nezumi {
 
-/// A field, or one within it: "corners[i].x". A payload that is a single value is one row without a path.
+/// A field, or a field within it: "corners[i].x". A payload with a single value is one row without a path.
 struct MessageField {
     std::string path;
     std::string values;  ///< "finite number, from 0 up to 3"
@@ -17,10 +17,10 @@ struct MessageField {
     bool is_structure = false;  ///< the rows after it are its fields
 };
 
-/// All fields of a message, in their order, each before those within it.
+/// All fields of a message in order; each field comes before the fields within it.
 std::vector<MessageField> message_fields(const MessageType& message);
 
-/// " from 0 to 5", " up to 100 elements": what a field allows beside its type.
+/// The limits of a field in addition to its type: " from 0 to 5", " up to 100 elements".
 std::string limits_text(const FieldLimits& limits);
 
 }  // namespace nezumi

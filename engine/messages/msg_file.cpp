@@ -15,11 +15,11 @@
 namespace nezumi {
 namespace {
 
-// Those that only ROS calls so.
+// Type names that are used only by ROS.
 constexpr std::pair<std::string_view, std::string_view> ros_kinds[] = {
     {"bool", "boolean"}, {"byte", "octet"}, {"float32", "float"}, {"float64", "double"}, {"string", "string"}};
 
-// The kind that ROS calls so; "" for a message.
+// The kind for a type name of ROS; "" for a message.
 std::string_view kind_of_ros(std::string_view name) {
     const auto find_in = [&](const auto& kinds) -> std::string_view {
         for (const auto& [theirs, ours] : kinds) {
@@ -72,7 +72,7 @@ private:
     Unexpected wrong(std::string_view text) const { return failure(std::string(text), {source_.shown, line_}); }
 
     Expected<void> read_line(std::string_view line) {
-        // A '#' within a text's default begins no comment.
+        // A '#' within the default of a text does not begin a comment.
         const std::size_t quote = line.find_first_of("\"'");
         std::size_t hash = line.find('#');
         if (quote < hash) hash = line.find('#', std::min(line.find(line[quote], quote + 1), line.size()));

@@ -8,8 +8,8 @@
 
 namespace nezumi {
 
-/// A message of this package ("" for none). Comments become what it and its fields mean; numbers may be infinite or
-/// none. Errors say file and line.
+/// Reads a message of this package ("" for none). Comments become the documentation of the message and its fields.
+/// Numbers may be infinite or NaN. Errors have file and line.
 Expected<MessageDefinition> read_msg(const SourceText& source, std::string_view package);
 
 }  // namespace nezumi

@@ -13,7 +13,7 @@ namespace nezumi {
 /// texts may be quoted.
 Expected<Value> plain_value(std::string_view text, std::string_view kind);
 
-/// A comment of a field as its unit and what it means: "[m/s] forward". Where it begins with no unit, that is "".
+/// Splits a field's comment into unit and meaning: "[m/s] forward". The unit is "" if the comment has none.
 struct FieldComment {
     std::string unit, doc;
 };

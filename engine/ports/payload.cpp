@@ -1,4 +1,4 @@
-// The tables of the payloads, by the place of their message type.
+// The tables of the payloads, by the index of their message type.
 #include "engine/ports/payload.hpp"
 
 #include <algorithm>

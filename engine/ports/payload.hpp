@@ -1,4 +1,4 @@
-// Message types at run time: those that are compiled in, and those that files define.
+// Message types at run time: the compiled ones, and those defined by files.
 #pragma once
 
 #include <array>
@@ -15,12 +15,12 @@
 
 namespace nezumi {
 
-/// A message type: what ports carry. There is one of each, so two are equal when their addresses are.
+/// A message type of ports. Each exists once, so equal types have equal addresses.
 struct MessageType {
     std::string name;
     std::string doc;
     const Type* payload = nullptr;
-    /// In `compiled_messages`; their number for what a file defines.
+    /// The index in `compiled_messages`; for a type from a file, the number of compiled messages.
     std::size_t place = compiled_message_count;
     std::string file{};  ///< that defines it, as messages show it
     std::string ros{};   ///< its name in ROS 2, as "my_msgs/msg/Obstacle"; "" for none
@@ -35,7 +35,7 @@ std::span<const MessageType> compiled_message_types();
 /// Their names.
 std::span<const std::string_view> compiled_message_names();
 
-/// The message type of payload T; of `Value`, which holds the payloads of all that files define, null.
+/// The message type of payload T; null for `Value`, which holds the payloads of all types from files.
 template <class T>
 const MessageType* message_of() {
     if constexpr (Payload<T>) {
@@ -46,16 +46,16 @@ const MessageType* message_of() {
     }
 }
 
-/// A payload of this message type, as it is by itself.
+/// The default payload of this message type.
 inline Value make_payload(const MessageType* type) { return Value(*type->payload); }
 
-/// The message type that carries such a value; null where there is none.
+/// The message type with this payload; null if there is none.
 const MessageType* message_of(const Type& payload);
 /// The name of that message type, or "no message".
 std::string_view message_name(const Type& payload);
 
-/// Calls `make.template operator()<T>()` for the payload of a message type: T is a compiled one's structure, or `Value`
-/// for what a file defines. All calls must return the same type.
+/// Calls `make.template operator()<T>()` for the payload of a message type: T is the structure of a compiled type, or
+/// `Value` for a type from a file. All calls must return the same type.
 template <class Make>
 decltype(auto) with_payload_type(const MessageType& type, Make&& make) {
     using Result = decltype(make.template operator()<bool>());

@@ -1,5 +1,5 @@
-// Typed in- and out-ports: a write is invisible until the out-port is latched, a value arrives when the in-port is
-// latched. It is not copied on its way: who writes fills a slot of the out-port, who reads looks at that slot.
+// Typed in- and out-ports: a write is invisible until the out-port is latched; a value arrives when the in-port is
+// latched. Values are not copied on the way: the writer fills a slot of the out-port, and readers refer to this slot.
 #pragma once
 
 #include <algorithm>
@@ -29,13 +29,13 @@ struct Message {
     MessageView view() const { return {data, tm}; }
 };
 
-/// What a port holds: a compiled message type's payload, or a `Value` of that of a type that a file defines.
+/// The values of a port: the payload of a compiled message type, or a `Value` for a type from a file.
 template <class T>
 concept Held = Payload<T> || std::is_same_v<T, Value>;
 
 namespace detail {
 
-// The value of a message type that nothing was said of yet.
+// The zero value of a message type.
 template <Held T>
 struct Zero {
     explicit Zero(const MessageType*) {}
@@ -70,7 +70,7 @@ T held_in(Value&& value) {
 
 }  // namespace detail
 
-/// A velocity command falls back to standing still; nothing else is safe by itself.
+/// The default safe value: standing still for a velocity command, none for other types.
 template <Held T>
 std::optional<T> default_safe() {
     if constexpr (std::is_same_v<T, Velocity2D>) {
@@ -90,10 +90,10 @@ public:
                      const MessageType* type = message_of<T>())
         : OutPortBase(std::move(name), type, Direction::out, std::move(doc)), zero_(type), safe_(std::move(safe)) {}
 
-    /// Writes a message. Invisible until the port is latched, then: a queue gets every one of a tick, the others the
-    /// last.
+    /// Writes a message, which is invisible until the port is latched. Then a queue gets every message of the tick;
+    /// other in-ports get only the last one.
     void write(const T& value) { next_pending() = value; }
-    /// A slot to fill in place instead of `write`; it holds some old payload.
+    /// Gives a slot to fill in place, instead of `write`. It contains an old payload.
     T& next_pending() {
         Few<Message<T>>& slots = slots_[filling_];
         if (pending_ == slots.size()) slots.push_back({zero_.get()});
@@ -105,8 +105,8 @@ public:
         assert(pending_ > 0);
         slots_[filling_][pending_ - 1].tm = tm;
     }
-    /// The first slot that `next_pending` gives in a tick begins as a copy of this, so that what never changes need not
-    /// be written again. Only before anything is written.
+    /// The first slot of `next_pending` in each tick starts as a copy of `value`, so constant parts are written only
+    /// once. Call it before the first write.
     void prepare(const T& value) {
         assert(sequence_ == 0 && pending_ == 0);
         for (Few<Message<T>>& slots : slots_) {
@@ -114,7 +114,7 @@ public:
             slots[0].data = value;
         }
     }
-    /// The value published last; the type's zero value before.
+    /// The value published last; before the first one, the type's zero value.
     const T& read() const { return latched_ > 0 ? published()[latched_ - 1].data : zero_.get(); }
     /// The messages of the last publication, oldest first.
     std::span<const Message<T>> messages() const { return {published().data(), latched_}; }
@@ -122,8 +122,8 @@ public:
     bool latch(const Time& now) override {
         if (override_ != Override::none) apply_override();
         if (pending_ == 0) return false;
-        // Who took the publication before this one still looks at it: behaviours latch their outputs after their
-        // inputs.
+        // Readers of the publication before this one still refer to its slots, because behaviours latch their outputs
+        // after their inputs.
         for (InPort<T>* reader : readers_) reader->before_reuse(*this, sequence_ - 1);
         Few<Message<T>>& slots = slots_[filling_];
         filling_ = next(filling_);
@@ -153,7 +153,7 @@ public:
     void write_safe() override {
         if (safe_) write(*safe_);
     }
-    /// Replaces the value that is safe when its component stops.
+    /// Replaces the safe value, which is written when the component stops.
     void set_safe(std::optional<T> safe) { safe_ = std::move(safe); }
 
     std::size_t message_count() const override { return latched_; }
@@ -181,12 +181,13 @@ private:
 
     static constexpr double unstamped = std::numeric_limits<double>::infinity();
 
-    // Three places in turn: one is filled, the next has the publication before the last, the one after it the last.
+    // Three places in rotation: one is being filled, the next one has the publication before the last, the third one
+    // the last.
     static constexpr std::size_t places = 3;
     static constexpr std::uint32_t next(std::uint32_t place) { return (place + 1) % places; }
     const Few<Message<T>>& published() const { return slots_[next(next(filling_))]; }
 
-    std::size_t latched_ = 0;    // how many messages the last publication has
+    std::size_t latched_ = 0;    // number of messages in the last publication
     Few<InPort<T>*> readers_;    // connected to it
     std::uint32_t filling_ = 0;  // the place that is filled
     std::array<Few<Message<T>>, places> slots_;
@@ -202,7 +203,7 @@ public:
                     const MessageType* type = message_of<T>())
         : InPortBase(std::move(name), type, std::move(doc), queue), zero_(type) {}
 
-    /// The latest message, or with a queue the oldest unread one (the last one read when none waits). Only the owner
+    /// The latest message; with a queue, the oldest unread one (if there is none, the one read last). Only the owner
     /// reads.
     const Message<T>& take() {
         if (unread_ > 0) {
@@ -217,11 +218,11 @@ public:
     }
     /// The payload of `take()`.
     const T& read() { return take().data; }
-    /// The message that `take` gave last; without a queue the latest.
+    /// The last message that `take` returned; without a queue, the latest message.
     const Message<T>& current() const { return capacity_ > 0 ? taken_ : *latest_; }
-    /// The latest message that arrived. Consumes nothing.
+    /// The latest message that arrived. Does not consume it.
     const Message<T>& latest() const { return *latest_; }
-    /// All that came in the tick `arrival_tick()`, oldest first; empty when nobody follows the port.
+    /// All messages that arrived in the tick `arrival_tick()`, oldest first; empty unless the port is followed.
     std::span<const Message<T>> messages() const { return arrived_; }
 
     void latch(const Time& now) override {
@@ -231,7 +232,8 @@ public:
             return;
         }
         take_published(now);
-        // Last, as the newest connection would: a port that a sensor feeds every tick has it for one tick.
+        // Injected messages come last, like those of the newest connection. If a sensor writes the port in every tick,
+        // they are valid for one tick.
         if (!injected_.empty()) take_injected(now);
     }
     void clear() override {
@@ -286,7 +288,7 @@ public:
         for (const Source& source : sources_) longest = std::max(longest, source.port->stale_after());
         return longest;
     }
-    /// `source` is about to use the slots of this publication again.
+    /// Called before `source` reuses the slots of this publication.
     void before_reuse(const OutPortBase& source, std::uint64_t sequence) {
         if (looks_at_ == &source && looked_sequence_ == sequence) keep_latest();
     }
@@ -331,7 +333,7 @@ private:
     }
 
     void take_published(const Time& now) {
-        // A source that published in an earlier tick (a behaviour) comes before one of this tick (a sensor).
+        // Sources that published in an earlier tick (behaviours) come before sources of this tick (sensors).
         bool any_of_this_tick = false;
         for (Source& source : sources_) {
             if (source.port->sequence() == source.seen) continue;
@@ -364,7 +366,7 @@ private:
         for (Source& source : sources_) source.seen = source.port->sequence();
         injected_.clear();
     }
-    /// From now on the latest message is its own.
+    /// Copies the latest message into this port, so that it no longer refers to a source.
     void keep_latest() {
         if (latest_ != &own_) own_ = *latest_;
         latest_ = &own_;
@@ -375,7 +377,7 @@ private:
         looks_at_ = nullptr;
         deliver(own_, now);
     }
-    /// `message` stays where it is until the next `latch`, or until `keep_latest`.
+    /// `message` must stay valid until the next `latch` or `keep_latest`.
     void deliver(const Message<T>& message, const Time& now) {
         if (followed_) {
             if (arrival_tick_ != now.tick) arrived_.clear();
@@ -423,7 +425,7 @@ private:
     }
     void drop_oldest() {
         if constexpr (holds_heap) {
-            constexpr std::size_t large = 1 << 16;  // what is smaller keeps its memory for the next one
+            constexpr std::size_t large = 1 << 16;  // a smaller message keeps its memory for the next one
             const std::size_t bytes = heap_bytes(queue_[head_].data);
             queued_bytes_ -= bytes;
             if (bytes > large) {
@@ -437,14 +439,14 @@ private:
 
     static constexpr bool holds_heap = !std::is_trivially_copyable_v<T>;
 
-    // First what every tick looks at.
-    const Message<T>* latest_ = &own_;       // a slot of `looks_at_`, or own_
-    const OutPortBase* looks_at_ = nullptr;  // whose slot that is
-    std::uint64_t looked_sequence_ = 0;      // of which publication
+    // Members that are used in every tick come first.
+    const Message<T>* latest_ = &own_;       // a slot of `looks_at_`, or `own_`
+    const OutPortBase* looks_at_ = nullptr;  // the source of this slot
+    std::uint64_t looked_sequence_ = 0;      // the publication of this slot
     Few<Source> sources_;
     std::vector<Message<T>> injected_;
     [[no_unique_address]] detail::Zero<T> zero_;
-    Message<T> own_{zero_.get()};    // when it is no source's
+    Message<T> own_{zero_.get()};    // if it does not belong to a source
     Message<T> taken_{zero_.get()};  // with a queue: what was read last
     std::vector<Message<T>> queue_;  // a ring of `capacity_`, empty until something arrives
     std::size_t head_ = 0;

@@ -1,4 +1,4 @@
-// What all ports share, whatever they carry.
+// The base classes of ports, for messages of any type.
 #pragma once
 
 #include <algorithm>
@@ -17,21 +17,21 @@
 
 namespace nezumi {
 
-/// Time as components see it: a count of ticks, which orders what happens, and seconds since the start, which in
-/// simulation are that count's and with real robots a clock's.
+/// The time for components: a count of ticks, which orders events, and the seconds since the start. In simulation the
+/// seconds follow from the count; with real robots they come from a clock.
 struct Time {
     std::int64_t tick = 0;
     double seconds = 0;
-    std::int64_t left_out = 0;  ///< ticks before this one that a stall of real robots' loop took
+    std::int64_t left_out = 0;  ///< ticks before this one that were skipped by a stall, with real robots
 };
 
-/// [s] without a velocity command after which a robot stops, and without a message after which a port is stale whose
-/// sender declares no rate.
+/// [s] A robot stops after this time without a velocity command. A port is stale after this time without a message, if
+/// its sender declares no rate.
 inline constexpr double silence = 0.5;
 
 enum class Direction : unsigned char { in, out };
 
-/// What a person or a scenario may put between a port and its traffic.
+/// Changes by a person or a scenario to the messages of a port.
 enum class Override : unsigned char {
     none,
     held,     ///< one value is sent every tick and nothing else gets through
@@ -39,7 +39,7 @@ enum class Override : unsigned char {
     frozen,   ///< the value it had is sent every tick and nothing else gets through
 };
 
-/// A message where it lies in a port, of whatever type.
+/// A reference to a message of any type in a port.
 struct MessageView {
     ValueView data;
     double tm;  ///< [s]
@@ -47,7 +47,7 @@ struct MessageView {
 
 class Component;
 
-/// What all ports share, whatever they carry.
+/// The base of all ports, for messages of any type.
 class Port {
 public:
     Port(const Port&) = delete;
@@ -61,27 +61,27 @@ public:
     const MessageType* type() const { return type_; }
     std::string_view type_name() const { return type_->name; }
     Override override() const { return override_; }
-    /// What a person should know about it, for example that its values are clamped; "" for nothing.
+    /// A note about the port for people, for example that its values are clamped; "" for none.
     const std::string& note() const { return texts_->note; }
     void set_note(std::string note) { texts_->note = std::move(note); }
 
-    /// The messages that passed last, oldest first: of an out-port its last publication, of an in-port, while somebody
-    /// follows it, all that came in the tick `arrival_tick()`.
+    /// The last messages, oldest first. Of an out-port: its last publication. Of an in-port, if it is followed: all
+    /// messages that arrived in the tick `arrival_tick()`.
     virtual std::size_t message_count() const = 0;
     virtual MessageView message(std::size_t index) const = 0;
-    /// A copy of the value a look shows: of an in-port the latest that arrived, of an out-port the latest that was
-    /// latched; the type's zero value before.
+    /// A copy of the current value: for an in-port the latest arrived value, for an out-port the latest latched value;
+    /// before the first message, the type's zero value.
     virtual Value value() const = 0;
-    /// The stamp [s] of that value, 0 before any.
+    /// The stamp [s] of that value; 0 before the first message.
     double tm() const { return tm_; }
-    /// Messages that passed since the start.
+    /// Number of messages since the start.
     std::uint64_t count() const { return count_; }
 
-    /// Sends this value once a tick from now on, and nothing else. It must be of the port's type.
+    /// From now on, sends this value once per tick and blocks all other messages. The value must have the port's type.
     virtual void hold(Value value) = 0;
-    /// From now on nothing gets through.
+    /// Blocks all messages from now on.
     void drop() { override_ = Override::dropped; }
-    /// Sends the present value once a tick from now on, and nothing else.
+    /// From now on, sends the present value once per tick and blocks all other messages.
     virtual void freeze() = 0;
     /// The value that `hold` or `freeze` sends; the port must be held or frozen.
     virtual Value override_value() const = 0;
@@ -96,7 +96,8 @@ protected:
     static constexpr double rounding = 1e-9;       // [s] sums of periods are no exact numbers
 
 private:
-    // What a tick does not look at, out of the way of what it does: of a thousand robots' ports no cache holds all.
+    // Data that no tick uses, kept apart from data that ticks use, because the cache can't hold all ports of a thousand
+    // robots.
     struct Texts {
         std::string name, doc, note;
     };
@@ -114,47 +115,48 @@ protected:
     Override override_ = Override::none;
 };
 
-/// An out-port of any type. One component writes it, any number of in-ports listen.
+/// An out-port of any type. One component writes it; any number of in-ports read it.
 class OutPortBase : public Port {
 public:
-    /// Publishes what was written since the last time; what has no stamp of its own gets that of `now`. Returns whether
-    /// there was anything.
+    /// Publishes the messages written since the last call; a message without its own stamp gets that of `now`. Returns
+    /// whether there were any.
     virtual bool latch(const Time& now) = 0;
-    /// Stamps the message that was written last with a time of its own [s]: when a device measured it. Something must
-    /// be written that is not published yet.
+    /// Sets the stamp [s] of the message written last to the time of its measurement. There must be an unpublished
+    /// message.
     virtual void stamp(double tm) = 0;
-    /// Forgets what was written and not yet published.
+    /// Discards all unpublished messages.
     virtual void discard() = 0;
-    /// Writes the value that is safe when its component stops, if it has one.
+    /// Writes the safe value for when the component stops, if there is one.
     virtual void write_safe() = 0;
     /// Writes a value of the port's type.
     virtual void write_any(const Value& value) = 0;
-    /// Whether something was written that is not published yet.
+    /// Whether there are unpublished messages.
     bool written() const { return pending_ > 0; }
-    /// How many messages were written that are not published yet.
+    /// The number of unpublished messages.
     std::size_t pending() const { return pending_; }
-    /// Forgets all but the first `count` of them.
+    /// Discards all unpublished messages except the first `count`.
     void discard_after(std::size_t count) { pending_ = pending_ < count ? pending_ : count; }
-    /// Whether a stop of its component writes a safe value.
+    /// Whether a safe value is written when the component stops.
     virtual bool has_safe() const = 0;
-    /// Replaces the value that is safe when its component stops; for null it is the type's own, if that has one.
+    /// Replaces the safe value, which is written when the component stops. Null: the default of the type, if it has
+    /// one.
     virtual void set_safe_any(const Value* safe) = 0;
-    /// The tick in which it published last, -1 before.
+    /// The tick of the last publication; -1 before the first one.
     std::int64_t latched_tick() const { return latched_tick_; }
-    /// How often [Hz] its owner declares to publish; 0: it does not say.
+    /// The rate of publications [Hz] that its owner declares; 0: none is declared.
     double rate() const { return rate_; }
     void set_rate(double hertz) { rate_ = hertz; }
-    /// How long [s] without a message until it is stale: three periods where a rate is declared.
+    /// The port is stale after this time [s] without a message: three periods if a rate is declared.
     double stale_after() const { return rate_ > 0 ? std::max(shortest_stale, 3 / rate_) : silence; }
-    /// Whether nothing was published for longer than that before `now` [s], or never.
+    /// Whether nothing was published for more than `stale_after` before `now` [s], or never.
     bool is_stale(double now) const { return latched_tick_ < 0 || now - latched_at_ > stale_after() + rounding; }
     /// Number of publications since the start.
     std::uint64_t sequence() const { return sequence_; }
     /// Mixes the last publication into a hash.
     virtual std::uint64_t hash_latched(std::uint64_t seed) const = 0;
 
-    /// A second out-port, of the same component, that explains what this one carries, as intrinsics a picture: an
-    /// in-port that is connected to this one has its own companion connected to that one.
+    /// A second out-port of the same component that belongs to this one, such as the intrinsics of a picture. When an
+    /// in-port is connected to this port, the companion of the in-port is connected to the companion of this port.
     OutPortBase* companion() const { return companion_; }
     void set_companion(OutPortBase& companion) { companion_ = &companion; }
 
@@ -174,45 +176,48 @@ struct AnyMessage {
     double tm = 0;  ///< [s]
 };
 
-/// An in-port of any type, fed by any number of out-ports of that type.
+/// An in-port of any type. Any number of out-ports of the same type can be connected to it.
 class InPortBase : public Port {
 public:
-    /// Takes what its sources have published: in tick order, then in the order of the connections.
+    /// Takes the publications of its sources: in the order of ticks, then in the order of the connections.
     virtual void latch(const Time& now) = 0;
-    /// Forgets everything that has arrived: the port is as it was before anything came.
+    /// Discards everything that has arrived: the port is in the state before its first message.
     virtual void clear() = 0;
-    /// Sends one value as if it came from a connection; it arrives at the next latch, after what its sources published.
+    /// Sends one value as if it came from a connection; it arrives at the next latch, after the messages of its
+    /// sources.
     virtual void inject(const Value& value) = 0;
-    /// Gives it a queue of another length (0: the latest value only). What is unread stays, the newest of it if it is
-    /// too much. Gives what is dropped, oldest first, and counts it.
+    /// Changes the length of the queue (0: only the latest value). Unread messages stay; if they are too many, the
+    /// newest stay. Returns the dropped messages, oldest first, and counts them as dropped.
     virtual std::vector<AnyMessage> set_queue(std::size_t queue) = 0;
-    /// Takes back what `set_queue` has dropped: it comes before what is unread. What is too much now stays dropped.
+    /// Reverts the dropping by `set_queue`: the messages come before the unread ones. Messages that do not fit now stay
+    /// dropped.
     virtual void put_back(std::vector<AnyMessage> dropped) = 0;
 
-    /// Something unread waits.
+    /// Whether there is an unread message.
     bool is_new() const { return unread_ > 0; }
-    /// Messages a full queue has dropped.
+    /// Number of messages dropped because the queue was full.
     std::uint64_t dropped() const { return overflow_; }
-    /// Whether nobody has told of its overflow yet. From now on somebody has.
+    /// True at the first call: its overflow has not been reported yet.
     bool tells_overflow() { return !std::exchange(overflow_told_, true); }
     /// Length of the queue; 0: only the latest value is kept.
     std::size_t queue() const { return capacity_; }
-    /// The tick in which something arrived last; -1 before.
+    /// The tick of the last arrival; -1 before the first one.
     std::int64_t arrival_tick() const { return arrival_tick_; }
-    /// The time of that tick [s]; 0 before.
+    /// The time of that tick [s]; 0 before the first one.
     double arrived_at() const { return arrived_at_; }
     bool connected() const { return connections_ > 0; }
-    /// Whether nothing came for longer than `stale_after` before `now` [s], ever, or since its last connection went.
+    /// Whether no message came for more than `stale_after` before `now` [s], or never, or not since its last connection
+    /// was removed.
     bool is_stale(double now) const {
         const bool is_left = !connected() && count_ == count_when_left_;
         return is_left || arrival_tick_ < 0 || now - arrived_at_ > stale_after() + rounding;
     }
-    /// How often it was disconnected from a source.
+    /// Number of disconnections from sources.
     std::uint64_t disconnections() const { return disconnections_; }
 
-    /// Connects it, and its companion to the source's, when both have one of the same type. It comes after all other
-    /// sources; or, where `before` are those that it follows, right after them. A source that is connected twice, as a
-    /// companion and by itself, is one source until both connections have gone.
+    /// Connects the port, and its companion to the source's companion if both have the same type. The source comes
+    /// after all other sources, or right after those in `before`. If a companion is also connected directly, it is one
+    /// source until both connections are removed.
     void connect(OutPortBase& source) {
         attach(source);
         if (InPortBase* other = companion_for(source)) other->attach(*source.companion());
@@ -230,34 +235,34 @@ public:
         detach(source);
         if (InPortBase* other = companion_for(source)) other->detach(*source.companion());
     }
-    /// Where the companions of its sources go.
+    /// Sets the in-port for the companions of its sources.
     void set_companion(InPortBase& companion) { companion_ = &companion; }
     virtual std::vector<const OutPortBase*> sources() const = 0;
-    /// Its companion, when that is connected to the source's where this is connected to `source`; else nullptr.
+    /// Its companion, if connecting this port to `source` also connects the companions; otherwise nullptr.
     InPortBase* companion_for(const OutPortBase& source) const {
         const bool both = companion_ != nullptr && source.companion() != nullptr;
         return both && companion_->type() == source.companion()->type() ? companion_ : nullptr;
     }
 
-    /// From now on it keeps all messages of its latest arrival, for those who record it.
+    /// From now on, keeps all messages of its latest arrival, for recording.
     void follow() const { followed_ = true; }
 
-    /// How long [s] without a message until it is stale: as long as the slowest of its senders may take.
+    /// The port is stale after this time [s] without a message: that of its slowest sender.
     virtual double stale_after() const = 0;
-    /// Texts, sequences and pictures that wait in a queue are no more than these bytes: beyond them the oldest is
-    /// dropped as when the queue is full.
+    /// Limit for texts, sequences and pictures in a queue [bytes]. Beyond it the oldest message is dropped, as if the
+    /// queue were full.
     static constexpr std::size_t most_queued_bytes = std::size_t{64} << 20;
 
 protected:
     virtual void attach(OutPortBase& source) = 0;
-    /// Moves a source up to where only these come before it.
+    /// Moves a source forward so that only the sources in `before` come before it.
     virtual void move_behind(const OutPortBase& source, std::span<const OutPortBase* const> before) = 0;
     virtual void detach(const OutPortBase& source) = 0;
 
     InPortBase(std::string name, const MessageType* type, std::string doc, std::size_t queue)
         : Port(std::move(name), type, Direction::in, std::move(doc)), capacity_(queue) {}
 
-    mutable bool followed_ = false;  // who looks may ask for it: it changes nothing of what the port does
+    mutable bool followed_ = false;  // may be set by readers: it does not change the port's behaviour
     std::size_t capacity_;
     std::size_t unread_ = 0;
     std::size_t connections_ = 0;
@@ -276,7 +281,7 @@ std::unique_ptr<InPortBase> make_in_port(const MessageType* type, std::string na
 std::unique_ptr<OutPortBase> make_out_port(const MessageType* type, std::string name, std::string doc,
                                            std::optional<Value> safe = std::nullopt);
 
-/// A compiled message type by name, or an error that names the nearest.
+/// Finds a compiled message type by name; the error has the nearest name.
 Expected<const MessageType*> find_message_type(std::string_view name);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// What may stand in a field that holds a number.
+// Checks the numbers of fields by their rules.
 #include "engine/ports/setting.hpp"
 
 #include <fmt/format.h>

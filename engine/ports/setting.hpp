@@ -1,4 +1,4 @@
-// How a table that a person writes describes itself, once: its fields as a message's, and what may stand in each.
+// Descriptions of tables that a person writes in files: the fields, with the limits of each.
 #pragma once
 
 #include <array>
@@ -20,29 +20,29 @@
 
 namespace nezumi {
 
-/// Which numbers may stand in a field. All are finite.
+/// The allowed numbers of a field. All are finite.
 enum class NumberRange { any, not_negative, positive };
 
-/// What may stand in a field, beside what its type says.
+/// The limits of a field, in addition to its type.
 struct Rule {
     bool required = false;
-    NumberRange range = NumberRange::any;         ///< of a number, or of each coordinate of a place
-    double least = 0;                             ///< of such a number, unless it is 0: smaller ones can't be simulated
-    double most = 1e6;                            ///< of its size: no length, mass or rate of a robot comes near it
-    std::int64_t min = 0;                         ///< of a whole number, inclusive
-    std::int64_t max = 0;                         ///< of a whole number, inclusive
-    bool level = false;                           ///< of a place: its z may be left out
-    std::array<std::string_view, 2> words{};      ///< of a truth value: what a file says for false and for true
-    std::span<const std::string_view> choices{};  ///< of a text: the only ones that may stand there
+    NumberRange range = NumberRange::any;  ///< of a number, or of each coordinate of a place
+    double least = 0;                      ///< of such a number, unless it is 0: smaller ones can't be simulated
+    double most = 1e6;                     ///< of its magnitude; lengths, masses and rates of robots are much smaller
+    std::int64_t min = 0;                  ///< of a whole number, inclusive
+    std::int64_t max = 0;                  ///< of a whole number, inclusive
+    bool level = false;                    ///< of a place: its z may be left out
+    std::array<std::string_view, 2> words{};      ///< of a truth value: the words for false and true in files
+    std::span<const std::string_view> choices{};  ///< of a text: the only allowed ones
     unsigned of = 0;              ///< the kinds of the structure that have this field, as bits; 0: all of them
-    bool selects = false;         ///< this field, a choice, says of which kind the structure is
-    bool by_hand = false;         ///< its reader takes it by hand: it depends on other fields, or on files
-    std::string_view fallback{};  ///< what holds without the field, where that is not the member's first value
-    /// Brings a text into its final form, or says why it may not be.
+    bool selects = false;         ///< this field, a choice, determines the kind of the structure
+    bool by_hand = false;         ///< read by special code, because it depends on other fields or on files
+    std::string_view fallback{};  ///< the default in documentation, if it is not the member's initial value
+    /// Converts a text to its final form, or returns an error.
     std::string (*adopt)(std::string& text) = nullptr;
 };
 
-/// A field of a table, and the member that holds it.
+/// A field of a table, and the structure's member for it.
 template <class S, class T>
 struct Setting {
     std::string_view name;
@@ -54,7 +54,7 @@ struct Setting {
 template <class S, class T>
 Setting(const char*, T S::*, const char*, const char*, Rule = {}) -> Setting<S, T>;
 
-/// A field that no member holds as it is: its reader takes it by hand. `type` is Lua's, as editors know it.
+/// A field without a member of its own: it is read by special code. `type` is the Lua type for editors.
 struct Extra {
     std::string_view name;
     std::string_view type;
@@ -63,7 +63,7 @@ struct Extra {
     Rule rule{};
 };
 
-/// A member that no file sets.
+/// A member that is not set by files.
 template <class S, class T>
 struct Internal {
     T S::*member;
@@ -71,12 +71,13 @@ struct Internal {
 template <class S, class T>
 Internal(T S::*) -> Internal<S, T>;
 
-/// The names of an enumeration's values in files, in order: specialised beside the enumeration as `names`.
+/// The names of an enumeration's values in files, in order: a specialisation beside the enumeration has them as
+/// `names`.
 template <class E>
 struct Choices;
 
-/// A structure that a person writes as a table: `Describe` has `name`, `doc` and a tuple `fields` of the above. Where
-/// it comes in kinds, `kinds` has their names.
+/// A structure that is written as a table in files: `Describe` has `name`, `doc` and a tuple `fields` of the above. If
+/// it has several kinds, `kinds` has their names.
 template <class T>
 concept Recorded = requires {
     Describe<T>::doc;
@@ -96,7 +97,7 @@ constexpr bool is_same_member() {
     }
 }
 
-// 1 for a member that no earlier field has: two fields may stand for one member.
+// 1 for a member without an earlier field; two fields may set the same member.
 template <class T, std::size_t I, std::size_t... J>
 constexpr std::size_t is_new_member(std::index_sequence<J...>) {
     if constexpr (requires { std::get<I>(Describe<T>::fields).member; }) {
@@ -113,8 +114,8 @@ constexpr std::size_t described_members(std::index_sequence<I...>) {
 
 }  // namespace detail
 
-/// Calls `visit(field)` for every `Setting` and `Extra` of a structure, in order. A member that `Describe<T>` forgets
-/// does not compile.
+/// Calls `visit(field)` for every `Setting` and `Extra` of a structure, in order. Does not compile if `Describe<T>`
+/// omits a member.
 template <Recorded T, class Visit>
 constexpr void for_each_setting(Visit&& visit) {
     using Fields = std::remove_cvref_t<decltype(Describe<T>::fields)>;
@@ -129,9 +130,9 @@ constexpr void for_each_setting(Visit&& visit) {
 
 /// "a number", "a positive number".
 std::string_view words_for(NumberRange range);
-/// What is wrong with a number by the rule of its field, "" for nothing: "expected a positive number, got -1".
+/// Checks a number by the rule of its field. Returns the error, or "": "expected a positive number, got -1".
 std::string check_number(double number, const Rule& rule, std::string_view unit);
-/// The same of every number of a pose, which has no rule but the widest.
+/// Checks each number of a pose: it must be finite and within the widest range.
 std::string check_pose(const Pose2D& pose);
 std::string check_pose(const Pose3D& pose);
 
@@ -144,7 +145,7 @@ struct IsMap<std::map<std::string, T, std::less<>>> : std::true_type {
     using Element = T;
 };
 
-// What only tables that a person writes have: an enumeration, or what holds one or a structure with rules.
+// Types that only occur in tables of files: enumerations, structures with rules, and containers of these.
 template <class T>
 constexpr bool is_written() {
     if constexpr (IsOptional<T>::value || IsVector<T>::value) {
@@ -207,8 +208,8 @@ Type make_record() {
 
 }  // namespace detail
 
-/// The table of a structure that a person writes: its `Setting`s, and its `Extra`s, which hold nothing. Each field has
-/// its rule.
+/// The table of a structure that is written in files: its `Setting`s with their rules, and its `Extra`s, which have no
+/// value.
 template <Recorded T>
 const Type& record_of() {
     static const Type type = detail::make_record<T>();
@@ -227,18 +228,19 @@ const Type& detail::written_type_of() {
     }
 }
 
-/// Whether a type is that of a structure whose fields have rules.
+/// Whether a type is a structure whose fields have rules.
 inline bool is_record(const Type& type) { return !type.fields.empty() && type.fields.front().rule != nullptr; }
 
-/// "{ vx =, vy =, va = }": all fields of such a structure, or those that these kinds of it have, as bits.
+/// "{ vx =, vy =, va = }": all fields of such a structure, or only those of these kinds, as bits.
 std::string usage_of(const Type& record, unsigned kinds = 0);
 template <Recorded T>
 std::string usage_of(unsigned kinds = 0) {
     return usage_of(record_of<T>(), kinds);
 }
 
-/// Checks the numbers and places of a structure by the rules of its fields, for whoever did not read it field by field:
-/// a map, a program. The error is "box: field 'size.x' expected a positive number, got 0", at `place`.
+/// Checks the numbers and places of a structure by the rules of its fields, for structures that were not read from a
+/// table (from a map, from a program). The error is "box: field 'size.x' expected a positive number, got 0", at
+/// `place`.
 Expected<void> check_record(const ValueView& record, const Place& place);
 template <Recorded T>
 Expected<void> check_record(const T& record, const Place& place) {

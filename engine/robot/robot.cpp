@@ -1,4 +1,4 @@
-// What a robot does in a tick: sense, guard the velocity, act.
+// The work of a robot in a tick: read sensors, check the velocity, drive.
 #include "engine/robot/robot.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +32,7 @@ Robot::~Robot() {
     if (body_ != nullptr) body_->set_wheel_speeds({});
 }
 
-// Whatever a real robot's motors had before: from here on it has to be ACTIVE.
+// At first a real robot's motors have no power, whatever they had before: the robot must become ACTIVE.
 void Robot::take_body(std::unique_ptr<RobotBody> body) {
     body_ = std::move(body);
     powered_ = has_body() && !is_real();
@@ -76,7 +76,7 @@ Expected<void> Robot::on_activated() {
     return {};
 }
 
-// Whether all sensors that it needs say something, or have a moment ago.
+// Whether all sensors that it needs have values, now or a moment ago.
 bool Robot::hears_what_it_needs(const Time& now) {
     bool hears = true;
     std::vector<std::string_view> lost, back;
@@ -102,7 +102,8 @@ bool Robot::is_due_at(double port_rate, const Time& now) const {
     return port_rate <= 0 || port_rate >= tick_rate() || nezumi::is_due(now.tick, port_rate, tick_rate(), now.left_out);
 }
 
-// Simulated robots know simulated time only: their world takes the same steps in every tick, however long that lasts.
+// Simulated robots use only simulated time: their world takes the same steps in every tick, however long the tick
+// lasts.
 double Robot::period_until(const Time& now, std::optional<double> last) const {
     return is_real() && last ? now.seconds - *last : 1.0 / tick_rate();
 }
@@ -118,7 +119,7 @@ void Robot::tell_faults() {
     for (std::string& fault : body_->take_faults()) log(LogLevel::warn, std::move(fault));
 }
 
-// A pose in the body frame, now that a servo has turned it.
+// The pose in the body frame after a servo has turned it.
 Pose3D Robot::turned(const Pose3D& pose, std::size_t servo) const {
     const Point3D &at = pose.position, &axis = spec_.actuators[servo].at;
     const double angle = body_->servo_angle(servo);
@@ -126,7 +127,7 @@ Pose3D Robot::turned(const Pose3D& pose, std::size_t servo) const {
     return {.position = {now.x, now.y, at.z}, .orientation = {.r = 0, .p = 0, .y = pose.orientation.y + angle}};
 }
 
-// Of wheels that nobody measures nothing is known: they count as standing.
+// Wheels without a measurement count as standing.
 Velocity2D Robot::velocity_of(const WheelReading& wheels) const {
     if (!wheels.is_there) return {};
     const double left = wheels.speeds.left, right = wheels.speeds.right;
@@ -173,7 +174,7 @@ void Robot::set_scans_due(const Time& now) {
     }
 }
 
-// When it changes: wheels that turn have nothing to say.
+// Publishes only changes.
 void Robot::publish_stalled() {
     if (stalled_out_ == nullptr || std::exchange(stalled_, body_->is_stalled()) == stalled_) return;
     stalled_out_->write(stalled_);
@@ -227,7 +228,7 @@ void Robot::command(const Velocity2D& velocity, const Time& now) {
 }
 
 void Robot::take_velocities(const Time& now) {
-    // Whoever was disconnected may have been the one that drives: what it said last no longer counts.
+    // The disconnected sender may have been the driving one: its last command no longer counts.
     const bool disconnected =
         std::exchange(seen_disconnections_, velocity_in_->disconnections()) != velocity_in_->disconnections();
     if (disconnected) guard_.stop();
@@ -261,8 +262,8 @@ void Robot::set_motor_power(bool on) {
     if (std::exchange(powered_, on) != on) body_->set_motor_power(on);
 }
 
-// A real robot's motors have power from its activation until it stands after a deactivation or an error: somebody may
-// take it in the hand.
+// A real robot's motors have power from its activation until it stands after a deactivation or an error, because a
+// person may pick it up.
 void Robot::power_while_active(const Velocity2D& velocity, const Time& now) {
     if (!is_real() || stopped_) return;
     if (state() == LifeState::active) {
@@ -280,8 +281,8 @@ bool Robot::stands() const {
            std::abs(measured_.va) < still_yaw_rate;
 }
 
-// Motors hold until the robot has stopped rocking on its wheels, and these stand; but those that something else turns
-// may never.
+// Motors hold until the robot has stopped rocking and its wheels stand, but not longer than a limit: something else may
+// be turning the wheels.
 bool Robot::has_come_to_rest(const Time& now) {
     constexpr double rocking = 0.3, longest = 0.6;  // [s]
     if (!braked_at_) braked_at_ = now.seconds;
@@ -316,7 +317,7 @@ void Robot::drive(const Time& now) {
     const bool stalled = is_real() && period >= std::max(shortest_stall, 3 / tick_rate());
     const bool may = state() != LifeState::active || (hears_what_it_needs(now) && body_->may_drive());
     if (stalled || at_rest_ || !may) {
-        // What came meanwhile was meant for where the robot was before.
+        // Commands from meanwhile were meant for the earlier position.
         guard_.stop();
         if (velocity_in_ != nullptr) forget_velocities();
     } else if (state() == LifeState::active) {

@@ -26,7 +26,7 @@ struct Actor {
     bool operator==(const Actor&) const = default;
 };
 
-/// "console", "browser tablet": the name in logs, journals and on ports.
+/// The name of the actor in logs, journals and on ports: "console", "browser tablet".
 std::string to_text(const Actor& who);
 /// The actor of a text from `to_text`, or an error.
 Expected<Actor> actor_from(std::string_view text);

@@ -50,15 +50,15 @@ public:
     /// Makes the port "host/name.port" available for a connection to `other`, with its type and the opposite direction,
     /// even if the host is not there yet.
     virtual Expected<void> reach(std::string_view path, const Port& other) = 0;
-    /// Between two ticks, again and again while time stands: takes note of hosts that came and went, makes and ends the
-    /// connections that they ask for, and answers their questions.
+    /// Called between two ticks, and repeatedly while time is stopped: detects new and missing hosts, makes and ends
+    /// the connections that they request, and answers their questions.
     virtual void between_ticks(const ActDoor& act, const QuestionDoor& answer) = 0;
-    /// Once before each tick, after `between_ticks`: has what came for ports written, as acts of who sent it.
+    /// Called once before each tick, after `between_ticks`: writes the received messages to ports, as acts of their
+    /// senders.
     virtual void before_tick(const MessageDoor& deliver) = 0;
     /// Hosts that are there or waited for, by name.
     virtual std::vector<Host> hosts() const = 0;
-    /// Whether a connection was made by something else than a `connect` of this system: by another host, or by the word
-    /// `ros`.
+    /// Whether a connection was not made by a `connect` of this system, but by another host or by the word `ros`.
     virtual bool brought(const ConnectionSpec& connection) const = 0;
 
     // Shared time of several hosts.

@@ -15,7 +15,7 @@
 namespace nezumi {
 namespace {
 
-// What an act has come to that can only go well or not.
+// The result of an act that has no result besides success or an error.
 Expected<ActResult> result_of(const Expected<void>& done) {
     if (!done) return Unexpected(done.error());
     return ActResult{};

@@ -1,4 +1,4 @@
-// A robot's own velocity is the measured one.
+// Messages for robots and programs outside of the system; a robot reports its measured velocity.
 #include "engine/system/published.hpp"
 
 #include <algorithm>

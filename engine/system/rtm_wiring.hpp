@@ -29,8 +29,7 @@ struct RtmEnds {
 /// RTC's, or if the other end is no port, has the wrong direction, or a type that OpenRTM does not know.
 Expected<RtmEnds> rtm_ends(const System& system, const ConnectionSpec& connection);
 
-/// What `System::take_foreign_check` is given: an error where `rtm_ends` has one, or our end's component is not
-/// exported.
+/// For `System::take_foreign_check`: an error if `rtm_ends` has one, or if this system's end is not exported.
 System::ForeignCheck rtm_check(const std::optional<RtmSpec>& rtm);
 
 }  // namespace nezumi

@@ -87,15 +87,15 @@ public:
     ConstView<Component> components() const { return ConstView(components_); }
     const std::vector<Robot*>& robots() { return robots_; }
     std::span<const Robot* const> robots() const { return robots_; }
-    /// As a system file says them, without places: those between ports of this system.
+    /// The connections between ports of this system, as in a system file but without places.
     std::vector<ConnectionSpec> connections() const;
-    /// Those with a port of another program at one end, in the order in which they were asked for. They are made and
-    /// carried elsewhere, as long as that program is there.
+    /// The connections with a port of another program, in the order of the requests. They are made elsewhere, while
+    /// that program is there.
     const std::vector<ConnectionSpec>& foreign_connections() const { return foreign_; }
-    /// Says whether there can be such a connection.
+    /// Checks whether such a connection is possible.
     using ForeignCheck = std::function<Expected<void>(const System& system, const ConnectionSpec& connection)>;
     void take_foreign_check(ForeignCheck check) { foreign_check_ = std::move(check); }
-    /// nullptr when there is none of this name.
+    /// nullptr if there is none with this name.
     Component* find(std::string_view name) { return find_component(name); }
     const Component* find(std::string_view name) const { return find_component(name); }
     const Robot* find_robot(std::string_view name) const;
@@ -106,8 +106,8 @@ public:
     Expected<Port*> port(std::string_view path) { return port_named(path); }
     Expected<const Port*> port(std::string_view path) const { return port_named(path); }
 
-    /// Connects "name.port" to "name.port", or says why not. One of them may be another host's, "host/name.port", or
-    /// another program's, "rtm:NAME.port".
+    /// Connects "name.port" to "name.port"; the error has the reason. One of them may be another host's,
+    /// "host/name.port", or another program's, "rtm:NAME.port".
     Expected<void> connect(std::string_view from, std::string_view to);
     Expected<void> disconnect(std::string_view from, std::string_view to);
     /// "name.port" of the ports at the other ends.
@@ -124,7 +124,7 @@ public:
     /// Ends all connections with other programs of one end, "name.port" or "rtm:NAME.port". Returns whether there were
     /// any.
     bool disconnect_foreign(std::string_view end);
-    /// Makes it again, in its former place among the connections.
+    /// Makes a dropped connection again, at its former place among the connections.
     Expected<void> connect_again(const Dropped& dropped);
 
     /// The actor that holds, drops or freezes the port "name.port"; nullptr if there is none.

@@ -1,4 +1,4 @@
-// What has happened in a run and in its branches, from which every moment of them can be computed again.
+// The events of a run and of its branches, from which each of their moments can be computed again.
 #pragma once
 
 #include <compare>
@@ -58,7 +58,7 @@ struct PastEvent {
 
 class RunHistory {
 public:
-    /// One course of the run. It has the first events of its parent, and then its own.
+    /// One branch of the run. It has the first events of its parent, and then its own.
     struct Branch {
         std::string name;           ///< "main", "branch 1", ...
         std::size_t parent = 0;     ///< index of the branch that it left; of the first one: itself
@@ -76,23 +76,23 @@ public:
     /// The files of the start.
     const FilesSeen& files() const { return files_; }
 
-    /// Adds what happens at present. If the present is a past whose future is known, a new branch begins here.
+    /// Adds a present event. If the present is a past moment whose future is known, a new branch starts here.
     void add(PastEvent event);
-    /// The present has come so far.
+    /// Sets how far the present has come.
     void reach(const ActTime& now, double seconds);
-    /// Leaves the present for a moment of a branch, before which its first `events` have happened.
+    /// Leaves the present for a moment of a branch at which its first `events` have happened.
     void go_to(std::size_t branch, std::size_t events) { current_ = branch, position_ = events; }
 
-    /// Whether the present is a past, whose future is known: `now` is before the end of the branch.
+    /// Whether the present is a past moment whose future is known: `now` is before the end of the branch.
     bool is_past(const ActTime& now) const;
     /// The next known event if it is due at this tick, or null.
     const PastEvent* due(const ActTime& now) const;
-    /// The event that was due has happened.
+    /// Marks the due event as happened.
     void pass() { ++position_; }
 
     /// The number of events of the present branch that have happened.
     std::size_t position() const { return position_; }
-    /// One branch with all that it has inherited, as a history of its own at its start.
+    /// One branch with all its inherited events, as a separate history at its start.
     RunHistory course(std::size_t branch) const;
 
     /// Event `index` of a branch, in the order in which they happened.

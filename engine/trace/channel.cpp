@@ -1,4 +1,4 @@
-// Ports are read in place: nothing is copied until somebody looks.
+// Reads ports in place, without a copy.
 #include "engine/trace/channel.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace nezumi {
 namespace {
 
 constexpr std::uint64_t no_version = ~std::uint64_t{0};
-// Which kinds of nodes have numbers, truth values or texts; of plain data, those of scripts.
+// Whether nodes of this kind have numbers, truth values or texts; for plain data, only those of scripts.
 bool is_carried(const TreeNode& node) {
     switch (node.kind()) {
         case TreeNode::Kind::port:
@@ -39,7 +39,7 @@ std::string carried_part(const TreeNode& node) {
     return join_path(std::move(probe), rest);
 }
 
-// Why a component has nothing to carry of this name.
+// The error that a component has no channel with this name.
 Error no_such(const TreeNode& owner, std::string_view name) {
     const Component& component = *owner.component();
     const MemberInfo* member = find_member(component_members(), name);
@@ -92,7 +92,7 @@ Expected<Channel> Channel::find(const System& system, std::string_view name) {
     if (!is_carried(*node)) return Unexpected(no_such(*owner, member));
     Channel channel(node->whole(), carried_part(*node));
     channel.resolve(system);
-    // What a tick that has passed left can still be read.
+    // The values of the last tick can still be read.
     if (system.now().tick > 0) channel.latch(system.now().tick - 1);
     return channel;
 }
@@ -183,7 +183,7 @@ void Channel::visit_latest(const LeafVisitor& given) const {
 bool Channel::has_pictures() const { return is_port() && node_->port()->type() == message_of<CameraImage>(); }
 
 void Channel::append_to(Series& series, double seconds) const {
-    // What holds its value has one before it changes.
+    // A channel that keeps its value has a first sample before any change.
     const std::size_t messages_now = exists() && holds() && series.size() == 0 ? 1 : fresh_;
     if (messages_now == 0) return;
     std::array<double, Series::most_values> values;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled below

@@ -1,4 +1,4 @@
-// Long curves become shorter before they travel: a drawing has a few hundred dots.
+// Shortens long curves before they are sent: a drawing has a few hundred dots.
 #include "engine/trace/recent_curves.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ using Points = std::vector<Point>;
 constexpr std::size_t most_points = 1200;
 constexpr std::size_t spans = most_points / 4;
 
-// Of a text the changes; of numbers the first, the last, the least and the largest value of each span of time.
+// Keeps all changes of a text; of numbers the first, last, least and largest value of each span of time.
 Points shortened(const Curve& curve) {
     const Points& all = curve.points;
     if (all.size() <= most_points) return all;

@@ -1,4 +1,4 @@
-// The curves of what a trace remembers under a name, also as plain data for another host.
+// The recent curves of a channel in a trace, also as plain data for another host.
 #pragma once
 
 #include <string>
@@ -19,12 +19,13 @@ struct RecentCurves {
     std::vector<Curve> curves{};  ///< none if it has carried nothing that can be drawn
 };
 
-/// What was carried under this name in the last `seconds` before `now` [s]. What was not remembered is from now on.
+/// The values of this channel in the last `seconds` before `now` [s]. A channel that was not remembered before is
+/// remembered from now on.
 Expected<RecentCurves> recent_curves(Trace& trace, std::string_view name, double seconds, double now);
 
-/// The same as plain data; of long curves what a drawing shows.
+/// The same as plain data; long curves are shortened to what a drawing can show.
 PlainData to_plain(const RecentCurves& recent);
-/// Reads what `to_plain` wrote: its points, without the names of whole and part.
+/// Reads the result of `to_plain`: its points, without the names of whole and part.
 Expected<RecentCurves> read_curves(const PlainData& data);
 
 }  // namespace nezumi

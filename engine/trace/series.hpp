@@ -15,10 +15,10 @@ public:
     static constexpr std::size_t usual_samples = 6000;  ///< a minute at 100 Hz
     static constexpr std::size_t most_values = 16;      ///< of each message
 
-    /// Keeps so many samples from now on, at least 1; the oldest are dropped.
+    /// From now on keeps this many samples, at least 1; the oldest are dropped.
     void keep(std::size_t samples);
     std::size_t most_samples() const { return most_samples_; }
-    /// That its samples take in memory.
+    /// Memory of its samples [bytes].
     std::size_t bytes() const { return rows_.size() * sizeof(double); }
 
     /// "vx", "[1]", "" for a single value: one for each value of a sample.

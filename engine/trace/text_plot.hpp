@@ -19,8 +19,8 @@ struct Curve {
     std::vector<std::string> texts{};                 ///< for texts: the values are indices in it
 };
 
-/// The values of a series for the labels within `part`, between two times [s], one curve for each label. `holds`: the
-/// value before counts at the begin, and the last value until the end.
+/// The curves of a series between two times [s], one for each label within `part`. With `holds`, a curve starts with
+/// the last value before the start, and its last value continues to the end.
 std::vector<Curve> curves_of(const Series& series, std::string_view part, double from, double to, bool holds = false);
 
 /// "mode: slow from 1.5 s, fast from 2 s": a curve of texts; only the last changes if there are many.

@@ -1,4 +1,4 @@
-// Channels keep pointers into the system, and find them anew when its layout has changed.
+// Channels have pointers into the system, and search them again after a change of its layout.
 #include "engine/trace/trace.hpp"
 
 #include <algorithm>
@@ -80,7 +80,7 @@ Expected<Trace::Remembered> Trace::remember_part(std::string_view name) {
     const auto whole = remember(channel->whole());
     if (!whole) return Unexpected(whole.error());
     Remembered all{*whole, channel->whole(), channel->part(), channel->holds()};
-    // A part that the whole has no room for is remembered for itself.
+    // A part that does not fit into the series of the whole value gets its own series.
     const bool is_full = (*whole)->labels().size() == Series::most_values;
     const auto& labels = (*whole)->labels();
     const auto has = [&](const std::string& label) { return is_within(label, all.part); };

@@ -1,4 +1,4 @@
-// Values come in the same order each time, so that a column is found where the one before it was.
+// Values come in the same order each time, so each column is searched after the previous one.
 #include "engine/trace/trace_table.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +32,7 @@ TraceTable::TraceTable(const std::vector<const Channel*>& channels) {
 
 void TraceTable::follow(const Channel& channel) {
     Source& source = sources_.emplace_back(Source{&channel});
-    // Columns are there before anything was carried.
+    // The columns exist before the first message.
     std::size_t at = 0;
     channel.visit_latest([&](const LeafPath& path, const ValueView&) { set_cell(source, at, path, ""); });
 }

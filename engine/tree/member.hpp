@@ -21,7 +21,7 @@ struct MemberInfo {
     int most = 0;             ///< maximum number of arguments of a method
     std::string usage{};      ///< "(pose)"
     std::string_view doc{};   ///< documentation
-    /// For a table, which is a copy: what to do instead of writing to it.
+    /// For a table, which is a copy: advice to use instead of writing to it.
     std::string_view instead{};
     TreeNode::Kind kind = TreeNode::Kind::value;
     /// The function that reads it; null for members with only children, and for methods.

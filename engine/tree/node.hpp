@@ -85,7 +85,7 @@ public:
     SetParameter set(Value value) const;
 
     const System& system() const { return *system_; }
-    // nullptr where it is of none.
+    // nullptr if it does not belong to one.
     const Component* component() const { return component_; }
     const Robot* robot() const { return dynamic_cast<const Robot*>(component_); }
     const Port* port() const { return port_; }

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t header_size = 4;
 constexpr std::uint32_t nanoseconds = 1'000'000'000;
 
-// The fewest bytes that a value of this type takes in a stream.
+// The smallest size of a value of this type in a stream [bytes].
 std::size_t min_cdr_size(const Type& type) {
     switch (type.kind) {
         case Type::Kind::structure: {
@@ -34,7 +34,7 @@ std::size_t min_cdr_size(const Type& type) {
     }
 }
 
-// Turns the bytes of each of so many numbers round.
+// Reverses the bytes of each of these numbers.
 void swap_bytes(void* first, std::size_t each, std::size_t count) {
     auto* at = static_cast<std::uint8_t*>(first);
     for (std::size_t i = 0; i < count; ++i, at += each) std::reverse(at, at + each);

@@ -21,18 +21,19 @@
 
 namespace nezumi {
 
-/// What both sides of a stream must agree on.
+/// Properties of a stream that writer and reader must agree on.
 struct CdrFormat {
     std::endian order = std::endian::little;
-    /// Begins with the 4 bytes of RTPS (0, 1 for little or 0 for big endian, 0, 0). Alignment counts from behind them.
-    /// When reading, they decide the order, and up to 3 bytes of padding may follow: DDS pads to a multiple of 4.
+    /// The stream begins with the 4 bytes of RTPS (0, then 1 for little or 0 for big endian, 0, 0). Alignment counts
+    /// after them. A reader takes the byte order from them, and accepts up to 3 bytes of padding at the end: DDS pads
+    /// to a multiple of 4.
     bool header = false;
 };
 
-/// A stream that is longer than these bytes is refused before anything of it is read.
+/// A longer stream [bytes] is refused before it is read.
 inline constexpr std::size_t most_cdr_bytes = std::size_t{64} << 20;
 
-/// A stamp as it travels: `RTC::Time` of OpenRTM-aist. A peer's `nsec` may be 10^9 or more.
+/// A stamp in a stream: `RTC::Time` of OpenRTM-aist. A peer's `nsec` may be 10^9 or more.
 struct CdrTime {
     std::uint32_t sec = 0;
     std::uint32_t nsec = 0;
@@ -43,7 +44,7 @@ struct CdrTime {
                                        Field{"nsec", &CdrTime::nsec, "ns", "the rest"}};
 };
 
-/// To the nearest nanosecond; what is negative, not a number or too large becomes the nearest end of the range.
+/// Rounds to the nearest nanosecond. Negative, too large or NaN values become the nearest end of the range.
 CdrTime to_cdr_time(double seconds);
 /// The inverse: a number of seconds with at most 9 decimals comes back exactly.
 double to_seconds(const CdrTime& time);
@@ -62,7 +63,7 @@ private:
     void write_elements(const ValueView& value);
     void write_length(std::size_t length);
     void write_bytes(const void* first, std::size_t size);
-    /// Appends `count` numbers of `each` bytes behind the padding that aligns them.
+    /// Appends padding for alignment, then `count` numbers of `each` bytes.
     void write_numbers(std::size_t each, const void* first, std::size_t count);
 
     Octets& out_;
@@ -70,13 +71,13 @@ private:
     bool swap_;
 };
 
-/// Takes values from a stream. After the first error it takes nothing more.
+/// Reads values from a stream. After the first error it reads nothing more.
 class CdrReader {
 public:
     CdrReader(std::span<const std::uint8_t> bytes, const CdrFormat& format);
 
     void read(const ValuePlace& value);
-    /// Whether all went well and nothing is left but padding.
+    /// Whether there was no error, and only padding is left.
     Expected<void> finish();
 
 private:
@@ -84,9 +85,10 @@ private:
     void read_elements(const ValuePlace& value);
     void read_sequence(const ValuePlace& value);
     void read_numbers(std::size_t each, void* first, std::size_t count);
-    /// The next `size` bytes behind the padding that aligns them, or null.
+    /// Skips padding for alignment and returns the next `size` bytes, or null.
     const std::uint8_t* take(std::size_t alignment, std::size_t size);
-    /// A sequence's length, 0 if its elements of at least `element_size` bytes can't be in what is left.
+    /// Reads the length of a sequence; 0 if elements of at least `element_size` bytes do not fit in the remaining
+    /// bytes.
     std::size_t read_length(std::size_t element_size);
     bool read_truth();
     void read_choice(const ValuePlace& value);
@@ -105,7 +107,7 @@ private:
 
 }  // namespace detail
 
-/// Replaces `out` by the stream of these values, one after the other as the fields of a structure.
+/// Replaces `out` by the stream of these values in order, like the fields of a structure.
 template <class... T>
 void write_cdr(Octets& out, const CdrFormat& format, const T&... values) {
     out.clear();
@@ -113,8 +115,8 @@ void write_cdr(Octets& out, const CdrFormat& format, const T&... values) {
     (writer.write(values), ...);
 }
 
-/// Reads a stream that holds exactly these values. Allocates no more than a small multiple of the stream's size.
-/// Numbers may be not finite. An error tells the byte, from 0, and the field; the values are then of no use.
+/// Reads a stream with exactly these values. Allocates at most a small multiple of the stream's size. Numbers may be
+/// infinite or NaN. An error has the byte, from 0, and the field; the values are then invalid.
 template <class... T>
 Expected<void> read_cdr(std::span<const std::uint8_t> bytes, const CdrFormat& format, T&&... values) {
     detail::CdrReader reader(bytes, format);
@@ -125,7 +127,7 @@ Expected<void> read_cdr(std::span<const std::uint8_t> bytes, const CdrFormat& fo
 /// Replaces `out` by a message: its stamp `tm` [s], then its payload.
 void write_cdr_message(Octets& out, const ValueView& data, double tm, const CdrFormat& format = {});
 
-/// Reads a message as `read_cdr` does; `data` keeps what memory it has.
+/// Reads a message like `read_cdr`; reuses the memory of `data`.
 Expected<void> read_cdr_message(std::span<const std::uint8_t> bytes, const ValuePlace& data, double& tm,
                                 const CdrFormat& format = {});
 

@@ -1,4 +1,4 @@
-// How a structure describes itself, once, at compile time: fields with their units and what they mean.
+// Descriptions of structures at compile time: their fields with units and meanings.
 #pragma once
 
 #include <concepts>
@@ -11,13 +11,13 @@
 
 namespace nezumi {
 
-/// Which numbers may stand in a field of a message.
+/// The allowed numbers of a field in a message.
 enum class Numbers {
     finite,
     any,  ///< infinite ones, and what is no number, mean something
 };
 
-/// One field of a structure: its name as scripts and files see it, where it is, its unit ("" for none) and its meaning.
+/// One field of a structure: its name in scripts and files, its member, its unit ("" for none) and its meaning.
 template <class S, class T>
 struct Field {
     std::string_view name;
@@ -29,9 +29,9 @@ struct Field {
 template <class S, class T>
 Field(const char*, T S::*, const char*, const char*, Numbers = Numbers::finite) -> Field<S, T>;
 
-/// What a structure says of itself: a tuple `fields`, its own, that lists every member in order, and its name: its
-/// `type_name` where others call it otherwise than C++. What files spell as tables is specialised for it instead,
-/// beside the rules of its fields (engine/ports/setting.hpp).
+/// The description of a structure: a tuple `fields` of the structure that lists every member in order, and its name, or
+/// its `type_name` if the name outside C++ is different. For structures that files write as tables it is specialised
+/// beside the rules of the fields (engine/ports/setting.hpp).
 template <class T>
 struct Describe;
 
@@ -41,13 +41,13 @@ concept Described = requires {
     std::tuple_size<std::remove_cvref_t<decltype(T::fields)>>::value;
 };
 
-/// A structure that says its name.
+/// A structure with a name in its description.
 template <class T>
 concept Named = requires {
     { T::type_name } -> std::convertible_to<std::string_view>;
 };
 
-/// Whether its members' names are all that a structure says of itself: it has a `type_name` and no `fields`, or this is
+/// Whether the names of its members are the whole description: it has a `type_name` and no `fields`, or this is
 /// specialised beside it.
 template <class T>
 inline constexpr bool described_by_names = Named<T> && !Described<T>;
@@ -64,7 +64,7 @@ concept is_alternative = detail::is_alternative<T, Variant>;
 
 namespace detail {
 
-// "Velocity2D": what C++ calls T, without the namespaces.
+// "Velocity2D": the C++ name of T, without namespaces.
 template <class T>
 constexpr std::string_view own_name() {
     std::string_view name =
@@ -130,7 +130,7 @@ constexpr void check_fields() {
 }
 }  // namespace detail
 
-/// Calls `visit(field, value)` for every field of `object`, in order. A member that `fields` forgets does not compile.
+/// Calls `visit(field, value)` for every field of `object`, in order. Does not compile if `fields` omits a member.
 template <Described T, class Visit>
 constexpr void for_each_field(T&& object, Visit&& visit) = delete;
 

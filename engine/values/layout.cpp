@@ -1,4 +1,4 @@
-// Functions for the memory of values of which C++ knows no type, by their tables.
+// Memory functions for types that are unknown to C++, by their tables.
 #include "engine/values/layout.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 std::byte* at_offset(void* at, std::size_t offset) { return static_cast<std::byte*>(at) + offset; }
 const std::byte* at_offset(const void* at, std::size_t offset) { return static_cast<const std::byte*>(at) + offset; }
 
-// Each part of a structure or an array: `visit(type, offset)`.
+// Visits each part of a structure or an array: `visit(type, offset)`.
 template <class Visit>
 void for_each_part(const Type& type, const Visit& visit) {
     for (const Type::Field& field : type.fields) visit(*field.type, field.offset);
@@ -110,7 +110,7 @@ constexpr Type::Elements elements_of_run{
     .first = [](const void* value) -> const void* { return run_at(value).first; },
 };
 
-// The sequence of these elements in C++; null where it has none.
+// The C++ sequence for these elements; null if there is none.
 const Type* compiled_sequence_of(const Type& element) {
     static const std::array all{&type_of<std::vector<bool>>(),          &type_of<std::vector<std::int8_t>>(),
                                 &type_of<std::vector<std::int16_t>>(),  &type_of<std::vector<std::int32_t>>(),

@@ -1,4 +1,4 @@
-// Tables of types that are made at run time: what a file defines lies in memory as they say.
+// Type tables made at run time, for the memory layout of types that files define.
 #pragma once
 
 #include <cstddef>
@@ -10,23 +10,22 @@
 
 namespace nezumi {
 
-/// Makes tables and keeps them: they live as long as it. A table refers to those that it was made of, which must live
-/// as long.
+/// Makes type tables and owns them. A table refers to the tables of its parts, which must live as long.
 class Types {
 public:
     Types() = default;
     Types(const Types&) = delete;
     Types& operator=(const Types&) = delete;
 
-    /// Any number of elements. Of numbers, truth values and texts it is the `std::vector` that C++ has of them.
+    /// A sequence of any length. For numbers, truth values and texts it has the layout of a `std::vector`.
     const Type& sequence_of(const Type& element);
-    /// `length` (1 or more) elements, one behind the other.
+    /// An array of `length` (1 or more) elements in consecutive memory.
     const Type& array_of(const Type& element, std::size_t length);
-    /// One of these, which are not the same.
+    /// An enumeration with these choices, which must differ.
     const Type& enumeration_of(std::vector<std::string> choices);
-    /// These fields, in this order; their offsets are set here.
+    /// A structure with these fields in this order; sets their offsets.
     Type& structure_of(std::string name, std::vector<Type::Field> fields);
-    /// A type of its own that lies in memory as another one.
+    /// A separate type with the same memory layout as `other`.
     Type& like(const Type& other);
 
 private:
@@ -35,7 +34,7 @@ private:
     std::deque<Type> all_;
 };
 
-/// What `value` is by itself from now on: of a structure that was made here, and is not used yet.
+/// Sets the default value of a structure that was made here and is not used yet.
 void set_initial(Type& type, Value value);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Checks numbers and lengths by what a field allows.
+// Checks numbers and lengths against the limits of their fields.
 #include "engine/values/limits.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Whether values keep to the limits of the fields that a file defines.
+// Checks values against the limits of fields that files define.
 #pragma once
 
 #include <string>
@@ -7,12 +7,13 @@
 
 namespace nezumi {
 
-/// What is wrong with a value by the limits of its field, as "expected a number from 0 to 5, got 7"; "" for nothing.
+/// Checks a value against the limits of its field. Returns the error, such as "expected a number from 0 to 5, got 7",
+/// or "".
 std::string explain_misfit(const FieldLimits& limits, const ValueView& value);
 /// Whether nothing is.
 bool fits(const FieldLimits& limits, const ValueView& value);
-/// What is wrong with the first field of a value that its limits refuse: "field 'size.x' expected a number from 0 on,
-/// got -1"; "" for nothing.
+/// Checks all fields of a value. Returns the first error, such as "field 'size.x' expected a number from 0 on, got -1",
+/// or "".
 std::string find_misfit(const ValueView& value);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// The members of a structure and their names, as the language itself knows them.
+// The members of a structure and their names, found by the compiler.
 #pragma once
 
 #include <array>
@@ -40,7 +40,7 @@ constexpr auto members_of(T& object) {
 #undef NEZUMI_MEMBERS
 }
 
-// A structure that is nowhere: only the addresses of its members are asked for.
+// A structure without storage: only the addresses of its members are used.
 template <class T>
 struct Nowhere {
     T value;

@@ -1,4 +1,4 @@
-// What plain data may be made of.
+// The allowed types of plain data.
 #include "engine/values/plain_data.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Plain data of scripts, apart from any script: numbers, strings, truth values and tables of them, with their shape.
+// Plain data of scripts, independent of any script: numbers, strings, truth values and tables of them, with their
+// shape.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@
 
 namespace nezumi {
 
-/// Stands for one of the tables of plain data.
+/// Refers to one of the tables of plain data.
 struct TableRef {
     std::uint64_t index = 0;  ///< in `PlainData::tables`
     bool operator==(const TableRef&) const = default;
@@ -21,8 +22,8 @@ struct TableRef {
     static constexpr std::string_view type_name = "TableRef";
 };
 
-/// Values outside of any Lua state. A table that is met twice is one table with two references to it, so that shared
-/// and cyclic tables keep their shape.
+/// Values outside of any Lua state. A table that occurs twice is one table with two references, so shared and cyclic
+/// tables keep their shape.
 struct PlainData {
     using Entry = std::array<Value, 2>;  ///< a key and its value
     using Table = std::vector<Entry>;    ///< ascending: numbers, strings, false, true
@@ -32,7 +33,7 @@ struct PlainData {
 
     bool operator==(const PlainData&) const = default;
 
-    /// One table that has nothing in it.
+    /// Adds an empty table.
     static PlainData empty_table() { return {.values = {TableRef{0}}, .tables = {{}}}; }
     /// Adds a table with these entries.
     TableRef add(Table table) {
@@ -43,7 +44,7 @@ struct PlainData {
     static constexpr std::string_view type_name = "PlainData";
 };
 
-/// The types that its values have, each with its name in files: nothing, boolean, int64, float64, text, the sequences
+/// The possible types of its values, with their names in files: nothing, boolean, int64, float64, text, the sequences
 /// of these, and `TableRef`.
 struct PlainType {
     std::string_view name;
@@ -51,24 +52,24 @@ struct PlainType {
 };
 std::span<const PlainType> plain_types();
 
-/// A value of any type as plain data has it, its tables in `data`: a structure or a map is a table of its fields, a
-/// list one of its elements, a choice a text. What describes itself to nobody is nothing.
+/// Converts a value of any type to plain data, with its tables in `data`: a structure or map becomes a table of its
+/// fields, a list a table of its elements, a choice a text. A value without a description becomes nothing.
 Value to_plain(const ValueView& value, PlainData& data);
 
-/// Whether data that came from elsewhere can be looked through without a check: its tables are there, and its keys are
-/// what a table of Lua can have.
+/// Checks data from another program: its table references are valid, and its keys are allowed in Lua tables.
 bool is_sound(const PlainData& data);
 
-/// The value of a table's entry of this name; nullptr for none.
+/// The value with this name in a table; nullptr if there is none.
 const Value* find_entry(const PlainData::Table& table, std::string_view name);
 
-/// How much a snapshot takes. What is copied between two ticks makes none of them late: some 0.3 us a value.
+/// The limits of a snapshot. Copying between two ticks takes about 0.3 us per value, so a limited snapshot delays no
+/// tick.
 struct PlainLimit {
     std::size_t values = 4000;                ///< entries of tables
     std::size_t text = std::size_t{1} << 16;  ///< [bytes] of keys and values
 };
 
-/// A copy of a table, breadth first, as far as a limit goes: the tables from `whole` on are empty here.
+/// Copies a table breadth first, up to a limit: the tables from index `whole` on are empty in the copy.
 struct PlainSnapshot {
     PlainData data;
     std::size_t whole = 0;

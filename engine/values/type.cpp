@@ -1,4 +1,4 @@
-// What of a type's table does not depend on its type in C++.
+// The parts of a type's table that do not depend on its C++ type.
 #include "engine/values/type.hpp"
 
 #include <limits>

@@ -1,6 +1,6 @@
-// What values look like at run time: one table for each type. A walker over values (CDR, JSON, a hash, ...) is an
-// ordinary function over these tables, compiled once. A table is made from a structure's description; whoever reads
-// definitions from files may make others.
+// Type descriptions at run time: one table for each type. Functions over values (CDR, JSON, a hash, ...) are ordinary
+// functions over these tables, compiled once. The tables are made from the descriptions of structures, or from
+// definitions in files.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ class Value;
 struct Rule;
 struct MessageType;
 
-/// What may stand in a field of a message, beside what its type says. Bounds are inclusive.
+/// The limits of a field in a message, in addition to its type. Bounds are inclusive.
 struct FieldLimits {
     double min = -std::numeric_limits<double>::infinity();  ///< of a number, or of each number in it
     double max = std::numeric_limits<double>::infinity();
@@ -37,7 +37,7 @@ struct FieldLimits {
     bool operator==(const FieldLimits&) const = default;
 };
 
-/// Takes an element of a map and its name.
+/// A function for each element of a map with its name.
 using EntryVisitor = std::function<void(const std::string& name, const void* element)>;
 
 /// Raw bytes: one value, a string in Lua.
@@ -62,7 +62,7 @@ struct IsArray<std::array<T, N>> : std::true_type {};
 template <class T>
 concept Sequence = detail::IsVector<T>::value && !std::is_same_v<T, Octets>;
 
-/// The table of a type. There is one for each type, so types are equal when their addresses are.
+/// The run-time description of a type. It exists once for each type, so equal types have equal addresses.
 struct Type {
     enum class Kind : std::uint8_t {
         nothing,  ///< std::monostate
@@ -77,7 +77,7 @@ struct Type {
         uint64,
         float32,
         float64,
-        enumeration,  ///< one of `choices`, by its place
+        enumeration,  ///< one of `choices`, by its index
         text,         ///< std::string
         octets,       ///< Octets
         structure,    ///< `fields`
@@ -85,8 +85,8 @@ struct Type {
         sequence,     ///< any number of `element`
         optional,     ///< one `element` or none
         map,          ///< any number of `element` by name (`entries`)
-        any,          ///< Value: of whatever type it says
-        other,        ///< a value that describes itself to nobody: known by its address alone
+        any,          ///< Value: it contains its type
+        other,        ///< a value without a description: known only by its address
     };
 
     struct Field {
@@ -96,30 +96,30 @@ struct Type {
         std::string unit;  ///< "" for none
         std::string doc;
         Numbers numbers = Numbers::finite;
-        /// Of a table that a person writes (engine/ports/setting.hpp).
+        /// The rule, for a table in a file (engine/ports/setting.hpp).
         const Rule* rule = nullptr;
-        /// Of a message that a file defines; null for none.
+        /// The limits, for a message defined by a file; null for none.
         std::shared_ptr<const FieldLimits> limits{};
-        std::string lua_type{};  ///< where no member holds it (its type is `nothing`): Lua's, as editors know it
+        std::string lua_type{};  ///< if no member has the value (type `nothing`): the Lua type for editors
     };
 
-    /// The elements of a sequence or an optional in memory.
+    /// Access to the elements of a sequence or an optional in memory.
     struct Elements {
         std::size_t (*count)(const void* value) = nullptr;
         void (*resize)(const Type& type, void* value, std::size_t count) = nullptr;
-        /// The first; the others follow. Null where single bits are truth values.
+        /// The address of the first element; the others follow it. Null if truth values are stored as single bits.
         const void* (*first)(const void* value) = nullptr;
         bool (*bit)(const void* value, std::size_t index) = nullptr;
         void (*set_bit)(void* value, std::size_t index, bool bit) = nullptr;
     };
 
-    /// The elements of a map in memory.
+    /// Access to the elements of a map in memory.
     struct Entries {
         void (*for_each)(const void* map, const EntryVisitor& visit) = nullptr;  ///< in the order of their names
-        void* (*add)(void* map, const std::string& name) = nullptr;              ///< or the one that is there
+        void* (*add)(void* map, const std::string& name) = nullptr;              ///< or returns the existing one
     };
 
-    /// How a value begins and ends in memory that is there.
+    /// Constructs, copies and destroys a value in existing memory.
     struct Storage {
         void (*construct)(const Type& type, void* at) = nullptr;
         void (*copy)(const Type& type, void* at, const void* from) = nullptr;  ///< begins as a copy
@@ -140,27 +140,26 @@ struct Type {
     Entries entries{};
     std::vector<std::string> choices{};  ///< of an enumeration, in order
     Storage storage{};
-    bool is_flat = false;  ///< its bytes are all of it: they can be copied
-    /// What such a value is by itself, where its table was made at run time.
+    bool is_flat = false;  ///< the value can be copied byte by byte
+    /// The default value, for a type made at run time.
     std::shared_ptr<const Value> initial{};
-    /// The message type that a file defines and of which this is the payload.
+    /// The message type with this payload, if a file defines it.
     const MessageType* message = nullptr;
 
-    /// Of a sequence its elements' type, else itself.
+    /// The element type of a sequence; otherwise the type itself.
     const Type& single() const { return kind == Kind::sequence ? *element : *this; }
-    /// Of an integer type: its smallest and its largest value; where that is more than an int64 holds, the largest of
-    /// those.
+    /// For an integer type: its smallest and largest value, at most the largest int64.
     std::pair<std::int64_t, std::int64_t> integer_range() const;
     bool is_number() const { return kind >= Kind::int8 && kind <= Kind::float64; }
     bool is_integer() const { return kind >= Kind::int8 && kind <= Kind::uint64; }
     bool is_floating() const { return kind == Kind::float32 || kind == Kind::float64; }
-    /// A number, a truth value, a choice or nothing: a few bytes that refer to no others.
+    /// A number, truth value, choice or nothing: a few bytes without references to others.
     bool is_scalar() const { return kind < Kind::text; }
-    /// Nothing is in it but itself.
+    /// Whether the type has no parts.
     bool is_single() const { return kind < Kind::structure; }
 };
 
-/// The table of T, made on first use.
+/// The description of T, made on first use.
 template <class T>
 const Type& type_of();
 
@@ -229,7 +228,7 @@ Type::Elements elements_of() {
     return made;
 }
 
-// A field before its type's table is made: what differs from type to type is little, so that it compiles fast.
+// A field before the table of its type is made. The parts that depend on the type are small, so this compiles fast.
 struct FieldSeed {
     std::string_view name;
     std::size_t offset;
@@ -246,7 +245,7 @@ constexpr Numbers numbers_of(const Member& field) {
     return Numbers::finite;
 }
 
-// Where a member is in its structure [bytes].
+// The offset of a member in its structure [bytes].
 inline std::size_t place_in(const auto& structure, const auto& member) {
     return static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&member) -
                                     reinterpret_cast<const std::byte*>(&structure));
@@ -261,7 +260,7 @@ Type::Storage storage_of() {
         .destroy = [](const Type&, void* at) { static_cast<T*>(at)->~T(); }};
 }
 
-// A table that says how a T lies in memory, and nothing else yet.
+// A table with only the memory layout of T.
 template <class T>
 Type table_for() {
     return {.size = sizeof(T),
@@ -308,7 +307,7 @@ Type make_type() {
 
 }  // namespace detail
 
-/// A value that a walker can look into. A `Value` is none: it stands for the one that it holds.
+/// A value with a run-time description. `Value` itself is excluded: it stands for its content.
 template <class T>
 concept Tabled = detail::kind_of<T>()
 < Type::Kind::any;

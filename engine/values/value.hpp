@@ -1,4 +1,4 @@
-// A value of a type that is only known at run time: what parameters, acts, files, journals and other hosts hold.
+// A value whose type is known only at run time, for parameters, acts, files, journals and other hosts.
 #pragma once
 
 #include <cassert>
@@ -14,7 +14,7 @@
 
 namespace nezumi {
 
-/// A value and its type. By itself, and when it was moved from, it holds nothing (`std::monostate`).
+/// A value with its type. A default or moved-from object holds nothing (`std::monostate`).
 class Value {
 public:
     Value() : type_(&type_of<std::monostate>()) {}
@@ -34,13 +34,13 @@ public:
     Value(std::string_view text) : Value(std::string(text)) {}
     // NOLINTNEXTLINE(google-explicit-constructor): the same
     Value(const char* text) : Value(std::string(text)) {}
-    /// A value of this type, as it is by itself.
+    /// The default value of this type.
     explicit Value(const Type& type) : type_(&type) {
         if (type.is_scalar()) return;
         apart_ = ::operator new(type.size);
         type.storage.construct(type, apart_);
     }
-    /// A copy of a value that lies elsewhere.
+    /// A copy of a value in other memory.
     explicit Value(const ValueView& view) : type_(view.type) {
         if (type_->is_scalar()) {
             std::memcpy(scalar_, view.at, type_->kind == Type::Kind::nothing ? 0 : type_->size);
@@ -51,7 +51,7 @@ public:
     }
     Value(const Value& other) : Value(ValueView(other)) {}
     Value(Value&& other) noexcept : Value() { swap(other); }
-    /// A value of the same type keeps its memory.
+    /// Assigns a value; reuses the memory if the type is the same.
     Value& operator=(const Value& other) {
         if (type_ == other.type_ && !type_->is_scalar()) {
             type_->storage.assign(*type_, apart_, other.apart_);
@@ -78,7 +78,7 @@ public:
         return type_ == &type_of<T>();
     }
     bool is_nothing() const { return type_->kind == Type::Kind::nothing; }
-    /// What it holds, if that is a T; else nullptr.
+    /// The content if it is a T; otherwise nullptr.
     template <class T>
     const T* get_if() const {
         return is<T>() ? static_cast<const T*>(place()) : nullptr;
@@ -87,7 +87,7 @@ public:
     T* get_if() {
         return is<T>() ? static_cast<T*>(place()) : nullptr;
     }
-    /// What it holds. It must be a T.
+    /// The content, which must be a T.
     template <class T>
     const T& get() const& {
         assert(is<T>());
@@ -104,7 +104,7 @@ public:
     // NOLINTNEXTLINE(google-explicit-constructor): a reader takes any value
     operator ValuePlace() { return {*type_, place()}; }
 
-    /// The same value of the same type.
+    /// Whether value and type are equal.
     bool operator==(const Value& other) const;
 
 private:
@@ -119,7 +119,7 @@ private:
     void* place() { return type_->is_scalar() ? static_cast<void*>(scalar_) : apart_; }
 
     const Type* type_;
-    // A scalar is held here, all else in memory of its own.
+    // A scalar is stored inside this object, any other value in allocated memory.
     union {
         alignas(8) std::byte scalar_[8]{};  // NOLINT(readability-identifier-naming): private, as all here
         void* apart_;                       // NOLINT(readability-identifier-naming)

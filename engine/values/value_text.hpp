@@ -8,11 +8,11 @@
 
 namespace nezumi {
 
-/// A value as Lua writes it: `0.25`, `30`, `true`, `"text"`, `{ 1.0, 0.5 }`. Numbers and texts read back as the same.
+/// A value in Lua syntax: `0.25`, `30`, `true`, `"text"`, `{ 1.0, 0.5 }`. Numbers and texts are read back exactly.
 std::string lua_text(const ValueView& value);
 
-/// "{ vx = 0.1, vy = 0, va = 0 }", "{ 31, 0, 0, 0 }", "true": one line of at most about `width` characters, with
-/// "..." where there is more. Numbers with six digits.
+/// A value in one line of about `width` characters, with "..." if it is longer: "{ vx = 0.1, vy = 0, va = 0 }", "{ 31,
+/// 0, 0, 0 }", "true". Numbers have six digits.
 std::string short_text(const ValueView& value, std::size_t width = 80);
 
 }  // namespace nezumi

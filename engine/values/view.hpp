@@ -1,4 +1,4 @@
-// Values where they lie, of whatever type: what walkers take.
+// References to values of any type, for functions over values.
 #pragma once
 
 #include <bit>
@@ -12,7 +12,7 @@
 
 namespace nezumi {
 
-/// A value that is looked at. It must outlive its view.
+/// A read-only reference to a value of any type. The value must outlive it.
 struct ValueView {
     const Type* type;
     const void* at;
@@ -22,32 +22,32 @@ struct ValueView {
     template <Tabled T>
     ValueView(const T& value) : type(&type_of<T>()), at(&value) {}
 
-    /// The value as what it is.
+    /// The value as a T, which must be its type.
     template <class T>
     const T& as() const {
         return *static_cast<const T*>(at);
     }
-    /// The value of one of its type's fields.
+    /// The value of one field.
     ValueView field(const Type::Field& field) const {
         return {*field.type, static_cast<const std::byte*>(at) + field.offset};
     }
-    /// Of an enumeration: the place of its choice.
+    /// For an enumeration: the index of the choice.
     std::size_t choice() const {
         static_assert(std::endian::native == std::endian::little);
         std::size_t place = 0;
         std::memcpy(&place, at, type->size);
         return place;
     }
-    /// Of an array, a sequence or an optional: how many elements it has.
+    /// For an array, a sequence or an optional: the number of elements.
     std::size_t count() const { return type->elements.count != nullptr ? type->elements.count(at) : type->length; }
-    /// The first of them, in an array of all. Null where single bits are truth values.
+    /// The address of the first element; the others follow it. Null if truth values are stored as single bits.
     const void* first() const {
         if (type->kind == Type::Kind::array) return at;
         return type->elements.first != nullptr ? type->elements.first(at) : nullptr;
     }
 };
 
-/// A value that is changed in place.
+/// A reference to a value that may be changed.
 struct ValuePlace {
     const Type* type;
     void* at;
@@ -69,13 +69,13 @@ struct ValuePlace {
     }
     std::size_t count() const { return view().count(); }
     void* first() const { return const_cast<void*>(view().first()); }
-    /// The value becomes what it is by itself.
+    /// Sets the default value.
     void reset() const;
-    /// Of a sequence or an optional: gives it so many elements.
+    /// For a sequence or an optional: sets the number of elements.
     void resize(std::size_t count) const { type->elements.resize(*type, at, count); }
 };
 
-/// Calls `visit(element)` with the element of this index, from 0.
+/// Calls `visit(element)` for the element with this index, from 0.
 template <class Visit>
 decltype(auto) with_element(const ValueView& all, std::size_t index, const Visit& visit) {
     const Type& type = *all.type->element;
@@ -94,7 +94,7 @@ void for_each_element(const ValueView& all, const Visit& visit) {
         if (!with_element(all, i, visit)) return;
     }
 }
-/// The same of elements that `visit` may change.
+/// The same with elements that `visit` may change.
 template <class Visit>
 void for_each_element(const ValuePlace& all, const Visit& visit) {
     const std::size_t count = all.count();

@@ -1,4 +1,4 @@
-// One function for each question, over the tables of types.
+// Each function follows the tables of types.
 #include "engine/values/walk.hpp"
 
 #include <algorithm>
@@ -198,7 +198,7 @@ std::uint64_t mix_payload(std::uint64_t seed, const ValueView& value) {
         default:
             return visit_number(value, [&]<class T>(const T& number) {
                 if constexpr (std::is_floating_point_v<T>) {
-                    // What is no number has a sign that differs from processor to processor.
+                    // The sign of NaN differs between processors.
                     constexpr std::uint64_t no_number = 0x7ff8000000000000;
                     const double wide = static_cast<double>(number) + 0.0;
                     return mix(seed, std::isnan(wide) ? no_number : std::bit_cast<std::uint64_t>(wide));

@@ -1,5 +1,5 @@
-// Walks over values of any type: their leaves as numbers and texts, whether they are finite, what memory they take, and
-// a hash of them.
+// Functions over values of any type: visit their numbers and texts, check that they are finite, measure their memory,
+// hash them.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace nezumi {
 
-/// Where a leaf is in a value: a chain of fields and elements, made into text only when somebody asks. Each refers to
-/// the one before it, which must live as long.
+/// The path of a leaf in a value: a chain of fields and elements, converted to text on demand. Each part refers to the
+/// part before it, which must live as long.
 class LeafPath {
 public:
     LeafPath() = default;
@@ -33,23 +33,23 @@ private:
     std::size_t index_ = 0;
 };
 
-/// Takes a number, a truth value or a text.
+/// A function for a number, truth value or text.
 using LeafVisitor = std::function<void(const LeafPath& path, const ValueView& leaf)>;
 
-/// Calls `visit(path, leaf)` for every number, truth value and text in a value, in order: what can stand in a table.
-/// `Octets` can't.
+/// Calls `visit(path, leaf)` for every number, truth value and text in a value, in order: the values that can be
+/// columns of a table. Excludes `Octets`.
 void visit_leaves(const ValueView& value, const LeafVisitor& visit, const LeafPath& path = {});
 
-/// Whether two values are the same: of one type, with the same elements and equal numbers, texts and bytes.
+/// Whether two values are equal: the same type and the same elements.
 bool is_equal(const ValueView& a, const ValueView& b);
 
-/// Whether every number in a value is finite, but for fields in which others mean something (`Numbers::any`).
+/// Whether every number in a value is finite, except in fields that allow others (`Numbers::any`).
 bool is_finite(const ValueView& value);
 
-/// Bytes of all texts in a value.
+/// Total size of all texts in a value [bytes].
 std::size_t text_bytes(const ValueView& value);
 
-/// Bytes that a value holds beside itself: of its texts and sequences.
+/// Memory of a value's texts and sequences [bytes].
 std::size_t heap_bytes(const ValueView& value);
 
 /// One step of a 64-bit hash: multiply and fold (after the mixing function of splitmix64, Steele et al. 2014).
@@ -63,7 +63,7 @@ constexpr std::uint64_t mix(std::uint64_t seed, std::uint64_t value) {
 /// Mixes a text or bytes into a hash.
 std::uint64_t mix(std::uint64_t seed, std::string_view bytes);
 
-/// Mixes a value into a hash; equal values mix equally, and -0.0 as 0.0.
+/// Mixes a value into a hash. Equal values give equal hashes; -0.0 counts as 0.0.
 std::uint64_t mix_payload(std::uint64_t seed, const ValueView& value);
 
 }  // namespace nezumi

@@ -12,7 +12,7 @@ std::optional<Blob> largest_blob(const GrayImage& mask) {
     const cv::Mat marked(mask.height, mask.width, CV_8UC1, const_cast<std::uint8_t*>(mask.pixels.data()));
     cv::Mat labels, stats, centroids;
     const int count = cv::connectedComponentsWithStats(marked, labels, stats, centroids, 8, CV_32S);
-    // The larger one; of two equal ones, the one that begins higher.
+    // The larger region; of two equal ones, the upper one.
     const auto rank = [&](int label) {
         return std::pair(stats.at<int>(label, cv::CC_STAT_AREA), -stats.at<int>(label, cv::CC_STAT_TOP));
     };

@@ -1,4 +1,4 @@
-// Nothing of a picture is believed before its sizes agree.
+// Uses a picture only after its sizes have been checked.
 #include "engine/vision/checked_image.hpp"
 
 #include <fmt/format.h>
@@ -55,7 +55,7 @@ Expected<Format> format_of(const CameraImage& image) {
                                did_you_mean(image.format, names)));
 }
 
-// The format of a picture whose sizes agree.
+// The format of a picture with consistent sizes.
 Expected<Format> checked_format(const CameraImage& image) {
     if (image.width == 0 || image.height == 0 || image.pixels.empty()) {
         return failure(
@@ -73,17 +73,17 @@ Expected<Format> checked_format(const CameraImage& image) {
     return format;
 }
 
-// Whether one of OpenCV's conversions to bytes leaves the pixels as they are.
+// Whether this conversion of OpenCV leaves the pixels unchanged.
 bool is_as_needed(const Format& format, int conversion) { return conversion == none && format.type != CV_16UC1; }
 
-// The pixels by one of OpenCV's conversions to so many channels.
+// Converts the pixels with OpenCV to this number of channels.
 Octets converted(const CameraImage& image, const Format& format, int conversion, int channels, Octets pixels) {
     if (is_as_needed(format, conversion)) {
         pixels = image.pixels;
         return pixels;
     }
     pixels.resize(std::size_t{image.width} * image.height * static_cast<std::size_t>(channels));
-    // OpenCV has no matrix that is not to be written; this one is only read.
+    // OpenCV has no read-only matrix; this one is only read.
     const cv::Mat from(image.height, image.width, format.type, const_cast<std::uint8_t*>(image.pixels.data()));
     cv::Mat to(image.height, image.width, CV_8UC(channels), pixels.data());
     constexpr double to_a_byte = 1 / 257.0;
@@ -99,7 +99,7 @@ bool is_compressed(const CameraImage& image) {
     return std::find(std::begin(compressed), std::end(compressed), image.format) != std::end(compressed);
 }
 
-// What a compressed picture shows, as rgb8.
+// Decodes a compressed picture as rgb8.
 Expected<CameraImage> decoded(const CameraImage& image) {
     const auto picture = decode_picture({reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size()});
     if (!picture) return failure(fmt::format("a {} that can't be read: {}", image.format, picture.error().message));

@@ -12,7 +12,7 @@
 namespace nezumi {
 namespace {
 
-// [px] Noise makes holes in an object, and spots elsewhere.
+// [px] Smoothing, because noise makes holes in an object and spots elsewhere.
 constexpr double smoothing = 1;
 // OpenCV's hues with 8 bits: a full circle.
 constexpr int hues = 256;

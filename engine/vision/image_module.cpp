@@ -26,7 +26,7 @@ Rgb over_white(const std::uint8_t* bgr, int channels) {
     return part(2) << 16 | part(1) << 8 | part(0);
 }
 
-// What is wrong with a picture, OpenCV tells standard error as well, in lines of its own.
+// Suppresses OpenCV's own lines about wrong pictures on standard error.
 class Quiet {
 public:
     Quiet() : before_(std::cerr.rdbuf(nullptr)) {}
@@ -79,7 +79,7 @@ bool encode(int width, int height, int channels, const std::uint8_t* pixels, Oct
     return false;
 }
 
-// Calls OpenCV, which throws, for those who must not see that.
+// Calls OpenCV and converts its exceptions to an error.
 template <class Call>
 bool caught(const Call& call, std::string& problem) {
     try {

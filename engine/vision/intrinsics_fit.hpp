@@ -30,9 +30,9 @@ struct IntrinsicsFit {
 };
 
 /// Fits the intrinsics with five distortion coefficients by Zhang's method (cv::calibrateCamera). The size of the
-/// squares has no influence. `width`, `height` [px] are those of the pictures. Fails if the corners of a view fit no
-/// lens (for example a bent board), or if the views are too similar: the focal length is uncertain by more than 2 %, or
-/// no two boards differ by at least 20 degrees.
+/// squares has no influence. `width`, `height` [px] are the size of the pictures. Fails if the corners of a view fit no
+/// lens model (for example of a bent board). Also fails if the views are too similar: the focal length is uncertain by
+/// more than 2 %, or no two boards differ by at least 20 degrees.
 Expected<IntrinsicsFit> fit_intrinsics(const std::vector<Corners>& views, const BoardSize& board, int width,
                                        int height);
 

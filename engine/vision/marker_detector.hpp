@@ -20,7 +20,7 @@ private:
     Expected<DetectionTask> detection_task(const CameraImage& image) override;
     void publish(const std::vector<SeenMarker>& seen) override;
     Expected<CameraIntrinsics> intrinsics_for(const GrayImage& image);
-    /// Reports once what is unknown about the camera, and what is used instead.
+    /// Reports once which properties of the camera are unknown, and the values used instead.
     void tell_unknown(std::string what);
 
     InPort<CameraIntrinsics>& intrinsics_;

@@ -1,4 +1,4 @@
-// AprilTag finds the corners, OpenCV the pose that they are seen from, Eigen turns it into the axes of robots.
+// AprilTag finds the corners, OpenCV computes the pose, and Eigen converts it to the axes of robots.
 #include "engine/vision/tag_finder.hpp"
 
 #include <apriltag/apriltag.h>
@@ -32,15 +32,15 @@ constexpr Family known_families[] = {{"36h11", tag36h11_create, tag36h11_destroy
 
 // Bits of a tag that may be wrong. Two cost 18 MB for 36h11 and find more tags where there are none.
 constexpr int forgiven_bits = 1;
-// Half the resolution for finding quads: four times as quick, and the edges are refined in the full picture.
+// Quads are searched at half the resolution: four times as fast, and the edges are refined in the full picture.
 constexpr float decimation = 2;
-// AprilTag counts from the corner of the first pixel, intrinsics from its centre.
+// AprilTag's coordinates start at the corner of the first pixel, those of intrinsics at its centre.
 constexpr double pixel_offset = 0.5;
-// A noisy picture has thousands of edges, and finding tags takes twenty times as long: it is smoothed by so many
-// pixels, and steps between grey values count from here on (AprilTag's own: 5).
+// A noisy picture has thousands of edges, and finding tags takes twenty times as long. So it is smoothed by this number
+// of pixels, and only larger steps between grey values count (AprilTag's default: 5).
 constexpr double tag_smoothing = 0.8;
 constexpr int least_contrast = 25;
-// [px] Its tiles and its halved picture need some room.
+// [px] The smallest picture: AprilTag's tiles and its halved picture need some room.
 constexpr int least_side = 16;
 
 using Detections = std::unique_ptr<zarray_t, decltype(&apriltag_detections_destroy)>;
@@ -55,21 +55,20 @@ double edge_of(const apriltag_detection_t& tag) {
     return sum / 4;
 }
 
-// Where the tag is from the camera, both with x right, y down and z ahead; nothing when no place fits.
+// The pose of a tag relative to the camera, both with x right, y down and z ahead; nothing if no pose fits.
 struct CameraPose {
     cv::Matx33d rotation;
     cv::Vec3d translation;
 };
 std::optional<CameraPose> pose_of(const apriltag_detection_t& tag, const CameraIntrinsics& c, double size) {
     const double h = size / 2;
-    // The order that IPPE wants, and in which AprilTag counts the corners.
+    // The order of the corners in IPPE and in AprilTag.
     const std::array<cv::Point3d, 4> corners{{{-h, h, 0}, {h, h, 0}, {h, -h, 0}, {-h, -h, 0}}};
     std::array<cv::Point2d, 4> seen;
     for (std::size_t i = 0; i < 4; ++i) seen[i] = {tag.p[i][0] - pixel_offset, tag.p[i][1] - pixel_offset};
     const cv::Matx33d camera(c.fx, 0, c.cx, 0, c.fy, c.cy, 0, 0, 1);
     const cv::Vec<double, 8> distortion(c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6);
-    // A square looks nearly the same in two poses: the one that fits better comes first, and is then fitted in the
-    // picture itself.
+    // A square looks nearly the same in two poses. The better pose comes first, and is then refined in the picture.
     std::vector<cv::Mat> rotations, translations;
     cv::solvePnPGeneric(corners, seen, camera, distortion, rotations, translations, false, cv::SOLVEPNP_IPPE_SQUARE);
     if (rotations.empty()) return std::nullopt;

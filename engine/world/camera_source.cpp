@@ -1,4 +1,4 @@
-// The pinhole of a field of view.
+// Computes pinhole intrinsics from a field of view.
 #include "engine/world/camera_source.hpp"
 
 #include <cmath>

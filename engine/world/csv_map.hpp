@@ -23,7 +23,7 @@ struct CsvMap {
 /// `file`, line, column and what was found.
 Expected<CsvMap> read_map(std::string_view text, const std::string& file);
 
-/// "map.csv: 12 boxes, 2 lines that are no box skipped".
+/// "map.csv: 12 boxes, 2 lines that are not boxes skipped".
 std::string describe(const CsvMap& map, const std::string& file);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// What a map's YAML file says, its picture, and the rectangles that cover what is occupied.
+// Reads a map's YAML file and picture, and covers the occupied pixels with rectangles.
 #include "engine/world/occupancy_map.hpp"
 
 #include <fmt/format.h>
@@ -26,8 +26,8 @@ std::optional<Pose2D> pose_of(const YAML::Node& value) {
     return Pose2D{{(*numbers)[0], (*numbers)[1]}, numbers->size() == 3 ? (*numbers)[2] : 0};
 }
 
-// What white is in a picture whose bytes OpenCV takes as they stand, of a portable grey map its largest value; else
-// that of 8 bits.
+// The value of white in a picture: for a portable grey map, whose bytes OpenCV does not scale, its largest value;
+// otherwise 255.
 double white_of(std::string_view bytes) {
     constexpr double usual = 255, usual_of_two_bytes = 65535;
     if (!bytes.starts_with("P5")) return usual;
@@ -68,7 +68,8 @@ struct Rectangle {
     int column, row, columns, rows;
 };
 
-// Covers all that is marked, each pixel once: from each first pixel as far to the right, then as far down as it goes.
+// Covers all marked pixels with rectangles that do not overlap: each starts at the first uncovered pixel, is extended
+// to the right as far as possible, then downwards.
 std::vector<Rectangle> cover(std::vector<bool> marked, int columns, int rows) {
     const auto index = [&](int column, int row) {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);

@@ -1,4 +1,5 @@
-// Pictures are decoded and encoded in a module: OpenCV's formats cost more to load than all else of the program.
+// Pictures are decoded and encoded in a module, because loading OpenCV's formats takes longer than loading the rest of
+// the program.
 #include "engine/world/picture.hpp"
 
 #include <fmt/format.h>

@@ -33,7 +33,7 @@ using PictureReader = std::function<Expected<Picture>(const std::string& file)>;
 Expected<Picture> decode_picture(std::string_view bytes);
 /// Pixels row by row from the top left, each one grey value (`channels` 1) or red, green and blue (3), as JPEG.
 Expected<JpegPicture> encode_jpeg(int width, int height, int channels, const Octets& pixels);
-/// Whether this program can decode pictures: one without simulation needs none.
+/// Whether this program can decode pictures; a program without simulation does not need it.
 bool decodes_pictures();
 
 /// The error for too many pixels, or "".

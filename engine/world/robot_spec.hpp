@@ -162,7 +162,7 @@ struct ActuatorSpec {
     std::string port;                 ///< which device of the real robot it is; "": the driver's own choice
 };
 
-/// One port of the robot, and what it is for.
+/// One port of the robot, and its use.
 struct PortSpec {
     std::string name;
     bool is_input = false;

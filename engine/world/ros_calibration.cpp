@@ -1,4 +1,4 @@
-// Of the file's keys those that an undistorted picture needs.
+// Reads only the keys that an undistorted picture needs.
 #include "engine/world/ros_calibration.hpp"
 
 #include <fmt/format.h>

@@ -118,7 +118,7 @@ public:
     virtual void silence() {}
 };
 
-/// The true state of a robot, which sensors do not tell.
+/// The true state of a robot, independent of its sensors.
 struct Truth {
     Pose2D pose;
     Velocity2D velocity;  ///< in the robot's frame

@@ -41,8 +41,8 @@ public:
 
     /// The position [pulses], forward positive. It continues after the motor was plugged in again.
     tl::expected<std::int64_t, std::string> position();
-    /// Whether it gives all its power and does not get its speed: its driver says "stalled" or "overloaded". False
-    /// where the driver says nothing.
+    /// Whether it gives full power but does not reach its speed: its driver reports "stalled" or "overloaded". False if
+    /// the driver does not report this.
     bool is_stalled();
     const std::string& port() const { return port_; }
     int pulses_per_turn() const { return pulses_per_turn_; }

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double usual_dead_zone = 0.05;  // of a stick's way
 
-// What a gamepad or a joystick has, and neither a keyboard nor a mouse nor a touch pad.
+// Properties of gamepads and joysticks that keyboards, mice and touch pads do not have.
 bool is_gamepad(libevdev* device) {
     const auto has = [device](unsigned type, unsigned code) {
         return libevdev_has_event_code(device, type, code) == 1;

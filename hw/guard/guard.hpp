@@ -53,7 +53,7 @@ public:
     bool has_stopped();
     /// The guard process has ended and can't stop the motors.
     bool has_ended() const { return has_ended_; }
-    /// Beats are not answered. The guard may recover.
+    /// True if the guard does not answer beats in time. It may recover.
     bool is_late(double now) const { return asked_at_ > 0 && now - asked_at_ > beat_timeout; }
     /// True if the guard has proved, for a beat no older than `beat_timeout`, that it can stop the motors.
     bool is_proved(double now) const { return !trouble_ && now - proved_at_ <= beat_timeout; }

@@ -15,14 +15,14 @@ std::string with_advice(const NodeError& error);
 inline constexpr std::string_view light_sensor_overlay =
     "dtoverlay=anyspi:spi0-0,dev=\"microchip,mcp3204\",speed=500000";
 
-/// What to look at when the driver finds no counters, or they say nothing.
+/// Advice for a driver that finds no counters, or for counters without values.
 inline constexpr const char* counters_on_i2c =
     "Is dtparam=i2c_arm=on in config.txt, and do the addresses 0x10 and 0x11 answer (i2cdetect -y 1)?";
 
 /// [Hz] The clock of the I2C bus that the counters' makers ask for.
 inline constexpr unsigned counters_i2c_clock = 62500;
 
-/// Of a node that said something else than its driver would.
+/// The error of a node with a text that its driver would not write.
 std::string not_understood(const Node& node, std::string_view said, std::string_view expected);
 
 }  // namespace nezumi::hw

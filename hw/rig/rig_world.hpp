@@ -1,4 +1,4 @@
-// A test rig for real robots as a world: over a socket per robot it observes, pushes and moves them.
+// A test rig for real robots, as a world: it observes, pushes and moves the robots over one socket per robot.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
-// The version of this nezumi. A journal can be replayed only by the version that wrote it, a project can be pushed only
-// to a robot with the same version, and results of runs belong to the version that made them.
+// The version of this program. A journal can be replayed only by the version that wrote it, a project can be pushed
+// only to a robot with the same version, and results of runs belong to the version that made them.
 #pragma once
 
 namespace nezumi::cli {

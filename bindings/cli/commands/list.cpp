@@ -1,5 +1,5 @@
-// `nezumi list`: what systems, robots, behaviours, messages, modules and scenarios there are, in the project and
-// installed.
+// `nezumi list`: lists systems, robots, behaviours, messages, modules and scenarios of the project and the installed
+// ones.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 6> kinds{"systems", "robots", "behaviors"
 struct Named {
     std::string file, doc;
 };
-// What of a kind there is, by name.
+// The listed files of one kind, by name.
 using Listing = std::map<std::string, Named>;
 
 std::string_view kind_name(LuaKind kind) {
@@ -44,7 +44,7 @@ std::string_view kind_name(LuaKind kind) {
     }
 }
 
-// As other files name it: a module by its path below `behaviors/` or `behaviors/lib/`, all else by its file's name.
+// The name that other files use: a module's path below `behaviors/` or `behaviors/lib/`, otherwise the file's name.
 std::string listed_name(const fs::path& file, const fs::path& root, LuaKind kind) {
     if (kind == LuaKind::message) return type_of_file(file.string());
     if (kind != LuaKind::module) return file.stem().string();
@@ -59,7 +59,7 @@ std::string first_line_of(std::string_view text) {
     return visible_message(comment.substr(0, comment.find('\n')));
 }
 
-// Adds the files of a project, or of the installed one, that none before has in its place.
+// Adds the files of a project, or of an installation, except those with the name of an earlier one.
 void add_files(const fs::path& root, const Project& project, std::map<std::string_view, Listing>& all) {
     for (const char* folder : {"behaviors", "engine/robots"}) {
         for (const fs::path& file : find_files(root / folder, ".lua").files) {

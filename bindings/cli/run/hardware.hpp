@@ -37,7 +37,7 @@ std::string serial_number(const std::string& sys_root);
 /// belongs to another robot.
 Expected<void> use_calibrations(SystemSpec& spec, const LiveOptions& live, const std::optional<std::string>& serial);
 
-/// Sets up real robots, reached by `roots`, and real time.
+/// Sets up real robots, with their device files under `roots`, and the real-time clock.
 void use_hardware(LiveOptions& live, const Hardware& hardware, const hw::DeviceRoots& roots);
 
 }  // namespace nezumi::cli

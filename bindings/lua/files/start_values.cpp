@@ -44,7 +44,7 @@ Entry* find_entry(SystemSpec& spec, std::string_view name) {
     return found == spec.entries.end() ? nullptr : &*found;
 }
 
-// The nearest entry with parameters, or all of them.
+// A hint with the nearest entry that has parameters, or with all of them.
 std::string nearest_entry(const SystemSpec& spec, std::string_view name) {
     std::vector<std::string_view> names;
     for (const Entry& entry : spec.entries) {

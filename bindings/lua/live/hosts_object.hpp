@@ -14,7 +14,7 @@
 
 namespace nezumi {
 
-/// Those of a system that is on no network are none.
+/// A system without a network has no other hosts.
 std::vector<Host> hosts_of(const System& system);
 /// The error names the nearest host.
 Expected<Host> find_host(const System& system, std::string_view name);
@@ -29,12 +29,12 @@ Expected<void> check_offered(const System& system, std::string_view path);
 Expected<PlainData> ask_host(const Objects& objects, const RunningSystem& live, const Question& question);
 
 struct ObjectRef;
-/// What a host answers about an object of it with a text, fit for a terminal: `show` or `help`.
+/// The text that a host returns about one of its objects, made safe for a terminal: `show` or `help`.
 Expected<std::string> text_of_host(const Objects& objects, const ObjectRef& ref, Question::What what);
 
 /// "host/name.port" at `index`: such a text, or the object of a port. Nothing for anything else. Raises nothing.
 std::optional<std::string> port_of_host(lua_State* L, int index);
-/// What `path`, ".ev3.vehicle.current_vel.vx", leads to from an object of hosts at `index`:
+/// The full name of the thing at `path` (".ev3.vehicle.current_vel.vx") from an object of hosts at `index`:
 /// "ev3/vehicle.current_vel.vx".
 std::optional<std::string> path_of_host(lua_State* L, int index, std::string_view path);
 

@@ -65,7 +65,7 @@ Expected<Answer> act(lua_State* L, const Objects& objects, std::string_view meth
     return ObjectAccess::visit(objects, [&] { return answer_of(port->live->act(*act, ObjectAccess::who(objects))); });
 }
 
-// The description of an object in the error that a port was expected.
+// The description of an object for the error "expected a port, got ...".
 std::string told(const ObjectRef& ref) {
     switch (ref.kind) {
         case ObjectKind::system: return "the system";

@@ -128,7 +128,7 @@ void note_error(lua_State* lua, CallRecord& call) {
     lua_Debug activation;
     call.is_deep_recursion = lua_getstack(lua, deep_recursion, &activation) != 0;
     find_error_place(lua, call);
-    // A recursion without end has nothing to tell but itself, and no room on its stack.
+    // For an endless recursion nothing is stored, because it has no other facts and its stack has no room.
     call.error_frames = call.is_deep_recursion ? nullptr : frames_of(lua);
     find_caller(lua, call.error_place, call.error_caller);
     call.tail_caller.line = 0;
@@ -153,7 +153,7 @@ std::string describe_value(lua_State* lua, std::size_t prefix) {
             std::size_t length = 0;
             const char* text = lua_tolstring(lua, -1, &length);
             if (prefix <= length) {
-                // An error that was raised several times has its place several times.
+                // If an error was raised several times, its message begins with several places.
                 const std::string_view place(text, prefix);
                 do {
                     text += prefix, length -= prefix;

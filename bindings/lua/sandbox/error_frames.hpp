@@ -12,8 +12,8 @@ namespace nezumi {
 inline constexpr int most_frames = 20, most_locals = 30;
 inline constexpr std::size_t longest_local = 200;
 
-/// The Lua functions on the stack of a coroutine that has failed, null if there is none. Raises no error and takes no
-/// memory of the state but for a few places of the stack.
+/// The Lua functions on the stack of a failed coroutine; null if there are none. Raises no error, and uses no memory of
+/// the state except a few stack slots.
 std::shared_ptr<const ErrorFrames> frames_of(lua_State* coroutine);
 
 }  // namespace nezumi

@@ -19,7 +19,7 @@ void describe_lost(const Parameters& running, const Parameters& before, const Pa
                    std::vector<std::string>& warnings);
 
 /// "speed_x = 0.3 (its default is 0.2)": the values that a reload kept although the file has another default, because
-/// somebody set them since the start, or because the default has changed.
+/// they were set since the start, or because the default has changed.
 std::string kept_text(const Parameters& before, const Parameters& after, const ParameterValues& configured);
 
 /// Checks that all values of the parameter set in use fit these parameters.

@@ -79,7 +79,7 @@ struct ScriptAbout {
 
 /// What a version takes over from the version before; all may be null.
 struct Inheritance {
-    const Parameters* parameters = nullptr;       ///< values that somebody set and that still fit are kept
+    const Parameters* parameters = nullptr;       ///< values that were set and still fit are kept
     const PlainData* state = nullptr;             ///< the contents of `state`
     std::vector<ScriptFile>* required = nullptr;  ///< gets every module that is required
     /// If set, `state` follows with `take_state_over`, and this becomes true if the top level reads `state` or the
@@ -155,9 +155,8 @@ public:
 
     /// [bytes] memory of its Lua state.
     std::size_t memory() const { return lua_->memory(); }
-    /// Log lines of the top level, which nobody could be told yet.
-    /// Limit for everything that an execution writes to its ports and to the log. The engine stores this outside of the
-    /// script's memory.
+    /// Log lines of the top level, which could not be sent yet. Limit for everything that an execution writes to its
+    /// ports and to the log. The engine stores this outside of the script's memory.
     static constexpr std::size_t most_written_bytes = std::size_t{64} << 20;
     static constexpr std::size_t most_logged_bytes = std::size_t{1} << 20;
     /// Counts written bytes of this execution. False if they are too many.

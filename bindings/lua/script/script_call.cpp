@@ -21,7 +21,7 @@ bool keep_diagnostic(lua_State* L, Script& script, const Error& error) {
     constexpr std::size_t most = 1000;
     std::vector<Error>* diagnostics = script.context().diagnostics;
     if (diagnostics == nullptr || script.phase() != Script::Phase::loading || diagnostics->size() >= most) return false;
-    // What is wrong with a message's file has its own place.
+    // Errors in a message's file have their own place.
     diagnostics->push_back(error.place.file.empty() ? Error{error.message, caller(L)} : error);
     return true;
 }

@@ -102,7 +102,7 @@ public:
     const Version* version_before() const { return past_.empty() ? nullptr : &past_.back(); }
     /// Goes back to the version before, with its state and the rest of its probation. Parameters keep values that were
     /// set from outside since then; with `keep_settings` also values that the component set. A parameter set that the
-    /// reload left is in use again, unless somebody has chosen another one. After a probation, messages that a shorter
+    /// reload left is in use again, unless another one was chosen since. After a probation, messages that a shorter
     /// queue dropped are back.
     void go_back(bool keep_settings);
 

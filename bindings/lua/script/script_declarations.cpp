@@ -19,14 +19,14 @@
 namespace nezumi {
 namespace {
 
-// All of a function's arguments lie on the stack after this, nil where none is given.
+// Afterwards all arguments of a function are on the stack; omitted ones are nil.
 Expected<void> take_arguments(lua_State* L, std::string_view function, int most, std::string_view usage) {
     auto ok = Arguments{L}.at_most(function, most, usage);
     if (ok) lua_settop(L, most);
     return ok;
 }
 
-// The string at `index`, or an empty one when nothing is there, or why it is neither.
+// The string at `index`, or an empty one if there is no value; an error for other values.
 Expected<std::string> text_at(lua_State* L, int index, std::string_view what) {
     if (lua_isnoneornil(L, index)) return std::string();
     if (lua_type(L, index) != LUA_TSTRING)

@@ -11,7 +11,7 @@ namespace nezumi {
 /// One message type: a line with its name and meaning, then a line for each field.
 std::string type_table(const MessageType& message);
 
-/// All message types that are compiled in and these, and what holds for all of them.
+/// All compiled message types, these additional ones, and the rules for all of them.
 std::string type_table(const std::vector<const MessageType*>& defined = {});
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// What is said of wrong arguments, and where a kept error becomes one of Lua.
+// Messages about wrong arguments, and the conversion of a stored error to a Lua error.
 #include "bindings/lua/values/bridge.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 namespace nezumi {
 namespace {
 
-// What to use in place of a parameter that nobody gives.
+// Replacements for parameters that scripts of other systems expect.
 std::string_view in_place_of(std::string_view parameter) {
     constexpr std::string_view clocks[] = {"now", "t", "time", "seconds"};
     if (parameter == "dt") return "`dt` is a global";

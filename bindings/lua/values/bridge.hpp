@@ -1,8 +1,7 @@
-// The one bridge between C functions that Lua calls and C++ that may fail.
-//
-// A Lua error is a jump that runs no destructors. A C function therefore has two halves: a body of C++, which reads its
-// arguments without raising and returns an `Expected`, and what comes after, where nothing is left to destroy: it
-// pushes results or raises the error, whose text the Lua state has kept meanwhile.
+// The only bridge between C functions that Lua calls and C++ code that may fail. A Lua error is a jump that runs no
+// destructors. So a C function has two parts. The first part is C++ code that reads its arguments without raising
+// errors and returns an `Expected`. The second part runs when all C++ objects are destroyed: it pushes results, or
+// raises the error, whose text the Lua state has stored meanwhile.
 #pragma once
 
 #include <lua.hpp>
@@ -28,9 +27,9 @@ struct Arguments {
     bool has(int position) const { return lua_type(lua, index(position)) > LUA_TNIL; }
     /// Its type for messages: "nothing", "string".
     std::string_view kind(int position) const;
-    /// A string, of which a number is none; else "expected WHAT, got KIND".
+    /// A string, not a number; otherwise the error "expected WHAT, got KIND".
     Expected<std::string> text(int position, std::string_view what) const;
-    /// A number, of which a numeral in a string is none; else "expected WHAT, got KIND".
+    /// A number, not a string with a numeral; otherwise the error "expected WHAT, got KIND".
     Expected<double> number(int position, std::string_view what) const;
     /// "WORD: expected at most 2 arguments, got 3: WORD(name, value)" when there are more; `usage` is "(name, value)".
     Expected<void> at_most(std::string_view function, int most, std::string_view usage) const;
@@ -40,12 +39,12 @@ struct Arguments {
 inline void keep_error(lua_State* L, std::string text) { LuaState::of(L).kept_error = std::move(text); }
 /// Raises the kept text, with the line of the caller before it.
 int raise_kept(lua_State* L);
-/// Raises the kept text as it is: it says its place itself.
+/// Raises the stored text unchanged, because it already has a place.
 int raise_kept_alone(lua_State* L);
 
-/// Runs `body()`, which returns an `Expected<void>`, or an `Expected<int>`: the number of its results on the stack,
-/// none of them pushed by what may raise (texts, tables). Returns that number, or raises: with the error's own place if
-/// it has one, with the line of the caller otherwise.
+/// Runs `body()`, which returns an `Expected<void>`, or an `Expected<int>`: the number of its results on the stack. It
+/// must not push values that may raise errors (texts, tables). Returns this number or raises the error: at the error's
+/// own place if it has one, otherwise at the caller's line.
 template <class Body>
 int bridge(lua_State* L, Body&& body) {
     enum class End : unsigned char { well, error, error_with_place } end = End::well;
@@ -63,8 +62,8 @@ int bridge(lua_State* L, Body&& body) {
     return end == End::error ? raise_kept(L) : raise_kept_alone(L);
 }
 
-/// Refuses a Lua function at `index` that declares more parameters than it will be given: "its parameter 'dt' is never
-/// given: `dt` is a global". Anything else than a Lua function is none of this one's business.
+/// Refuses a Lua function at `index` with more parameters than arguments: "its parameter 'dt' is never given: `dt` is a
+/// global". Accepts any other value.
 Expected<void> check_parameters(lua_State* L, int index, int given);
 
 }  // namespace nezumi

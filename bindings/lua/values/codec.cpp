@@ -1,4 +1,4 @@
-// The parts of the codec that do not depend on the payload's type, and payloads whose type is known at run time.
+// The parts of the codec that do not depend on the payload's type, and payloads whose type is known only at run time.
 #include "bindings/lua/values/codec.hpp"
 
 #include <fmt/format.h>
@@ -29,14 +29,14 @@ bool refuse_type(lua_State* L, int index, std::string_view expected, Mismatch* w
     return why != nullptr && refuse(why, fmt::format("expected {}, got {}", expected, luaL_typename(L, index)));
 }
 
-// A double that a whole number can be, as that number.
+// Converts a double to a whole number if possible.
 std::optional<std::int64_t> whole_number(double value) {
     constexpr double limit = 9223372036854775808.0;  // 2^63
     if (!(value >= -limit && value < limit) || value != std::floor(value)) return std::nullopt;
     return static_cast<std::int64_t>(value);
 }
 
-// How a key is shown: "[3]", "[true]", "[table]".
+// A key in messages: "[3]", "[true]", "[table]".
 std::string key_name(lua_State* L, int index) {
     switch (lua_type(L, index)) {
         case LUA_TNUMBER:
@@ -52,7 +52,7 @@ std::string key_name(lua_State* L, int index) {
     }
 }
 
-// All of `names`, as a hint behind an unknown one.
+// All of `names`, as a hint after an unknown one.
 std::string list_of(const std::vector<std::string_view>& names) {
     return fmt::format(" (its fields are {})", fmt::join(names, ", "));
 }
@@ -155,8 +155,8 @@ bool keeps_limits(const Type::Field& field, const ValuePlace& value, Mismatch* w
     return why != nullptr && refuse(why, explain_misfit(*field.limits, value.view()));
 }
 
-// One pass over the keys, with no regard to which of several faults is met first. Tables often have their keys in the
-// order in which they were written: that of the fields.
+// One pass over the keys; the order of several errors does not matter here. The keys of a table are often in the order
+// in which they were written: the order of the fields.
 bool read_fields_at_once(lua_State* L, int index, const ValuePlace& out) {
     const auto& fields = out.type->fields;
     std::size_t next = 0;

@@ -39,16 +39,17 @@ inline constexpr int codec_stack = 40;
 
 /// A fresh value of the script's own on top of the stack: a message, a parameter; arrays as plain tables.
 void push_payload(lua_State* L, const ValueView& value);
-/// The value at `index` as a payload of this message type, or why it is none (the text of `describe(Mismatch)`).
+/// Reads the value at `index` as a payload of this message type, or returns the error (the text of
+/// `describe(Mismatch)`).
 Expected<Value> read_payload(lua_State* L, int index, const MessageType* type);
 
-/// The value at `index` (absolute) into the payload of a message type that a file defines, in one pass. Returns false
-/// when it does not fit; then `read_payload` says why, and `out` is of no use.
+/// Reads the value at `index` (absolute) into the payload of a message type from a file, in one pass. Returns false if
+/// it does not fit; then `read_payload` gives the error, and `out` is invalid.
 bool read_described(lua_State* L, int index, const ValuePlace& out);
 
-/// The truth value, number or text at `index`; nothing where there is none of these.
+/// The truth value, number or text at `index`; nothing for any other value.
 Value read_single(lua_State* L, int index);
-/// The value at `index` as a parameter's value, or why it can be none.
+/// Reads the value at `index` as a parameter's value, or returns the error.
 Expected<Value> read_parameter(lua_State* L, int index);
 
 /// The number of elements of the table at `index` when its keys are 1..n and nothing else, otherwise -1 and why.
@@ -75,13 +76,13 @@ private:
 
 namespace detail {
 
-// Every one of these says into `why` (unless it is null) what was wrong and returns false.
+// After an error, each of these functions writes it to `why` (unless this is null) and returns false.
 bool read_boolean(lua_State* L, int index, bool& out, Mismatch* why);
 bool read_integer(lua_State* L, int index, std::int64_t min, std::int64_t max, std::int64_t& out, Mismatch* why);
 bool read_number(lua_State* L, int index, double max, double& out, Mismatch* why, Numbers numbers = Numbers::finite);
 bool read_text(lua_State* L, int index, std::string_view& out, Mismatch* why);
-// `push_value` and `read_value` by a type's table. Fields are read in the order of the description, so that what is
-// wrong does not depend on the order of a table's keys. What is left out stays as it is in `out`.
+// `push_value` and `read_value` by the table of the type. Fields are read in the order of the description, so errors do
+// not depend on the order of a table's keys. Missing fields keep their value in `out`.
 void push_any(lua_State* L, const ValueView& value);
 bool read_any(lua_State* L, int index, const ValuePlace& out, Mismatch* why, Numbers numbers = Numbers::finite);
 // Pushes the value of a raw field found without making a string; returns whether there is one, else pushes nothing.
@@ -207,7 +208,7 @@ bool read_value(lua_State* L, int index, T& out, Numbers numbers) {
     }
 }
 
-/// The same, and says why it does not fit.
+/// The same; also gives the error.
 template <class T>
 bool read_value(lua_State* L, int index, T& out, Mismatch* why) {
     if (read_value(L, index, out)) return true;

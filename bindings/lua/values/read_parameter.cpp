@@ -30,7 +30,7 @@ Expected<Value> read_array(lua_State* L, int index) {
     const std::ptrdiff_t size = read_array_size(L, index, &why);
     if (size < 0) return failure(describe(why));
     if (size == 0) return std::vector<double>();  // fits an array of anything
-    // The first element says what the others must be; integers and numbers mix to numbers.
+    // The first element determines the type of the others; integers and numbers mix to numbers.
     int first = LUA_TNIL;
     bool all_whole = true;
     for (std::ptrdiff_t i = 1; i <= size; ++i) {

@@ -1,4 +1,4 @@
-// Table by table in the order in which they were taken: each one is known before what it holds is.
+// Sets the tables in the order of copying, so each table is known before its content.
 #include "bindings/lua/values/set_plain.hpp"
 
 #include "bindings/lua/sandbox/locked_table.hpp"
@@ -15,7 +15,7 @@ struct Places {
     int used;    // those of them that the script had already, as keys
 };
 
-// Whether the value on top of the stack is a table that may be used again. A locked one is somebody else's.
+// Whether the value on top of the stack is a table that can be reused. A locked table does not belong to the script.
 bool is_own_table(lua_State* L) {
     if (lua_type(L, -1) != LUA_TTABLE) return false;
     const bool is_locked = push_behind_lock(L, -1);
@@ -23,8 +23,7 @@ bool is_own_table(lua_State* L) {
     return !is_locked;
 }
 
-// Of the table at `from`: takes away the plain data, and puts its own tables into the one at `into`, under the same
-// keys.
+// Removes the plain data from the table at `from`, and puts its tables into the one at `into`, under the same keys.
 void move_plain(lua_State* L, int from, int into) {
     lua_pushnil(L);
     while (lua_next(L, from) != 0) {
@@ -43,8 +42,7 @@ void move_plain(lua_State* L, int from, int into) {
     }
 }
 
-// The script's own table under the key on top of the stack, which is popped, where it stands for no other yet; or a new
-// one.
+// Pops a key, and pushes the script's own table with this key if it is not in use yet, or a new table.
 void push_table(lua_State* L, int before, const Places& places) {
     lua_rawget(L, before);
     const bool is_there = lua_istable(L, -1);

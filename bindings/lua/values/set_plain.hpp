@@ -1,4 +1,4 @@
-// Plain data put into a table that a script has already.
+// Puts plain data into an existing table of a script.
 #pragma once
 
 #include <lua.hpp>
@@ -7,9 +7,9 @@
 
 namespace nezumi {
 
-/// Makes the table on top of the stack, which stays, hold the table that is the first of `data.values`. Tables within
-/// it stay the same ones where both have one under a key, for the locals that know them; what is no plain data stays as
-/// it is. May raise a Lua error (memory): use it within a protected call.
+/// Changes the table on top of the stack, which stays there, to the first table of `data.values`. If both have a table
+/// under a key, the script's table is kept and changed, because local variables may refer to it. Values that are not
+/// plain data stay unchanged. May raise a Lua error (memory): use it within a protected call.
 void set_plain(lua_State* L, const PlainData& data);
 
 }  // namespace nezumi

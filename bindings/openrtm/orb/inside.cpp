@@ -1,4 +1,5 @@
-// Connections between two ports of ours as RTCs see them: the system makes and carries them.
+// Connections between two ports of this system, as RTCs see them. The system itself makes them and carries their
+// messages.
 #include <algorithm>
 #include <utility>
 

@@ -30,7 +30,7 @@ bool has(const std::string& list, std::string_view word) {
 }  // namespace
 
 std::optional<Terms> terms_of(const SDOPackage::NVList& properties) {
-    // In lower case: "Push" means the same.
+    // Converts to lower case, because "Push" is the same as "push".
     const auto said = [&](const char* name, const char* fallback) {
         std::string text = text_of(properties, name);
         std::transform(text.begin(), text.end(), text.begin(),
