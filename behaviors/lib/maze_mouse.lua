@@ -6,7 +6,7 @@ local angles = require "nezumi.angles"
 local grid = require "nezumi.grid"
 local poses = require "nezumi.poses"
 
-local CELL  = 0.18            -- from wall to wall, middle to middle [m]
+local CELL  = 0.18            -- distance of two walls, from middle to middle [m]
 local FACE  = CELL / 2 - 0.006 -- from the middle of a cell to a wall [m]
 local SIZE  = 16              -- cells along a side, at most
 local TRUST = 0.05            -- part of what a sensor says otherwise that is believed in each execution

@@ -10,7 +10,7 @@ namespace nezumi {
 namespace {
 
 Expected<CommandEnd> draw(Session::Parts& parts, const Arguments& arguments, Drawn what, const WrittenFile& written) {
-    if (!parts.options.drawing_maker) return failure("nothing is drawn here: `nezumi run` does");
+    if (!parts.options.drawing_maker) return failure("this program can't draw: use `nezumi run`");
     const auto name = arguments.text(1, "the name of a file, as in " + std::string(written.word) + " \"x" +
                                             std::string(written.endings.front()) + "\"");
     if (!name) return Unexpected(name.error());

@@ -68,7 +68,7 @@ Expected<CommandEnd> command_drive(Session::Parts& parts, const Arguments& argum
         if (component) {
             what = component->component->name();
         } else if (arguments.count() < 1) {
-            return failure("expected what to drive, as in drive \"stick\", got nothing");
+            return failure("expected a port to drive, as in drive \"stick\", got nothing");
         } else {
             return Unexpected(what.error().message.find("names no port") != std::string::npos ? component.error()
                                                                                               : what.error());
@@ -94,7 +94,7 @@ Expected<CommandEnd> command_release(Session::Parts& parts, const Arguments& arg
 }
 
 Expected<CommandEnd> command_teleport(Session::Parts& parts, const Arguments& arguments) {
-    if (parts.clock.is_hardware()) return failure("real robots stay where they are: this works in simulation");
+    if (parts.clock.is_hardware()) return failure("real robots can't be teleported: this works only in simulation");
     if (arguments.count() < 1) return failure("expected a marker or robot, as in teleport(\"target\", { x = 1 })");
     const auto teleport = read_teleport(*parts.objects, parts.live, arguments.lua, 1, 2);
     if (!teleport) return Unexpected(teleport.error());

@@ -87,7 +87,7 @@ Expected<CommandEnd> command_log_level(Session::Parts& parts, const Arguments& a
         names.push_back(to_text(level));
         if (names.back() != *name) continue;
         if (!parts.options.output.log_level || !parts.options.output.log_level(level))
-            return failure("no log is shown here: it is where `nezumi run` or `nezumi attach` has a terminal");
+            return failure("this console shows no log: use a terminal of `nezumi run` or `nezumi attach`");
         return CommandEnd::done;
     }
     const std::string near = did_you_mean(*name, names);

@@ -55,7 +55,7 @@ Expected<BehaviorRequest> read_behavior_request(const std::string& name, const F
 }  // namespace
 
 Expected<CommandEnd> command_new(Session::Parts& parts, const Arguments& arguments) {
-    if (!parts.options.author) return failure("nothing is written here: `nezumi run` does");
+    if (!parts.options.author) return failure("this program can't write files: use `nezumi run`");
     const auto name = read_file_value(arguments.lua, arguments.index(1));
     if (!name) return Unexpected(name.error());
     if (arguments.count() < 1 || name->get_if<std::string>() == nullptr)

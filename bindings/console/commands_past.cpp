@@ -16,7 +16,7 @@
 
 namespace nezumi {
 
-/// A row of what `branches` gives.
+/// A row of the result of `branches`.
 struct BranchRow {
     static constexpr std::string_view type_name = "branch";
     std::string name;
@@ -30,7 +30,7 @@ namespace {
 
 using Clock = PastRun::Clock;
 
-// How long others wait for a slice.
+// The longest time of a slice, in which other users wait.
 constexpr std::chrono::milliseconds slice{5};
 // Progress is shown from this time on.
 constexpr std::chrono::milliseconds patience{300};
@@ -74,7 +74,7 @@ Expected<CommandEnd> go_to(Session::Parts& parts, const Find& find) {
         if (!parts.options.batch && Clock::now() - begin > patience && percent != shown_percent) {
             if (shown_percent < 0) give_keys(parts, true);
             parts.show_in_place(
-                fmt::format("going back: {} %, {} gives up", percent, parts.seek_has_keys ? "Esc" : "Ctrl-C"));
+                fmt::format("going back: {} %, {} cancels", percent, parts.seek_has_keys ? "Esc" : "Ctrl-C"));
             shown_percent = percent;
         }
         const bool ended = !there || *there;

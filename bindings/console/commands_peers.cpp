@@ -65,7 +65,7 @@ std::optional<std::string> peer_named(const Arguments& arguments, int position) 
 }
 
 Expected<CommandEnd> ask_peers(Session::Parts& parts, const PeerRequest& request) {
-    if (!parts.options.peers) return failure("there are no RTCs here: `nezumi run` reaches them");
+    if (!parts.options.peers) return failure("this program can't reach RTCs: use `nezumi run`");
     std::future<Expected<std::string>> answer;
     const bool answered = parts.worker.perform([&] {
         if (!answer.valid()) answer = parts.options.peers(request);
@@ -87,8 +87,7 @@ Expected<CommandEnd> command_rtm(Session::Parts& parts, const Arguments& argumen
     if (request.name.empty()) return failure("which RTC? rtm() lists them");
     const auto what = read_file_value(arguments.lua, arguments.index(2));
     if (!what) return Unexpected(what.error());
-    Expected<void> read =
-        failure("expected what to do, as in rtm(\"ConsoleOut0\", \"activate\"), or a table of values");
+    Expected<void> read = failure("expected an action, as in rtm(\"ConsoleOut0\", \"activate\"), or a table of values");
     if (what->get_if<std::string>() != nullptr) read = read_verb(request, *what->get_if<std::string>(), arguments);
     if (what->get_if<FileTable>() != nullptr) read = read_values(request, *what->get_if<FileTable>());
     if (!read) return Unexpected(read.error());

@@ -68,8 +68,7 @@ Expected<PlotRequest> read(const Session::Parts& parts, const Arguments& argumen
             if (!seconds) return Unexpected(seconds.error());
             plot.seconds = *seconds;
         } else if (has_seconds || has_options) {
-            return failure(
-                "expected what to draw, then seconds, then options: plot(port, ..., seconds, { every = 1 })");
+            return failure("expected ports, then seconds, then options: plot(port, ..., seconds, { every = 1 })");
         } else if (type == LUA_TSTRING) {
             plot.names.push_back(*value->get_if<std::string>());
         } else if (names_a_path) {
@@ -132,7 +131,7 @@ Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot) 
                           : recent_curves(live.trace(), name, plot.seconds, looked.to);
         if (!recent) return Unexpected(recent.error());
         if (elsewhere == plot.elsewhere.end()) name = join_path(recent->whole, recent->part);
-        // Another host has a time of its own.
+        // Other hosts have their own time.
         const double ahead = looked.to - recent->now;
         for (Curve& curve : recent->curves) {
             for (auto& point : curve.points) point.first += ahead;

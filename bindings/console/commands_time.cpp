@@ -78,7 +78,7 @@ Expected<CommandEnd> command_speed(Session::Parts& parts, const Arguments& argum
     return CommandEnd::done;
 }
 
-// Refuses to lose what acts have added and no file contains.
+// Refuses a restart that would lose things that were added by acts and are in no file.
 Expected<void> check_lost(Session::Parts& parts, const std::vector<std::string>& names) {
     if (names.empty()) return {};
     const auto at = parts.at_system([&] {
@@ -90,7 +90,7 @@ Expected<void> check_lost(Session::Parts& parts, const std::vector<std::string>&
     const bool can_write = file_to_write(writable_folder(project, file), file, {.endings = {".lua"}}).has_value();
     const std::string how = can_write ? fmt::format("save \"{}\" keeps them in the system's file", file)
                                       : "save \"FILE.lua\" and run that file to keep them";
-    return failure(fmt::format("{} would be lost: {}, restart \"anyway\" lets them go", fmt::join(names, ", "), how));
+    return failure(fmt::format("{} would be lost: {}, restart \"anyway\" drops them", fmt::join(names, ", "), how));
 }
 
 Expected<CommandEnd> command_restart(Session::Parts& parts, const Arguments& arguments) {

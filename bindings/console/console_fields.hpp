@@ -17,7 +17,7 @@ struct Describe<PlotRequest> {
         Setting{"every",
                 &PlotRequest::every,
                 "s",
-                "simulated time after which it is drawn again, at least 0.1",
+                "simulated time between two drawings, at least 0.1",
                 {.range = NumberRange::positive, .fallback = "drawn once"}},
         Internal{&PlotRequest::names},
         Internal{&PlotRequest::seconds},

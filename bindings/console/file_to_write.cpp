@@ -13,7 +13,7 @@ Expected<std::filesystem::path> file_to_write(const std::filesystem::path& home,
                                               const WrittenFile& written) {
     const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
     if (std::any_of(name.begin(), name.end(), is_control))
-        return failure(fmt::format("'{}' names no file: there is a control character in it", shown(name)));
+        return failure(fmt::format("'{}' is not a file name: it contains a control character", shown(name)));
     std::filesystem::path path = name;
     if (path.filename().empty()) return failure(fmt::format("'{}' names no file", name));
     if (!path.has_extension()) path += written.endings.front();

@@ -57,7 +57,7 @@ int assign_global(lua_State* L) {
     const bool is_command = lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL;
     lua_pop(L, 1);
     if (is_command) {
-        keep_error(L, fmt::format("'{}' is a word of the console: choose another name", name));
+        keep_error(L, fmt::format("'{}' is a command of the console: choose another name", name));
     } else if (is_component(parts, name)) {
         keep_error(L, fmt::format("'{}' is a component: choose another name", name));
     } else {

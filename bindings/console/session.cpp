@@ -20,7 +20,8 @@ namespace nezumi {
 namespace {
 
 constexpr Budget input_budget{5.0};
-// How long a session waits for the end of what can't be ended at once: Lua's own code is left after a second.
+// The longest time that a session waits for an input that can't be stopped at once: Lua's own code is left after a
+// second.
 constexpr std::chrono::seconds stuck_after{2};
 constexpr std::chrono::seconds session_farewell{1};
 
@@ -116,7 +117,7 @@ Expected<void> Session::Parts::open() {
 
 void Session::Parts::open_if_lost() {
     if (!state->is_lost()) return;
-    show_error("what was defined here is lost with it");
+    show_error("definitions made in this console are lost");
     if (auto ok = open(); !ok) show_error(describe(ok.error()));
 }
 
@@ -244,7 +245,7 @@ void Session::replace_stuck() {
     if (fresh) {
         if (auto ok = (*fresh)->open(); !ok) fresh = Unexpected(ok.error());
     }
-    parts_->show_error("what was interrupted has not ended: what was defined here is lost with it");
+    parts_->show_error("the interrupted command did not end: definitions made in this console are lost");
     if (!fresh) {
         parts_->revoked = Worker::Clock::now();  // tries again
         return parts_->show_error(describe(fresh.error()));

@@ -1,4 +1,4 @@
-// Numbers tell a request that comes again from a new one.
+// Each request has a number, so a repeated request is distinguished from a new one.
 #include "bindings/dds/host_requests.hpp"
 
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ Expected<std::uint64_t> HostRequests::ask(const Question& question, const HostTa
     write_cdr(asked.bytes, on_the_wire, request);
     if (asked.bytes.size() > most_request_bytes) {
         asked_.erase(request.number);
-        return failure(fmt::format("{}: what is sent is larger than 1 MiB", shown(question.name)));
+        return failure(fmt::format("{}: the message is larger than 1 MiB", shown(question.name)));
     }
     Writer* writer = writer_for(request_topic(question.host));
     if (writer == nullptr) {
@@ -83,10 +83,10 @@ std::optional<Expected<PlainData>> HostRequests::answer(std::uint64_t number, do
     if (found == asked_.end()) return Expected<PlainData>(failure("nothing was asked"));
     Asked& asked = found->second;
     if (!asked.answer && now - asked.began < patience) return std::nullopt;
-    Expected<PlainData> got = asked.answer ? std::move(*asked.answer)
-                                           : failure(fmt::format("host {} has not answered for {} s: it is not known "
-                                                                 "whether it was done",
-                                                                 asked.host, patience));
+    Expected<PlainData> got =
+        asked.answer
+            ? std::move(*asked.answer)
+            : failure(fmt::format("host {} has not answered for {} s: the result is unknown", asked.host, patience));
     asked_.erase(found);
     return got;
 }
@@ -101,7 +101,7 @@ void HostRequests::serve(const HostTable& hosts, const Answer& answer, double no
     take_replies();
     for (auto each = asked_.begin(); each != asked_.end();) {
         Asked& asked = each->second;
-        if (now - asked.began > 2 * patience) {  // nobody wants the answer any more
+        if (now - asked.began > 2 * patience) {  // the answer is no longer needed
             each = asked_.erase(each);
             continue;
         }

@@ -305,7 +305,7 @@ void Lockstep::tell() {
     if (why == told_) return;
     told_ = why;
     stands_since_ = settings_.clock();
-    system_.log(LogLevel::warn, fmt::format("lockstep: time stands at {:.2f} s: {}", system_.now().seconds, why));
+    system_.log(LogLevel::warn, fmt::format("lockstep: time is stopped at {:.2f} s: {}", system_.now().seconds, why));
 }
 
 void Lockstep::leave() {

@@ -21,8 +21,8 @@ namespace {
 
 Unexpected refused(const std::filesystem::path& file, std::string_view why) {
     return failure(
-        fmt::format("no secret for the hosts of this user in '{}': {}; say `secret = FILE`, which `nezumi "
-                    "network secret FILE` makes, or `open = true` where every user of this computer may drive",
+        fmt::format("no secret for the hosts of this user in '{}': {}; set `secret = FILE` (`nezumi network secret "
+                    "FILE` makes one), or `open = true` to let every user of this computer drive",
                     visible(file.string()), why));
 }
 

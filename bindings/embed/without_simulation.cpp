@@ -11,7 +11,7 @@ namespace nezumi {
 namespace {
 
 Expected<std::unique_ptr<Component>> refuse(const ComponentEntry& entry, System& /*system*/) {
-    return failure(fmt::format("component '{}': this nezumi is built without cameras and vision, and has no {}",
+    return failure(fmt::format("component '{}': this build of nezumi has no cameras and no vision, and no {}",
                                entry.name, entry.type),
                    entry.place);
 }

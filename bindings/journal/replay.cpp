@@ -243,7 +243,7 @@ Expected<bool> Replay::before_tick(RunningSystem& live) {
             if (auto done = perform(live, entry); !done) return Unexpected(done.error());
         } else if (entry.kind == Entry::Kind::hash && live.trace_hash() != entry.hash) {
             return wrong(entry.line,
-                         fmt::format("the run is another one than the journal's: its hash at {} was {}, not {}{}",
+                         fmt::format("this run differs from the journal's run: its hash at {} was {}, not {}{}",
                                      text_of(now), hash_text(entry.hash), hash_text(live.trace_hash()), cause(now)));
         }
     }
@@ -268,10 +268,10 @@ Expected<void> Replay::perform(RunningSystem& live, const Entry& entry) {
     if (!act) return wrong(entry.line, act.error().message);
     const auto done = live.act(*act, entry.who);
     if (done.has_value() != entry.failed) return {};
-    return wrong(entry.line, entry.failed
-                                 ? fmt::format("{} failed then, and does not now{}", entry.name, cause(entry.when))
-                                 : fmt::format("{} went well then, not now: {}{}", entry.name, describe(done.error()),
-                                               cause(entry.when)));
+    return wrong(entry.line, entry.failed ? fmt::format("{} failed in the original run, but not now{}", entry.name,
+                                                        cause(entry.when))
+                                          : fmt::format("{} succeeded in the original run, but fails now: {}{}",
+                                                        entry.name, describe(done.error()), cause(entry.when)));
 }
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// JSON has neither bytes nor numbers that are none: these are objects that say so.
+// JSON has no bytes and no NaN or infinity: these become objects.
 #include "bindings/journal/value_json.hpp"
 
 #include <fmt/format.h>
@@ -80,7 +80,7 @@ std::string read_fields(const Json& json, const ValuePlace& out, const OtherForm
         const std::string wrong = read_value(*found, out.field(field), others);
         if (!wrong.empty()) return fmt::format("'{}': {}", field.name, wrong);
     }
-    if (known != json.size()) return "there is a field that it does not have";
+    if (known != json.size()) return "it has an unknown field";
     const bool is_plain = out.type == &type_of<PlainData>();
     return !is_plain || is_sound(out.as<PlainData>()) ? "" : "a table is missing, or a key is wrong";
 }

@@ -29,12 +29,13 @@ struct ComponentProfile {
     std::vector<std::string> callbacks;  ///< that are implemented, in the order of the profile: "on_activated", ...
     std::vector<ProfilePort> ports;      ///< in the order of the profile
     std::vector<ParameterSpec> parameters;
-    /// What has no counterpart here, one line each: "service port 'map': requires RTC::OGMapServer".
+    /// Parts without a counterpart here, one line each: "service port 'map': requires RTC::OGMapServer".
     std::vector<std::string> remarks;
 };
 
-/// Reads the text of a profile. `shown` is the file's name in errors. What can't be used is a remark; an error is a
-/// text that is no profile, or one that no RTCBuilder writes: with a DOCTYPE, or nested more than 100 deep.
+/// Reads the text of a profile. `shown` is the file's name in errors. Parts that can't be used become remarks. An error
+/// if the text is not a profile, or if RTCBuilder can't have written it: with a DOCTYPE, or with more than 100 nested
+/// elements.
 Expected<ComponentProfile> read_component_profile(std::string_view text, const std::string& shown);
 
 /// Writes a profile of version 0.3 that was changed at `date` ("2026-01-31T12:00:00Z"). What is read from it is the

@@ -17,7 +17,7 @@
 namespace nezumi::openrtm {
 namespace {
 
-// The names of conditions, for the reader and the writer.
+// The names of condition elements, used for reading and writing.
 constexpr const char* equal_to = "propertyIsEqualTo";
 constexpr const char* at_least = "propertyIsGreaterThanOrEqualTo";
 constexpr const char* at_most = "propertyIsLessThanOrEqualTo";
@@ -88,7 +88,7 @@ private:
         for (const pugi::xml_node& constraint : elements_of(list, "Constraint")) {
             ProfileConstraint next = read_constraint(constraint, is_integer_);
             if (common && next != *common) {
-                result_.remarks.emplace_back("a constraint that is another for each element");
+                result_.remarks.emplace_back("a constraint that differs between elements");
                 return;
             }
             common = std::move(next);
@@ -105,7 +105,7 @@ private:
         double value = 0;
         const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (problem != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
-            result_.remarks.push_back(fmt::format("a bound '{}' that is no number", shown(text)));
+            result_.remarks.push_back(fmt::format("a bound '{}' that is not a number", shown(text)));
             return;
         }
         if (!is_inclusive && is_integer_) value = side > 0 ? std::floor(value) + 1 : std::ceil(value) - 1;

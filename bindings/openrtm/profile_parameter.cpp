@@ -201,12 +201,12 @@ std::optional<ParameterSpec> read_parameter(const pugi::xml_node& configuration,
     const std::string_view type_name = attribute_of(configuration, "type");
     const std::string_view text = attribute_of(configuration, "defaultValue");
     const auto like = value_like(named_type(type_name));
-    if (!like) remark(fmt::format("its type '{}' is unknown, a text here", shown(type_name)));
+    if (!like) remark(fmt::format("its type '{}' is unknown and becomes a text", shown(type_name)));
     spec.initial = like.value_or(Value(std::string()));
     if (auto value = value_in(text, spec.initial)) {
         spec.initial = std::move(*value);
     } else {
-        remark(fmt::format("its default '{}' is no {}, so it is {}", shown(text), shown(type_name),
+        remark(fmt::format("its default '{}' is not a {}, so it is {}", shown(text), shown(type_name),
                            to_rtc_text(spec.initial)));
     }
 
@@ -234,7 +234,7 @@ std::optional<ParameterSpec> read_parameter(const pugi::xml_node& configuration,
         if (auto value = value_in(choice, is_whole ? spec.initial : element)) {
             spec.choices.push_back(std::move(*value));
         } else {
-            remark(fmt::format("the choice '{}' is no {}", shown(choice), shown(type_name)));
+            remark(fmt::format("the choice '{}' is not a {}", shown(choice), shown(type_name)));
         }
     }
     keep_valid(spec, remarks);

@@ -32,9 +32,9 @@ std::string wrong_with(const pugi::xml_document& document) {
     int depth = 0;
     pugi::xml_node node = document.first_child();
     while (node) {
-        if (node.type() == pugi::node_doctype) return "has a DOCTYPE, and profiles have none: take it away";
-        if (!has_text_alone(node)) return "is no text in UTF-8: save it as UTF-8";
-        if (depth > deepest) return fmt::format("is nested more than {} elements deep, which no profile is", deepest);
+        if (node.type() == pugi::node_doctype) return "has a DOCTYPE, which a profile can't have: remove it";
+        if (!has_text_alone(node)) return "is not a text in UTF-8: save it as UTF-8";
+        if (depth > deepest) return fmt::format("has more than {} nested elements, too many for a profile", deepest);
         if (node.first_child()) {
             node = node.first_child();
             ++depth;

@@ -138,8 +138,8 @@ Expected<std::vector<RtcProfile>> profiles_of(const System& system, const RtmSpe
     const std::vector<std::string_view> known(paths.begin(), paths.end());
     for (const auto& [path, other] : rtm.rename) {
         if (paths.contains(path) || system.find(path.substr(0, path.find('.'))) == nullptr) continue;
-        return failure(fmt::format("rtm: field 'rename' names no port that is exported: there is none '{}'{}",
-                                   shown(path), did_you_mean(path, known)),
+        return failure(fmt::format("rtm: field 'rename': there is no exported port '{}'{}", shown(path),
+                                   did_you_mean(path, known)),
                        rtm.place);
     }
     return profiles;

@@ -99,7 +99,7 @@ Expected<void> GoldenOwners::add(const std::vector<GoldenUse>& uses, const std::
         const auto& [other, first] = owners_.try_emplace(use.file, Owner{run, use}).first->second;
         if (first.written == use.written) continue;
         return failure(
-            fmt::format("golden '{}': {}, {}:{}, has written another one there: choose another name",
+            fmt::format("golden '{}': {}, {}:{}, has already written a different one there: choose another name",
                         std::filesystem::path(use.file).filename().string(), other, first.place.file, first.place.line),
             use.place);
     }

@@ -169,8 +169,8 @@ Expected<KeptPlan> find_plan(const std::vector<fs::path>& folders) {
                 first = std::move(*bytes);
                 first_folder = folder;
             } else if (*bytes != first) {
-                return failure(fmt::format("is of other runs than {}: merge parts that the same nezumi made of the "
-                                           "same files, with the same options",
+                return failure(fmt::format("has other runs than {}: merge parts that the same version of nezumi made "
+                                           "from the same files, with the same options",
                                            first_folder.string()),
                                {.file = folder.string()});
             }

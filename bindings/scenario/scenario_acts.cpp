@@ -96,7 +96,7 @@ int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
     }
     if (channels.empty()) return raise(run, fmt::format("'{}': expected ports after the name", name));
     if (run.current().options().build.real_time)
-        return raise(run, fmt::format("'{}': a real robot is never the same twice: leave this to simulation", name));
+        return raise(run, fmt::format("'{}': two runs of a real robot always differ: leave this to simulation", name));
     Place place = calling_place(lua);
     auto file = (std::filesystem::path(place.file).parent_path() / name).lexically_normal();
     const auto home = writable_folder(run.file_.project(), place.file);
@@ -245,7 +245,7 @@ int ScenarioRun::Methods::act(ScenarioRun& run, const Act& act) {
 int ScenarioRun::Methods::restore(ScenarioRun& run, lua_State* lua) {
     if (const auto component = run.objects_->to_component(lua, 2)) {
         if (dynamic_cast<const Robot*>(component->component) == nullptr)
-            return raise(run, fmt::format("{} is no robot: expected a robot, or a port as in \"{}.NAME\"",
+            return raise(run, fmt::format("{} is not a robot: expected a robot, or a port as in \"{}.NAME\"",
                                           component->component->name(), component->component->name()));
         // Ends presses, pushes and the faults of its ports.
         run.faults_.restore(key_of(component->live, component->component->name()));

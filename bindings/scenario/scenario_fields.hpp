@@ -25,18 +25,18 @@ struct Describe<Scenario> {
         Extra{
             "sweep", "table<string, any[]|Range>", "",
             "one run for each combination, `{ speed = { 0.1, 0.2 }, ... }`, the keys in sorted order. `range(lo, hi)` "
-            "instead of a list draws numbers at random, `range(lo, hi, step)` those of a step: all values when they "
-            "are no more than `samples`, else without repetition"},
+            "instead of a list draws numbers at random, `range(lo, hi, step)` draws from lo, lo + step, ...: all of "
+            "them if there are at most `samples`, else without repetition"},
         Extra{"samples",
               "integer",
               "",
-              "how many random draws. A failing draw is simplified: to numbers nearer to 0 and with fewer digits, to "
-              "values that stand earlier in their list",
+              "number of random draws. A failing draw is simplified: to numbers nearer to 0 and with fewer digits, and "
+              "to earlier values in their list",
               {.fallback = "20 when a sweep has a range"}},
         Extra{"seeds",
               "integer",
               "",
-              "each combination is run so often, each time with a seed of its own",
+              "how many runs are made of each combination, each with its own seed",
               {.fallback = "once"}},
         Extra{"seed",
               "integer",
@@ -44,8 +44,8 @@ struct Describe<Scenario> {
               "the seed of every run, as `nezumi run --seed` takes it",
               {.fallback = "each run's own, made from the session's and its name"}},
         Setting{"paired", &Scenario::paired, "",
-                "a list of the sweep: runs that differ in its value alone have the same seed, and the summary shows "
-                "the differences of what they measured"},
+                "a list of the sweep: runs that differ only in its value have the same seed, and the summary shows the "
+                "differences of their measures"},
         Internal{&Scenario::name},
         Internal{&Scenario::place},
         Internal{&Scenario::sweep},
@@ -57,14 +57,14 @@ struct Describe<Scenario> {
 template <>
 struct Describe<Expectation::Terms> {
     static constexpr std::string_view name = "expectation_options";
-    static constexpr std::string_view doc = "Options of what is expected over time.";
+    static constexpr std::string_view doc = "Options of an expectation over time.";
     static constexpr std::array<std::string_view, 5> kinds{"always", "never", "wait_until", "eventually", "maintain"};
     static constexpr unsigned wait_until = 1U << 2U, eventually = 1U << 3U, maintain = 1U << 4U;
     static constexpr std::tuple fields{
         Setting{"within",
                 &Expectation::Terms::within,
                 "s",
-                "the event must come, or the hold begin, so soon",
+                "time limit for the event, or for the start of the hold",
                 {.range = NumberRange::not_negative,
                  .most = 1e9,
                  .of = wait_until | eventually | maintain,
@@ -72,7 +72,7 @@ struct Describe<Expectation::Terms> {
         Setting{"hold",
                 &Expectation::Terms::hold,
                 "s",
-                "the condition must stay true so long",
+                "how long the condition must stay true",
                 {.required = true, .range = NumberRange::not_negative, .most = 1e9, .of = maintain}},
         Internal{&Expectation::Terms::kind},
         Internal{&Expectation::Terms::name},
@@ -93,7 +93,7 @@ struct Describe<GoldenOptions> {
         Setting{"tolerance",
                 &GoldenOptions::tolerance,
                 "",
-                "by which a number may differ",
+                "largest allowed difference of a number",
                 {.range = NumberRange::not_negative, .most = 1e300}},
     };
 };
@@ -106,7 +106,7 @@ struct Describe<LoadOptions> {
     static constexpr std::string_view name = "load_options";
     static constexpr std::string_view doc = "Options of a system that is loaded.";
     static constexpr std::tuple fields{
-        Extra{"robots", "table<string, RobotModelFields>", "", "what differs from the system's, by the robot's name"},
+        Extra{"robots", "table<string, RobotModelFields>", "", "changes to the system's robots, by the robot's name"},
     };
 };
 

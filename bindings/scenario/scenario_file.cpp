@@ -49,7 +49,8 @@ Expected<std::vector<std::string>> names_of(lua_State* lua, int index, std::stri
     return names;
 }
 
-// Whether a run of `swept` has the name of `other`, which has no sweep: "drives [speed=0.1]".
+// Whether a run of the swept scenario `swept` has the same name as the scenario `other` without a sweep: "drives
+// [speed=0.1]".
 bool has_run_called(const Scenario& swept, const Scenario& other) {
     const std::string prefix = swept.name + " ";
     if (swept.sweep.keys.empty() || !other.sweep.keys.empty() || !other.name.starts_with(prefix)) return false;
@@ -179,7 +180,8 @@ int ScenarioFile::scenario_word(lua_State* lua) {
 }
 
 Expected<void> ScenarioFile::add(lua_State* lua) {
-    if (is_read_) return failure("scenario: scenarios are declared by the file, not by one another");
+    if (is_read_)
+        return failure("scenario: a scenario can't declare another scenario: declare it at the top level of the file");
     const Place place = calling_place(lua);
     auto scenario = read_call(lua, place);
     if (scenario) {
@@ -297,7 +299,7 @@ Expected<void> ScenarioFile::read_sweep(lua_State* lua, int index, Scenario& sce
                 lua_pop(lua, 1);
                 if (!data) return Unexpected(data.error());
                 if (!dropped.empty())
-                    return failure(fmt::format("{}: value {} is no plain data: {}", what, i, dropped.front().what));
+                    return failure(fmt::format("{}: value {} is not plain data: {}", what, i, dropped.front().what));
                 SweepValue value = to_sweep_value(std::move(*data));
                 if (!is_finite(value.data))
                     return failure(fmt::format("{} expected finite numbers, got {}", what, value.text));

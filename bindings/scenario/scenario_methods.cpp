@@ -122,7 +122,7 @@ std::vector<std::string_view> ScenarioRun::Methods::names() {
 // Upvalue: the run.
 int ScenarioRun::Methods::newindex(lua_State* lua) {
     auto& run = *static_cast<ScenarioRun*>(lua_touserdata(lua, lua_upvalueindex(1)));
-    raise(run, "s: nothing of it can be set: keep what you need in a local");
+    raise(run, "s: its members can't be set: keep what you need in a local");
     note_diagnostic(run, lua);
     return raise_kept(lua);
 }
@@ -199,8 +199,11 @@ int ScenarioRun::Methods::call(lua_State* lua) {
 
 int ScenarioRun::Methods::carry_out(ScenarioRun& run, lua_State* lua, const Method& method) {
     if (run.sampling_ && needs_time(method.name))
-        return raise(run,
-                     fmt::format("{}: a condition only looks: time and expectations are the scenario's", method.name));
+        return raise(
+            run,
+            fmt::format(
+                "{}: a condition can only read values: only the scenario itself can advance time or add expectations",
+                method.name));
     if (auto ok = Arguments{lua, 2}.at_most(method.name, method.most, method.usage); !ok)
         return raise(run, ok.error().message);
     const int answered = method.function(run, lua);

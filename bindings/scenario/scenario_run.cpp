@@ -55,7 +55,7 @@ Expected<void> ScenarioRun::open() {
     objects_->set_prepare([this] { return settle_or_note(); });
     objects_->set_prepare_change([this]() -> Expected<void> {
         if (!sampling_) return {};
-        setup_error_ = Error{"a condition only looks: parameters are set by the scenario"};
+        setup_error_ = Error{"a condition can only read values: only the scenario itself can set parameters"};
         return Unexpected(*setup_error_);
     });
     word_host_.push_entry = [this](lua_State* lua, std::string_view name) {

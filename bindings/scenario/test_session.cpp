@@ -255,7 +255,7 @@ private:
             const PlannedRun& found = plan_.runs[index];
             if (found.file != run.file || found.scenario != run.scenario) continue;
             if (simplest.result.error.place != result.error.place) continue;
-            result.facts = {"fails where the simplest failure does: " + simplest.name};
+            result.facts = {"fails in the same line as the simplest failure: " + simplest.name};
             result.printed.clear();
             result.margins.clear();
         }

@@ -166,7 +166,7 @@ ConsoleMessage read_console(Fields& fields) {
         return {};
     }
     if (request->kind == Request::Kind::hello) {
-        fields.refuse("the console has already been greeted");
+        fields.refuse("a console request of a browser can't be \"hello\"");
         return {};
     }
     const bool evaluates = request->kind == Request::Kind::eval;

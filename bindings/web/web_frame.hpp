@@ -30,7 +30,7 @@ struct WebRobot {
         Field{"pitch", &WebRobot::pitch, "rad", "before the yaw; positive: its front goes down"},
         Field{"roll", &WebRobot::roll, "rad", "before the pitch"},
         Field{"is_truth", &WebRobot::is_truth, "", "the true pose in a simulation; otherwise its odometry"},
-        Field{"collided", &WebRobot::collided, "", "it touches something but the floor"},
+        Field{"collided", &WebRobot::collided, "", "it touches something other than the floor"},
         Field{"touches", &WebRobot::touches, "", "what that is"},
         Field{"contacts", &WebRobot::contacts, "m", "where"},
     };
@@ -74,7 +74,7 @@ struct WebPort {
 
     static constexpr std::tuple fields{
         Field{"index", &WebPort::index, "", "its index among the watched values"},
-        Field{"count", &WebPort::count, "", "messages since the last one that was shown"},
+        Field{"count", &WebPort::count, "", "messages since the last one shown"},
         Field{"payload", &WebPort::payload, "", "the latest message, as CDR"},
     };
 };
@@ -116,9 +116,9 @@ struct WebFrame {
         Field{"robots", &WebFrame::robots, "", "that have changed"},
         Field{"things", &WebFrame::things, "", "that have changed"},
         Field{"markers", &WebFrame::markers, "", "that have changed"},
-        Field{"rays", &WebFrame::rays, "", "all of each robot of which one has changed"},
+        Field{"rays", &WebFrame::rays, "", "all rays of each robot with a changed ray"},
         Field{"ports", &WebFrame::ports, "", "that have got messages"},
-        Field{"members", &WebFrame::members, "", "that have changed, of those that are watched"},
+        Field{"members", &WebFrame::members, "", "watched members that have changed"},
     };
 };
 struct WebPicture {

@@ -118,8 +118,8 @@ void FileWriter::run() {
 }
 
 std::string why_not_written(int problem) {
-    if (problem == ENOBUFS) return "too much waits for it, which takes too little";
-    if (problem == ECANCELED) return "it did not take all of it in time";
+    if (problem == ENOBUFS) return "it accepts data too slowly, and too much is waiting";
+    if (problem == ECANCELED) return "it did not accept all data in time";
     return std::strerror(problem);
 }
 

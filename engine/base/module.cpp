@@ -27,7 +27,7 @@ Expected<void*> load_function(const Module& module) {
     const std::filesystem::path file = path_of(module);
     if (!is_built_with(module))
         return failure(
-            fmt::format("this nezumi was built without the part for {}: there is no {}", module.part, file.string()));
+            fmt::format("this build of nezumi has no support for {}: there is no {}", module.part, file.string()));
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr)
         return failure(

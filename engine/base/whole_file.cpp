@@ -112,7 +112,7 @@ Expected<int> open_to_write(const fs::path& file) {
     // Does not wait for the reader of a pipe, which may never come.
     const int out = open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666);
     if (out < 0 && errno == ENXIO && other_than_file(file) == "a FIFO")
-        return failure("is a pipe that nobody reads: start its reader first, or give a file", {.file = file.string()});
+        return failure("is a pipe without a reader: start its reader first, or give a file", {.file = file.string()});
     if (out < 0) return Unexpected(can_not_write(file, errno));
     fcntl(out, F_SETFL, fcntl(out, F_GETFL) & ~O_NONBLOCK);
     return out;

@@ -1,4 +1,4 @@
-// Exposes at the frame rate, develops beside the tick.
+// Takes an exposure at the frame rate, and computes the picture beside the ticks.
 #include "engine/devices/camera.hpp"
 
 #include <fmt/format.h>
@@ -40,11 +40,13 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
         static_cast<void>(ok);
     };
     using Integer = std::int64_t;
-    declare({.name = "device", .initial = std::string(), .doc = "a real camera's device; empty: the first there is"});
-    declare({.name = "pixel_format",
-             .initial = std::string(),
-             .doc = "what a real camera sends, four letters as v4l2-ctl --list-formats shows them: \"MJPG\", \"YUYV\"; "
-                    "empty: the camera's choice"});
+    declare({.name = "device", .initial = std::string(), .doc = "a real camera's device; empty: the first one found"});
+    declare(
+        {.name = "pixel_format",
+         .initial = std::string(),
+         .doc =
+             "pixel format of a real camera, four letters as v4l2-ctl --list-formats shows them: \"MJPG\", \"YUYV\"; "
+             "empty: the camera's choice"});
     declare({.name = "width", .initial = Integer{640}, .min = least_picture, .max = largest_picture, .unit = "px"});
     declare({.name = "height", .initial = Integer{480}, .min = least_picture, .max = largest_picture, .unit = "px"});
     declare(
@@ -60,10 +62,10 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
              .unit = "rad",
              .doc = "angle between the picture's left and right edge"});
     for (const auto& [name_of_it, doc] :
-         {std::pair{"fx", "focal length along a row, as it was measured; 0: by field_of_view"},
-          {"fy", "with fx: along a column; 0: as fx"},
-          {"cx", "with fx: column of the optical axis; 0: the middle"},
-          {"cy", "with fx: row of the optical axis; 0: the middle"}}) {
+         {std::pair{"fx", "focal length in x, from a calibration; 0: computed from field_of_view"},
+          {"fy", "with fx: focal length in y; 0: same as fx"},
+          {"cx", "with fx: principal point in x; 0: the middle"},
+          {"cy", "with fx: principal point in y; 0: the middle"}}) {
         declare({.name = name_of_it, .initial = 0.0, .min = 0, .max = 1e6, .unit = "px", .doc = doc});
     }
     for (const char* radial : {"k1", "k2", "k3", "k4", "k5", "k6"}) {
@@ -75,7 +77,7 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
     }
     declare({.name = "undistort",
              .initial = false,
-             .doc = "take the distortion out of the pictures: they are those of a pinhole"});
+             .doc = "remove the distortion: the pictures are those of a pinhole camera"});
     declare({.name = "pitch", .initial = 0.0, .min = -1.58, .max = 1.58, .unit = "rad", .doc = "positive looks down"});
     declare({.name = "noise",
              .initial = 0.0,
@@ -227,7 +229,7 @@ Expected<std::unique_ptr<Component>> make_camera(const ComponentEntry& entry, Sy
                                            system.settings().seed, std::move(open), !system.settings().real_time);
     camera->set_tick_rate(system.settings().rate);
     camera->rate = entry.rate;
-    // A value that is none of its parameters' is told, with its place, when it is configured.
+    // Invalid parameter values are reported with their place later, when they are set.
     if (camera->parameters().set_all(entry.config)) {
         if (auto ok = camera->check(); !ok)
             return failure(fmt::format("component '{}': {}", entry.name, ok.error().message), entry.place);

@@ -1,4 +1,4 @@
-// What is seen comes from the tree of names, as at a console; acts go through the one door.
+// Reads values from the tree of names, as a console does; performs requests as acts.
 #include "engine/live/answer_question.hpp"
 
 #include <fmt/format.h>
@@ -17,11 +17,11 @@
 namespace nezumi {
 namespace {
 
-// Channels that are followed at most: other hosts can't have all of a large system remembered.
+// The largest number of followed channels, so that other hosts can't make a large system remember everything.
 constexpr std::size_t most_followed = 2 * Trace::most_ports;
 constexpr double longest_curves = 600;  // [s]
 
-// As a console goes to it; to what is plotted by the shorter names of plots.
+// Finds a node as a console does; `plotted`: with the shorter names of plots.
 Expected<TreeNode> node_at(const TreeNode& tree, const Question& question, bool plotted) {
     Expected<TreeNode> node = tree.child(question.component);
     for (std::string_view rest = question.name; node && !rest.empty();) {
@@ -90,7 +90,7 @@ Expected<PlainData> curves_of(const AskedSystem& asked, const Question& question
     return recent ? Expected<PlainData>(to_plain(*recent)) : Unexpected(recent.error());
 }
 
-// What needs no act; nothing for what does.
+// The answer of a request that needs no act; nothing for other requests.
 std::optional<Expected<PlainData>> seen(const AskedSystem& asked, const Question& question) {
     using What = Question::What;
     const auto with_node = [&](bool plotted, const auto& tell) -> Expected<PlainData> {
@@ -114,7 +114,7 @@ std::optional<Expected<PlainData>> seen(const AskedSystem& asked, const Question
     }
 }
 
-// The other port of a connection, as this host names it.
+// The other port of a connection, by its name on this host.
 Expected<std::string> other_port(const Question& question) {
     const auto& values = question.values.values;
     const auto* port = values.size() == 1 ? values.front().get_if<std::string>() : nullptr;
@@ -146,7 +146,7 @@ Expected<Act> act_of(const Question& question) {
         }
         default: break;
     }
-    return failure("this version knows no such request");
+    return failure("unknown request: this host has another version of nezumi");
 }
 
 }  // namespace
@@ -163,7 +163,8 @@ Expected<PlainData> answer_question(const AskedSystem& asked, const Question& qu
     if (!wanted) return Unexpected(wanted.error());
     auto done = asked.act(*wanted, who);
     if (!done) return Unexpected(done.error());
-    // As the methods of a component of one's own: a command has results, a change of its life tells what follows.
+    // Answers like the methods of a local component: a command returns results, a change of its life returns the new
+    // status.
     if (question.what == What::command) return std::move(done->values);
     PlainData after;
     const Component* is_there = system.find(question.component);

@@ -28,12 +28,12 @@ Expected<std::unique_ptr<PastRun>> PastRun::begin(RunningSystem& live, std::size
 
 Expected<bool> PastRun::go_on(Clock::time_point until) {
     for (;;) {
-        // The end of a branch is what it was after the acts that came then.
+        // At the end of a branch, the acts that came then are included.
         system_->repeat_known(!is_there() || where_.tick < 0);
         if (const auto& differs = system_->differs()) {
-            return failure(fmt::format(
-                "the past can't be computed again: at tick {} of start {} it becomes another one than it was",
-                differs->tick, differs->start));
+            return failure(
+                fmt::format("the past can't be computed again: at tick {} of start {} it differs from the original run",
+                            differs->tick, differs->start));
         }
         if (is_there()) return true;
         if (Clock::now() >= until) return false;
@@ -42,7 +42,7 @@ Expected<bool> PastRun::go_on(Clock::time_point until) {
 }
 
 double PastRun::progress() const {
-    // Earlier starts are not counted: their lengths are only known when they are over.
+    // Counts only the last start, because the lengths of earlier starts are only known at their ends.
     const ActTime now = system_->when();
     if (now.start != to_.start) return 0;
     return to_.tick == 0 ? 1 : static_cast<double>(now.tick) / static_cast<double>(to_.tick);

@@ -22,8 +22,8 @@ Expected<std::unique_ptr<PastRun>> RunningSystem::begin_seek(const Seek& where) 
     ActTime to{where.start == 0 ? end.start : where.start, where.tick};
     if (where.tick < 0) to = end;
     if (is_earlier(end, to)) {
-        return failure(fmt::format("{} has come to {:g} s only", history_.branches()[*branch].name,
-                                   history_.branches()[*branch].seconds));
+        return failure(
+            fmt::format("{} ends at {:g} s", history_.branches()[*branch].name, history_.branches()[*branch].seconds));
     }
     return PastRun::begin(*this, *branch, where, to);
 }
@@ -82,7 +82,7 @@ void RunningSystem::repeat_known(bool acts) {
         }
         if (same || differs_) continue;
         differs_ = when();
-        running_->system->log(LogLevel::error, "this run is another one than the one that was seen before");
+        running_->system->log(LogLevel::error, "this run now differs from the original run");
     }
 }
 

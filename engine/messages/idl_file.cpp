@@ -17,7 +17,7 @@
 namespace nezumi {
 namespace {
 
-// What a name stands for, or a field is.
+// The type of a name or field.
 struct IdlType {
     std::string kind{};                  // "" for an enumeration
     std::vector<std::string> choices{};  // of one
@@ -125,7 +125,7 @@ private:
         step();
     }
 
-    // `{ ... }` to the `;` behind it.
+    // Skips `{ ... }` up to the `;` after it.
     void skip_definition() {
         int depth = 0;
         while (!error_ && token_.kind != Kind::end) {
@@ -137,7 +137,7 @@ private:
         }
     }
 
-    // `@name(...)`: only the unit says something here.
+    // `@name(...)`: only the unit is used.
     void skip_annotations() {
         unit_.clear();
         while (take("@")) {
@@ -306,14 +306,15 @@ private:
             add(name, type);
             return type;
         }
-        // Only who names such a field is refused: others' basic types have some.
+        // An error is raised only when a message uses such a field, because the basic types of other packages contain
+        // some.
         if (take("wchar") || take("wstring")) return {.kind = std::string(wide_text)};
         refuse_word();
         const bool is_unsigned = take("unsigned");
         const std::string prefix = is_unsigned ? "u" : "";
         if (take("short")) return {.kind = prefix + "short"};
         if (take("long")) {
-            if (is("double")) return fail("nezumi has no long double: a double is near enough"), IdlType{};
+            if (is("double")) return fail("nezumi has no long double: use double"), IdlType{};
             return {.kind = prefix + (take("long") ? "longlong" : "long")};
         }
         for (const std::string_view kind : {"boolean", "octet", "float", "double"}) {
@@ -325,7 +326,7 @@ private:
         return read_named_type();
     }
 
-    // "RTC::Time", "Time": looked for in the module, and in those around it.
+    // "RTC::Time", "Time": searched in the module, then in the outer ones.
     IdlType read_named_type() {
         const int line = token_.line;
         const bool from_root = take("::");

@@ -76,7 +76,7 @@ std::string set_default(const ValuePlace& place, const Value& value) {
         const auto* truth = value.get_if<bool>();
         return truth != nullptr ? (place.as<bool>() = *truth, "") : refuse("true or false");
     }
-    if (!type.is_number()) return refuse("none: only a single value has one");
+    if (!type.is_number()) return refuse("none: only a single value can have one");
     const auto* whole = value.get_if<std::int64_t>();
     const auto* number = value.get_if<double>();
     if (type.is_integer()) {

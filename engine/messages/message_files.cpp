@@ -1,4 +1,4 @@
-// Looks through folders for the file that a name means, and resolves what its fields name in turn.
+// Searches folders for the file of a name, then for the types of its fields.
 #include "engine/messages/message_files.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace nezumi {
 namespace fs = std::filesystem;
 namespace {
 
-// "light_sensors" and "LightSensors" are one name of a file.
+// "light_sensors" and "LightSensors" are the same file name.
 std::string folded(std::string_view name) {
     std::string text;
     for (const char c : name) {
@@ -29,12 +29,12 @@ std::string folded(std::string_view name) {
     return text;
 }
 
-// A name in two parts: that of the package, or "", and the rest.
+// A name in two parts: the package, or "", and the rest.
 struct TypeName {
     std::string package, name;
 };
 
-// "Obstacle", "sensor_msgs/Imu", and how others write that: "sensor_msgs/msg/Imu", "RTC::TimedOctet".
+// Accepts "Obstacle", "sensor_msgs/Imu", and the forms of others: "sensor_msgs/msg/Imu", "RTC::TimedOctet".
 std::optional<TypeName> parse_name(std::string_view text) {
     std::string name(text);
     for (const std::string_view between : {"::", "/msg/"}) {
@@ -52,7 +52,7 @@ std::optional<TypeName> parse_name(std::string_view text) {
     }
 }
 
-// Whether a Lua file beside behaviours is a message: the others say no such thing.
+// Whether a Lua file beside behaviours defines a message.
 bool returns_message(std::string_view text) {
     for (std::size_t at = text.find("return"); at != std::string_view::npos; at = text.find("return", at + 1)) {
         const std::string_view rest = text.substr(std::min(text.find_first_not_of(" \t\r\n", at + 6), text.size()));
@@ -61,7 +61,7 @@ bool returns_message(std::string_view text) {
     return false;
 }
 
-// A compiled type that lies in memory as a definition says: what others define is then that one.
+// A compiled type with the same memory layout as the definition; it is used instead.
 const Type* same_compiled(const std::string& kind, const MessageDefinition& definition) {
     const Type* type = compiled_payload(kind.substr(kind.rfind('/') + 1));
     if (type == nullptr || type->kind != Type::Kind::structure) return nullptr;
@@ -80,7 +80,7 @@ class MessageFiles::Search {
 public:
     Search(const MessageFiles& files, std::vector<SourceText>& read) : files_(files), read_(read) {}
 
-    // Where a type is defined: a file, and of those of IDL which structure.
+    // The place of a type's definition: a file, and in IDL the structure.
     struct Definition {
         fs::path path;
         std::string package;
@@ -105,7 +105,7 @@ public:
             fmt::format("unknown type '{}'{}{}", shown(text), did_you_mean(text, {all.begin(), all.end()}), list_all));
     }
 
-    // All that a folder defines; a file that can't be read defines nothing.
+    // All definitions in a folder; a file that can't be read defines nothing.
     void add_names(const fs::path& folder, const std::string& package, bool of_messages, std::set<std::string>& names) {
         const std::string prefix = package.empty() ? "" : package + "/";
         for (const std::string& entry : project().files().names_in(folder)) {
@@ -182,7 +182,7 @@ private:
         const bool leaves = std::find(path.begin(), path.end(), "..") != path.end();
         if (path.is_absolute() || leaves || name.empty())
             return failure("expected a file beside it or in behaviors/messages/");
-        // OpenRTM's are installed elsewhere there: <rtm/idl/BasicDataType.idl>.
+        // OpenRTM includes its files by another path: <rtm/idl/BasicDataType.idl>.
         for (const fs::path& each : {path, path.filename()}) {
             for (const fs::path& folder : project().places(FileKind::message, from.path)) {
                 for (const fs::path& file : {folder / each, folder / "rtc" / each}) {
@@ -193,7 +193,7 @@ private:
         return failure("there is no such file beside it or in behaviors/messages/");
     }
 
-    // Those in a folder that a name means; `name` without a package means also those of packages.
+    // The definitions in a folder that fit a name; a `name` without a package also fits definitions in packages.
     std::vector<Definition> in_folder(const fs::path& folder, const std::string& package, const TypeName& name,
                                       bool of_messages) {
         std::vector<Definition> all;
@@ -228,7 +228,7 @@ private:
         return all.empty() ? of_packages : all;
     }
 
-    // A file that would define a built-in type, beside the file at `from` or among messages.
+    // A file that would redefine a built-in type, beside the file at `from` or among the messages.
     std::optional<Definition> redefinition_of(std::string_view built_in, const fs::path& from) {
         const std::vector<fs::path> folders = project().places(FileKind::message, from);
         for (std::size_t i = 0; i < folders.size(); ++i) {
@@ -288,7 +288,7 @@ private:
     }
 
     Expected<const MessageType*> define_structure(const Structures& all, const std::string& name) {
-        // What OpenRTM calls so is what is compiled in.
+        // Types of OpenRTM are the compiled ones.
         if (const auto compiled = find_message_type(name.substr(name.rfind('/') + 1));
             compiled && name.starts_with("RTC/"))
             return *compiled;
@@ -307,7 +307,7 @@ private:
         };
     }
 
-    // A file that was read names no structures but those that are there.
+    // In a file that was read, every named structure exists.
     static const MessageDefinition& structure_of(const Structures& all, const std::string& name) {
         return *std::find_if(all.begin(), all.end(), [&](const MessageDefinition& each) { return each.name == name; });
     }
@@ -318,8 +318,8 @@ private:
                            definition.place);
         const auto inside = std::find(chain_.begin(), chain_.end(), definition.name);
         if (inside != chain_.end()) {
-            return failure(fmt::format("message '{}' is in itself: {} has {}", definition.name,
-                                       fmt::join(inside, chain_.end(), " has "), definition.name));
+            return failure(fmt::format("message '{}' contains itself: {} contains {}", definition.name,
+                                       fmt::join(inside, chain_.end(), " contains "), definition.name));
         }
         constexpr std::size_t most = 64;
         if (chain_.size() > most) return failure(fmt::format("expected at most {} messages in one another", most));

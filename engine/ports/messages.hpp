@@ -1,4 +1,4 @@
-// The message types: what can travel between ports, with OpenRTM-aist's names, each declared once.
+// The message types of ports, with OpenRTM-aist's names, each declared once.
 #pragma once
 
 #include <array>
@@ -74,7 +74,7 @@ struct Pose2D {
 
     static constexpr std::tuple fields{
         Field{"position", &Pose2D::position, "", "where"},
-        Field{"heading", &Pose2D::heading, "rad", "which way, counter-clockwise from the x axis"},
+        Field{"heading", &Pose2D::heading, "rad", "direction, counter-clockwise from the x axis"},
     };
 };
 
@@ -168,12 +168,11 @@ struct CameraImage {
     };
 };
 
-/// How a camera maps what is before it to pixels: a pinhole, and the distortion of its lens after Brown and Conrady, as
-/// OpenCV counts it. A point x to the right, y down and z ahead of the camera lies at (a, b) = (x / z, y / z); the
-/// distortion moves it, with r2 = a^2 + b^2 and
-///     radial = (1 + k1 r2 + k2 r2^2 + k3 r2^3) / (1 + k4 r2 + k5 r2^2 + k6 r2^3), to
-///     (a radial + 2 p1 a b + p2 (r2 + 2 a^2), b radial + p1 (r2 + 2 b^2) + 2 p2 a b),
-/// which is seen at column cx + fx * and row cy + fy * of that. The centre of the first pixel is (0, 0).
+/// The projection of a camera: a pinhole, with the lens distortion of Brown and Conrady in OpenCV's form. A point x to
+/// the right, y down and z in front of the camera has (a, b) = (x / z, y / z). With r2 = a^2 + b^2 and radial = (1 + k1
+/// r2 + k2 r2^2 + k3 r2^3) / (1 + k4 r2 + k5 r2^2 + k6 r2^3), the distortion moves (a, b) to (a radial + 2 p1 a b + p2
+/// (r2 + 2 a^2), b radial + p1 (r2 + 2 b^2) + 2 p2 a b). The pixel is at column cx + fx * and row cy + fy * this point.
+/// The centre of the first pixel is (0, 0).
 struct CameraIntrinsics {
     std::uint16_t width = 0;
     std::uint16_t height = 0;
@@ -192,9 +191,9 @@ struct CameraIntrinsics {
     bool operator==(const CameraIntrinsics&) const = default;
 
     static constexpr std::tuple fields{
-        Field{"width", &CameraIntrinsics::width, "px", "of the pictures that they are for"},
+        Field{"width", &CameraIntrinsics::width, "px", "of the pictures"},
         Field{"height", &CameraIntrinsics::height, "px", ""},
-        Field{"fx", &CameraIntrinsics::fx, "px", "focal length along a row; 0: nothing is known"},
+        Field{"fx", &CameraIntrinsics::fx, "px", "focal length in x; 0: unknown"},
         Field{"fy", &CameraIntrinsics::fy, "px", "focal length along a column"},
         Field{"cx", &CameraIntrinsics::cx, "px", "column of the optical axis"},
         Field{"cy", &CameraIntrinsics::cy, "px", "row of the optical axis"},
@@ -209,7 +208,7 @@ struct CameraIntrinsics {
     };
 };
 
-/// A fiducial marker where a camera sees it.
+/// A fiducial marker in a camera picture, with its pose relative to the camera.
 struct SeenMarker {
     std::int32_t id = 0;
     Pose3D pose;
@@ -221,7 +220,7 @@ struct SeenMarker {
     };
 };
 
-/// A message type that is compiled in: its name on ports, and the payload it carries beside its stamp `tm`.
+/// A compiled message type: its name on ports, and its payload without the stamp `tm`.
 template <class T>
 struct CompiledMessage {
     using Payload = T;
@@ -229,7 +228,7 @@ struct CompiledMessage {
     std::string_view doc;
 };
 
-/// Every message type that is compiled in. Others are defined by files (engine/messages).
+/// All compiled message types. Files define others (engine/messages).
 inline constexpr std::tuple compiled_messages{
     CompiledMessage<bool>{"TimedBoolean", "one truth value"},
     CompiledMessage<std::int16_t>{"TimedShort", "one 16-bit integer"},
@@ -248,7 +247,7 @@ inline constexpr std::tuple compiled_messages{
     CompiledMessage<Pose3D>{"TimedPose3D", "a place and orientation in space"},
     CompiledMessage<RangeData>{"RangeData", "distances measured by a ranger"},
     CompiledMessage<CameraImage>{"CameraImage", "a picture"},
-    CompiledMessage<CameraIntrinsics>{"CameraIntrinsics", "how a camera maps what is before it to pixels"},
+    CompiledMessage<CameraIntrinsics>{"CameraIntrinsics", "how a camera projects points in front of it to pixels"},
     CompiledMessage<std::vector<SeenMarker>>{"SeenMarkerSeq", "fiducial markers in sight"},
 };
 
@@ -256,11 +255,11 @@ inline constexpr std::size_t compiled_message_count = std::tuple_size_v<decltype
 
 namespace detail {
 
-/// The payload type at this place in `compiled_messages`.
+/// The payload type at this index of `compiled_messages`.
 template <std::size_t I>
 using PayloadAt = typename std::tuple_element_t<I, decltype(compiled_messages)>::Payload;
 
-/// The place of payload T in `compiled_messages`.
+/// The index of payload T in `compiled_messages`.
 template <class T>
 constexpr std::size_t place_of_payload() {
     return []<std::size_t... I>(std::index_sequence<I...>) {
@@ -273,7 +272,7 @@ constexpr std::size_t place_of_payload() {
 
 }  // namespace detail
 
-/// A payload that some compiled message type carries.
+/// The payload of a compiled message type.
 template <class T>
 concept Payload = detail::place_of_payload<T>()
 < compiled_message_count;

@@ -16,7 +16,7 @@ inline std::optional<ParameterSpec> speed_parameter(const ActuatorSpec& actuator
                         .initial = actuator.speed,
                         .min = 0.001,
                         .unit = "rad/s",
-                        .doc = "at which it turns to its angle"};
+                        .doc = "speed at which it turns to its angle"};
     if (actuator.max_rate > 0) speed.max = actuator.max_rate;
     return speed;
 }

@@ -1,4 +1,4 @@
-// A robot's ports as its description lists them, or the one message that says which can't be.
+// Makes the ports in a robot's description, or returns the first error.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace nezumi {
 namespace {
 
-// A sensor's value as an element of type T: the nearest that an integer holds, a colour's name.
+// A sensor's value as an element of type T: the nearest integer, or the name of a colour.
 template <class T>
 T element(double value) {
     if constexpr (std::is_same_v<T, std::string>) {
@@ -34,7 +34,7 @@ T element(double value) {
 template <class T>
 constexpr bool can_carry = std::is_arithmetic_v<T> || std::is_same_v<T, std::string>;
 
-// How sensors' readings go into a message of type T, straight into the slot that is published.
+// Writes sensor readings into a message of type T, directly into the published slot.
 template <class T>
 struct Writer {
     template <class Port>
@@ -70,11 +70,11 @@ constexpr bool carries_values() {
     }
 }
 
-// The angle [rad] from one yaw to another, the short way.
+// The smaller angle [rad] from one yaw to another.
 double turn(double from, double to) { return std::remainder(to - from, 2 * std::numbers::pi); }
 
-// What a RangeData of these sensors tells of them but for their distances. Several are one scanner in their middle that
-// looks where they look: their yaws rise in even steps.
+// The constant parts of the RangeData of these sensors. Several sensors count as one scanner in their middle, so their
+// yaws must have constant steps.
 Expected<RangeData> describe_ranges(const RobotSpec& spec, const std::vector<std::size_t>& sensors) {
     const SensorSpec& first = spec.sensors[sensors.front()];
     RangeData range;
@@ -110,8 +110,8 @@ Expected<RangeData> describe_ranges(const RobotSpec& spec, const std::vector<std
         constexpr double even = 1e-6;  // [rad]
         if (i > 0 && (step <= 0 || std::abs(turn(spec.sensors[sensors[i - 1]].yaw, sensor.yaw) - step) > even)) {
             return failure(
-                fmt::format("a RangeData tells the angles of its sensors as the first, the last and an even step from "
-                            "right to left: the yaw of '{}' does not fit",
+                fmt::format("a RangeData gives its angles as the first, the last and a constant step from right to "
+                            "left: the yaw of '{}' does not fit",
                             sensor.name));
         }
         if (sensor.on != first.on)
@@ -123,7 +123,7 @@ Expected<RangeData> describe_ranges(const RobotSpec& spec, const std::vector<std
     return range;
 }
 
-// How many values a sensor has: 0 for a single one.
+// The number of values of a sensor; 0 for a single value.
 std::size_t values_of(const SensorSpec& sensor) {
     switch (sensor.kind) {
         case SensorSpec::Kind::scan: return static_cast<std::size_t>(sensor.rays);
@@ -132,27 +132,28 @@ std::size_t values_of(const SensorSpec& sensor) {
     }
 }
 
-// Why a sensor has nothing of this quantity, or "".
+// The error if a sensor does not measure this quantity, or "".
 std::string_view lacks(const SensorSpec& sensor, PortSpec::Quantity quantity) {
     using Kind = SensorSpec::Kind;
     switch (quantity) {
         case PortSpec::Quantity::value: return "";
         case PortSpec::Quantity::distance:
-            return sensor.kind == Kind::range || sensor.kind == Kind::scan ? ""
-                                                                           : "is no range sensor: it has no distance";
+            return sensor.kind == Kind::range || sensor.kind == Kind::scan
+                       ? ""
+                       : "is not a range sensor: it has no distance";
         case PortSpec::Quantity::rate:
-            return sensor.kind == Kind::gyro || sensor.kind == Kind::imu ? "" : "is no gyro: it has no rate";
+            return sensor.kind == Kind::gyro || sensor.kind == Kind::imu ? "" : "is not a gyro: it has no rate";
         case PortSpec::Quantity::acceleration:
-            return sensor.kind == Kind::imu ? "" : "is no imu: it has no acceleration";
+            return sensor.kind == Kind::imu ? "" : "is not an imu: it has no acceleration";
     }
     return "";
 }
 
-// Whether a message of type T carries colours' names, and no numbers.
+// Whether a message of type T carries the names of colours, but no numbers.
 template <class T>
 constexpr bool is_text = std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<std::string>>;
 
-// The place of a sensor among those of the robot, or an error that names the nearest.
+// The index of a sensor of the robot, or an error that names the nearest.
 Expected<std::size_t> find_sensor(const RobotSpec& spec, std::string_view name) {
     const auto found = std::find_if(spec.sensors.begin(), spec.sensors.end(),
                                     [name](const SensorSpec& sensor) { return sensor.name == name; });
@@ -166,7 +167,7 @@ Expected<std::size_t> find_sensor(const RobotSpec& spec, std::string_view name) 
 
 Expected<void> Robot::add_port(const PortSpec& port) {
     if (find_port(port.name) != nullptr) return failure("is declared twice");
-    if (port.items.empty()) return failure("says nothing of what it carries");
+    if (port.items.empty()) return failure("has no `from` and no `to`");
     return port.is_input ? add_input(port) : add_output(port);
 }
 
@@ -207,12 +208,13 @@ Expected<void> Robot::add_output(const PortSpec& port) {
             return failure(fmt::format("a {} can't carry sensors' values", port.type));
         } else {
             if (can_carry<T> && sensors.size() > 1)
-                return failure(fmt::format("a {} carries one sensor, not {}", port.type, sensors.size()));
+                return failure(
+                    fmt::format("a {} carries the value of one sensor, not of {}", port.type, sensors.size()));
             for (const std::size_t i : sensors) {
                 const SensorSpec& sensor = spec_.sensors[i];
                 if (is_text<T> && sensor.kind != SensorSpec::Kind::color)
                     return failure(
-                        fmt::format("a {} carries colours, and '{}' is no color sensor", port.type, sensor.name));
+                        fmt::format("a {} carries colours, and '{}' is not a color sensor", port.type, sensor.name));
                 const std::string_view lack =
                     lacks(sensor, std::is_same_v<T, RangeData> ? PortSpec::Quantity::distance : port.quantity);
                 if (!lack.empty()) return failure(fmt::format("'{}' {}", sensor.name, lack));

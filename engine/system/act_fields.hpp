@@ -53,7 +53,7 @@ struct Describe<HoldOptions> {
     static constexpr std::string_view name = "hold_options";
     static constexpr std::string_view doc = "Options of a hold.";
     static constexpr std::tuple fields{
-        Setting{"take", &HoldOptions::take, "", "also from another who holds the port"},
+        Setting{"take", &HoldOptions::take, "", "even if another actor holds the port"},
     };
 };
 

@@ -82,7 +82,7 @@ Expected<Component*> add_robot(System& system, const RobotEntry& entry, const Sy
     auto added = system.add(std::move(*robot));
     if (!added) return added;
     if (!body) {
-        // Nothing half done: it may be added elsewhere under the same name.
+        // Removes an incomplete component, because its name may be used for another one.
         static_cast<void>(system.remove(entry.name));
         return at(entry.place, body.error());
     }

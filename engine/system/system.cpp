@@ -67,7 +67,7 @@ Expected<Component*> System::add(std::unique_ptr<Component> component) {
                        component->place);
     }
     if (is_reserved_name(name))
-        return failure(fmt::format("'{}' is a word of the console: choose another name", name), component->place);
+        return failure(fmt::format("'{}' is a command of the console: choose another name", name), component->place);
     if (const Component* other = find(name)) {
         std::string first = other->place.line > 0 ? fmt::format(", first in line {}", other->place.line) : "";
         return failure(fmt::format("the name '{}' is given twice{}", name, first), component->place);

@@ -12,7 +12,7 @@ namespace nezumi {
 template <>
 struct Describe<LimitChanges> {
     static constexpr std::string_view name = "limit_changes";
-    static constexpr std::string_view doc = "What of its model's limits a robot of the system has otherwise.";
+    static constexpr std::string_view doc = "Limits of a robot of the system that differ from its model's.";
     static constexpr auto& fields = limit_fields<LimitChanges>;
 };
 
@@ -23,7 +23,7 @@ struct Describe<RobotEntry> {
     static constexpr std::tuple fields{
         Setting{"model", &RobotEntry::model, "", "a robot's file, for example \"raspimouse\"", {.required = true}},
         Setting{"pose", &RobotEntry::pose, "", "where it starts"},
-        Setting{"limits", &RobotEntry::limits, "", "in the place of the model's"},
+        Setting{"limits", &RobotEntry::limits, "", "instead of the model's"},
         Setting{"backend", &RobotEntry::backend, "",
                 "\"sim\": simulated with --hw as well; or the driver that --hw uses"},
         Setting{"calibrated", &RobotEntry::calibrated, "",
@@ -114,16 +114,16 @@ struct Describe<NetworkSpec> {
                 "",
                 "the network interface, for example \"wlan0\"",
                 {.fallback = "the loopback: processes of this machine"}},
-        Setting{"peers", &NetworkSpec::peers, "", "addresses of hosts, where the network carries no multicast"},
+        Setting{"peers", &NetworkSpec::peers, "", "addresses of hosts, if the network has no multicast"},
         Setting{"secret",
                 &NetworkSpec::secret,
                 "",
-                "a file that `nezumi network secret` has made: who has it may write",
+                "a file that `nezumi network secret` has made: hosts that have it may write",
                 {.fallback = "on the loopback this user's own"}},
         Setting{"open", &NetworkSpec::open, "",
-                "everybody on the interface, or every user of this computer, may write without a secret"},
+                "every host on the interface, or every user of this computer, may write without a secret"},
         Setting{"lockstep", &NetworkSpec::lockstep, "",
-                "simulations that are connected advance together, the same each time"},
+                "connected simulations advance together, so that every run gives the same result"},
         Setting{"hosts", &NetworkSpec::hosts, "",
                 "hosts that lockstep waits for before it begins, in addition to those of connections"},
         Internal{&NetworkSpec::secret_path},
@@ -169,7 +169,7 @@ struct Describe<RosSpec> {
                 "",
                 "the network interface, for example \"wlan0\"",
                 {.fallback = "the loopback: processes of this machine"}},
-        Setting{"peers", &RosSpec::peers, "", "addresses of hosts, where the network carries no multicast"},
+        Setting{"peers", &RosSpec::peers, "", "addresses of hosts, if the network has no multicast"},
         Internal{&RosSpec::publish},
         Internal{&RosSpec::subscribe},
         Internal{&RosSpec::place},
@@ -179,7 +179,8 @@ struct Describe<RosSpec> {
 template <>
 struct Describe<RtmSpec> {
     static constexpr std::string_view name = "rtm";
-    static constexpr std::string_view doc = "Components that OpenRTM-aist's see, and may be connected to.";
+    static constexpr std::string_view doc =
+        "Components that are visible to OpenRTM-aist components and can be connected to them.";
     static constexpr std::tuple fields{
         Setting{"nameserver",
                 &RtmSpec::nameserver,
@@ -190,7 +191,7 @@ struct Describe<RtmSpec> {
         Setting{"interface",
                 &RtmSpec::interface,
                 "",
-                "this computer's address at which others reach them; as it is, only this computer does",
+                "this computer's address, at which others reach them; by default only this computer reaches them",
                 {.adopt = adopt_interface}},
         Setting{"rename", &RtmSpec::rename, "", "what a port is called there, by `\"name.port\"`"},
         Internal{&RtmSpec::place},

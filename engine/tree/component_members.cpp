@@ -1,4 +1,4 @@
-// Every member of a component stands here, once.
+// The table of all members of components.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -14,7 +14,7 @@ using namespace reads;
 
 constexpr double dust = 1e-9;  // [m], [rad], [m/s], [rad/s]
 
-// As much of it as the limit allows.
+// Reads a part within the limit.
 Read of_state(const TreeNode& node, const PlainLimit& limit) {
     auto state = node.component()->state_snapshot(limit);
     return state ? Read(std::move(*state)) : Unexpected(state.error());
@@ -45,7 +45,7 @@ std::vector<std::string> names_of(std::span<const CommandDeclaration> commands) 
     return names;
 }
 
-// The limits of a robot as they are shown.
+// The limits of a robot for display.
 struct SeenLimits {
     double speed = 0;
     double yaw_rate = 0;
@@ -103,7 +103,7 @@ const std::vector<MemberInfo>& all_members() {
          .yields = true,
          .most = 1,
          .usage = " " + usage_of<VelocityConstraint>(Describe<VelocityConstraint>::at_once),
-         .doc = "forces these velocities on it; without them it moves freely again"},
+         .doc = "forces these velocities on the robot; without velocities it moves freely again"},
         {.name = "error",
          .type = "string?",
          .yields = true,
@@ -146,10 +146,10 @@ const std::vector<MemberInfo>& all_members() {
          .yields = true,
          .most = 2,
          .usage = "(sensor, pressed)",
-         .doc = "presses a button or touch sensor; with false lets it go"},
+         .doc = "presses a button or touch sensor; with false releases it"},
         {.name = "probes",
          .type = "table<string, ProbeView>",
-         .doc = "the values that its script shows by `probe`: value, tm and age",
+         .doc = "the values of `probe` calls in its script: value, tm and age",
          .instead = "its script shows them",
          .kind = TreeNode::Kind::data,
          .value = of_node<[](const TreeNode& node) {
@@ -172,7 +172,7 @@ const std::vector<MemberInfo>& all_members() {
          .type = "string[]",
          .robot = true,
          .yields = true,
-         .doc = "the last 100 texts for its speaker",
+         .doc = "the last 100 texts sent to its speaker",
          .instead = "send texts to the port of its speaker",
          .value = of_robot<[](const Robot& robot) {
              return std::vector<std::string>(robot.said().begin(), robot.said().end());

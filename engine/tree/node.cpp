@@ -1,4 +1,4 @@
-// Each kind of node says here what its children are; everything else follows from that.
+// Defines the children of each kind of node; everything else is derived from them.
 #include "engine/tree/node.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +32,7 @@ const Type::Field* find_field(const Type& type, std::string_view name) {
     return found != type.fields.end() ? &*found : nullptr;
 }
 
-// The place in a list that "[2]" means, from 1; 0 for none.
+// The position in a list for "[2]", from 1; 0 for any other text.
 std::size_t place_of(std::string_view step) {
     std::size_t place = 0;
     if (step.starts_with('[') && step.ends_with(']'))
@@ -42,7 +42,7 @@ std::size_t place_of(std::string_view step) {
 
 bool is_list(const Type& type) { return type.kind == Type::Kind::sequence || type.kind == Type::Kind::array; }
 
-// One step into a type; nullptr where it has none of this name.
+// The type of a field or an element; nullptr if there is none with this name.
 const Type* type_below(const Type& type, std::string_view step) {
     if (is_list(type)) return place_of(step) > 0 ? type.element : nullptr;
     const Type::Field* field = find_field(type, step);
@@ -112,7 +112,7 @@ std::string TreeNode::whole() const {
 
 std::string TreeNode::part() const { return parameter_ != nullptr ? join_path(parameter_->spec.name, part_) : part_; }
 
-// The field that the last step of the part is.
+// The field of the last step of the part.
 const Type::Field* TreeNode::field() const {
     const Type* type = whole_type();
     const Type::Field* field = nullptr;
@@ -180,7 +180,7 @@ Expected<TreeNode> TreeNode::child(std::string_view name) const {
     }
 }
 
-// A port comes before the members that yield to it, and these before nothing.
+// Lookup order: the component's own members, then its ports, then the members that yield to ports.
 Expected<TreeNode> TreeNode::child_of_component(std::string_view name) const {
     TreeNode made = *this;
     const MemberInfo* own = find_member(component_members(), name);
@@ -208,8 +208,7 @@ Expected<TreeNode> TreeNode::child_of_port(std::string_view name) const {
     made.member_ = find_member(port_members(), name);
     if (made.member_ != nullptr) return made;
     const std::string path = whole();
-    if (name == "read")
-        return failure(fmt::format("{}: only its own component reads it; a look at it is {}.value", path, path));
+    if (name == "read") return failure(fmt::format("{}: only its own component can read it; use {}.value", path, path));
     std::string near = hint(name, children());
     if (near.empty()) near = fmt::format("; the value's own fields are {}.value.NAME", path);
     return failure(fmt::format("{} has no '{}'{}", path, shown(name), near));
@@ -229,7 +228,7 @@ Expected<TreeNode> TreeNode::below(std::string_view name) const {
     return failure(fmt::format("{} has no '{}'{}", path, shown(name), hint(name, children())));
 }
 
-// A field of its value comes before the port's own members, and only `value` before that.
+// Lookup order: `value`, then the fields of the port's value, then the port's own members.
 Expected<TreeNode> TreeNode::step(std::string_view name) const {
     if (kind() != Kind::port) return child(name);
     TreeNode value = *this;
@@ -324,7 +323,7 @@ Expected<TreeNode> TreeNode::to_set(std::string_view name) const {
         case Kind::config: return child(name);
         case Kind::component: break;
         case Kind::port:
-            return failure(fmt::format("{}: nothing of it can be set; write a value with :write(value)", path));
+            return failure(fmt::format("{}: its members can't be set; write a value with :write(value)", path));
         case Kind::truth: return failure("the truth can't be set: use teleport for the pose, disturb for the velocity");
         default: return failure(fmt::format("{} can't be set", shown(name)));
     }

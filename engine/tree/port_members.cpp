@@ -1,4 +1,4 @@
-// Every member of a port stands here, once.
+// The table of all members of ports.
 #include <limits>
 
 #include "engine/tree/read_member.hpp"
@@ -16,7 +16,7 @@ const std::vector<MemberInfo>& all_port_members() {
     static const std::vector<MemberInfo> members{
         {.name = "age",
          .type = "number",
-         .doc = "how long ago its stamp was [s]; math.huge before anything came",
+         .doc = "how long ago its stamp was [s]; math.huge before the first message",
          .value = of_node<[](const TreeNode& node) { return port_age(node.system(), *node.port()); }>},
         {.name = "connected",
          .type = "boolean",
@@ -55,7 +55,7 @@ const std::vector<MemberInfo>& all_port_members() {
          .doc = "only this value gets through until release"},
         {.name = "holder",
          .type = "string?",
-         .doc = "who holds, drops or freezes it, or nil",
+         .doc = "the actor that holds, drops or freezes it, or nil",
          .value = of_node<[](const TreeNode& node) {
              const Actor* holder = node.system().holder(path_of_port(node));
              return holder != nullptr ? NodeValue{Value{to_text(*holder)}} : NodeValue{};
@@ -72,7 +72,7 @@ const std::vector<MemberInfo>& all_port_members() {
          .value = of_port<[](const Port& port) { return port.name(); }>},
         {.name = "note",
          .type = "string",
-         .doc = "a note of its robot, for example that commands are ignored",
+         .doc = "a note from its robot, for example that commands are ignored",
          .value = of_port<[](const Port& port) { return port.note(); }>},
         {.name = "override",
          .type = "string",
@@ -88,12 +88,12 @@ const std::vector<MemberInfo>& all_port_members() {
          .doc = "ends what hold, drop and freeze began"},
         {.name = "stale",
          .type = "boolean",
-         .doc = "whether it is overdue: nothing came for three periods of its sender, at least 0.1 s, where that "
-                "declares a rate, for 0.5 s otherwise",
+         .doc = "whether it is overdue: no message came for three periods of its sender, at least 0.1 s, or for 0.5 s "
+                "if the sender declares no rate",
          .value = of_node<[](const TreeNode& node) { return is_stale(node.system(), *node.port()); }>},
         {.name = "tm",
          .type = "number",
-         .doc = "its stamp [s], 0 before anything came",
+         .doc = "its stamp [s], 0 before the first message",
          .value = of_port<[](const Port& port) { return port.tm(); }>},
         {.name = "type",
          .type = "MessageType",
@@ -101,13 +101,14 @@ const std::vector<MemberInfo>& all_port_members() {
          .value = of_port<[](const Port& port) { return std::string(port.type_name()); }>},
         {.name = "unread",
          .type = "boolean",
-         .doc = "of an in-port: whether something waits that its component has not read",
+         .doc = "of an in-port: whether it has a message that its component has not read",
          .value = of_port<[](const Port& port) {
              return port.direction() == Direction::in && static_cast<const InPortBase&>(port).is_new();
          }>},
         {.name = "value",
          .type = "any",
-         .doc = "a copy of the latest message; looking consumes nothing. Before anything came, the zero value of its "
+         .doc = "a copy of the latest message; reading it here does not consume it. Before the first message, the zero "
+                "value of its "
                 "type",
          .value = of_port<[](const Port& port) { return port.value(); }>},
         {.name = "write",

@@ -1,4 +1,4 @@
-// Which camera a picture is from is known in the tick; its tags are sought beside it.
+// The camera of a picture is determined in the tick; the tags are searched beside the ticks.
 #include "engine/vision/marker_detector.hpp"
 
 #include <fmt/format.h>
@@ -17,13 +17,13 @@ struct Search {
     double size, yaw_from;
 };
 
-// The tags that are looked for, the nearest first.
+// The searched tags, the nearest first.
 std::vector<SeenMarker> markers_in(GrayImage& gray, TagFinder& finder, const CameraIntrinsics& intrinsics,
                                    const Search& search) {
     std::vector<SeenMarker> seen;
     for (FoundTag& tag : finder.find(gray, intrinsics, search.size)) {
         if (search.id >= 0 && tag.id != search.id) continue;
-        // A small tag looks nearly the same from the left and from the right: its orientation would flip.
+        // A small tag looks nearly the same from the left and from the right, so its orientation would flip.
         if (tag.edge < search.yaw_from) tag.pose.orientation = {};
         seen.push_back({tag.id, tag.pose});
     }
@@ -34,7 +34,8 @@ std::vector<SeenMarker> markers_in(GrayImage& gray, TagFinder& finder, const Cam
 
 MarkerDetector::MarkerDetector(std::string name, bool wait)
     : ImageComponent(std::move(name), "MarkerDetector", wait),
-      intrinsics_(add_in_port<CameraIntrinsics>("intrinsics", "the camera's; comes along with a Camera's picture")),
+      intrinsics_(add_in_port<CameraIntrinsics>("intrinsics",
+                                                "the camera's intrinsics; connected together with a Camera's picture")),
       pos_(add_out_port<Pose3D>("pos",
                                 "where the marker is from the camera: x forward, y left, z up; silent while none "
                                 "is in sight")),
@@ -70,7 +71,7 @@ MarkerDetector::MarkerDetector(std::string name, bool wait)
              .min = 0,
              .max = 1e6,
              .unit = "px",
-             .doc = "focal length along a row, of a camera without distortion; 0: that of the intrinsics"});
+             .doc = "focal length in x, of a camera without distortion; 0: that of the intrinsics"});
     declare({.name = "fy", .initial = 0.0, .min = 0, .max = 1e6, .unit = "px", .doc = "with fx; 0: as fx"});
     declare({.name = "cx", .initial = 0.0, .min = 0, .max = 1e6, .unit = "px", .doc = "with fx; 0: the middle"});
     declare({.name = "cy", .initial = 0.0, .min = 0, .max = 1e6, .unit = "px", .doc = "with fx; 0: the middle"});
@@ -79,7 +80,7 @@ MarkerDetector::MarkerDetector(std::string name, bool wait)
              .min = 0.05,
              .max = 2.8,
              .unit = "rad",
-             .doc = "of a row, for pictures without intrinsics while fx is 0"});
+             .doc = "horizontal, for pictures without intrinsics while fx is 0"});
 }
 
 void MarkerDetector::tell_unknown(std::string what) {

@@ -131,7 +131,7 @@ struct Describe<MarkerSpec> {
                 "edge of the black border",
                 {.range = NumberRange::positive, .least = least_length}},
         Setting{"at", &MarkerSpec::at, "m", "centre", {.required = true}},
-        Setting{"facing", &MarkerSpec::facing, "rad", "the yaw into which it looks"},
+        Setting{"facing", &MarkerSpec::facing, "rad", "yaw of the direction that it faces"},
         Internal{&MarkerSpec::place},
     };
 };
@@ -176,7 +176,7 @@ struct Describe<LineSpec> {
 template <>
 struct Describe<MazePlan> {
     static constexpr std::string_view name = "maze_plan";
-    static constexpr std::string_view doc = "A maze to be made: between any two cells there is exactly one way.";
+    static constexpr std::string_view doc = "A generated maze: there is exactly one path between any two cells.";
     static constexpr std::tuple fields{
         Setting{"columns", &MazePlan::columns, "", "cells from west to east", {.min = 1, .max = most_maze_cells}},
         Setting{"rows", &MazePlan::rows, "", "cells from south to north", {.min = 1, .max = most_maze_cells}},
@@ -190,11 +190,11 @@ struct Describe<MazeSpec> {
     static constexpr std::string_view doc = "The walls of a maze of square cells, as in the contests of micromice.";
     static constexpr std::tuple fields{
         Extra{"rows", "string[]", "", "the maze as a drawing, the north first", {.by_hand = true}},
-        Setting{"generate", &MazeSpec::generate, "", "in the place of `rows`: a maze is made"},
+        Setting{"generate", &MazeSpec::generate, "", "instead of `rows`: generates a maze"},
         Setting{"cell",
                 &MazeSpec::cell,
                 "m",
-                "from wall to wall, middle to middle",
+                "distance of two walls, from middle to middle",
                 {.range = NumberRange::positive, .least = 2 * maze_wall}},
         Setting{"at", &MazeSpec::at, "m", "centre of the south-west cell"},
         Internal{&MazeSpec::rows},

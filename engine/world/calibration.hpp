@@ -45,7 +45,7 @@ Expected<void> apply(const Calibration& calibration, RobotSpec& spec);
 template <>
 struct Describe<WheelCalibration> {
     static constexpr std::string_view name = "odometry_calibration";
-    static constexpr std::string_view doc = "A robot's wheels as they were measured.";
+    static constexpr std::string_view doc = "The measured wheels of a robot.";
     static constexpr std::tuple fields{
         Setting{"track",
                 &WheelCalibration::track,
@@ -68,12 +68,12 @@ struct Describe<WheelCalibration> {
 template <>
 struct Describe<Calibration> {
     static constexpr std::string_view name = "calibration";
-    static constexpr std::string_view doc = "What one robot was measured to be, in `ROBOT.calibration.lua`.";
+    static constexpr std::string_view doc = "The measured parameters of one robot, in `ROBOT.calibration.lua`.";
     static constexpr std::tuple fields{
         Setting{"robot", &Calibration::robot, "", "its name in the system", {.required = true}},
         Setting{"model", &Calibration::model, "", "that it was measured with", {.required = true}},
         Setting{"serial", &Calibration::serial, "", "number of its computer: on another one the file is refused"},
-        Setting{"odometry", &Calibration::odometry, "", "its wheels, by `nezumi calibrate odometry`"},
+        Setting{"odometry", &Calibration::odometry, "", "its wheels, from `nezumi calibrate odometry`"},
         Extra{"sensors",
               "table<string, { table: number[][] }>",
               "",
@@ -85,7 +85,7 @@ struct Describe<Calibration> {
               "table<string, { width: integer, height: integer, fx: number, fy: number, cx: number, cy: number, k1: "
               "number, k2: number, p1: number, p2: number, k3: number }>",
               "",
-              "how the cameras see that it carries, by `nezumi calibrate camera`: by their names, the fields of a "
+              "the intrinsics of its cameras, from `nezumi calibrate camera`: by the camera's name, the fields of a "
               "CameraIntrinsics",
               {.by_hand = true}},
         Internal{&Calibration::ranges},

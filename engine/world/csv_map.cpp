@@ -49,7 +49,7 @@ Order order_of(const std::vector<std::string>& header) {
 
 std::size_t least_fields(const Order& order) { return *std::max_element(order.begin(), order.end()) + 1; }
 
-// What separates a row's columns if that is no comma; else "".
+// An error for rows whose columns are separated by another character than a comma; otherwise "".
 std::string other_separator(std::string_view row) {
     for (const auto& [separator, name] : {std::pair{';', "semicolons"}, {'\t', "tabs"}}) {
         if (std::count(row.begin(), row.end(), separator) >= static_cast<int>(columns.size()) - 1)
@@ -68,7 +68,7 @@ Expected<BoxSpec> read_row(const std::vector<std::string>& fields, const Order& 
     return BoxSpec{.at = {v[0], v[1], v[2]}, .size = {v[3], v[4], v[5]}, .yaw = v[6], .place = place};
 }
 
-// Whether a row would be a box if it had no quotes, and is none as one of them is not closed.
+// Whether an unclosed quote hides a row that would be a box without quotes.
 bool hides_box(std::string_view row, const Order& order, const Place& place) {
     if (split_csv_row(row)) return false;
     std::string bare(row);
@@ -117,7 +117,7 @@ Expected<CsvMap> read_map(std::string_view text, const std::string& file) {
         }
         auto box = read_row(fields, order, place);
         if (!box) {
-            // With commas for points, a row has enough of them.
+            // A row with decimal commas has enough commas, so it is tested here.
             const std::string separator = other_separator(line);
             return separator.empty() ? Unexpected(box.error()) : no_box(separator, place);
         }
@@ -130,8 +130,8 @@ Expected<CsvMap> read_map(std::string_view text, const std::string& file) {
 std::string describe(const CsvMap& map, const std::string& file) {
     std::string text = fmt::format("{}: {} box{}", file, map.boxes.size(), map.boxes.size() == 1 ? "" : "es");
     if (map.skipped > 0)
-        text += fmt::format(", {} skipped", map.skipped == 1 ? "1 line that is no box"
-                                                             : fmt::format("{} lines that are no box", map.skipped));
+        text += fmt::format(", {} skipped", map.skipped == 1 ? "1 line that is not a box"
+                                                             : fmt::format("{} lines that are not boxes", map.skipped));
     if (map.header_is_numbers) text += "; its first line, which is skipped as a header, reads like a box";
     return text;
 }

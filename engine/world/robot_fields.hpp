@@ -21,14 +21,14 @@ template <class S>
 inline constexpr std::tuple limit_fields{
     Setting{"speed", &S::speed, "m/s", "along x, both ways", limit_rule<S>},
     Setting{"yaw_rate", &S::yaw_rate, "rad/s", "both ways", limit_rule<S>},
-    Setting{"acceleration", &S::acceleration, "m/s^2", "along x; of braking as well", limit_rule<S>},
+    Setting{"acceleration", &S::acceleration, "m/s^2", "along x; also when braking", limit_rule<S>},
     Setting{"yaw_acceleration", &S::yaw_acceleration, "rad/s^2", "of the yaw rate", limit_rule<S>},
 };
 
 template <>
 struct Describe<Limits> {
     static constexpr std::string_view name = "limits";
-    static constexpr std::string_view doc = "What a velocity command may ask of a robot.";
+    static constexpr std::string_view doc = "Limits of a robot's velocity commands.";
     static constexpr auto& fields = limit_fields<Limits>;
 };
 
@@ -72,12 +72,12 @@ struct Describe<DriveSpec> {
         Setting{"left_radius",
                 &DriveSpec::left_radius,
                 "m",
-                "of the left wheel, where it is known to differ",
+                "of the left wheel, if it is known to differ",
                 {.range = NumberRange::positive, .least = least_robot_length, .fallback = "`radius`"}},
         Setting{"right_radius",
                 &DriveSpec::right_radius,
                 "m",
-                "of the right wheel, where it is known to differ",
+                "of the right wheel, if it is known to differ",
                 {.range = NumberRange::positive, .least = least_robot_length, .fallback = "`radius`"}},
         Setting{"track",
                 &DriveSpec::track,
@@ -87,7 +87,7 @@ struct Describe<DriveSpec> {
         Setting{"pulses_per_turn",
                 &DriveSpec::pulses_per_turn,
                 "",
-                "of the encoders, a wheel turn; 0: continuous",
+                "encoder pulses per turn of a wheel; 0: continuous",
                 {.range = NumberRange::not_negative}},
         Setting{"skid",
                 &DriveSpec::skid,
@@ -103,11 +103,11 @@ struct Describe<DriveSpec> {
                 "on the real robot, until it is calibrated",
                 {.fallback = "`limits`"}},
         Setting{"needs", &DriveSpec::needs, "",
-                "sensors without which it does not drive: one that has been silent for 0.3 s stops it"},
+                "sensors that it needs to drive: it stops if one of them gave no value for 0.3 s"},
         Setting{"port",
                 &DriveSpec::port,
                 "",
-                "of the real robot's left motor and its right",
+                "devices of the real robot's left and right motor",
                 {.fallback = "the driver's own"}},
     };
 };
@@ -132,7 +132,7 @@ struct Describe<SensorSpec> {
         Setting{"kind", &SensorSpec::kind, "", "what it measures", {.required = true, .selects = true}},
         Setting{"at", &SensorSpec::at, "m", "from the hull's centre", {.level = true}},
         Setting{"yaw", &SensorSpec::yaw, "rad", "where it looks, counter-clockwise"},
-        Setting{"on", &SensorSpec::on, "", "the servo that carries it, in the place of the hull"},
+        Setting{"on", &SensorSpec::on, "", "the servo that carries it, instead of the hull"},
         Setting{
             "range", &SensorSpec::range, "m", "it sees no farther", {.range = NumberRange::positive, .of = ranging}},
         Setting{"minimum",
@@ -144,12 +144,12 @@ struct Describe<SensorSpec> {
                 &SensorSpec::cone,
                 "rad",
                 "full opening angle, 0: a single ray; of a scan, its field of view",
-                {.range = NumberRange::not_negative, .of = ranging, .fallback = "0; of a scan a full turn"}},
+                {.range = NumberRange::not_negative, .of = ranging, .fallback = "0; for a scan a full turn"}},
         Setting{"rays",
                 &SensorSpec::rays,
                 "",
                 "rays in the cone: the nearest hit counts; a scan gives the distance of each, from right to left",
-                {.min = 1, .max = 1000, .of = ranging, .fallback = "5 with a `cone`, else 1; of a scan 360"}},
+                {.min = 1, .max = 1000, .of = ranging, .fallback = "5 with a `cone`, else 1; for a scan 360"}},
         Setting{"noise",
                 &SensorSpec::noise,
                 "",
@@ -231,7 +231,8 @@ struct Describe<ActuatorSpec> {
         Setting{"speed",
                 &ActuatorSpec::speed,
                 "rad/s",
-                "at which it begins; the robot's parameter `NAME_speed`. 0: as fast as it can, and no parameter",
+                "initial speed, the default of the robot's parameter `NAME_speed`. 0: as fast as possible, without "
+                "this parameter",
                 {.range = NumberRange::not_negative, .of = servo_only}},
         Setting{"minimum", &ActuatorSpec::minimum, "rad", "", {.of = servo_only}},
         Setting{"maximum", &ActuatorSpec::maximum, "rad", "equal to `minimum`: unlimited", {.of = servo_only}},
@@ -284,7 +285,7 @@ struct Describe<PortSpec> {
         Setting{"queue",
                 &PortSpec::queue,
                 "",
-                "so many unread messages are kept; 0: the latest",
+                "how many unread messages are kept; 0: the latest",
                 {.max = 1000, .of = in_only}},
         Setting{"silence",
                 &PortSpec::off_when_silent,
@@ -299,7 +300,7 @@ struct Describe<PortSpec> {
 template <>
 struct Describe<HardwareSpec> {
     static constexpr std::string_view name = "hardware";
-    static constexpr std::string_view doc = "How the real robot is reached: what `nezumi run --hw` drives.";
+    static constexpr std::string_view doc = "How `nezumi run --hw` reaches the real robot.";
     static constexpr std::tuple fields{
         Setting{"driver", &HardwareSpec::driver, "", "\"raspimouse\" or \"ev3\"", {.required = true}},
         Setting{"start",
@@ -336,7 +337,7 @@ struct Describe<RobotSpec> {
         Setting{"friction",
                 &RobotSpec::friction,
                 "",
-                "of the simulated wheels on the floor: 1 is rubber, 0.1 is ice",
+                "friction of the simulated wheels on the floor: 1 is rubber, 0.1 is ice",
                 {.range = NumberRange::not_negative}},
         Setting{"noise",
                 &RobotSpec::noise,

@@ -150,7 +150,8 @@ private:
                     return say("udev rules", good, path);
             }
         }
-        say("udev rules", note, "no rule for the nodes: other users may not use them, or not after the next start",
+        say("udev rules", note,
+            "no udev rule gives access to the nodes: other users can't use them, or only until the next start",
             rule_advice());
     }
 
@@ -229,7 +230,7 @@ private:
         }
     }
 
-    // As the device tree says it, where there is one: four bytes, the first the greatest.
+    // A value of the device tree, if there is one: four bytes, big endian.
     void look_at_i2c_clock() {
         const std::string path = roots_.devices.sys + "/bus/i2c/devices/i2c-1/of_node/clock-frequency";
         std::ifstream file(path, std::ios::binary);

@@ -55,14 +55,13 @@ Expected<std::vector<MouseBody::Wired>> MouseBody::wire(const RobotSpec& spec, S
 
 Expected<std::unique_ptr<RobotBody>> MouseBody::make(const RobotSpec& spec, const DeviceRoots& roots) {
     if (!spec.drive.port.empty())
-        return failure(fmt::format("drive.port of model '{}' has no meaning for the driver raspimouse: remove it out",
-                                   spec.model));
+        return failure(
+            fmt::format("drive.port of model '{}' has no meaning for the driver raspimouse: leave it out", spec.model));
     for (const ActuatorSpec& actuator : spec.actuators) {
         if (!actuator.port.empty() && actuator.kind != ActuatorSpec::Kind::speaker)
-            return failure(
-                fmt::format("port of actuator '{}' of model '{}' has no meaning for the driver raspimouse: remove "
-                            "it out",
-                            actuator.name, spec.model));
+            return failure(fmt::format(
+                "port of actuator '{}' of model '{}' has no meaning for the driver raspimouse: leave it out",
+                actuator.name, spec.model));
     }
     auto ranges = wire(spec, SensorSpec::Kind::range, "", 4);
     if (!ranges) return Unexpected(ranges.error());

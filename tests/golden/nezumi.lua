@@ -24,11 +24,11 @@
 
 ---@class (exact) Pose2D
 ---@field position Point2D where
----@field heading number [rad] which way, counter-clockwise from the x axis
+---@field heading number [rad] direction, counter-clockwise from the x axis
 
 ---@class (exact) Pose2D.Written
 ---@field position? Point2D.Written where
----@field heading? number [rad] which way, counter-clockwise from the x axis
+---@field heading? number [rad] direction, counter-clockwise from the x axis
 
 ---@class (exact) Point3D
 ---@field x number [m]
@@ -131,9 +131,9 @@
 ---@field pixels? string the bytes, row by row from the top left; a string in Lua
 
 ---@class (exact) CameraIntrinsics
----@field width integer [px] of the pictures that they are for 0..65535
+---@field width integer [px] of the pictures 0..65535
 ---@field height integer [px] 0..65535
----@field fx number [px] focal length along a row; 0: nothing is known
+---@field fx number [px] focal length in x; 0: unknown
 ---@field fy number [px] focal length along a column
 ---@field cx number [px] column of the optical axis
 ---@field cy number [px] row of the optical axis
@@ -147,9 +147,9 @@
 ---@field k6 number radial distortion of a rational model
 
 ---@class (exact) CameraIntrinsics.Written
----@field width? integer [px] of the pictures that they are for 0..65535
+---@field width? integer [px] of the pictures 0..65535
 ---@field height? integer [px] 0..65535
----@field fx? number [px] focal length along a row; 0: nothing is known
+---@field fx? number [px] focal length in x; 0: unknown
 ---@field fy? number [px] focal length along a column
 ---@field cx? number [px] column of the optical axis
 ---@field cy? number [px] row of the optical axis
@@ -171,11 +171,11 @@
 ---@field pose? Pose3D.Written from the camera: x forward, y left, z up
 
 ---@class InPort
----@field is_new boolean something unread waits
----@field tm number [s] stamp of the value, 0 before anything came
----@field age number [s] now() - tm, math.huge before anything came
+---@field is_new boolean there is an unread message
+---@field tm number [s] stamp of the value, 0 before the first message
+---@field age number [s] now() - tm, math.huge before the first message
 ---@field connected boolean
----@field stale boolean nothing came for three periods of its sender, or nothing can come
+---@field stale boolean no message came for three periods of its sender, or none can come
 
 ---@class OutPort
 
@@ -188,7 +188,7 @@
 ---@field write fun(self: TimedBoolean.Out, value: boolean)
 
 ---@class (exact) TimedBoolean.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedBoolean.OutOptions
 ---@field safe? boolean written when the component stops
@@ -202,7 +202,7 @@
 ---@field write fun(self: TimedShort.Out, value: integer)
 
 ---@class (exact) TimedShort.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedShort.OutOptions
 ---@field safe? integer written when the component stops
@@ -216,7 +216,7 @@
 ---@field write fun(self: TimedLong.Out, value: integer)
 
 ---@class (exact) TimedLong.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedLong.OutOptions
 ---@field safe? integer written when the component stops
@@ -230,7 +230,7 @@
 ---@field write fun(self: TimedFloat.Out, value: number)
 
 ---@class (exact) TimedFloat.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedFloat.OutOptions
 ---@field safe? number written when the component stops
@@ -244,7 +244,7 @@
 ---@field write fun(self: TimedDouble.Out, value: number)
 
 ---@class (exact) TimedDouble.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedDouble.OutOptions
 ---@field safe? number written when the component stops
@@ -258,7 +258,7 @@
 ---@field write fun(self: TimedString.Out, value: string)
 
 ---@class (exact) TimedString.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedString.OutOptions
 ---@field safe? string written when the component stops
@@ -272,7 +272,7 @@
 ---@field write fun(self: TimedBooleanSeq.Out, value: boolean[])
 
 ---@class (exact) TimedBooleanSeq.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedBooleanSeq.OutOptions
 ---@field safe? boolean[] written when the component stops
@@ -286,7 +286,7 @@
 ---@field write fun(self: TimedShortSeq.Out, value: integer[])
 
 ---@class (exact) TimedShortSeq.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedShortSeq.OutOptions
 ---@field safe? integer[] written when the component stops
@@ -300,7 +300,7 @@
 ---@field write fun(self: TimedLongSeq.Out, value: integer[])
 
 ---@class (exact) TimedLongSeq.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedLongSeq.OutOptions
 ---@field safe? integer[] written when the component stops
@@ -314,7 +314,7 @@
 ---@field write fun(self: TimedFloatSeq.Out, value: number[])
 
 ---@class (exact) TimedFloatSeq.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedFloatSeq.OutOptions
 ---@field safe? number[] written when the component stops
@@ -328,7 +328,7 @@
 ---@field write fun(self: TimedDoubleSeq.Out, value: number[])
 
 ---@class (exact) TimedDoubleSeq.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedDoubleSeq.OutOptions
 ---@field safe? number[] written when the component stops
@@ -342,7 +342,7 @@
 ---@field write fun(self: TimedStringSeq.Out, value: string[])
 
 ---@class (exact) TimedStringSeq.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedStringSeq.OutOptions
 ---@field safe? string[] written when the component stops
@@ -356,7 +356,7 @@
 ---@field write fun(self: TimedVelocity2D.Out, value: Velocity2D.Written)
 
 ---@class (exact) TimedVelocity2D.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedVelocity2D.OutOptions
 ---@field safe? Velocity2D.Written written when the component stops
@@ -370,7 +370,7 @@
 ---@field write fun(self: TimedPose2D.Out, value: Pose2D.Written)
 
 ---@class (exact) TimedPose2D.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedPose2D.OutOptions
 ---@field safe? Pose2D.Written written when the component stops
@@ -384,7 +384,7 @@
 ---@field write fun(self: TimedPose3D.Out, value: Pose3D.Written)
 
 ---@class (exact) TimedPose3D.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) TimedPose3D.OutOptions
 ---@field safe? Pose3D.Written written when the component stops
@@ -398,7 +398,7 @@
 ---@field write fun(self: RangeData.Out, value: RangeData.Written)
 
 ---@class (exact) RangeData.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) RangeData.OutOptions
 ---@field safe? RangeData.Written written when the component stops
@@ -412,21 +412,21 @@
 ---@field write fun(self: CameraImage.Out, value: CameraImage.Written)
 
 ---@class (exact) CameraImage.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) CameraImage.OutOptions
 ---@field safe? CameraImage.Written written when the component stops
 
----An in-port of CameraIntrinsics: how a camera maps what is before it to pixels.
+---An in-port of CameraIntrinsics: how a camera projects points in front of it to pixels.
 ---@class CameraIntrinsics.In : InPort
 ---@field read fun(self: CameraIntrinsics.In): CameraIntrinsics
 
----An out-port of CameraIntrinsics: how a camera maps what is before it to pixels.
+---An out-port of CameraIntrinsics: how a camera projects points in front of it to pixels.
 ---@class CameraIntrinsics.Out : OutPort
 ---@field write fun(self: CameraIntrinsics.Out, value: CameraIntrinsics.Written)
 
 ---@class (exact) CameraIntrinsics.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) CameraIntrinsics.OutOptions
 ---@field safe? CameraIntrinsics.Written written when the component stops
@@ -440,7 +440,7 @@
 ---@field write fun(self: SeenMarkerSeq.Out, value: SeenMarker.Written[])
 
 ---@class (exact) SeenMarkerSeq.InOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
 
 ---@class (exact) SeenMarkerSeq.OutOptions
 ---@field safe? SeenMarker.Written[] written when the component stops
@@ -503,7 +503,7 @@ function output(name, type, doc, options) end
 ---@field max_size? integer most elements (of arrays of numbers, other arrays)
 
 ---@class (exact) PortOptions
----@field queue? integer so many unread messages are kept, the oldest is dropped (of input)
+---@field queue? integer how many unread messages are kept; then the oldest is dropped (of input)
 ---@field safe? a value of the port's type written when the component stops (of output)
 
 ---@class (exact) AboutFields
@@ -512,10 +512,10 @@ function output(name, type, doc, options) end
 ---@field category? string what kind of component it is, for example "navigation"
 
 ---@class (exact) TaskOptions
----@field repeating? boolean begins again at the execution after its end
+---@field repeating? boolean starts again in the next execution after its end
 
 ---@class (exact) WaitOptions
----@field within? number [s] gives up when so much time has passed
+---@field within? number [s] stops waiting after this time
 
 ---@class (exact) BoxFields
 ---@field at number[] [m] centre; without z it stands on the floor
@@ -544,12 +544,12 @@ function output(name, type, doc, options) end
 ---@field name? string for teleport; letters, digits and _
 ---@field size? number [m] edge of the black border
 ---@field at number[] [m] centre
----@field facing? number [rad] the yaw into which it looks
+---@field facing? number [rad] yaw of the direction that it faces
 
 ---@class (exact) MazeFields
 ---@field rows? string[] the maze as a drawing, the north first
----@field generate? MazePlanFields in the place of `rows`: a maze is made
----@field cell? number [m] from wall to wall, middle to middle
+---@field generate? MazePlanFields instead of `rows`: generates a maze
+---@field cell? number [m] distance of two walls, from middle to middle
 ---@field at? number[] [m] centre of the south-west cell
 
 ---@class (exact) MazePlanFields
@@ -578,20 +578,20 @@ function output(name, type, doc, options) end
 ---@class (exact) LimitChangesFields
 ---@field speed? number [m/s] along x, both ways
 ---@field yaw_rate? number [rad/s] both ways
----@field acceleration? number [m/s^2] along x; of braking as well
+---@field acceleration? number [m/s^2] along x; also when braking
 ---@field yaw_acceleration? number [rad/s^2] of the yaw rate
 
 ---@class (exact) RobotFields
 ---@field model string a robot's file, for example "raspimouse"
 ---@field pose? { x?: number, y?: number, heading?: number } where it starts
----@field limits? LimitChangesFields in the place of the model's
+---@field limits? LimitChangesFields instead of the model's
 ---@field backend? string "sim": simulated with --hw as well; or the driver that --hw uses
 ---@field calibrated? boolean use `NAME.calibration.lua` beside this file also in simulation
 ---@field odometry_at_pose? boolean its odometry starts at `pose`, in the arena's coordinates; otherwise at 0, 0, 0
 ---@field active? boolean whether it is activated at the start
 ---@field doc? string what it is
 ---@field mass? number [kg] of the whole robot
----@field friction? number of the simulated wheels on the floor: 1 is rubber, 0.1 is ice
+---@field friction? number friction of the simulated wheels on the floor: 1 is rubber, 0.1 is ice
 ---@field noise? number in simulation: standard deviation of each sensor that measures, relative to its value (0.05: 5 %), in addition to the sensor's own `noise`
 ---@field drive? DriveFields wheels, skids and limits
 ---@field body? BodyFields the hull
@@ -626,10 +626,10 @@ function output(name, type, doc, options) end
 ---@field name string what other hosts call this one
 ---@field domain? integer hosts of one domain find each other
 ---@field interface? string the network interface, for example "wlan0"
----@field peers? string|string[] addresses of hosts, where the network carries no multicast
----@field secret? string a file that `nezumi network secret` has made: who has it may write
----@field open? boolean everybody on the interface, or every user of this computer, may write without a secret
----@field lockstep? boolean simulations that are connected advance together, the same each time
+---@field peers? string|string[] addresses of hosts, if the network has no multicast
+---@field secret? string a file that `nezumi network secret` has made: hosts that have it may write
+---@field open? boolean every host on the interface, or every user of this computer, may write without a secret
+---@field lockstep? boolean connected simulations advance together, so that every run gives the same result
 ---@field hosts? string|string[] hosts that lockstep waits for before it begins, in addition to those of connections
 
 ---@class (exact) RosFields
@@ -638,7 +638,7 @@ function output(name, type, doc, options) end
 ---@field subscribe? table<string, string|RosTopicFields> topics and the in-ports that take them: `["/cmd_vel"] = "mouse.target_velocity_in"`
 ---@field domain? integer the ROS_DOMAIN_ID of the other nodes
 ---@field interface? string the network interface, for example "wlan0"
----@field peers? string|string[] addresses of hosts, where the network carries no multicast
+---@field peers? string|string[] addresses of hosts, if the network has no multicast
 
 ---@class (exact) RosTopicFields
 ---@field topic? string of `publish`: its name, for example "/odom"
@@ -649,7 +649,7 @@ function output(name, type, doc, options) end
 ---@class (exact) RtmFields
 ---@field nameserver? string "HOST:PORT" of the CORBA name service
 ---@field export? string|string[] the components that appear there
----@field interface? string this computer's address at which others reach them; as it is, only this computer does
+---@field interface? string this computer's address, at which others reach them; by default only this computer reaches them
 ---@field rename? table<string, ParameterValue> what a port is called there, by `"name.port"`
 
 ---@class (exact) BodyFields
@@ -662,27 +662,27 @@ function output(name, type, doc, options) end
 ---@class (exact) LimitsFields
 ---@field speed? number [m/s] along x, both ways
 ---@field yaw_rate? number [rad/s] both ways
----@field acceleration? number [m/s^2] along x; of braking as well
+---@field acceleration? number [m/s^2] along x; also when braking
 ---@field yaw_acceleration? number [rad/s^2] of the yaw rate
 
 ---@class (exact) DriveFields
 ---@field radius? number [m] of the wheels
----@field left_radius? number [m] of the left wheel, where it is known to differ
----@field right_radius? number [m] of the right wheel, where it is known to differ
+---@field left_radius? number [m] of the left wheel, if it is known to differ
+---@field right_radius? number [m] of the right wheel, if it is known to differ
 ---@field track? number [m] between the wheels
----@field pulses_per_turn? number of the encoders, a wheel turn; 0: continuous
+---@field pulses_per_turn? number encoder pulses per turn of a wheel; 0: continuous
 ---@field skid? number [m] distance of the skids from the axis
 ---@field coasts_until_commanded? boolean the wheels roll freely until the first command after activation
 ---@field limits? LimitsFields each can be set again per robot in the system file
 ---@field hardware_limits? LimitsFields on the real robot, until it is calibrated
----@field needs? string|string[] sensors without which it does not drive: one that has been silent for 0.3 s stops it
----@field port? string|string[] of the real robot's left motor and its right
+---@field needs? string|string[] sensors that it needs to drive: it stops if one of them gave no value for 0.3 s
+---@field port? string|string[] devices of the real robot's left and right motor
 
 ---@class (exact) SensorFields
 ---@field kind? "range"|"button"|"touch"|"gyro"|"color"|"reflect"|"ambient"|"scan"|"imu" what it measures
 ---@field at? number[] [m] from the hull's centre
 ---@field yaw? number [rad] where it looks, counter-clockwise
----@field on? string the servo that carries it, in the place of the hull
+---@field on? string the servo that carries it, instead of the hull
 ---@field range? number [m] it sees no farther (of range, scan)
 ---@field minimum? number [m] it sees no nearer (of range, scan)
 ---@field cone? number [rad] full opening angle, 0: a single ray; of a scan, its field of view (of range, scan)
@@ -704,7 +704,7 @@ function output(name, type, doc, options) end
 ---@field kind? "leds"|"buzzer"|"servo"|"screen"|"speaker"
 ---@field count? integer how many (of leds)
 ---@field max_rate? number [rad/s] 0: any (of servo)
----@field speed? number [rad/s] at which it begins; the robot's parameter `NAME_speed`. 0: as fast as it can, and no parameter (of servo)
+---@field speed? number [rad/s] initial speed, the default of the robot's parameter `NAME_speed`. 0: as fast as possible, without this parameter (of servo)
 ---@field minimum? number [rad] (of servo)
 ---@field maximum? number [rad] equal to `minimum`: unlimited (of servo)
 ---@field at? number[] [m] its axis, from the hull's centre (of servo)
@@ -717,7 +717,7 @@ function output(name, type, doc, options) end
 ---@field doc? string documentation for editors and the console
 ---@field rate? number [Hz] messages a second; 0: one each tick (of out-port)
 ---@field quantity? "value"|"distance"|"rate"|"acceleration" `"distance"`: metres instead of a range sensor's value; `"rate"`: of a gyro instead of its angle, of an imu its three rates; `"acceleration"`: of an imu its three accelerations (of out-port)
----@field queue? integer so many unread messages are kept; 0: the latest (of in-port)
+---@field queue? integer how many unread messages are kept; 0: the latest (of in-port)
 ---@field silence? "hold"|"off" after 0.5 s without a message: the actuator holds or goes off (of in-port)
 
 ---@class (exact) HardwareFields
@@ -729,7 +729,7 @@ function output(name, type, doc, options) end
 ---@field base? string a robot file that this one builds on: omitted fields are those of the base. Tables with names are merged, lists and positions are replaced as a whole, `false` removes an entry
 ---@field doc? string what it is
 ---@field mass? number [kg] of the whole robot
----@field friction? number of the simulated wheels on the floor: 1 is rubber, 0.1 is ice
+---@field friction? number friction of the simulated wheels on the floor: 1 is rubber, 0.1 is ice
 ---@field noise? number in simulation: standard deviation of each sensor that measures, relative to its value (0.05: 5 %), in addition to the sensor's own `noise`
 ---@field drive? DriveFields wheels, skids and limits
 ---@field body? BodyFields the hull
@@ -756,15 +756,15 @@ function output(name, type, doc, options) end
 ---@field seconds? number [s] how long (of s:disturb)
 
 ---@class (exact) HoldOptions
----@field take? boolean also from another who holds the port
+---@field take? boolean even if another actor holds the port
 
 ---@class (exact) CalibrationFields
 ---@field robot string its name in the system
 ---@field model string that it was measured with
 ---@field serial? string number of its computer: on another one the file is refused
----@field odometry? OdometryCalibrationFields its wheels, by `nezumi calibrate odometry`
+---@field odometry? OdometryCalibrationFields its wheels, from `nezumi calibrate odometry`
 ---@field sensors? table<string, { table: number[][] }> values of its range sensors at distances [m], from `nezumi calibrate ir`: `right_front = { table = { { 0.02, 795 }, ... } }`
----@field cameras? table<string, { width: integer, height: integer, fx: number, fy: number, cx: number, cy: number, k1: number, k2: number, p1: number, p2: number, k3: number }> how the cameras see that it carries, by `nezumi calibrate camera`: by their names, the fields of a CameraIntrinsics
+---@field cameras? table<string, { width: integer, height: integer, fx: number, fy: number, cx: number, cy: number, k1: number, k2: number, p1: number, p2: number, k3: number }> the intrinsics of its cameras, from `nezumi calibrate camera`: by the camera's name, the fields of a CameraIntrinsics
 
 ---@class (exact) OdometryCalibrationFields
 ---@field track number [m] between the wheels
@@ -773,21 +773,21 @@ function output(name, type, doc, options) end
 
 ---@class (exact) ScenarioOptions
 ---@field timeout? number [s] simulated time after which the scenario fails
----@field sweep? table<string, any[]|Range> one run for each combination, `{ speed = { 0.1, 0.2 }, ... }`, the keys in sorted order. `range(lo, hi)` instead of a list draws numbers at random, `range(lo, hi, step)` those of a step: all values when they are no more than `samples`, else without repetition
----@field samples? integer how many random draws. A failing draw is simplified: to numbers nearer to 0 and with fewer digits, to values that stand earlier in their list
----@field seeds? integer each combination is run so often, each time with a seed of its own
+---@field sweep? table<string, any[]|Range> one run for each combination, `{ speed = { 0.1, 0.2 }, ... }`, the keys in sorted order. `range(lo, hi)` instead of a list draws numbers at random, `range(lo, hi, step)` draws from lo, lo + step, ...: all of them if there are at most `samples`, else without repetition
+---@field samples? integer number of random draws. A failing draw is simplified: to numbers nearer to 0 and with fewer digits, and to earlier values in their list
+---@field seeds? integer how many runs are made of each combination, each with its own seed
 ---@field seed? integer the seed of every run, as `nezumi run --seed` takes it
----@field paired? string a list of the sweep: runs that differ in its value alone have the same seed, and the summary shows the differences of what they measured
+---@field paired? string a list of the sweep: runs that differ only in its value have the same seed, and the summary shows the differences of their measures
 
 ---@class (exact) ExpectationOptions
----@field within? number [s] the event must come, or the hold begin, so soon (of wait_until, eventually, maintain)
----@field hold number [s] the condition must stay true so long (of maintain)
+---@field within? number [s] time limit for the event, or for the start of the hold (of wait_until, eventually, maintain)
+---@field hold number [s] how long the condition must stay true (of maintain)
 
 ---@class (exact) GoldenOptions
----@field tolerance? number by which a number may differ
+---@field tolerance? number largest allowed difference of a number
 
 ---@class (exact) LoadOptions
----@field robots? table<string, RobotModelFields> what differs from the system's, by the robot's name
+---@field robots? table<string, RobotModelFields> changes to the system's robots, by the robot's name
 
 ---@class (exact) ReloadOptions
 ---@field file? string its script, found as a system file finds one
@@ -835,7 +835,7 @@ dt = 0
 ---@field error fun(...: any)
 log = {}
 
----Says who made this component, and what it is.
+---The version, vendor and category of this component.
 ---@param fields AboutFields
 function about(fields) end
 
@@ -970,11 +970,11 @@ function network(fields) end
 ---@param fields RosFields
 function ros(fields) end
 
----Components that OpenRTM-aist's see, and may be connected to.
+---Components that are visible to OpenRTM-aist components and can be connected to them.
 ---@param fields RtmFields
 function rtm(fields) end
 
----A value that `--set name=value` gives in the place of the default.
+---A value that `--set name=value` gives instead of the default.
 ---@param name string
 ---@param default any
 ---@param options table?
@@ -1009,9 +1009,9 @@ function seed(n) end
 ---@return table
 function robot_model(fields) end
 
----A port as seen from outside: looking at it consumes nothing.
+---A port as seen from outside: reading it here does not consume messages.
 ---@class Port
----@field age number how long ago its stamp was [s]; math.huge before anything came
+---@field age number how long ago its stamp was [s]; math.huge before the first message
 ---@field connected boolean whether another port is connected to it
 ---@field count integer messages since the start
 ---@field direction "in"|"out" whether its component reads or writes it
@@ -1019,19 +1019,19 @@ function robot_model(fields) end
 ---@field drop fun(self: Port) no message gets through until release
 ---@field freeze fun(self: Port) the present value is repeated until release
 ---@field hold fun(self: Port, value: any, options?: HoldOptions) only this value gets through until release
----@field holder string? who holds, drops or freezes it, or nil
+---@field holder string? the actor that holds, drops or freezes it, or nil
 ---@field inject fun(self: Port, value: any) one message, as from a connection
 ---@field name string its name
----@field note string a note of its robot, for example that commands are ignored
+---@field note string a note from its robot, for example that commands are ignored
 ---@field override string "held", "dropped", "frozen" or ""
 ---@field path string "name.port"
 ---@field peers string[] the ports at its other end
 ---@field release fun(self: Port) ends what hold, drop and freeze began
----@field stale boolean whether it is overdue: nothing came for three periods of its sender, at least 0.1 s, where that declares a rate, for 0.5 s otherwise
----@field tm number its stamp [s], 0 before anything came
+---@field stale boolean whether it is overdue: no message came for three periods of its sender, at least 0.1 s, or for 0.5 s if the sender declares no rate
+---@field tm number its stamp [s], 0 before the first message
 ---@field type MessageType its message type
----@field unread boolean of an in-port: whether something waits that its component has not read
----@field value any a copy of the latest message; looking consumes nothing. Before anything came, the zero value of its type
+---@field unread boolean of an in-port: whether it has a message that its component has not read
+---@field value any a copy of the latest message; reading it here does not consume it. Before the first message, the zero value of its type
 ---@field write fun(self: Port, value: any) an out-port: published as if its component had written it; an in-port: as inject
 
 ---@class Component
@@ -1041,18 +1041,18 @@ function robot_model(fields) end
 ---@field commands string[] the names of its commands
 ---@field config table<string, ParameterValue> its parameters, read and written within their bounds
 ---@field deactivate fun(self: Component): string makes it INACTIVE; gives the status that follows
----@field disturb fun(self: Component, velocities?: VelocityConstraintFields) of robots: forces these velocities on it; without them it moves freely again
+---@field disturb fun(self: Component, velocities?: VelocityConstraintFields) of robots: forces these velocities on the robot; without velocities it moves freely again
 ---@field error string? in ERROR: the error; otherwise nil
 ---@field failure { text: string, tm: number, file?: string, line?: integer, frames?: { file: string, line: integer, name?: string, locals: table }[] }? in ERROR: the error, its time [s], its line, and the functions that were running, the innermost first, each with file, line, name and locals; otherwise nil
 ---@field leds boolean[] of robots: which of its lights are on
 ---@field limits table<string, number> of robots: the highest speeds and accelerations that it obeys
 ---@field name string its name
 ---@field ports table<string, Port> its ports by name
----@field press fun(self: Component, sensor: string, pressed?: boolean) of robots: presses a button or touch sensor; with false lets it go
----@field probes table<string, ProbeView> the values that its script shows by `probe`: value, tm and age
+---@field press fun(self: Component, sensor: string, pressed?: boolean) of robots: presses a button or touch sensor; with false releases it
+---@field probes table<string, ProbeView> the values of `probe` calls in its script: value, tm and age
 ---@field rate number executions a second [Hz]
 ---@field reset fun(self: Component): string takes it out of ERROR; gives the status that follows
----@field said string[] of robots: the last 100 texts for its speaker
+---@field said string[] of robots: the last 100 texts sent to its speaker
 ---@field set string? the named set of parameters in use, or nil
 ---@field sets string[] the names of its sets of parameters
 ---@field state table a copy of its script's `state`
@@ -1302,7 +1302,7 @@ function s:network(fields) end
 ---@param fields RosFields
 function s:ros(fields) end
 
----Components that OpenRTM-aist's see, and may be connected to.
+---Components that are visible to OpenRTM-aist components and can be connected to them.
 ---@param fields RtmFields
 function s:rtm(fields) end
 

@@ -1,4 +1,4 @@
-// What every sub-command takes from around it: the installed files, the simulator, the way to speak.
+// The environment of every sub-command: installed files, simulator, error output.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,21 @@
 
 namespace nezumi::cli {
 
-/// The folder of the installed files, which has `behaviors/` and `engine/robots/`; none where they are not installed.
+/// The folders of the installed files, each with `behaviors/` and `engine/robots/`; empty if nothing is installed.
 std::vector<std::filesystem::path> installed_folders();
 
-/// What decides all that is drawn at random where nobody says another seed.
+/// The default seed of all random numbers.
 inline constexpr std::uint64_t usual_seed = 124;
 
-/// How systems are made here: simulated, from the project's files and the installed ones.
+/// Options for simulated systems, with the project's files and the installed ones.
 LiveOptions simulated_systems();
 
-/// What a program that is built without simulation, vision and pictures (NEZUMI_SIMULATION=OFF) says where one of these
-/// is wanted.
+/// The error of a program without simulation, vision and pictures (NEZUMI_SIMULATION=OFF) when one of these is needed.
 inline constexpr std::string_view no_simulation =
-    "this nezumi is built for real robots alone, without simulation, vision and pictures: do it on another computer; "
-    "here is `nezumi run FILE --hw`";
+    "this build of nezumi is for real robots only, without simulation, vision and pictures: use another computer; here "
+    "you can use `nezumi run FILE --hw`";
 
-/// That error in such a program, with the name of the first use that is wanted and needs one of these.
+/// Returns this error in such a program if a use of one of these is requested; it names the first one.
 Expected<void> need_simulation(std::initializer_list<std::pair<std::string_view, bool>> uses);
 
 /// Says on standard error why something can't be done: one plain line. Returns `exit_could_not_run`.

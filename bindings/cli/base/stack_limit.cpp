@@ -11,7 +11,7 @@ std::string stack_problem() {
     rlimit stack{};
     if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= least)
         return "";  // RLIM_INFINITY is the largest value
-    return fmt::format("the limit of the stack is {} kB, at least {} are needed: say `ulimit -s 8192` before",
+    return fmt::format("the stack limit is {} kB, at least {} kB are needed: run `ulimit -s 8192` first",
                        stack.rlim_cur >> 10, least >> 10);
 }
 

@@ -52,17 +52,17 @@ Expected<int> attach_by_ssh(const AttachOptions& options, const std::string& whi
     const auto ended = push::run_in_front(remote->ssh(command, has_terminal));
     if (!ended) return Unexpected(ended.error());
     if (ended->status == push::no_connection)
-        return failure(fmt::format("{} is not to be reached by ssh, or the connection broke", remote->host()));
+        return failure(fmt::format("{} can't be reached by ssh, or the connection broke", remote->host()));
     constexpr int not_found = 127;  // of a shell
     if (ended->status == not_found)
-        return failure(fmt::format("{} has no nezumi: install its package there", remote->host()));
+        return failure(fmt::format("{} needs nezumi: install its package there", remote->host()));
     return ended->status;
 }
 
 int attach(const AttachOptions& options) {
     constexpr std::string_view by_ssh = "ssh:";
     const bool is_remote = options.which.starts_with(by_ssh);
-    if (options.list && options.eval) return refuse("--list only lists what runs: leave out --eval");
+    if (options.list && options.eval) return refuse("--list only lists running systems: leave out --eval");
     if (options.timeout > 0 && !options.eval) return refuse("--timeout is for --eval");
     if (!options.ssh_config.empty() && !is_remote)
         return refuse("--ssh-config is for a system on another computer, as in ssh:pi@mouse");
@@ -100,15 +100,16 @@ SubCommand attach_command() {
             {{"[SYSTEM]", &options->which,
               "its name (that of its file) or its process number; may be omitted if only one runs. ssh:pi@mouse, or "
               "ssh:pi@mouse/SYSTEM: on another computer"},
-             {"--eval", &options->eval, "run this, print the result, and leave: exit status 1 if it fails", "LUA"},
-             {"--timeout", &options->timeout, "with --eval: interrupt it after so many seconds", "S",
+             {"--eval", &options->eval, "run this command, print the result and exit: exit status 1 if it fails",
+              "LUA"},
+             {"--timeout", &options->timeout, "with --eval: interrupt the command after this many seconds", "S",
               number_from(0.001, 1e6)},
-             {"--list", &options->list, "only list what runs, with processes"},
+             {"--list", &options->list, "only list the running systems and their processes"},
              {"--ssh-config", &options->ssh_config, "with ssh:HOST: for ssh -F", "FILE"}},
         .run = [options] { return attach(*options); },
         .footer =
-            "Without a terminal, commands are read from standard input. Exit status: 0 well, 1 a command "
-            "failed, 2 nothing to attach to."};
+            "Without a terminal, commands are read from standard input. Exit status: 0 success, 1 a command failed, 2 "
+            "there is no system to attach to."};
 }
 
 }  // namespace nezumi::cli

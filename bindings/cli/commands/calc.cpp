@@ -120,16 +120,16 @@ SubCommand calc_command() {
                     {"--system", &options->system,
                      "its name (that of its file) or its process number; may be omitted if only one runs", "SYSTEM"},
                     {"--port", &options->ports,
-                     "of a new sheet: only this port, or the ports of this component; can be given again", "NAME"},
+                     "in a new sheet: show only this port, or the ports of this component; may be repeated", "NAME"},
                     {"--rate", &options->rate, "refreshes per second", "HZ", number_from(4, 25)},
-                    {"--profile", &options->profile, "a folder for an office of its own, with settings of its own",
+                    {"--profile", &options->profile, "a folder for a separate LibreOffice with its own settings",
                      "DIR"},
                     {"--headless", &options->headless, "without a window: for machines"}},
         .run = [options] { return link(*options); },
         .footer =
             "A table begins with the cells `Port` and `State` side by side; below them stand ports, right of "
-            "them their values: docs/spreadsheet.md. Needs Debian's libreoffice-calc and python3-uno. Exit "
-            "status: 0 the link ended in good order, 2 it could not begin."};
+            "them their values: docs/spreadsheet.md. Needs Debian's libreoffice-calc and python3-uno. Exit status: 0 "
+            "the link ended normally, 2 it could not start."};
 }
 
 }  // namespace nezumi::cli

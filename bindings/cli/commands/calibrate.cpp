@@ -81,10 +81,10 @@ public:
             if (sensor.kind == SensorSpec::Kind::range) front = std::max(front, sensor.at.x);
         }
         const double wall = options_.simulated ? distance_to_wall() : front + options_.wall;
-        auto asked = person_.confirm(fmt::format(
-            "Stand the robot squarely before a white wall, its foremost sensors {} m from it, with 0.5 m of "
-            "room behind. It backs away and turns.",
-            options_.wall));
+        auto asked =
+            person_.confirm(fmt::format("Place the robot at a right angle to a white wall, its foremost sensors {} m "
+                                        "from the wall, with 0.5 m of free space behind it. It backs away and turns.",
+                                        options_.wall));
         if (!asked) return Unexpected(asked.error());
         auto ranges = hw::calibrate_ranges(*robot_, {.wall = wall});
         if (!ranges) return Unexpected(ranges.error());
@@ -104,11 +104,11 @@ public:
             {.file = options_.file, .name = options_.camera, .simulated = options_.simulated, .hardware = hardware},
             signals_.received());
         if (!camera) return Unexpected(camera.error());
-        auto asked = person_.confirm(fmt::format(
-            "Show it a chessboard of {} x {} inner corners with a white margin, on something flat and stiff: all of it "
-            "in the picture, and held still for a moment, {} times, each time elsewhere: near and far, in the corners "
-            "of the picture, tilted to all sides.",
-            course.board.columns, course.board.rows, course.views));
+        auto asked = person_.confirm(
+            fmt::format("Hold a chessboard of {} x {} inner corners with a white margin in front of the camera. The "
+                        "board must be flat, stiff and completely in the picture. Hold it still {} times, each time in "
+                        "another place: near and far, in the corners of the picture, tilted to all sides.",
+                        course.board.columns, course.board.rows, course.views));
         if (!asked) return Unexpected(asked.error());
         const auto fit = hw::calibrate_camera(
             course, [&] { return (*camera)->next(); }, [&](const std::string& text) { person_.tell(text); });
@@ -218,9 +218,9 @@ SubCommand calibrate_command() {
     const auto with = [&](std::vector<Option> own) {
         own.insert(own.begin(), {"FILE", &options->file, "the system file that the robot belongs to"});
         const std::vector<Option> common{
-            {"--sim", &options->simulated, "rehearse it in simulation: measured by the truth, nothing is written"},
-            {"--yes", &options->is_sure, "nothing is confirmed; measurements are read from standard input"},
-            {"--dev-root", &options->dev_root, "the folder of the devices' nodes (default /dev)", "DIR"},
+            {"--sim", &options->simulated, "practise in simulation: the true pose is measured, and nothing is written"},
+            {"--yes", &options->is_sure, "do not ask for confirmation; read measurements from standard input"},
+            {"--dev-root", &options->dev_root, "the folder of the device files (default /dev)", "DIR"},
             {"--sys-root", &options->sys_root, "the folder of the kernel's devices (default /sys)", "DIR"}};
         own.insert(own.end(), common.begin(), common.end());
         return own;
@@ -232,7 +232,7 @@ SubCommand calibrate_command() {
         "could not be done.";
     const SubCommand odometry{
         .name = "odometry",
-        .help = "Measure the wheels' radii and track by a line and two squares",
+        .help = "Measure the wheels' radii and track by driving a line and two squares",
         .options = with(
             {{"--side", &options->side, "of the squares [m]; the line is twice as long", "M", number_from(0.1, 10)},
              robot}),
@@ -248,7 +248,7 @@ SubCommand calibrate_command() {
         .footer = footer};
     const SubCommand camera{
         .name = "camera",
-        .help = "Measure how a camera on a robot sees, by views of a chessboard",
+        .help = "Measure the intrinsics of a robot's camera from views of a chessboard",
         .options =
             with({{"--camera", &options->camera, "its name in the file; may be omitted if there is only one", "NAME"},
                   {"--board", &options->board, "the chessboard's inner corners (default 9x6)", "COLUMNSxROWS",
@@ -256,7 +256,7 @@ SubCommand calibrate_command() {
         .run = [options] { return run(*options, &Session::camera); },
         .footer = footer};
     return {.name = "calibrate",
-            .help = "Measure what a real robot is like, by guided runs",
+            .help = "Measure the parameters of a real robot in guided runs",
             .commands = {odometry, ranges, camera}};
 }
 

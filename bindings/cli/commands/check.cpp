@@ -1,4 +1,4 @@
-// `nezumi check`: what is wrong with files, for editors and for tests that run by themselves.
+// `nezumi check`: finds errors in files, for editors and automatic tests.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct CheckOptions {
     bool json = false;
 };
 
-// All of standard input, at most what a file may have.
+// Reads standard input, up to the largest size of a file.
 Expected<std::string> read_input(const std::string& shown) {
     std::string text;
     char buffer[65536];
@@ -41,7 +41,7 @@ Expected<std::string> read_input(const std::string& shown) {
     return text;
 }
 
-// [{"file":"x.lua","line":3,"column":5,"message":"..."}], without what is not known.
+// [{"file":"x.lua","line":3,"column":5,"message":"..."}], without unknown parts.
 std::string to_json(const std::vector<Error>& errors) {
     std::string text;
     for (const Error& error : errors) {
@@ -53,7 +53,7 @@ std::string to_json(const std::vector<Error>& errors) {
     return "[" + text + "]\n";
 }
 
-// What was found so far, and how it ends.
+// Collects the findings, and computes the exit status.
 class Findings {
 public:
     explicit Findings(bool json) : json_(json) {}
@@ -99,7 +99,7 @@ int check(const CheckOptions& options) {
         return findings.finish(options.name);
     }
     if (options.name != unnamed)
-        return refuse("check: --name is for what comes from standard input: give - as the file");
+        return refuse("check: --name is only for text from standard input: give - as the file");
     std::vector<std::string> paths = options.paths;
     if (paths.empty()) {
         const Project project = Project::of("here");
@@ -132,12 +132,12 @@ SubCommand check_command() {
             .options = {{"[FILE]", &options->paths,
                          "behaviours, modules, systems, robots, scenarios, by path or name, or folders with them, for "
                          "example .; - is standard input; without any, those of the project"},
-                        {"--name", &options->name, "with -: the file that the text is to be", "FILE.lua"},
+                        {"--name", &options->name, "with -: the name of the file that the text belongs to", "FILE.lua"},
                         {"--json", &options->json, "write an array of {file, line, column, message}"}},
             .run = [options] { return check(*options); },
             .footer =
                 "Each finding is a line `file:line:column: message`.\n"
-                "Exit status: 0 nothing wrong, 1 something is, 2 it could not be checked."};
+                "Exit status: 0 no errors, 1 errors were found, 2 the files could not be checked."};
 }
 
 }  // namespace nezumi::cli

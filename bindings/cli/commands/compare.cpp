@@ -63,7 +63,7 @@ int compare(const std::string& first, const std::string& second) {
     }
     const double common = std::min(compared->first_end, compared->second_end);
     if (compared->first_end == compared->second_end) {
-        fmt::print("equal: all that was published in {:g} s\n", common);
+        fmt::print("equal: all messages published in {:g} s\n", common);
         return exit_done;
     }
     const bool first_is_longer = compared->first_end > compared->second_end;

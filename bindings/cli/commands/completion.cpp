@@ -32,7 +32,7 @@ SubCommand completion_command(SubCommand (*program)()) {
             .run = [shell, program] { return write_completion(program(), *shell); },
             .footer =
                 "For this shell: `source <(nezumi completion bash)`, `source <(nezumi completion zsh)`, `nezumi "
-                "completion fish | source`.\nFor all to come: the same line in ~/.bashrc, in ~/.zshrc below "
+                "completion fish | source`.\nFor every new shell: the same line in ~/.bashrc, in ~/.zshrc below "
                 "compinit, in ~/.config/fish/config.fish.\nDebian's package brings them."};
 }
 

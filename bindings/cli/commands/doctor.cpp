@@ -108,7 +108,7 @@ SubCommand doctor_command() {
                         {"--move", &options->move,
                          "turn each wheel as well, slowly, with the robot held in the air; asks first"},
                         {"--yes", &options->is_sure, "with --move: do not ask before it moves"},
-                        {"--dev-root", &options->dev_root, "the folder of the devices' nodes (default /dev)", "DIR"},
+                        {"--dev-root", &options->dev_root, "the folder of the device files (default /dev)", "DIR"},
                         {"--sys-root", &options->sys_root, "the folder of the kernel's devices (default /sys)", "DIR"},
                         {"--proc-root", &options->proc_root, "the folder of processes (default /proc)", "DIR"},
                         {"--udev-root", &options->udev_root, "the folder of rules.d (default /etc/udev and /lib/udev)",
@@ -116,7 +116,7 @@ SubCommand doctor_command() {
             .run = [options] { return doctor(*options); },
             .footer =
                 "Each finding is a line `ok`, `note` or `wrong`, and what to do about it. Without --move nothing is "
-                "written to any device.\nExit status: 0 nothing wrong, 1 something is to be done, 2 --move could not "
+                "written to any device.\nExit status: 0 no problems, 1 something needs to be fixed, 2 --move could not "
                 "be done."};
 }
 

@@ -30,11 +30,13 @@ int write_manual(const SubCommand& program, const std::string& folder) {
 
 SubCommand manual_command(SubCommand (*program)()) {
     auto folder = std::make_shared<std::string>();
-    return {.name = "manual",
-            .help = "Write the manual pages, nezumi.1 and one for each command",
-            .options = {{"DIR", folder.get(), "the folder to write them into; older ones are replaced"}},
-            .run = [folder, program] { return write_manual(program(), *folder); },
-            .footer = "They say what --help does. `man -l DIR/nezumi-run.1` shows one; Debian's package brings them."};
+    return {
+        .name = "manual",
+        .help = "Write the manual pages, nezumi.1 and one for each command",
+        .options = {{"DIR", folder.get(), "the folder to write them into; older ones are replaced"}},
+        .run = [folder, program] { return write_manual(program(), *folder); },
+        .footer =
+            "They have the same text as --help. `man -l DIR/nezumi-run.1` shows one; Debian's package brings them."};
 }
 
 }  // namespace nezumi::cli

@@ -62,7 +62,7 @@ int write_markers(const MarkerOptions& options) {
                                   largest));
     }
     if (options.file.empty() && isatty(STDOUT_FILENO) != 0)
-        return refuse("marker: a PDF is nothing for a terminal: write `> tag.pdf`, or `-o tag.pdf`");
+        return refuse("marker: a PDF can't be shown on a terminal: write `> tag.pdf`, or `-o tag.pdf`");
     std::vector<draw::PrintedTag> tags;
     for (const int id : *ids) tags.push_back({id, sim::paint_tag(id)});
     const auto pdf = draw::marker_pdf(*paper, tags, options.size);

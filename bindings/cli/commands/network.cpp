@@ -96,14 +96,15 @@ SubCommand network_command() {
             .commands = {
                 {.name = "list",
                  .help = "Print the hosts that announce themselves, and the topics of ROS 2",
-                 .options = {{"--domain", &list->domain, "as in the word network (default: 0)", "N"},
+                 .options = {{"--domain", &list->domain, "the domain, as in `network` of the system file (default: 0)",
+                              "N"},
                              {"--interface", &list->interface, "the network interface (default: the loopback)", "NAME"},
-                             {"--peer", &list->peers, "where the network carries no multicast", "ADDRESS"},
-                             {"--secret", &list->secret, "that of the hosts to be seen", "FILE"},
+                             {"--peer", &list->peers, "addresses of hosts, if the network has no multicast", "ADDRESS"},
+                             {"--secret", &list->secret, "the secret of the hosts that are listed", "FILE"},
                              {"--seconds", &list->seconds, "how long to listen", "S", number_from(0.1, 60)}},
                  .run = [list] { return list_network(*list); },
-                 .footer = "Hosts that have a secret are seen only by who has it: --secret. On the loopback those of "
-                           "this user are seen without it."},
+                 .footer = "Hosts that have a secret are listed only with the same secret: --secret. On the loopback, "
+                           "this user's hosts are listed without it."},
                 {.name = "secret",
                  .help = "Write a new secret into a file, for hosts that are to trust each other",
                  .options = {{"FILE", file.get(), "that is not there yet"}},

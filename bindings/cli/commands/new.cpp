@@ -40,8 +40,9 @@ int write_files(const std::vector<NewFile>& files, const std::string& next, cons
     for (const NewFile& file : files) fmt::print("wrote {}\n", file.path.string());
     fmt::print("now try: {}\n", next);
     if (!shipped.empty()) {
-        fmt::print(stderr, "nezumi: in this project '{}' now means {}, no longer {}: rename it if that is not meant\n",
-                   name, files.front().path.string(), shipped);
+        fmt::print(stderr,
+                   "nezumi: in this project '{}' now means {}, no longer {}: rename it if you do not want that\n", name,
+                   files.front().path.string(), shipped);
     }
     return exit_done;
 }
@@ -124,7 +125,7 @@ Expected<std::string> read_rts(const std::string& rts, std::string& name, std::v
 int new_system(NewSystem wanted, const std::string& rts) {
     std::vector<std::string> remarks;
     if (!rts.empty() && !(wanted.robots.empty() && wanted.behaviors.empty() && wanted.connections.empty()))
-        return refuse("new system: --rts says what there is: leave out --robot, --behavior and --connect");
+        return refuse("new system: --rts already defines the system: leave out --robot, --behavior and --connect");
     auto text = rts.empty() ? Expected<std::string>("") : read_rts(rts, wanted.name, remarks);
     if (!text) return refuse(text.error());
     const auto name = new_file_name("system", wanted.name);
@@ -220,7 +221,7 @@ SubCommand new_command() {
              {"--version", &wanted->about.version, "of the behaviour, for example 1.0.0", "TEXT"},
              {"--vendor", &wanted->about.vendor, "who makes it", "TEXT"},
              {"--category", &wanted->about.category, "what kind of component it is, for example navigation", "TEXT"},
-             {"--rtc", rtc.get(), "a profile of RTCBuilder, RTC.xml, to begin with", "FILE", {}, FileUse::source}},
+             {"--rtc", rtc.get(), "start from this profile of RTCBuilder, RTC.xml", "FILE", {}, FileUse::source}},
         .run = [wanted, rtc] { return new_behavior(*wanted, *rtc); },
         .footer =
             "Writes behaviors/NAME.lua and tests/NAME_test.lua (in tests/scenarios/ where there is such a "

@@ -1,4 +1,4 @@
-// `nezumi open`: a run that has been, paused at its end, with its past.
+// `nezumi open`: opens a past run with all its moments, paused at its end.
 #include <memory>
 #include <utility>
 
@@ -12,7 +12,7 @@ namespace nezumi::cli {
 SubCommand open_command() {
     auto words = std::make_shared<RunWords>();
     return {.name = "open",
-            .help = "Open a run that has been, in the page and the console, paused at its end",
+            .help = "Open a past run in the page and the console, paused at its end",
             .options = open_options(*words),
             .run =
                 [words] {
@@ -21,7 +21,7 @@ SubCommand open_command() {
                 },
             .footer =
                 "The run is repeated from its journal, and no other file is read. rewind(5), seek(12.3) and the page's "
-                "time line go to\nany moment of it; resume() lets what followed happen again, and a change begins a "
+                "time line go to\nany moment of it; resume() repeats the rest of the run, and a change starts a "
                 "branch. The journal stays as it is."};
 }
 

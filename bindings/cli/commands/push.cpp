@@ -39,7 +39,8 @@ Expected<fs::path> project_here() {
     std::error_code none;
     const fs::path here = fs::current_path(none);
     const fs::path root = Project::of(here / "x.lua").root();
-    if (root.empty()) return failure("no project is here: expected a folder with behaviors/ in it, or above");
+    if (root.empty())
+        return failure("there is no project here: expected a folder behaviors/ here or in a folder above");
     return fs::canonical(root, none);
 }
 
@@ -51,10 +52,10 @@ std::string receiving_command() {
 }
 
 Expected<void> compare_versions(const push::Remote& remote, const std::string& theirs) {
-    if (theirs.empty()) return failure(fmt::format("{} has no nezumi: install its package there", remote.host()));
+    if (theirs.empty()) return failure(fmt::format("{} needs nezumi: install its package there", remote.host()));
     if (theirs == our_version()) return {};
-    return failure(
-        fmt::format("{} has {}, here is {}: install the same on both", remote.host(), shown(theirs), our_version()));
+    return failure(fmt::format("{} has {}, this computer has {}: install the same version on both", remote.host(),
+                               shown(theirs), our_version()));
 }
 
 // Reads the version of the robot's nezumi; "" if there is none. A shell may print a greeting before it.
@@ -76,8 +77,7 @@ Expected<push::Sent> send(const push::Remote& remote, const push::ProjectScan& p
     });
     if (!ended) return Unexpected(ended.error());
     if (version.empty() && ended->status == push::no_connection)
-        return failure(
-            fmt::format("{} is not to be reached by ssh: does `ssh {}` work?", remote.host(), remote.host()));
+        return failure(fmt::format("{} can't be reached by ssh: does `ssh {}` work?", remote.host(), remote.host()));
     if (auto same = compare_versions(remote, version); !same) return Unexpected(same.error());
     const bool is_there = !sent && sent.error().place.file.empty();
     return is_there ? failure(fmt::format("{}: {}", remote.host(), sent.error().message)) : sent;
@@ -104,7 +104,7 @@ std::string explain_kept(const push::FileChange& change) {
         case What::kept_edited: return "it was edited there; copy it here or remove it there, then push again";
         case What::kept_own:
             return "it was not pushed there; copy it here, or rename or remove it there, then push again";
-        default: return "it was edited there; the project has it no longer, so it is the robot's own now";
+        default: return "it was edited there and is no longer in the project: it now belongs to the robot";
     }
 }
 
@@ -118,8 +118,8 @@ void say_changes(const push::Sent& sent, const std::string& host, bool only_show
     if (sent.has_finished)
         put_text(stderr, fmt::format("nezumi: an interrupted push to {} was finished first\n", host));
     if (!sent.copy_before.empty() && !only_shows)
-        put_text(stderr, fmt::format("nezumi: {} needs the folder {} no longer: an earlier nezumi made it\n", host,
-                                     sent.copy_before));
+        put_text(stderr, fmt::format("nezumi: {} no longer needs the folder {}: an earlier version of nezumi made it\n",
+                                     host, sent.copy_before));
 }
 
 Expected<int> run_there(const push::Remote& remote, const std::string& folder, std::string file) {
@@ -159,7 +159,7 @@ Expected<int> push_project(const PushOptions& options) {
         return is_whole ? exit_done : exit_failed;
     }
     put_text(stdout, fmt::format("{} is on {} in {}{}\n", root->filename().string(), remote->host(), folder,
-                                 is_whole ? "" : ", but for the files that are kept"));
+                                 is_whole ? "" : ", except for the files that were kept"));
     if (options.run.empty()) return is_whole ? exit_done : exit_failed;
     if (!is_whole)
         return failure(fmt::format("{} is not run: {} has other files than the project", options.run, remote->host()));
@@ -171,25 +171,24 @@ Expected<int> push_project(const PushOptions& options) {
 
 SubCommand push_command() {
     auto options = std::make_shared<PushOptions>();
-    return {
-        .name = "push",
-        .help = "Bring this project to a robot by ssh, where the running system reloads it",
-        .options = {{"HOST", &options->host, "as ssh takes it, for example pi@mouse"},
-                    {"--run", &options->run, "then run this system file of the project there, with --hw", "FILE"},
-                    {"--to", &options->folder, "the folder there (default: the project's name, in the home folder)",
-                     "DIR"},
-                    {"--dry-run", &options->dry_run, "only show what would change there"},
-                    {"--ssh-config", &options->config, "for ssh -F", "FILE"}},
-        .run =
-            [options] {
-                const auto status = push_project(*options);
-                return status ? *status : refuse(status.error());
-            },
-        .footer =
-            "The versions of nezumi have to be the same on both. The project comes over whole or not at all. Only "
-            "files that a push has brought are replaced or removed: what the robot has written stays, and a file that "
-            "was edited there is kept and told.\nExit status: 0 it is there (with --run: that of the run), 1 it is "
-            "there but for files that are kept, 2 it is not."};
+    return {.name = "push",
+            .help = "Copy this project to a robot by ssh; a system that runs there reloads it",
+            .options = {{"HOST", &options->host, "the address for ssh, for example pi@mouse"},
+                        {"--run", &options->run, "then run this system file of the project there, with --hw", "FILE"},
+                        {"--to", &options->folder, "the folder there (default: the project's name, in the home folder)",
+                         "DIR"},
+                        {"--dry-run", &options->dry_run, "only show the changes that would be made there"},
+                        {"--ssh-config", &options->config, "for ssh -F", "FILE"}},
+            .run =
+                [options] {
+                    const auto status = push_project(*options);
+                    return status ? *status : refuse(status.error());
+                },
+            .footer =
+                "Both computers need the same version of nezumi. The project is copied completely or not at all. Only "
+                "files from an earlier push are replaced or removed: files that the robot has written stay, and a file "
+                "that was edited there is kept and reported.\nExit status: 0 the project was copied (with --run: that "
+                "of the run), 1 it was copied except for files that were kept, 2 it was not copied."};
 }
 
 }  // namespace nezumi::cli

@@ -17,7 +17,7 @@ SubCommand receive_command() {
     auto finished = std::make_shared<std::string>();
     return {
         .name = "receive",
-        .help = "Take the project that `nezumi push` on another computer brings here by ssh",
+        .help = "Receive the project that `nezumi push` on another computer sends by ssh",
         .options = {{"--finish", finished.get(),
                      "instead: finish an interrupted push to the project of this file, as `nezumi run` does before it "
                      "reads the project",
@@ -31,7 +31,7 @@ SubCommand receive_command() {
             return push::receive_project({STDIN_FILENO, STDOUT_FILENO, push::longest_silence}) ? exit_done
                                                                                                : exit_could_not_run;
         },
-        .footer = "Exit status: 0 done, 2 not."};
+        .footer = "Exit status: 0 done, 2 not done."};
 }
 
 }  // namespace nezumi::cli

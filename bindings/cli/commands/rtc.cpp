@@ -36,7 +36,7 @@ Expected<SourceText> read_behavior(const std::string& given) {
         auto source = Project::of(file, installed_folders()).read_source(file.string());
         if (!source || kind_of_file(file, source->text) == LuaKind::behavior) return source;
     }
-    return failure("is no behaviour, and only behaviours have profiles", {given});
+    return failure("is not a behaviour, and only behaviours have profiles", {given});
 }
 
 int write_profile(const std::string& given) {
@@ -65,7 +65,7 @@ SubCommand rtc_command() {
             .run = [file] { return write_profile(*file); },
             .footer =
                 "The profile goes to standard output: nezumi rtc line_follower > RTC.xml. `nezumi new behavior "
-                "--rtc RTC.xml` makes a\nbehaviour of one. What a profile can't have is reported."};
+                "--rtc RTC.xml` makes a\nbehaviour from a profile. Anything that a profile can't contain is reported."};
 }
 
 }  // namespace nezumi::cli

@@ -24,7 +24,7 @@ struct TypesOptions {
     bool lua = false;
 };
 
-// Those of the project with their fields; the many that are installed by their names.
+// Shows the project's types with their fields, and only the names of the many installed ones.
 int show_all(const MessageFiles& files) {
     const MessageFiles of_project(Project::of("here", {}), read_message_file);
     const std::vector<std::string> own = of_project.names("here");
@@ -34,7 +34,7 @@ int show_all(const MessageFiles& files) {
     }
     fmt::print("{}", type_table(of_project.all("here")));
     if (!installed.empty())
-        fmt::print("\nInstalled definitions, to be named as the others (`nezumi types NAME` shows one):\n  {}\n",
+        fmt::print("\nInstalled definitions, used like the others (`nezumi types NAME` shows one):\n  {}\n",
                    fmt::join(installed, "\n  "));
     return exit_done;
 }

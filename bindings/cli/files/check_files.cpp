@@ -241,7 +241,7 @@ FoundFiles lua_files(const std::vector<std::string>& paths) {
             }
         } else if (const fs::path ending = fs::path(path).extension();
                    ending != ".lua" && ending != ".msg" && ending != ".idl") {
-            refuse("is no Lua file: `nezumi check` reads files that end in .lua, .msg or .idl, and folders");
+            refuse("is not a Lua file: `nezumi check` reads files that end in .lua, .msg or .idl, and folders");
         } else {
             add(path);
         }

@@ -37,7 +37,7 @@ Expected<std::vector<double>> Person::numbers(const std::string& question, std::
         std::vector<double> all;
         for (double number = 0; words >> number;) all.push_back(number);
         if (words.eof() && all.size() == count) return all;
-        tell(fmt::format("expected {} number{} with blanks between, got '{}'", count, count == 1 ? "" : "s",
+        tell(fmt::format("expected {} number{} separated by spaces, got '{}'", count, count == 1 ? "" : "s",
                          shown(*said)));
     }
 }

@@ -60,7 +60,7 @@ Expected<std::string> array_text(std::string_view given) {
         const std::size_t comma = rest.find(',');
         const std::string_view element = trimmed(rest.substr(0, comma));
         auto read = default_text(std::string(element));
-        if (element.starts_with('{')) return failure("arrays of arrays are no parameters");
+        if (element.starts_with('{')) return failure("a parameter can't be an array of arrays");
         if (!read) return read;
         text += (text.empty() ? "" : ", ") + *read;
         rest = comma == std::string_view::npos ? std::string_view() : trimmed(rest.substr(comma + 1));
@@ -80,9 +80,9 @@ Expected<std::string> default_text(const std::string& given) {
     const bool looks_like_number =
         !text.empty() && std::string_view("0123456789.+-").find(text.front()) != std::string_view::npos;
     if (looks_like_number || text == "nan" || text == "inf") {
-        return failure(fmt::format("'{}' is no number: write 30, 0.5 or -1e-3, or a text in quotes", shown(text)));
+        return failure(fmt::format("'{}' is not a number: write 30, 0.5 or -1e-3, or a text in quotes", shown(text)));
     }
-    if (text == "nil") return failure("nil is no default: expected a number, true, false, a text or { 1.0, 0.5 }");
+    if (text == "nil") return failure("nil can't be a default: expected a number, true, false, a text or { 1.0, 0.5 }");
     if (const std::string near = did_you_mean(text, {"true", "false"}); !near.empty()) {
         return failure(fmt::format("'{}'{}; a text like this needs quotes", shown(text), near));
     }
@@ -95,7 +95,7 @@ Expected<std::string> new_file_name(std::string_view what_it_is, const std::stri
     if (is_identifier(name) && !name.ends_with("_test")) return name;
     const std::string what = fmt::format("'{}' can't be a {}'s name", shown(given), what_it_is);
     if (name.ends_with("_test")) return failure(what + ": files called *_test.lua are scenarios");
-    if (is_keyword(name)) return failure(what + ": it is a word of Lua");
+    if (is_keyword(name)) return failure(what + ": it is a keyword of Lua");
     std::string near = given.ends_with(".lua") ? given.substr(0, given.size() - 4) : given;
     near.erase(0, near.rfind('/') + 1);
     std::replace_if(

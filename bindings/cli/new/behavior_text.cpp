@@ -71,7 +71,7 @@ std::string_view occasion_of(std::string_view callback) {
         {Hook::on_deactivated, "When it is deactivated or removed, or the run ends."},
         {Hook::on_aborting, "Once, when an error has stopped it. No velocities are written here."},
         {Hook::on_error, "In every tick while it is in ERROR. No velocities are written here."},
-        {Hook::on_reset, "When somebody resets it after an error."},
+        {Hook::on_reset, "When it is reset after an error."},
         {Hook::on_reload, "When a new version of this file takes over from version old_version."},
     };
     const auto found = std::find_if(std::begin(occasions), std::end(occasions),

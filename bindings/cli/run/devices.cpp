@@ -81,7 +81,7 @@ bool RunDevices::finish() {
     const hw::WriteComparison& comparison = played_->comparison();
     const int differences = comparison.differences();
     say_(differences == 0
-             ? fmt::format("{}: played, {} writes as they were", file_, comparison.compared())
+             ? fmt::format("{}: replayed, {} writes were equal", file_, comparison.compared())
              : fmt::format("{}: played, {} difference{}", file_, differences, differences == 1 ? "" : "s"));
     return differences == 0;
 }

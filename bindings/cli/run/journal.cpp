@@ -21,7 +21,8 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
             notes_.push_back(
                 fmt::format("{}:{}: the last line is incomplete and is ignored", file_, replay_->torn_line()));
         if (!replay_->end())
-            notes_.push_back(fmt::format("{}: has no end: that run was cut off, and so is this one", file_));
+            notes_.push_back(fmt::format(
+                "{}: has no end: the original run was cut off, so this one is cut off at the same tick", file_));
         if (options.opens_replay && replay_->end() == RunEnd::error)
             notes_.push_back(fmt::format("{}: an error ended that run: {}", file_, replay_->end_message()));
         auto loaded = replay_->load(std::move(live));
@@ -86,7 +87,7 @@ Expected<void> RunJournal::finish(bool of_given_length, std::uint64_t hash) {
         if (journal_->error()) return Unexpected(*journal_->error());
     }
     if (!replay_ || !replay_->hash() || *replay_->hash() == hash) return {};
-    return failure(fmt::format("{}: the run is another one than the journal's: its hash was {}, not {}", file_,
+    return failure(fmt::format("{}: this run differs from the journal's run: its hash was {}, not {}", file_,
                                hash_text(*replay_->hash()), hash_text(hash)));
 }
 

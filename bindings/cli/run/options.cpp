@@ -124,29 +124,29 @@ std::vector<Option> run_options(RunWords& words) {
         {"--batch", &words.batch,
          "console commands come from standard input; time moves only by their step and run, as fast as possible "
          "unless --speed is given. As --headless otherwise"},
-        {"--speed", &words.speed, "times real time (default 1), or max: without waiting", "N|max"},
+        {"--speed", &words.speed, "a factor of real time (default 1), or max: as fast as possible", "N|max"},
         {"--port", &words.port, "serve the page for browsers on this port, or the next free one (default 8765)", "N"},
         {"--no-web", &words.no_web, "serve no page for browsers"},
         {"--open", &words.open,
          "show the page in the desktop's browser; without a desktop its address is printed alone"},
         {"--listen", &words.listen,
-         "serve the page to other computers, too, at this address of this one, by TLS with a certificate of its own",
+         "serve the page to other computers, too, at this address of this computer, by TLS with its own certificate",
          "ADDRESS"},
         {"--realtime", &words.real_time, "real-time priority for the ticks: SCHED_FIFO and locked memory"},
         {"--duration", &words.duration, "end at this simulated time [s] (default: at Ctrl-C)", "S"},
-        {"--seed", &words.seed, "decides all that is random; wins over the file's seed(n) (default 124)", "N"},
+        {"--seed", &words.seed, "the seed of all random numbers, instead of the file's seed(n) (default 124)", "N"},
         {"--set", &words.set,
          "sets a parameter instead of the system file, also after a restart; may be repeated: mouse.speed=0.3, "
          "\"wander_*.speed=0.3\"; n=10 sets the file's argument(\"n\", 5)",
          "NAME.PARAMETER=VALUE"},
         {"--params", &words.params,
-         "take the parameters of this file, which the console's save has written; by path or name", "FILE.lua"},
-        {"--threads", &words.threads, "that run behaviours (default 1); the result is the same", "N"},
+         "use the parameters in this file, which the console's save has written; by path or name", "FILE.lua"},
+        {"--threads", &words.threads, "number of threads for behaviours (default 1); the result is the same", "N"},
         {"--history", &words.history,
-         "of values to remember for plots (default 1), up to 256 MB; then the oldest are dropped", "MINUTES"},
+         "minutes of values kept for plots (default 1), up to 256 MB; then the oldest are dropped", "MINUTES"},
         {"--keep-going", &words.keep_going,
          "leave out a behaviour that can't be loaded, with its connections, and run the others"},
-        {"--trace-hash", &words.trace_hash, "print a hash over all that ports published: equal runs, equal hashes"},
+        {"--trace-hash", &words.trace_hash, "print a hash of all published messages: equal runs have equal hashes"},
         {"--picture",
          &words.picture,
          "draw the arena, the robots and their paths when the run ends",
@@ -178,7 +178,7 @@ std::vector<Option> run_options(RunWords& words) {
          {},
          FileUse::source},
         {"--sounds", &words.sounds, "write speech and tones of robots as WAV files into this folder", "DIR"},
-        {"--dev-root", &words.dev_root, "with --hw: the folder of the devices' nodes (default /dev)", "DIR"},
+        {"--dev-root", &words.dev_root, "with --hw: the folder of the device files (default /dev)", "DIR"},
         {"--sys-root", &words.sys_root, "with --hw: the folder of the kernel's devices (default /sys)", "DIR"},
         {"--device-log",
          &words.device_log,
@@ -250,7 +250,7 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
     if (options.real_time && !std::isfinite(options.speed))
         return failure("--realtime: works only in real time: leave it out, or give --speed a number");
     if (options.real_time && options.threads > 1)
-        return failure("--realtime: one thread ticks, and waits for no other: leave out --threads");
+        return failure("--realtime: works only with a single thread: leave out --threads");
     if (!words.picture.empty() && !is_picture_name(words.picture))
         return wrong("--picture", "a file name that ends in .png or .svg", words.picture);
     options.picture = words.picture;
@@ -267,7 +267,7 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
     options.sounds = words.sounds;
     options.journal = words.journal;
     if (words.keep_going && !words.journal.empty())
-        return failure("--keep-going: a journal is of a system that loads whole: leave out --journal");
+        return failure("--keep-going: a journal needs a system that loads completely: leave out --journal");
     options.replay = words.replay;
     options.opens_replay = words.opens_replay;
     options.values = {.file = words.params, .set = words.set};

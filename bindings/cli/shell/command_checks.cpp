@@ -73,8 +73,9 @@ std::string lost_file(const SubCommand& command) {
         if (option.file != FileUse::result || file.empty() || !is_lost_by_writing(file)) continue;
         const std::string name = names_of(option).back();
         if (file.ends_with(".lua") || place_of(file).extension() == ".lua")
-            return fmt::format("{}: '{}' is a script's name, and a result would take its place: choose another ending",
-                               name, shown(file));
+            return fmt::format(
+                "{}: '{}' is the name of a script, which the output would overwrite: choose another ending", name,
+                shown(file));
         for (const Option& other : command.options) {
             if (&other == &option || other.file == FileUse::none || file_of(other).empty()) continue;
             if (!is_same(file, file_of(other))) continue;

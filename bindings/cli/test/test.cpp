@@ -62,7 +62,7 @@ Expected<void> choose_robots(const TestOptions& command, TestSessionOptions& opt
                               {"--update-goldens", command.update_goldens},
                               {"--shard", !command.shard.empty()},
                               {"--resume", command.resume}},
-                             "--hw: a real robot is never the same twice");
+                             "--hw: two runs of a real robot always differ");
     if (!fits) return fits;
     auto sockets = read_rig(command.rig);
     if (!sockets) return Unexpected(sockets.error());
@@ -156,7 +156,7 @@ Expected<SessionEnd> run_plan(const TestOptions& command, const TestPlan& plan, 
     return run_tests(plan, options, reporter);
 }
 
-// Works in the project's folder from now on. What is written for whoever asked stays where they are.
+// Works in the project's folder from now on. Output files stay in the user's working folder.
 Expected<void> enter_project(TestOptions& command) {
     namespace fs = std::filesystem;
     std::error_code problem;
@@ -197,7 +197,7 @@ int test(TestOptions command) {
     if (auto ok = check_options(command); !ok) return refuse(ok.error());
     std::error_code gone;
     static_cast<void>(std::filesystem::current_path(gone));
-    if (gone) return refuse("test: the folder that this is run in has been deleted: change to one that is there");
+    if (gone) return refuse("test: the working folder has been deleted: change to another folder");
     if (!command.project.empty()) {
         if (auto ok = enter_project(command); !ok) return refuse(ok.error());
     }

@@ -56,7 +56,8 @@ Expected<std::vector<BoxSpec>> SystemWords::read_ros_map(const WordCall& call, c
     const auto facts = read_occupancy_facts(file->text, file->shown);
     if (!facts) return Unexpected(facts.error());
     if (!decodes_pictures()) {
-        notes_.push_back(fmt::format("{}: not read: a nezumi without simulation needs no boxes", file->shown));
+        notes_.push_back(
+            fmt::format("{}: not read: this build of nezumi has no simulation and needs no boxes", file->shown));
         return std::vector<BoxSpec>{};
     }
     const auto picture = read_file({"image", facts->image_place, nullptr}, facts->image, file->path);

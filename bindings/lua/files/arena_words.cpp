@@ -294,8 +294,7 @@ Expected<void> SystemWords::check_lines() const {
     const ArenaSpec& arena = spec_.arena;
     for (const LineSpec& line : arena.lines) {
         if (!arena.floor && !arena.size)
-            return failure("line: there is nothing that it could be painted on: give the arena a size or a floor",
-                           line.place);
+            return failure("line: there is no floor to paint it on: give the arena a size or a floor", line.place);
         const Point2D canvas = arena.floor ? arena.floor->size : *arena.size;
         for (const Point2D& point : line.points) {
             if (std::abs(point.x) <= canvas.x / 2 && std::abs(point.y) <= canvas.y / 2) continue;

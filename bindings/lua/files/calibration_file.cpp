@@ -70,7 +70,8 @@ private:
     // Raises no Lua error.
     Expected<void> read(lua_State* lua) {
         const Place place = calling_place(lua);
-        if (calibration) return Unexpected(file_.fail({"calibration: is called twice: a file has only one", place}));
+        if (calibration)
+            return Unexpected(file_.fail({"calibration: is called twice: a file can have only one", place}));
         const auto value = read_file_value(lua, 1);
         if (!value) return Unexpected(file_.fail({"calibration: " + value.error().message, place}));
         FieldCheck check("calibration", "calibration", place, file_.source(place.file));
@@ -141,7 +142,7 @@ Expected<Calibration> read_calibration_text(std::string_view text, const std::st
 }
 
 std::string write_calibration(const Calibration& calibration) {
-    std::string text = "--- Measured by nezumi calibrate: what this one robot is like.\ncalibration {\n";
+    std::string text = "--- Measured by nezumi calibrate, for this one robot.\ncalibration {\n";
     text += fmt::format("  robot = {},\n  model = {},\n", lua_quoted(calibration.robot), lua_quoted(calibration.model));
     if (!calibration.serial.empty()) text += fmt::format("  serial = {},\n", lua_quoted(calibration.serial));
     if (calibration.odometry.is_there()) text += fmt::format("  odometry = {},\n", write_record(calibration.odometry));

@@ -56,8 +56,8 @@ Expected<std::filesystem::path> find_script(const Project& project, std::string_
     if (found || systems.empty()) return found;
     return failure(fmt::format("{}; {}: `nezumi new behavior` makes one, in behaviors/", found.error().message,
                                systems.size() == 1
-                                   ? systems.front() + " is a system file, and no behaviour"
-                                   : fmt::format("{} are system files, and no behaviours", fmt::join(systems, ", "))));
+                                   ? systems.front() + " is a system file, not a behaviour"
+                                   : fmt::format("{} are system files, not behaviours", fmt::join(systems, ", "))));
 }
 
 }  // namespace nezumi

@@ -188,7 +188,7 @@ Expected<MessageDefinition> read_message_file(const SourceText& source, const Pr
         return Unexpected(ran.error());
     if (!reader.definition)
         return failure(
-            "a file of a message returns one: `return message \"Obstacle\" { { \"distance\", \"double\" } }`",
+            "a message file must return a message: `return message \"Obstacle\" { { \"distance\", \"double\" } }`",
             {source.shown});
     return std::move(*reader.definition);
 }

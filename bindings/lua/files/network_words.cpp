@@ -120,9 +120,9 @@ Expected<void> SystemWords::network(const WordCall& call, const Value& value) {
         check.wrong({"name"},
                     fmt::format("expected letters, digits and _, not beginning with a digit, got '{}'", given.name));
     if (check.ok() && is_taken_name(given.name))
-        check.wrong({"name"}, fmt::format("may not be '{}', a word of Lua or of the console", given.name));
+        check.wrong({"name"}, fmt::format("may not be '{}', a keyword of Lua or a command of the console", given.name));
     if (check.ok() && given.open && !given.secret.empty())
-        check.explain({"open"}, "with a `secret` only those who have it may write: leave one of them out");
+        check.explain({"open"}, "with a `secret`, only hosts that have it may write: leave one of them out");
     if (check.ok() && !given.hosts.empty() && !given.lockstep)
         check.explain({"hosts"}, "only lockstep waits for hosts: say `lockstep = true` as well");
     check_peers(check, given.peers);

@@ -23,8 +23,9 @@ void for_each_named(Fields& fields, std::string_view group, Read&& read) {
     for (const auto& [name, value] : named.all()) {
         named.field(name);
         if (!is_identifier(name) && !is_keyword(name)) {
-            fields.check().wrong_at(named.path_of(name),
-                                    fmt::format("{}: '{}' is no name: expected letters, digits and _", group, name));
+            fields.check().wrong_at(
+                named.path_of(name),
+                fmt::format("{}: '{}' is not a valid name: expected letters, digits and _", group, name));
             continue;
         }
         Fields entry(fields.check(), value, named.path_of(name));
@@ -104,8 +105,9 @@ PortSpec read_port(const std::string& name, Fields& port) {
         port.field("from");  // if both exist, neither is unknown
         port.check().wrong_at(
             port.path(),
-            fmt::format("port '{}': expected either 'from', what an out-port carries, or 'to', what an in-port drives",
-                        name));
+            fmt::format(
+                "port '{}': expected either 'from' (the source of an out-port) or 'to' (the target of an in-port)",
+                name));
     }
     read_record(port, spec, {.kind = spec.is_input ? Describe<PortSpec>::in_only : Describe<PortSpec>::out_only});
     if (port.check().ok() && spec.items.empty())
@@ -144,8 +146,8 @@ void check_carriers(FieldCheck& check, const RobotSpec& spec) {
     }
     for (const SensorSpec& sensor : spec.sensors) {
         if (sensor.on.empty() || std::find(servos.begin(), servos.end(), sensor.on) != servos.end()) continue;
-        check.wrong({"sensors", sensor.name, "on"},
-                    fmt::format("expected a servo, there is none '{}'{}", sensor.on, did_you_mean(sensor.on, servos)));
+        check.wrong({"sensors", sensor.name, "on"}, fmt::format("expected a servo, but there is no servo '{}'{}",
+                                                                sensor.on, did_you_mean(sensor.on, servos)));
     }
 }
 
@@ -154,8 +156,8 @@ void check_needs(FieldCheck& check, const RobotSpec& spec) {
     for (const SensorSpec& sensor : spec.sensors) names.push_back(sensor.name);
     for (const std::string& need : spec.drive.needs) {
         if (std::find(names.begin(), names.end(), need) == names.end())
-            check.wrong({"drive", "needs"},
-                        fmt::format("expected sensors, there is none '{}'{}", shown(need), did_you_mean(need, names)));
+            check.wrong({"drive", "needs"}, fmt::format("expected sensors, but there is no sensor '{}'{}", shown(need),
+                                                        did_you_mean(need, names)));
     }
 }
 
@@ -166,7 +168,7 @@ void check_hardware(FieldCheck& check, const RobotSpec& spec, const std::vector<
         std::string hint = did_you_mean(driver, known);
         if (hint.empty()) hint = fmt::format("; there are {}", fmt::join(known, ", "));
         check.wrong({"hardware", "driver"},
-                    fmt::format("expected a driver, there is none '{}'{}", shown(driver), hint));
+                    fmt::format("expected a driver, but there is no driver '{}'{}", shown(driver), hint));
     }
     std::vector<std::string_view> buttons;
     for (const SensorSpec& sensor : spec.sensors) {
@@ -175,7 +177,7 @@ void check_hardware(FieldCheck& check, const RobotSpec& spec, const std::vector<
     for (const auto& [field, button] :
          {std::pair("start", &spec.hardware.start), {"shutdown", &spec.hardware.shutdown}}) {
         if (button->empty() || std::find(buttons.begin(), buttons.end(), *button) != buttons.end()) continue;
-        check.wrong({"hardware", field}, fmt::format("expected a button, there is none '{}'{}", shown(*button),
+        check.wrong({"hardware", field}, fmt::format("expected a button, but there is no button '{}'{}", shown(*button),
                                                      did_you_mean(*button, buttons)));
     }
 }

@@ -170,8 +170,9 @@ SensorSpec read_sensor_fields(const std::string& name, Fields& sensor, const Bod
     spec.name = name;
     read_record(sensor, spec);
     if (name == "velocity" || name == "odometry") {
-        sensor.check().wrong_at(sensor.path(),
-                                fmt::format("no sensor may be called '{}': that is what the wheels measure", name));
+        sensor.check().wrong_at(
+            sensor.path(),
+            fmt::format("a sensor can't be called '{}': that name stands for a measurement of the wheels", name));
     }
     spec.at = on_body(body, spec.at);
     if (spec.kind == SensorSpec::Kind::range) read_range_sensor(sensor, spec, help);

@@ -20,7 +20,7 @@ std::string problem_of(const RtmSpec& rtm, const std::string& path, const Value&
     const auto* text = name.get_if<std::string>();
     if (text == nullptr) return fmt::format("expected a port's name there, got {}", lua_text(name));
     if (!rtm_path("rtm:x." + *text) || text->find('.') != std::string::npos || text->find('/') != std::string::npos)
-        return fmt::format("'{}' is no name of a port", shown(*text));
+        return fmt::format("'{}' is not the name of a port", shown(*text));
     const std::string component = component_of(path);
     if (path.find('.') == std::string::npos ||
         std::find(rtm.exported.begin(), rtm.exported.end(), component) == rtm.exported.end())
@@ -58,7 +58,7 @@ Expected<void> SystemWords::check_rtm() const {
     if (spec_.rtm) {
         for (const std::string& name : spec_.rtm->exported) {
             if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-            return failure(fmt::format("rtm: field 'export' names no component: there is none '{}'{}", shown(name),
+            return failure(fmt::format("rtm: field 'export': there is no component '{}'{}", shown(name),
                                        did_you_mean(name, names)),
                            spec_.rtm->place);
         }

@@ -168,7 +168,7 @@ std::span<const SystemWord> system_words() {
          3,
          "(name, default, { min =, max =, doc = })",
          argument,
-         {"A value that `--set name=value` gives in the place of the default.",
+         {"A value that `--set name=value` gives instead of the default.",
           {{"name", "string"}, {"default", "any"}, {"options", "table?"}}}},
         {"behavior", Form::entry, 2, named, entry},
         {"box", Form::thing, 1, table, thing},

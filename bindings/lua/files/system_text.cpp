@@ -24,7 +24,7 @@ std::string table_of(const T& entry) {
     return write_record(entry);
 }
 
-// With the fields of a robot file that differ from its model.
+// A robot with the fields of a robot file that differ from its model.
 std::string table_of(const RobotEntry& entry) {
     std::string own = write_record(entry);
     if (entry.changes.empty()) return own;

@@ -85,8 +85,9 @@ void SystemWords::note_file(const std::string& shown) {
 Expected<void> SystemWords::check_name(const WordCall& call, const std::string& name) const {
     const std::string what = fmt::format("{} '{}'", call.word, name);
     if (is_taken_name(name)) {
-        return failure(fmt::format("{}: '{}' is a word of Lua or of the console: choose another name", what, name),
-                       call.place);
+        return failure(
+            fmt::format("{}: '{}' is a keyword of Lua or a command of the console: choose another name", what, name),
+            call.place);
     }
     if (!is_identifier(name)) {
         return failure(
@@ -128,7 +129,7 @@ Expected<std::size_t> SystemWords::begin_entry(const WordCall& call, const Value
 }
 
 Expected<void> SystemWords::complete_entry(std::size_t pending, const Value& fields) {
-    if (pending >= pending_.size()) return failure("the name before this table was of a world that was loaded since");
+    if (pending >= pending_.size()) return failure("this table follows a name that belongs to an earlier world");
     pending_[pending].complete = true;
     const PendingEntry call = pending_[pending];
     return entry(call.call, call.name, fields);
@@ -302,7 +303,7 @@ Expected<void> SystemWords::finish(bool is_part) const {
     for (const ComponentEntry* component : entries_of<ComponentEntry>(spec_)) {
         if (component->on.empty()) continue;
         if (std::find(robots.begin(), robots.end(), component->on) != robots.end()) continue;
-        return failure(fmt::format("component '{}': field 'on' names no robot: there is none '{}'{}", component->name,
+        return failure(fmt::format("component '{}': field 'on': there is no robot '{}'{}", component->name,
                                    component->on, did_you_mean(component->on, robots)),
                        component->place);
     }

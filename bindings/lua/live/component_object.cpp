@@ -52,7 +52,7 @@ Expected<void> check_call(lua_State* L, const ObjectRef& self, std::string_view 
     if (!at) return Unexpected(at.error());
     const MemberInfo* own = find_member(component_members(), name);
     if (own->robot && dynamic_cast<const Robot*>(at->component) == nullptr)
-        return failure(fmt::format("{} is no robot: it has no '{}'", at->component->name(), name));
+        return failure(fmt::format("{} is not a robot: it has no '{}'", at->component->name(), name));
     return Arguments{L, 2}.at_most(fmt::format("{}:{}", at->component->name(), name), own->most, own->usage);
 }
 

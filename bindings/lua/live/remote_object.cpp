@@ -1,4 +1,5 @@
-// What belongs to a component of another host, `hosts.ev3.vehicle`: that host is asked for it while ticks go on.
+// Objects of components on other hosts, such as `hosts.ev3.vehicle`. Their values are requested from the host while
+// ticks continue.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ using Names = std::vector<std::string>;
 using What = Question::What;
 using Kind = TreeNode::Kind;
 
-// A question about what an object is, or about `name` of it.
+// A request about an object, or about its member `name`.
 Question question_of(const ObjectRef& ref, What what, std::string_view name = "") {
     return {.host = std::string(host_of(ref.component())),
             .component = std::string(without_host(ref.component())),
@@ -88,7 +89,7 @@ int call_method(lua_State* L) {
 
 // Members
 
-// What needs no question: what it is called, what every component can do, and the ports that its host has announced.
+// Members that need no request: names, the methods of every component, and the ports that the host has announced.
 std::optional<Answer> known_member(const ObjectRef& ref, std::string_view name) {
     const bool is_component = ref.port().empty();
     if (is_component && name == "name") return Answer{Value{full_path(ref)}};
@@ -106,7 +107,7 @@ int remote_index(lua_State* L) {
     Objects& objects = objects_of(L);
     return look_beside(L, objects, [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
-        if (lua_type(L, 2) != LUA_TSTRING) return failure(fmt::format("{}: what is in it has a name", full_path(ref)));
+        if (lua_type(L, 2) != LUA_TSTRING) return failure(fmt::format("{}: its members have names", full_path(ref)));
         const std::string_view name = text_at(L, 2);
         std::optional<Answer> known;
         auto visited = ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
@@ -134,9 +135,9 @@ int remote_newindex(lua_State* L) {
     return answer_beside(L, objects, [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
         if (ref.port() != "config")
-            return failure(fmt::format("what is of {} can't be set; parameters can, as in X.config.NAME = value",
+            return failure(fmt::format("members of {} can't be set; parameters can, as in X.config.NAME = value",
                                        ref.component()));
-        if (lua_type(L, 2) != LUA_TSTRING) return failure("config: what is in it has a name");
+        if (lua_type(L, 2) != LUA_TSTRING) return failure("config: its members have names");
         Question question = question_of(ref, What::set);
         question.name = text_at(L, 2);
         auto value = read_parameter(L, 3);

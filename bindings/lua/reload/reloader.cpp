@@ -325,7 +325,7 @@ void Reloader::after_tick() {
              groups_of(each.report.components.empty() ? ActResult{.components = each.names} : each.report))
             back.push_back(fmt::format("version {} in {}", group.version, list_of(group.components)));
         system_.log(LogLevel::error,
-                    fmt::format("{}: version {} failed in execution {} of its first {}: {}; back to {}",
+                    fmt::format("{}: version {} failed in its execution {} (of the first {}): {}; back to {}",
                                 list_of(each.names), each.what.version, each.what.execution, ScriptComponent::probation,
                                 describe(each.what.error), fmt::join(back, " and ")));
         for (const std::string& note : each.report.notes) system_.log(LogLevel::warn, note);

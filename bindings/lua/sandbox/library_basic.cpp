@@ -84,7 +84,7 @@ int set_metatable(lua_State* lua) {
     lua_settop(lua, 2);
     if (type == LUA_TTABLE) {
         refuse_field(lua, "__gc", "nothing could stop a finalizer that does not end");
-        refuse_field(lua, "__mode", "what a weak table holds would differ from run to run");
+        refuse_field(lua, "__mode", "the contents of a weak table would differ from run to run");
         refuse_caller(lua);
     }
     lua_setmetatable(lua, 1);

@@ -5,7 +5,7 @@ namespace nezumi {
 namespace {
 
 constexpr std::string_view no_loading = "code comes from files, by `require`";
-constexpr std::string_view no_environments = "functions have no environment in Lua 5.4: give them what they need";
+constexpr std::string_view no_environments = "functions have no environment in Lua 5.4: pass values as arguments";
 constexpr std::string_view no_collecting = "memory is released automatically";
 constexpr std::string_view bits = "Lua 5.4 has operators for bits: & | ~ << >>";
 constexpr std::string_view is_nil = "it is nil in Lua";

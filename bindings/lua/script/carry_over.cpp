@@ -33,10 +33,11 @@ void describe_lost(const Parameters& running, const Parameters& before, const Pa
             const auto& its = *running.find(old.spec.name);
             if (its.set)
                 warnings.push_back(
-                    fmt::format("parameter '{}' went, and its value {} with it", old.spec.name, lua_text(its.value)));
+                    fmt::format("parameter '{}' and its value {} were removed", old.spec.name, lua_text(its.value)));
         } else if (old.set && !now->set) {
-            warnings.push_back(fmt::format("parameter '{}': its value {} no longer fits, it is the default {} now",
-                                           old.spec.name, lua_text(old.value), lua_text(now->value)));
+            warnings.push_back(
+                fmt::format("parameter '{}': its value {} is no longer valid and was replaced by the default {}",
+                            old.spec.name, lua_text(old.value), lua_text(now->value)));
         }
     }
 }

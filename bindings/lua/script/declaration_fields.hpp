@@ -16,7 +16,7 @@ struct Describe<PortDeclaration> {
         Setting{"queue",
                 &PortDeclaration::queue,
                 "",
-                "so many unread messages are kept, the oldest is dropped",
+                "how many unread messages are kept; then the oldest is dropped",
                 {.min = 1, .max = 100'000, .of = input, .fallback = "the latest only"}},
         Extra{"safe",
               "a value of the port's type",
@@ -37,7 +37,7 @@ struct Describe<TaskOptions> {
     static constexpr std::string_view name = "task_options";
     static constexpr std::string_view doc = "Options of a task.";
     static constexpr std::tuple fields{
-        Setting{"repeating", &TaskOptions::repeating, "", "begins again at the execution after its end"},
+        Setting{"repeating", &TaskOptions::repeating, "", "starts again in the next execution after its end"},
     };
 };
 
@@ -49,7 +49,7 @@ struct Describe<WaitOptions> {
         Setting{"within",
                 &WaitOptions::within,
                 "s",
-                "gives up when so much time has passed",
+                "stops waiting after this time",
                 {.range = NumberRange::not_negative, .fallback = "never"}},
     };
 };
@@ -57,7 +57,7 @@ struct Describe<WaitOptions> {
 template <>
 struct Describe<ScriptAbout> {
     static constexpr std::string_view name = "about";
-    static constexpr std::string_view doc = "Says who made this component, and what it is.";
+    static constexpr std::string_view doc = "The version, vendor and category of this component.";
     static constexpr std::tuple fields{
         Setting{"version", &ScriptAbout::version, "", "of the file, for example \"1.2\""},
         Setting{"vendor", &ScriptAbout::vendor, "", "who made it"},

@@ -83,7 +83,7 @@ Expected<void> Probes::set(std::string_view name, PlainData value, double second
     }
     if (!is_identifier(name) || name.size() > longest_name)
         return failure(
-            fmt::format("probe '{}': the name is no identifier: use letters, digits and _, no digit first, "
+            fmt::format("probe '{}': the name is not an identifier: use letters, digits and _, no digit first, "
                         "at most {} of them",
                         shown(name.substr(0, longest_name)), longest_name));
     if (probes_.size() >= most)

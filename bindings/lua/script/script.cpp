@@ -153,7 +153,7 @@ Expected<const MessageType*> Script::find_message(std::string_view name) {
         if (std::find(modules_.begin(), modules_.end(), used) == modules_.end()) modules_.push_back(used);
     }
     if (found) return found->type;
-    // What is wrong with a message's file is told with its own place.
+    // Errors in a message's file are reported at their own place.
     if (!found.error().place.file.empty() && !module_error_) module_error_ = found.error();
     return Unexpected(found.error());
 }
@@ -347,11 +347,11 @@ Expected<void> Script::take_state_over(const PlainData& state) {
 
 namespace {
 
-// What Lua reports about mistakes that are usual in a first script, and what to write instead.
+// Error messages of Lua for common mistakes in a first script, and the correct code.
 constexpr std::pair<std::string_view, std::string_view> cures[] = {
     {"attempt to add a 'string' with", ".. joins texts in Lua"},
     {"attempt to perform arithmetic on a string value", ".. joins texts in Lua"},
-    {"pairs' (table expected, got nil)", "was it ever set, under this name? `x or {}` stands for an empty table"},
+    {"pairs' (table expected, got nil)", "was it ever set under this name? `x or {}` stands for an empty table"},
     {"attempt to call a table value (for iterator", "write `for i, value in ipairs(list) do`"},
     {"attempt to compare number with table", "a list has elements: list[1] is the first"},
     {"attempt to compare table with number", "a list has elements: list[1] is the first"},

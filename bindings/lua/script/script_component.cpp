@@ -84,7 +84,8 @@ Component::LeftState ScriptComponent::left_state() {
 }
 
 void ScriptComponent::restore(const PlainData& left) {
-    if (auto ok = script_->set_state(left); !ok) log(LogLevel::warn, "state is not as it was: " + describe(ok.error()));
+    if (auto ok = script_->set_state(left); !ok)
+        log(LogLevel::warn, "state could not be restored: " + describe(ok.error()));
 }
 
 ComponentAbout ScriptComponent::about() const {
@@ -151,8 +152,8 @@ Expected<ScriptComponent::Version> ScriptComponent::prepare(const Loading& loadi
         return Unexpected(ok.error());
     }
     if (auto fits = check_set(*this, loaded->parameters()); !fits) {
-        next.warnings.push_back(fmt::format("set '{}' no longer fits, and none is in use now: {}", shown(set_in_use()),
-                                            fits.error().message));
+        next.warnings.push_back(fmt::format("set '{}' is no longer valid, and no set is in use now: {}",
+                                            shown(set_in_use()), fits.error().message));
         leave_set(*this, settings);
         auto script = load();  // its top level may have read a value of that parameter set
         if (!script) return Unexpected(script.error());

@@ -41,12 +41,12 @@ Expected<void> Script::check_name(std::string_view kind, std::string_view name, 
     if (!is_identifier(name) && !(keyword_allowed && is_keyword(name))) {
         const std::string_view keyword =
             is_keyword(name) ? ": it is a keyword of Lua" : ": use letters, digits and _, no digit first";
-        return failure(fmt::format("{} '{}': the name is no identifier{}", kind, shown(name), keyword));
+        return failure(fmt::format("{} '{}': the name is not an identifier{}", kind, shown(name), keyword));
     }
     if (name.size() > longest_name) return failure(fmt::format("{} '{}': the name is too long", kind, shown(name)));
     if (contains(script_globals(), name) || contains(names_taken_by_components(), name)) {
-        return failure(fmt::format("{0} '{1}': the name is one of a component's own words: choose another, as 'my_{1}'",
-                                   kind, name));
+        return failure(fmt::format(
+            "{0} '{1}': the name is already used in every component: choose another, as 'my_{1}'", kind, name));
     }
     if (contains(sandbox_names(), name))
         return failure(fmt::format("{} '{}': the name is taken by Lua's library", kind, name));

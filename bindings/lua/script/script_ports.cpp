@@ -138,7 +138,7 @@ int port_write(lua_State* L) {
     return raise_kept(L);
 }
 
-// The stamp of what a read gives: with a queue that of the message read last, once there is one.
+// The stamp of the value that a read returns; with a queue, the stamp of the message read last, if there is one.
 template <Held T>
 double stamp(const InPortBase& port) {
     const double taken = static_cast<const InPort<T>&>(port).current().tm;
@@ -216,8 +216,8 @@ int port_index(lua_State* L) {
 int port_newindex(lua_State* L) {
     PortSlot& slot = slot_of(L);
     keep_error(L, slot.declaration->direction == Direction::in
-                      ? fmt::format("{}: nothing of it can be set", title(slot))
-                      : fmt::format("{}: nothing of it can be set; write a value with `:write(value)`", title(slot)));
+                      ? fmt::format("{}: its members can't be set", title(slot))
+                      : fmt::format("{}: its members can't be set; write a value with `:write(value)`", title(slot)));
     return raise_kept(L);
 }
 

@@ -71,7 +71,7 @@ void Tasks::start_all(double now) {
 Expected<void> Tasks::start(std::string_view name, double now) {
     const auto task = known(name);
     if (!task) return Unexpected(task.error());
-    if (is_under_way(**task)) return failure(fmt::format("task '{}' is under way already", name));
+    if (is_under_way(**task)) return failure(fmt::format("task '{}' is already running", name));
     set_status(**task, Task::Status::ready, now);
     return {};
 }

@@ -122,11 +122,11 @@ std::string annotations(const std::vector<RecordShape>& more, const std::vector<
     for (const MessageType* message : messages) add_structure(text, *message->payload, done);
     text +=
         "---@class InPort\n"
-        "---@field is_new boolean something unread waits\n"
-        "---@field tm number [s] stamp of the value, 0 before anything came\n"
-        "---@field age number [s] now() - tm, math.huge before anything came\n"
+        "---@field is_new boolean there is an unread message\n"
+        "---@field tm number [s] stamp of the value, 0 before the first message\n"
+        "---@field age number [s] now() - tm, math.huge before the first message\n"
         "---@field connected boolean\n"
-        "---@field stale boolean nothing came for three periods of its sender, or nothing can come\n\n"
+        "---@field stale boolean no message came for three periods of its sender, or none can come\n\n"
         "---@class OutPort\n\n";
     for (const MessageType* message : messages) {
         add_ports(text, *message);
@@ -152,7 +152,7 @@ std::string annotations(const std::vector<RecordShape>& more, const std::vector<
     text += "---@class Thing\n\n" + system_word_annotations(false);
     text += fmt::format("---{}\n---@param fields {}\n---@return table\nfunction {}(fields) end\n\n",
                         Describe<RobotSpec>::doc, class_of(Describe<RobotSpec>::name), Describe<RobotSpec>::name);
-    text += "---A port as seen from outside: looking at it consumes nothing.\n---@class Port\n";
+    text += "---A port as seen from outside: reading it here does not consume messages.\n---@class Port\n";
     for (const MemberInfo& member : port_members()) text += annotation(member);
     text += "\n---@class Component\n";
     for (const MemberInfo& member : component_members()) text += annotation(member);

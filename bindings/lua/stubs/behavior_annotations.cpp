@@ -46,7 +46,7 @@ dt = 0
 ---@field error fun(...: any)
 log = {}
 
----Says who made this component, and what it is.
+---The version, vendor and category of this component.
 ---@param fields AboutFields
 function about(fields) end
 

@@ -36,9 +36,8 @@ std::string type_table(const std::vector<const MessageType*>& defined) {
     for (const MessageType* message : defined) text += type_table(*message) + "\n";
     return text +
            "Every message carries its stamp tm [s], set by the engine. A single value and a sequence are plain Lua\n"
-           "values, the others tables with these fields. In what a script writes a field left out is 0, an unknown "
-           "one\n"
-           "an error; 3.0 fits an integer, 3.5 does not; NaN and infinity never.\n";
+           "values, the others tables with these fields. In a value that a script writes, a missing field is 0 and an\n"
+           "unknown one is an error; 3.0 fits an integer, 3.5 does not; NaN and infinity never.\n";
 }
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Walks over tables breadth first, with no recursion: a list of a million links must not overflow a stack.
+// Visits tables breadth first without recursion, because a list of a million links must not overflow a stack.
 #include "bindings/lua/values/plain_data.hpp"
 
 #include <fmt/format.h>
@@ -54,7 +54,7 @@ std::string type_name(lua_State* L, int index) {
     }
 }
 
-// Where a value was found: under a key of a table, or as one of the values themselves. Whole paths would cost the
+// The place of a value: under a key of a table, or as one of the values themselves. Storing whole paths would cost the
 // square of a list's length.
 struct Origin {
     std::size_t table = no_table;
@@ -64,7 +64,7 @@ struct Origin {
     static constexpr std::size_t no_table = static_cast<std::size_t>(-1);
 };
 
-// Lives outside of the protected call in which it works, so that an error there skips no destructor of its own.
+// Exists outside of the protected call in which it works, so that an error there skips no destructor.
 struct Taker {
     const std::vector<std::string>& names;
     std::vector<Dropped>& dropped;
@@ -83,7 +83,7 @@ struct Taker {
 
     int work_list = 0;  // stack index of a Lua table: data.tables[i - 1] is at i
 
-    // "state.a.b"; of a very long path its end.
+    // "state.a.b"; for a very long path only its end.
     std::string path_of(Origin at) const {
         constexpr std::size_t longest = 200;
         std::string path;
@@ -95,7 +95,7 @@ struct Taker {
         return names[at.value] + path;
     }
 
-    // The value on top of the stack, which is popped. An object of ours may have plain data to be taken in its place.
+    // Pops the value on top of the stack and copies it. An object of the engine may be replaced by its plain data.
     Value take(lua_State* L) {
         Value value;
         if (takes_objects && lua_type(L, -1) == LUA_TUSERDATA && luaL_callmeta(L, -1, "__plain") != 0)
@@ -121,7 +121,7 @@ struct Taker {
         return !out.is_nothing();
     }
 
-    // A reference to the table on top of the stack, which is remembered as work when it is new.
+    // A reference to the table on top of the stack; a new table is added to the work list.
     Value take_table(lua_State* L) {
         const auto [known, is_new] = indices.try_emplace(lua_topointer(L, -1), data.tables.size());
         if (!is_new) return TableRef{known->second};
@@ -134,7 +134,7 @@ struct Taker {
 
     void take_fields(lua_State* L, std::size_t index) {
         lua_rawgeti(L, work_list, static_cast<lua_Integer>(index + 1));
-        // A parameter's array is locked; its elements are plain.
+        // The array of a parameter is locked, but its elements are plain data.
         if (push_behind_lock(L, lua_gettop(L))) {
             lua_remove(L, -2);
         } else if (!has_hidden_metatable(L, -1) && lua_getmetatable(L, -1) != 0) {
@@ -202,18 +202,18 @@ Expected<void> run(Taker& taker, lua_State* L, int count, Budget budget) {
     return {};
 }
 
-constexpr const char* left_out = "left out: more than a look takes";
+constexpr const char* left_out = "left out: too large to show";
 
 int refuse_access(lua_State* L) {
     return luaL_error(L,
-                      "this table was left out, so that no tick is late: a look takes %d values at most; a command of "
-                      "the script can return a part",
+                      "this table was left out, so that no tick is late: at most %d values are read at once; a command "
+                      "of the script can return a part",
                       static_cast<int>(PlainLimit{}.values));
 }
 
 int say_left_out(lua_State* L) { return lua_pushfstring(L, "(%s)", left_out), 1; }
 
-// No table, so that nobody takes it for an empty one.
+// Not a table, because an empty table would be misleading.
 void push_left_out(lua_State* L) {
     lua_newuserdatauv(L, 0, 0);
     if (luaL_newmetatable(L, left_out) != 0) {
@@ -293,7 +293,7 @@ Expected<PlainSnapshot> snapshot_plain(lua_State* L, Budget budget, const PlainL
                 .takes_objects = dropped == nullptr,
                 .left = limit};
     if (auto ok = run(taker, L, 1, budget); !ok) return Unexpected(ok.error());
-    // Half a table would be another half in every run.
+    // Part of a table would be different in every run.
     for (std::size_t i = taker.whole; i < taker.data.tables.size(); ++i) taker.data.tables[i].clear();
     return PlainSnapshot{std::move(taker.data), taker.whole};
 }

@@ -3,12 +3,12 @@
 --- A table that was never set is named as a possible cause.
 function on_execute()
 for _, value in ipairs(state.list) do print(value) end
--- error: bad argument #1 to 'ipairs' (table expected, got nil): was it ever set, under this name? `x or {}` stands for an empty table
+-- error: bad argument #1 to 'ipairs' (table expected, got nil): was it ever set under this name? `x or {}` stands for an empty table
 end
 
 function on_execute()
 for key in pairs(state.list) do print(key) end
--- error: bad argument #1 to 'pairs' (table expected, got nil): was it ever set, under this name? `x or {}` stands for an empty table
+-- error: bad argument #1 to 'pairs' (table expected, got nil): was it ever set under this name? `x or {}` stands for an empty table
 end
 
 --- A loop over a list needs ipairs.

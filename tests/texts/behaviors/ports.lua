@@ -70,12 +70,12 @@ end
 
 local a = input("a", "TimedLong") local b = output("b", "TimedLong")
 function on_execute()
-a.value = 3  -- error: input 'a': nothing of it can be set
+a.value = 3  -- error: input 'a': its members can't be set
 end
 
 local a = input("a", "TimedLong") local b = output("b", "TimedLong")
 function on_execute()
-b.value = 3  -- error: output 'b': nothing of it can be set; write a value with `:write(value)`
+b.value = 3  -- error: output 'b': its members can't be set; write a value with `:write(value)`
 end
 
 --- A method that is called with a dot gives a hint.

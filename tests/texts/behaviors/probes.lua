@@ -29,13 +29,13 @@ function on_execute() probe('p', { ('x'):rep(500), ('x'):rep(501) }) end  -- err
 
 --- The name of a probe must be an identifier, and probes are set while the behaviour runs.
 function on_execute() probe('a b', 1) end
--- error: probe 'a b': the name is no identifier: use letters, digits and _, no digit first, at most 100 of them
+-- error: probe 'a b': the name is not an identifier: use letters, digits and _, no digit first, at most 100 of them
 
 function on_execute() probe(1, 1) end  -- error: probe expected a name, got number
 
 probe('p', 1) param('x', 1)  -- error: probe 'p': nothing can be probed while the file loads
 
-param('probe', 1)  -- error: parameter 'probe': the name is one of a component's own words: choose another, as 'my_probe'
+param('probe', 1)  -- error: parameter 'probe': the name is already used in every component: choose another, as 'my_probe'
 
 --- A component has at most 64 probes.
 function on_execute() for i = 1, 64 do probe('p' .. i, i) end probe('p1', 0) end

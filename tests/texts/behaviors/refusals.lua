@@ -269,125 +269,125 @@ input('a', 'TimedLong') param('a', 1)
 --- A name must be an identifier that is not reserved.
 input('in', 'TimedLong')
 
-param('end', 1)  -- error: parameter 'end': the name is no identifier: it is a keyword of Lua
+param('end', 1)  -- error: parameter 'end': the name is not an identifier: it is a keyword of Lua
 
-command('end', print)  -- error: command 'end': the name is no identifier: it is a keyword of Lua
+command('end', print)  -- error: command 'end': the name is not an identifier: it is a keyword of Lua
 
-input('', 'TimedLong')  -- error: input '': the name is no identifier: use letters, digits and _, no digit first
+input('', 'TimedLong')  -- error: input '': the name is not an identifier: use letters, digits and _, no digit first
 
-param('', 1)  -- error: parameter '': the name is no identifier: use letters, digits and _, no digit first
+param('', 1)  -- error: parameter '': the name is not an identifier: use letters, digits and _, no digit first
 
-input('1a', 'TimedLong')  -- error: input '1a': the name is no identifier: use letters, digits and _, no digit first
+input('1a', 'TimedLong')  -- error: input '1a': the name is not an identifier: use letters, digits and _, no digit first
 
-param('1a', 1)  -- error: parameter '1a': the name is no identifier: use letters, digits and _, no digit first
+param('1a', 1)  -- error: parameter '1a': the name is not an identifier: use letters, digits and _, no digit first
 
-input('a-b', 'TimedLong')  -- error: input 'a-b': the name is no identifier: use letters, digits and _, no digit first
+input('a-b', 'TimedLong')  -- error: input 'a-b': the name is not an identifier: use letters, digits and _, no digit first
 
-param('a-b', 1)  -- error: parameter 'a-b': the name is no identifier: use letters, digits and _, no digit first
+param('a-b', 1)  -- error: parameter 'a-b': the name is not an identifier: use letters, digits and _, no digit first
 
-input('a b', 'TimedLong')  -- error: input 'a b': the name is no identifier: use letters, digits and _, no digit first
+input('a b', 'TimedLong')  -- error: input 'a b': the name is not an identifier: use letters, digits and _, no digit first
 
-param('a b', 1)  -- error: parameter 'a b': the name is no identifier: use letters, digits and _, no digit first
+param('a b', 1)  -- error: parameter 'a b': the name is not an identifier: use letters, digits and _, no digit first
 
-input('a.b', 'TimedLong')  -- error: input 'a.b': the name is no identifier: use letters, digits and _, no digit first
+input('a.b', 'TimedLong')  -- error: input 'a.b': the name is not an identifier: use letters, digits and _, no digit first
 
-param('a.b', 1)  -- error: parameter 'a.b': the name is no identifier: use letters, digits and _, no digit first
+param('a.b', 1)  -- error: parameter 'a.b': the name is not an identifier: use letters, digits and _, no digit first
 
-input('ä', 'TimedLong')  -- error: input 'ä': the name is no identifier: use letters, digits and _, no digit first
+input('ä', 'TimedLong')  -- error: input 'ä': the name is not an identifier: use letters, digits and _, no digit first
 
-param('ä', 1)  -- error: parameter 'ä': the name is no identifier: use letters, digits and _, no digit first
+param('ä', 1)  -- error: parameter 'ä': the name is not an identifier: use letters, digits and _, no digit first
 
 output('config', 'TimedLong')
--- error: output 'config': the name is one of a component's own words: choose another, as 'my_config'
+-- error: output 'config': the name is already used in every component: choose another, as 'my_config'
 
-param('config', 1)  -- error: parameter 'config': the name is one of a component's own words: choose another, as 'my_config'
+param('config', 1)  -- error: parameter 'config': the name is already used in every component: choose another, as 'my_config'
 
-command('config', print)  -- error: command 'config': the name is one of a component's own words: choose another, as 'my_config'
+command('config', print)  -- error: command 'config': the name is already used in every component: choose another, as 'my_config'
 
-output('state', 'TimedLong')  -- error: output 'state': the name is one of a component's own words: choose another, as 'my_state'
+output('state', 'TimedLong')  -- error: output 'state': the name is already used in every component: choose another, as 'my_state'
 
-param('state', 1)  -- error: parameter 'state': the name is one of a component's own words: choose another, as 'my_state'
+param('state', 1)  -- error: parameter 'state': the name is already used in every component: choose another, as 'my_state'
 
-command('state', print)  -- error: command 'state': the name is one of a component's own words: choose another, as 'my_state'
+command('state', print)  -- error: command 'state': the name is already used in every component: choose another, as 'my_state'
 
 output('status', 'TimedLong')
--- error: output 'status': the name is one of a component's own words: choose another, as 'my_status'
+-- error: output 'status': the name is already used in every component: choose another, as 'my_status'
 
-param('status', 1)  -- error: parameter 'status': the name is one of a component's own words: choose another, as 'my_status'
+param('status', 1)  -- error: parameter 'status': the name is already used in every component: choose another, as 'my_status'
 
-command('status', print)  -- error: command 'status': the name is one of a component's own words: choose another, as 'my_status'
+command('status', print)  -- error: command 'status': the name is already used in every component: choose another, as 'my_status'
 
-output('ports', 'TimedLong')  -- error: output 'ports': the name is one of a component's own words: choose another, as 'my_ports'
+output('ports', 'TimedLong')  -- error: output 'ports': the name is already used in every component: choose another, as 'my_ports'
 
-param('ports', 1)  -- error: parameter 'ports': the name is one of a component's own words: choose another, as 'my_ports'
+param('ports', 1)  -- error: parameter 'ports': the name is already used in every component: choose another, as 'my_ports'
 
-command('ports', print)  -- error: command 'ports': the name is one of a component's own words: choose another, as 'my_ports'
+command('ports', print)  -- error: command 'ports': the name is already used in every component: choose another, as 'my_ports'
 
 output('activate', 'TimedLong')
--- error: output 'activate': the name is one of a component's own words: choose another, as 'my_activate'
+-- error: output 'activate': the name is already used in every component: choose another, as 'my_activate'
 
-param('activate', 1)  -- error: parameter 'activate': the name is one of a component's own words: choose another, as 'my_activate'
+param('activate', 1)  -- error: parameter 'activate': the name is already used in every component: choose another, as 'my_activate'
 
 command('activate', print)
--- error: command 'activate': the name is one of a component's own words: choose another, as 'my_activate'
+-- error: command 'activate': the name is already used in every component: choose another, as 'my_activate'
 
-output('use', 'TimedLong')  -- error: output 'use': the name is one of a component's own words: choose another, as 'my_use'
+output('use', 'TimedLong')  -- error: output 'use': the name is already used in every component: choose another, as 'my_use'
 
-param('use', 1)  -- error: parameter 'use': the name is one of a component's own words: choose another, as 'my_use'
+param('use', 1)  -- error: parameter 'use': the name is already used in every component: choose another, as 'my_use'
 
-command('use', print)  -- error: command 'use': the name is one of a component's own words: choose another, as 'my_use'
+command('use', print)  -- error: command 'use': the name is already used in every component: choose another, as 'my_use'
 
-output('now', 'TimedLong')  -- error: output 'now': the name is one of a component's own words: choose another, as 'my_now'
+output('now', 'TimedLong')  -- error: output 'now': the name is already used in every component: choose another, as 'my_now'
 
-param('now', 1)  -- error: parameter 'now': the name is one of a component's own words: choose another, as 'my_now'
+param('now', 1)  -- error: parameter 'now': the name is already used in every component: choose another, as 'my_now'
 
-command('now', print)  -- error: command 'now': the name is one of a component's own words: choose another, as 'my_now'
+command('now', print)  -- error: command 'now': the name is already used in every component: choose another, as 'my_now'
 
-output('input', 'TimedLong')  -- error: output 'input': the name is one of a component's own words: choose another, as 'my_input'
+output('input', 'TimedLong')  -- error: output 'input': the name is already used in every component: choose another, as 'my_input'
 
-param('input', 1)  -- error: parameter 'input': the name is one of a component's own words: choose another, as 'my_input'
+param('input', 1)  -- error: parameter 'input': the name is already used in every component: choose another, as 'my_input'
 
-command('input', print)  -- error: command 'input': the name is one of a component's own words: choose another, as 'my_input'
+command('input', print)  -- error: command 'input': the name is already used in every component: choose another, as 'my_input'
 
 output('require', 'TimedLong')
--- error: output 'require': the name is one of a component's own words: choose another, as 'my_require'
+-- error: output 'require': the name is already used in every component: choose another, as 'my_require'
 
-param('require', 1)  -- error: parameter 'require': the name is one of a component's own words: choose another, as 'my_require'
+param('require', 1)  -- error: parameter 'require': the name is already used in every component: choose another, as 'my_require'
 
 command('require', print)
--- error: command 'require': the name is one of a component's own words: choose another, as 'my_require'
+-- error: command 'require': the name is already used in every component: choose another, as 'my_require'
 
-output('tasks', 'TimedLong')  -- error: output 'tasks': the name is one of a component's own words: choose another, as 'my_tasks'
+output('tasks', 'TimedLong')  -- error: output 'tasks': the name is already used in every component: choose another, as 'my_tasks'
 
-param('tasks', 1)  -- error: parameter 'tasks': the name is one of a component's own words: choose another, as 'my_tasks'
+param('tasks', 1)  -- error: parameter 'tasks': the name is already used in every component: choose another, as 'my_tasks'
 
-command('tasks', print)  -- error: command 'tasks': the name is one of a component's own words: choose another, as 'my_tasks'
+command('tasks', print)  -- error: command 'tasks': the name is already used in every component: choose another, as 'my_tasks'
 
 output('probes', 'TimedLong')
--- error: output 'probes': the name is one of a component's own words: choose another, as 'my_probes'
+-- error: output 'probes': the name is already used in every component: choose another, as 'my_probes'
 
-param('probes', 1)  -- error: parameter 'probes': the name is one of a component's own words: choose another, as 'my_probes'
+param('probes', 1)  -- error: parameter 'probes': the name is already used in every component: choose another, as 'my_probes'
 
-command('probes', print)  -- error: command 'probes': the name is one of a component's own words: choose another, as 'my_probes'
+command('probes', print)  -- error: command 'probes': the name is already used in every component: choose another, as 'my_probes'
 
-output('task', 'TimedLong')  -- error: output 'task': the name is one of a component's own words: choose another, as 'my_task'
+output('task', 'TimedLong')  -- error: output 'task': the name is already used in every component: choose another, as 'my_task'
 
-param('task', 1)  -- error: parameter 'task': the name is one of a component's own words: choose another, as 'my_task'
+param('task', 1)  -- error: parameter 'task': the name is already used in every component: choose another, as 'my_task'
 
-command('task', print)  -- error: command 'task': the name is one of a component's own words: choose another, as 'my_task'
+command('task', print)  -- error: command 'task': the name is already used in every component: choose another, as 'my_task'
 
-output('wait', 'TimedLong')  -- error: output 'wait': the name is one of a component's own words: choose another, as 'my_wait'
+output('wait', 'TimedLong')  -- error: output 'wait': the name is already used in every component: choose another, as 'my_wait'
 
-param('wait', 1)  -- error: parameter 'wait': the name is one of a component's own words: choose another, as 'my_wait'
+param('wait', 1)  -- error: parameter 'wait': the name is already used in every component: choose another, as 'my_wait'
 
-command('wait', print)  -- error: command 'wait': the name is one of a component's own words: choose another, as 'my_wait'
+command('wait', print)  -- error: command 'wait': the name is already used in every component: choose another, as 'my_wait'
 
 param('math', 1)  -- error: parameter 'math': the name is taken by Lua's library
 
 input('aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa', 'TimedLong')
 -- error: input 'aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa...': the name is too long
 
-param('a\nb\0', 1)  -- error: parameter 'a\x0ab\x00': the name is no identifier: use letters, digits and _, no digit first
+param('a\nb\0', 1)  -- error: parameter 'a\x0ab\x00': the name is not an identifier: use letters, digits and _, no digit first
 
 --- Declarations are allowed only while the file loads.
 function on_execute()
@@ -440,7 +440,7 @@ command('commands', function() end)
 command('leds', function() end)  -- error: command 'leds': components have a member 'leds' already: choose another name
 
 command('status', function() end)
--- error: command 'status': the name is one of a component's own words: choose another, as 'my_status'
+-- error: command 'status': the name is already used in every component: choose another, as 'my_status'
 
 --- A component has at most 1000 ports, 1000 parameters and 1000 commands.
 for i = 1, 1000 do param('x' .. i, 0) end

@@ -13,9 +13,9 @@ end
 
 task(1, function() end)  -- error: task expected a task's name, got number
 
-task('2t', function() end)  -- error: task '2t': the name is no identifier: use letters, digits and _, no digit first
+task('2t', function() end)  -- error: task '2t': the name is not an identifier: use letters, digits and _, no digit first
 
-task('wait', function() end)  -- error: task 'wait': the name is one of a component's own words: choose another, as 'my_wait'
+task('wait', function() end)  -- error: task 'wait': the name is already used in every component: choose another, as 'my_wait'
 
 task('t', function() end) task('t', function() end)  -- error: task 't' is declared twice (first in line 1)
 

@@ -10,7 +10,7 @@ calibration { robot = 'mouse', modle = 'raspimouse' }
 
 -- file: behaviors/systems/b.calibration.lua
 calibration { robot = 'a', model = 'b' }
-calibration { robot = 'a', model = 'b' }  -- error: calibration: is called twice: a file has only one
+calibration { robot = 'a', model = 'b' }  -- error: calibration: is called twice: a file can have only one
 
 --- The driver of a robot file must exist.
 -- file: behaviors/good.lua
@@ -25,7 +25,7 @@ return robot_model {
   base = 'raspimouse',
   hardware = {
     driver = 'raspimous' },
---  ^ error: robot_model: field 'hardware.driver' expected a driver, there is none 'raspimous' (did you mean 'raspimouse'?)
+--  ^ error: robot_model: field 'hardware.driver' expected a driver, but there is no driver 'raspimous' (did you mean 'raspimouse'?)
 }
 
 -- file: behaviors/unknown.lua
@@ -33,7 +33,7 @@ return robot_model {
   base = 'raspimouse',
   hardware = {
     driver = 'hover' },
---  ^ error: robot_model: field 'hardware.driver' expected a driver, there is none 'hover'; there are ev3, raspimouse
+--  ^ error: robot_model: field 'hardware.driver' expected a driver, but there is no driver 'hover'; there are ev3, raspimouse
 }
 
 --- A camera with invalid parameters is refused.
@@ -217,7 +217,7 @@ return robot_model { mass = math.flor(1) }
 -- file: systems/s.lua
 robot 'mouse' { model = 'raspimouse' }
 rtm { export = 'mouse', rename = { ['mouse.pose_updat'] = 'pose_update_in' } }
--- error: rtm: field 'rename' names no port that is exported: there is none 'mouse.pose_updat' (did you mean 'mouse.pose_update'?)
+-- error: rtm: field 'rename': there is no exported port 'mouse.pose_updat' (did you mean 'mouse.pose_update'?)
 connect('rtm:Out0.out', 'mouse.current_pose_out')  -- error: connect: mouse.current_pose_out is an out-port
 connect('rtm:Out0.out', 'mouse.target_velocity_inn')
 -- error: connect: mouse has no port 'target_velocity_inn' (did you mean 'target_velocity_in'?)

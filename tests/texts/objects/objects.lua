@@ -129,7 +129,7 @@ controller.ports.zzz = 3  -- error: zzz can't be set
 
 controller.ports[1] = 'zzz'  -- error: what you name can't be set
 
-controller.ports.out.zzz = 3  -- error: controller.out: nothing of it can be set; write a value with :write(value)
+controller.ports.out.zzz = 3  -- error: controller.out: its members can't be set; write a value with :write(value)
 
 --- Every documented member of a port has its documented type.
 hold('controller.out', { vx = 0.1 })
@@ -212,4 +212,4 @@ return select(2, pcall(function() controller.out:release(1) end))
 -- returns: box.lua:1: controller.out:release: expected no arguments, got 1: controller.out:release()
 
 return select(2, pcall(function() mouse.teleport(controller, {}) end))
--- returns: box.lua:1: controller is no robot: it has no 'teleport'
+-- returns: box.lua:1: controller is not a robot: it has no 'teleport'

@@ -26,15 +26,15 @@ ports = { p = { type = 'TimedPose2D', from = 'odometry', queue = 3 } }
 --- The message names a sensor that the robot needs and does not have.
 return robot_model { mass = 1, sensors = { eye = { kind = 'range' } },
 drive = { radius = 0.02, track = 0.1, needs = { 'eyes' } } }
---                                    ^ error: robot_model: field 'drive.needs' expected sensors, there is none 'eyes' (did you mean 'eye'?)
+--                                    ^ error: robot_model: field 'drive.needs' expected sensors, but there is no sensor 'eyes' (did you mean 'eye'?)
 
 --- The message names a start button that the robot does not have.
 sensors = { go = { kind = 'button' }, eye = { kind = 'range' } },
 hardware = { driver = 'x', start = 'gu' }
---                         ^ error: robot_model: field 'hardware.start' expected a button, there is none 'gu' (did you mean 'go'?)
+--                         ^ error: robot_model: field 'hardware.start' expected a button, but there is no button 'gu' (did you mean 'go'?)
 
 sensors = { eye = { kind = 'range' } }, hardware = { driver = 'x', start = 'eye' }
---                                                                 ^ error: robot_model: field 'hardware.start' expected a button, there is none 'eye'
+--                                                                 ^ error: robot_model: field 'hardware.start' expected a button, but there is no button 'eye'
 
 --- The message about a value of the wrong type names its field of the robot.
 return robot_model { mass = 0, body = { size = { 1, 1, 1 } }, drive = { radius = 1, track = 1 } }
@@ -65,16 +65,16 @@ sensors = { a = { kind = 'range', minimum = 0.7 } }
 --                                ^ error: robot_model: field 'sensors.a.minimum' expected less than the range of 0.6 m, got 0.7
 
 sensors = { ['a b'] = { kind = 'range' } }
---           ^ error: robot_model: sensors: 'a b' is no name: expected letters, digits and _
+--           ^ error: robot_model: sensors: 'a b' is not a valid name: expected letters, digits and _
 
 sensors = { velocity = { kind = 'range' } }
---          ^ error: robot_model: no sensor may be called 'velocity': that is what the wheels measure
+--          ^ error: robot_model: a sensor can't be called 'velocity': that name stands for a measurement of the wheels
 
 actuators = { a = { kind = 'servo', minimum = 1, maximum = 0 } }
 --                                  ^ error: robot_model: field 'actuators.a.minimum': 1 is above maximum 0
 
 sensors = { a = { kind = 'range', on = 'neck' } }, actuators = { neckk = { kind = 'servo' } }
---                                ^ error: robot_model: field 'sensors.a.on' expected a servo, there is none 'neck' (did you mean 'neckk'?)
+--                                ^ error: robot_model: field 'sensors.a.on' expected a servo, but there is no servo 'neck' (did you mean 'neckk'?)
 
 --- A port of a robot must not have the name of a member of every component or robot.
 ports = { truth = { type = 'TimedPose2D', from = 'odometry' } }
@@ -115,7 +115,7 @@ ports = { p = { type = 'TimedShortSek', from = 'front' } }
 
 sensors = { front = { kind = 'range' }, back = { kind = 'range' } }, actuators = { lamps = { kind = 'leds' } },
 ports = { p = { type = 'TimedShort', from = { 'front', 'back' } } }
---        ^ error: robot_model: port 'p': a TimedShort carries one sensor, not 2
+--        ^ error: robot_model: port 'p': a TimedShort carries the value of one sensor, not of 2
 
 sensors = { front = { kind = 'range' }, back = { kind = 'range' } }, actuators = { lamps = { kind = 'leds' } },
 ports = { p = { type = 'TimedVelocity2D', from = 'front' } }
@@ -135,11 +135,11 @@ ports = { p = { type = 'TimedBooleanSeq', to = 'lamp' } }
 
 sensors = { front = { kind = 'range' }, back = { kind = 'range' } }, actuators = { lamps = { kind = 'leds' } },
 ports = { p = { type = 'TimedShortSeq' } }
---        ^ error: robot_model: port 'p': expected either 'from', what an out-port carries, or 'to', what an in-port drives
+--        ^ error: robot_model: port 'p': expected either 'from' (the source of an out-port) or 'to' (the target of an in-port)
 
 sensors = { front = { kind = 'range' }, back = { kind = 'range' } }, actuators = { lamps = { kind = 'leds' } },
 ports = { p = { type = 'TimedShortSeq', from = 'front', to = 'lamps' } }
---        ^ error: robot_model: port 'p': expected either 'from', what an out-port carries, or 'to', what an in-port drives
+--        ^ error: robot_model: port 'p': expected either 'from' (the source of an out-port) or 'to' (the target of an in-port)
 
 sensors = { front = { kind = 'range' }, back = { kind = 'range' } }, actuators = { lamps = { kind = 'leds' } },
 ports = { p = { type = 'TimedShortSeq', from = {} } }

@@ -76,7 +76,7 @@ setmetatable({}, { __gc = function() end })
 setmetatable({}, { __gc = false })  -- error: setmetatable: '__gc' is refused: nothing could stop a finalizer that does not end
 
 setmetatable({}, { __mode = 'k' })
--- error: setmetatable: '__mode' is refused: what a weak table holds would differ from run to run
+-- error: setmetatable: '__mode' is refused: the contents of a weak table would differ from run to run
 
 ran = 'no'
 for i = 1, 1000 do

@@ -145,4 +145,4 @@ s:load 'systems/two.lua'
 s:reload('fine', { text = "param('x', 1) function on_execute() error('no') end" })
 s:run(0.3) s:check(s.fine.status == 'ACTIVE') s:check(s.fine.version == 1)
 -- prints: [   0.000] info behaviors/none.lua: version 2 runs in fine
--- prints: [   0.010] error fine: version 2 failed in execution 1 of its first 10: behaviors/none.lua:1: no; back to version 1 in fine
+-- prints: [   0.010] error fine: version 2 failed in its execution 1 (of the first 10): behaviors/none.lua:1: no; back to version 1 in fine

@@ -12,7 +12,7 @@ s:disturb('mouse', { va = 1, seconds = 0.1 }) s:run(0.2)
 
 s:load 'systems/stop_at_wall.lua'
 s:behavior('idle', { script = 'none' }) s:restore('idle')
--- error: restore: idle is no robot: expected a robot, or a port as in "idle.NAME"
+-- error: restore: idle is not a robot: expected a robot, or a port as in "idle.NAME"
 
 s:load 'systems/stop_at_wall.lua'
 s:restore('mose')  -- error: restore: there is no component 'mose' (did you mean 'mouse'?)
@@ -47,7 +47,7 @@ s.check(true)  -- error: write s:check(...) with a colon
 
 --- A scenario can't set fields of s, and can't declare while it runs.
 s:load 'systems/stop_at_wall.lua'
-s.foo = 3  -- error: s: nothing of it can be set: keep what you need in a local
+s.foo = 3  -- error: s: its members can't be set: keep what you need in a local
 
 s:load 'systems/stop_at_wall.lua'
 range('a')  -- error: range: expected range(lo, hi) or range(lo, hi, step) with numbers
@@ -56,7 +56,7 @@ s:load 'systems/stop_at_wall.lua'
 range(1, 2, 3, 4)  -- error: range: expected at most 3 arguments, got 4: range(lo, hi, step)
 
 s:load 'systems/stop_at_wall.lua'
-do scenario('b', function() end) end  -- error: scenario: scenarios are declared by the file, not by one another
+do scenario('b', function() end) end  -- error: scenario: a scenario can't declare another scenario: declare it at the top level of the file
 
 s:load 'systems/stop_at_wall.lua'
 pcall(range, 'a') error('mine')  -- failed: mine
@@ -70,7 +70,7 @@ pcall(s.run, s, 'x') error('mine')  -- failed: mine
 
 s:load 'systems/stop_at_wall.lua'
 s:always('a', function() s:run('x', 2) return true end) s:run(1)
--- error: always 'a': run: a condition only looks: time and expectations are the scenario's
+-- error: always 'a': run: a condition can only read values: only the scenario itself can advance time or add expectations
 
 s:load 'systems/stop_at_wall.lua'
 s:always('a', function(world) return world end)
@@ -79,12 +79,12 @@ s:always('a', function(world) return world end)
 --- A condition can't set parameters.
 local w = s:load 'systems/stop_at_wall.lua'
 s:always('it', function() w.controller.config.speed_x = 0.3 return true end)
--- error: always 'it': a condition only looks: parameters are set by the scenario
+-- error: always 'it': a condition can only read values: only the scenario itself can set parameters
 s:run(0.1)
 
 local w = s:load 'systems/stop_at_wall.lua'
 s:run(0.1) s:wait_until('it', { within = 1 }, function() w.controller.config.speed_x = 0.3 return true end)
--- error: wait_until 'it': a condition only looks: parameters are set by the scenario
+-- error: wait_until 'it': a condition can only read values: only the scenario itself can set parameters
 
 local w = s:load 'systems/stop_at_wall.lua'
 s:always('it', function() return w.controller.config.speed_x > 0 end)

@@ -26,7 +26,7 @@ s:load 'systems/stop_at_wall.lua'
 s:always('yes', function() return s:now() == 0 end)
 
 --- A scenario can't declare another scenario.
-do scenario('inner', function() end) end  -- error: scenario: scenarios are declared by the file, not by one another
+do scenario('inner', function() end) end  -- error: scenario: a scenario can't declare another scenario: declare it at the top level of the file
 
 --- A violated always ends the scenario at once, and pcall can't catch it.
 s:load 'systems/stop_at_wall.lua'
@@ -91,7 +91,7 @@ s:near(1/0, -1/0, 0)  -- failed: near failed: inf is off -inf by inf, more than 
 --- Options of an expectation are checked.
 s:load 'systems/stop_at_wall.lua'
 s:maintain('m', { within = 1 }, function() return true end)
--- error: maintain: 'm': option 'hold' is missing: expected a number from 0 on in s: the condition must stay true so long
+-- error: maintain: 'm': option 'hold' is missing: expected a number from 0 on in s: how long the condition must stay true
 
 s:load 'systems/stop_at_wall.lua'
 s:eventually('e', { witin = 1 }, function() return true end)
@@ -152,7 +152,7 @@ s:check(mouse == s.mouse and driver == s.world.driver)
 s:near(driver.out.value.vx, 0.1, 0)
 s:check(mouse.truth.pose.position.x > 0.05)
 s:reload(driver, { text = 'function on_execute() end' }) s:check(driver.version == 2)
--- prints: [   1.000] warn driver: parameter 'speed_x' went, and its value 0.1 with it
+-- prints: [   1.000] warn driver: parameter 'speed_x' and its value 0.1 were removed
 -- prints: [   1.000] info behaviors/robot_controller.lua: version 2 runs in driver
 -- prints: [   1.000] warn driver.in went; it was not connected
 -- prints: [   1.000] warn driver.out went; it was connected to mouse.target_velocity_in
@@ -224,17 +224,17 @@ return mouse.truth
 
 local begun = s:robot 'mouse'
 s:load 'systems/stop_at_wall.lua'
-begun { model = 'raspimouse' }  -- error: the name before this table was of a world that was loaded since
+begun { model = 'raspimouse' }  -- error: this table follows a name that belongs to an earlier world
 
 --- A condition can't let time pass.
 s:load 'systems/stop_at_wall.lua'
 s:always('a', function() s:run(0.1) return true end)
--- error: always 'a': run: a condition only looks: time and expectations are the scenario's
+-- error: always 'a': run: a condition can only read values: only the scenario itself can advance time or add expectations
 s:run(1)
 
 s:load 'systems/stop_at_wall.lua'
 s:always('a', function() s:always('b', function() return true end) return true end)
--- error: always 'a': always: a condition only looks: time and expectations are the scenario's
+-- error: always 'a': always: a condition can only read values: only the scenario itself can advance time or add expectations
 s:run(1)
 
 s:load 'systems/stop_at_wall.lua'

@@ -7,7 +7,7 @@ network { name = 'a b' }
 --        ^ error: network: field 'name' expected letters, digits and _, not beginning with a digit, got 'a b'
 
 network { name = 'ros' }
---        ^ error: network: field 'name' may not be 'ros', a word of Lua or of the console
+--        ^ error: network: field 'name' may not be 'ros', a keyword of Lua or a command of the console
 
 network { name = 'a', domian = 7 }
 --                    ^ error: network: unknown field 'domian' (did you mean 'domain'?)
@@ -16,7 +16,7 @@ network { name = 'a', domain = 233 }
 --                    ^ error: network: field 'domain' expected a whole number from 0 to 232, got 233
 
 network { name = 'a', open = true, secret = 'k' }
---                    ^ error: network: field 'open': with a `secret` only those who have it may write: leave one of them out
+--                    ^ error: network: field 'open': with a `secret`, only hosts that have it may write: leave one of them out
 
 network { name = 'a', hosts = 'b' }
 --                    ^ error: network: field 'hosts': only lockstep waits for hosts: say `lockstep = true` as well

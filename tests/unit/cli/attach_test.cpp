@@ -81,7 +81,7 @@ TEST_CASE("options of attach that do not go together are refused", "[cli][attach
         CHECK(outcome.out.empty());
         return outcome.error;
     };
-    CHECK(said({"attach", "--list", "--eval", "1"}) == "nezumi: --list only lists what runs: leave out --eval\n");
+    CHECK(said({"attach", "--list", "--eval", "1"}) == "nezumi: --list only lists running systems: leave out --eval\n");
     CHECK(said({"attach", "--list", "--timeout", "1"}) == "nezumi: --timeout is for --eval\n");
     CHECK(said({"attach", "--ssh-config", "x", "--list"}) ==
           "nezumi: --ssh-config is for a system on another computer, as in ssh:pi@mouse\n");

@@ -76,7 +76,7 @@ TEST_CASE("folders give their Lua files, sorted, once and without hidden ones", 
     };
     CHECK(refused("d.lua") == "there is no such file (did you mean '" + root + "b.lua'?)");
     CHECK(refused("a/note.txt") ==
-          "is no Lua file: `nezumi check` reads files that end in .lua, .msg or .idl, and folders");
+          "is not a Lua file: `nezumi check` reads files that end in .lua, .msg or .idl, and folders");
     files.write("none/x.txt", "");
     CHECK(refused("none") == "has no Lua files");
 }

@@ -39,8 +39,8 @@ TEST_CASE("the doctor ends with 0 where nothing is to be done", "[cli][doctor]")
     const Outcome outcome = doctor(machine);
     CHECK(outcome.status == 0);
     CHECK(outcome.out.starts_with("ok     driver: rtmouse 3.3.2\nok     nodes: all 14 can be used\n"));
-    CHECK(outcome.out.find("note   udev rules: no rule for the nodes: other users may not use them, or not after the "
-                           "next start\n       do: sudo cp ") != std::string::npos);
+    CHECK(outcome.out.find("note   udev rules: no udev rule gives access to the nodes: other users can't use them, or "
+                           "only until the next start\n       do: sudo cp ") != std::string::npos);
     CHECK(outcome.out.ends_with("\nnothing wrong\n"));
 }
 

@@ -205,8 +205,8 @@ TEST_CASE("a file that takes nothing is given up, with a line", "[cli][ends][wal
             option == "picture"
                 ? "nezumi: the run did not end within 2 s of SIGTERM, as it waited for results to be written: "
                   "ended at once\n"
-            : option == "journal" ? unread.file + ": the journal can't be written: it did not take all of it in time"
-                                  : unread.file + ": can't be written: it did not take all of it in time"));
+            : option == "journal" ? unread.file + ": the journal can't be written: it did not accept all data in time"
+                                  : unread.file + ": can't be written: it did not accept all data in time"));
 }
 
 TEST_CASE("a file that takes less than comes ends the run with a line", "[cli][ends][wallclock]") {
@@ -218,8 +218,8 @@ function on_execute() out:write(("x"):rep(400000)) end
     const Unread unread(project.scratch.path("pipe").string());
     Program run({"run", project.file, "--headless", "--record", unread.file});
     CHECK(run.wait() == 2);
-    CHECK_THAT(run.error,
-               Catch::Contains(unread.file + ": can't be written: too much waits for it, which takes too little\n"));
+    CHECK_THAT(run.error, Catch::Contains(unread.file +
+                                          ": can't be written: it accepts data too slowly, and too much is waiting\n"));
 }
 
 TEST_CASE("a standard output that is full keeps no run from its end", "[cli][ends][wallclock]") {

@@ -124,7 +124,7 @@ TEST_CASE("a run that waits for other hosts says so and ends by Ctrl-C at once",
           "[cli][network][lockstep][wallclock]") {
     Ring ring(226);
     Program waits({"run", ring.files[0], "--headless"});
-    REQUIRE(waits.wait_for_error("lockstep: time stands at 0.00 s: waits for host b"));
+    REQUIRE(waits.wait_for_error("lockstep: time is stopped at 0.00 s: waits for host b"));
     const auto begin = std::chrono::steady_clock::now();
     waits.send(SIGINT);
     CHECK(waits.wait() == 0);
@@ -141,13 +141,13 @@ TEST_CASE("time stands for all while a host is stopped, and one that is killed a
         REQUIRE(b.wait_for_error("in step with host c"));
         c.send(SIGSTOP);
         REQUIRE(a.wait_for_error("host c is silent"));
-        REQUIRE(b.wait_for_error("time stands at"));
+        REQUIRE(b.wait_for_error("time is stopped at"));
         c.send(SIGCONT);
         REQUIRE(a.wait_for_error("lockstep: time continues"));
         c.send(SIGKILL);
         c.wait();
         a.error.clear();
-        REQUIRE(a.wait_for_error("time stands at"));
+        REQUIRE(a.wait_for_error("time is stopped at"));
     }
     Program c({"run", ring.files[2], "--headless"});
     REQUIRE(a.wait_for_error("in step with host c from "));

@@ -41,7 +41,7 @@ TEST_CASE("no component is called like a word that the library, the console or a
     for (const std::string& word : words) {
         CHECK(system_files::system_error("behavior '" + word + "' { script = 'robot_controller' }") ==
               "s.lua:1: behavior '" + word + "': '" + word +
-                  "' is a word of Lua or of the console: choose another name");
+                  "' is a keyword of Lua or a command of the console: choose another name");
     }
 }
 

@@ -50,8 +50,8 @@ TEST_CASE("what was edited on the robot, or was its own before, is kept and told
         "nezumi: \"behaviors/new\\nline.lua\" is kept on mouse: it was not pushed there; copy it here, or rename or "
         "remove it there, then push again\n";
     const std::string told_removed =
-        "nezumi: behaviors/goes.lua is kept on mouse: it was edited there; the project has it no longer, so it is the "
-        "robot's own now\n";
+        "nezumi: behaviors/goes.lua is kept on mouse: it was edited there and is no longer in the project: it now "
+        "belongs to the robot\n";
 
     const Outcome shown = project.push(server, {"--dry-run"});
     CHECK(shown.status == 1);
@@ -63,7 +63,7 @@ TEST_CASE("what was edited on the robot, or was its own before, is kept and told
 
     const Outcome pushed = project.push(server, {"--run", "behaviors/systems/one.lua"});
     CHECK(pushed.status == 2);
-    CHECK(pushed.out == "robots is on mouse in robots, but for the files that are kept\n");
+    CHECK(pushed.out == "robots is on mouse in robots, except for the files that were kept\n");
     CHECK(pushed.error == told + told_removed + told_own +
                               "nezumi: behaviors/systems/one.lua is not run: mouse has other files than the project\n");
     CHECK(server.there("robots/behaviors/drive.lua") == "-- edited\n");
@@ -143,10 +143,10 @@ TEST_CASE("a robot with another version of nezumi, or none, gets nothing", "[cli
     server.write_program("nezumi", "echo nezumi 9.9.9\n");
     const Outcome other = project.push(server);
     CHECK(other.status == 2);
-    CHECK(other.error.starts_with("nezumi: mouse has nezumi 9.9.9, here is nezumi "));
+    CHECK(other.error.starts_with("nezumi: mouse has nezumi 9.9.9, this computer has nezumi "));
     CHECK(other.error.ends_with(": install the same on both\n"));
     server.write_program("nezumi", "exit 127\n");
-    CHECK(project.push(server).error == "nezumi: mouse has no nezumi: install its package there\n");
+    CHECK(project.push(server).error == "nezumi: mouse needs nezumi: install its package there\n");
     CHECK(server.there("robots/behaviors/drive.lua") == "not there");
 }
 
@@ -206,7 +206,7 @@ TEST_CASE("the console of a robot is reached by ssh", "[cli][push]") {
 TEST_CASE("a host that is none is told in one line", "[cli][push]") {
     const Scratch nothing;
     CHECK(run_nezumi({"push", "pi@mouse"}, nothing.path("").string()).error ==
-          "nezumi: no project is here: expected a folder with behaviors/ in it, or above\n");
+          "nezumi: there is no project here: expected a folder behaviors/ here or in a folder above\n");
     CHECK(run_nezumi({"attach", "ssh:-oProxyCommand=x"}).error ==
           "nezumi: expected a user and a host as in pi@mouse, got '-oProxyCommand=x'\n");
     for (const char* host : {"pi mouse", "-oProxyCommand=y", "x@-oProxyCommand=y", "-x@mouse", "a@b@-y", "@mouse",

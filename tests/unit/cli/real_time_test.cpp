@@ -85,8 +85,7 @@ TEST_CASE("the option --realtime is for runs that follow the clock with one thre
         "nezumi: --realtime: works only in real time: leave it out, or give --speed a number\n";
     CHECK(refused({"--speed", "max"}) == no_clock);
     CHECK(refused({"--batch"}) == no_clock);
-    CHECK(refused({"--threads", "2"}) ==
-          "nezumi: --realtime: one thread ticks, and waits for no other: leave out --threads\n");
+    CHECK(refused({"--threads", "2"}) == "nezumi: --realtime: works only with a single thread: leave out --threads\n");
 }
 
 TEST_CASE("only the thread that ticks runs before all others", "[cli][realtime]") {

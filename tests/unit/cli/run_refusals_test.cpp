@@ -24,7 +24,7 @@ TEST_CASE("a pipe that nobody reads is refused as a file for results, and one th
     for (const auto& [option, file] : {std::pair{"--journal", pipe}, {"--picture", drawing}}) {
         const Outcome outcome = run(option, file);
         CHECK(outcome.status == 2);
-        CHECK(outcome.error == file + ": is a pipe that nobody reads: start its reader first, or give a file\n");
+        CHECK(outcome.error == file + ": is a pipe without a reader: start its reader first, or give a file\n");
     }
     const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     REQUIRE(reader >= 0);

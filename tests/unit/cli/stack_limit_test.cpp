@@ -27,8 +27,8 @@ TEST_CASE("a stack that is too small is an error that says what to do", "[cli]")
     const rlim_t bytes = GENERATE(rlim_t{64} << 10, rlim_t{1} << 20);
     const Outcome outcome = run_with_stack(bytes, {"--version"});
     CHECK(outcome.status == 2);
-    CHECK(outcome.error == "nezumi: the limit of the stack is " + std::to_string(bytes >> 10) +
-                               " kB, at least 2048 are needed: say `ulimit -s 8192` before\n");
+    CHECK(outcome.error == "nezumi: the stack limit is " + std::to_string(bytes >> 10) +
+                               " kB, at least 2048 kB are needed: run `ulimit -s 8192` first\n");
 }
 
 TEST_CASE("the smallest stack that is admitted holds what a behaviour may use of it", "[cli]") {

@@ -86,7 +86,7 @@ TEST_CASE(
     it.session->interrupt();
     CHECK(it.shown == "! interrupted");
     CHECK(it.live->starts() == 1);
-    CHECK(it.type("1 + 1") == "! what was interrupted has not ended: what was defined here is lost with it\n2");
+    CHECK(it.type("1 + 1") == "! the interrupted command did not end: definitions made in this console are lost\n2");
 
     it.session->submit(line);
     for (int i = 0; i < 20; ++i) serve(it);

@@ -34,7 +34,7 @@ TEST_CASE("a long seek shows how far it is, and Esc gives it up", "[console][pas
         std::this_thread::sleep_for(std::chrono::milliseconds(70));
     }
     REQUIRE(it.keys);
-    CHECK(it.shown.find("%, Esc gives up") != std::string::npos);
+    CHECK(it.shown.find("%, Esc cancels") != std::string::npos);
     it.session->key(Key::escape);
     for (int rounds = 0; rounds < 100 && it.session->is_busy(); ++rounds) it.session->advance();
     CHECK(it.shown.find("! interrupted") != std::string::npos);

@@ -117,7 +117,8 @@ TEST_CASE("on hardware, commands about time are refused", "[console][session]") 
     for (const char* text : {"step(1)", "run(1)", "speed(2)", "restart()"}) {
         CHECK_THAT(it.type(text), Contains("real robots run only in real time: this works in simulation"));
     }
-    CHECK(it.type("teleport(mouse, {})") == "! teleport: real robots stay where they are: this works in simulation");
+    CHECK(it.type("teleport(mouse, {})") ==
+          "! teleport: real robots can't be teleported: this works only in simulation");
     it.type("run()");
     CHECK_FALSE(it.paused);
     it.type("pause()");

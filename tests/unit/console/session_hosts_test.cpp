@@ -315,7 +315,7 @@ TEST_CASE("what can be no member of a component of another host is told", "[cons
           "! activate: write `X:activate(...)` with a colon, not `X.activate(...)`");
     CHECK(it.type("hosts.ev3.vehicle.speed = 1").find("parameters can, as in X.config.NAME = value") !=
           std::string::npos);
-    CHECK(it.type("hosts = 1") == "! 'hosts' is a word of the console: choose another name");
+    CHECK(it.type("hosts = 1") == "! 'hosts' is a command of the console: choose another name");
 }
 
 TEST_CASE("values of another host are read-only copies", "[console][network]") {

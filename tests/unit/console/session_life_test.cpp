@@ -48,5 +48,5 @@ TEST_CASE("pictures and graphs are drawn within the project", "[console][session
     CHECK(it.type("picture '" + home + "/full.png'") == "! picture: " + home + "/full.png: the disk is full");
     CHECK_THAT(it.type("picture()"), StartsWith("! picture: expected the name of a file, as in picture \"x.png\""));
     SessionRig without;
-    CHECK(without.type("graph 'x.svg'") == "! graph: nothing is drawn here: `nezumi run` does");
+    CHECK(without.type("graph 'x.svg'") == "! graph: this program can't draw: use `nezumi run`");
 }

@@ -49,7 +49,7 @@ TEST_CASE("restart reports what would be lost, unless the file contains it", "[c
     it.type("behavior 'second' { script = 'counter' } marker { name = 'target', id = 7, at = { 1, 0, 0.1 } }");
     const std::string file = it.live->spec().file;
     CHECK(it.type("restart()") == "! restart: second, target would be lost: save \"" + file +
-                                      "\" keeps them in the system's file, restart \"anyway\" lets them go");
+                                      "\" keeps them in the system's file, restart \"anyway\" drops them");
     CHECK(it.type("second.status") == "\"ACTIVE\"");
     CHECK(it.type("restart 'now'") == "! restart: expected nothing, or \"anyway\", got 'now'");
     SECTION("they are saved to it") {

@@ -47,5 +47,5 @@ TEST_CASE("new reports the error of a wrong request", "[console][new]") {
           "! new: inputs: expected a list of texts, as in { \"distance:TimedShortSeq\" }");
     CHECK(it.type("new 'taken' {}") == "! new: behaviors/taken.lua is there already");
     SessionRig without;
-    CHECK(without.type("new 'x' {}") == "! new: nothing is written here: `nezumi run` does");
+    CHECK(without.type("new 'x' {}") == "! new: this program can't write files: use `nezumi run`");
 }

@@ -63,7 +63,7 @@ TEST_CASE("a wrong request to an RTC is refused", "[console][rtm]") {
     CHECK(it.type("rtm('Out0', 'dance')") == "! rtm: there is no 'dance' (there are activate, deactivate, reset, use)");
     CHECK(it.type("rtm('rtm:', 'reset')") == "! rtm: which RTC? rtm() lists them");
     CHECK(it.type("rtm('Out0', 5)") ==
-          "! rtm: expected what to do, as in rtm(\"ConsoleOut0\", \"activate\"), or a table of values");
+          "! rtm: expected an action, as in rtm(\"ConsoleOut0\", \"activate\"), or a table of values");
     CHECK(it.type("rtm('Out0', {})") == "! rtm: expected values by name, as in rtm(\"ConsoleOut0\", { speed = 0.5 })");
     CHECK(it.type("rtm('Out0', 'use')") ==
           "! rtm: expected the name of a set, as in rtm(\"ConsoleOut0\", \"use\", \"default\"), got nothing");
@@ -71,7 +71,7 @@ TEST_CASE("a wrong request to an RTC is refused", "[console][rtm]") {
     asked.says = failure("there is no RTC 'Out0' in the name service");
     CHECK(it.type("rtm 'Out0'") == "! rtm: there is no RTC 'Out0' in the name service");
     SessionRig without;
-    CHECK(without.type("ls 'rtm:'") == "! ls: there are no RTCs here: `nezumi run` reaches them");
+    CHECK(without.type("ls 'rtm:'") == "! ls: this program can't reach RTCs: use `nezumi run`");
 }
 
 TEST_CASE("ticks go on while an RTC is waited for, and the wait can be interrupted", "[console][rtm]") {

@@ -152,7 +152,7 @@ TEST_CASE("reading a state of a hundred thousand values delays no tick, and smal
     const std::string behavior = counter_behavior +
                                  "state.large = {} state.grid = {} for i = 1, 50 do state.grid[i] = " +
                                  "{} for j = 1, 50 do state.grid[i][j] = j end end " + large + "\n";
-    const std::string left_out = "left out, so that no tick is late: a look takes 4000 values at most";
+    const std::string left_out = "left out, so that no tick is late: at most 4000 values are read at once";
     const auto [line, answer] = GENERATE_COPY(table<std::string, std::string>(
         {{"return controller.state.count", "0"},
          {"local g = controller.state.grid return #g", "50"},

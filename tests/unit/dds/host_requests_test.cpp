@@ -152,7 +152,7 @@ TEST_CASE("a missing answer is reported after 2 s, and the request is not execut
     room.domain.cut = true;
     const double begin = room.clock;
     CHECK(text(pi.ask(question(What::deactivate), ev3)) ==
-          "! host ev3 has not answered for 2 s: it is not known whether it was done");
+          "! host ev3 has not answered for 2 s: the result is unknown");
     CHECK(room.clock - begin < 2.2);
     room.domain.cut = false;
     pass(room, 10, ev3, pi);

@@ -107,10 +107,10 @@ TEST_CASE("a run waits for a named host, and reports it when it takes long", "[d
     StepRig one(room, "one");
     REQUIRE(one.system.connect("two/part.count", "part.number"));
     pass_together(room, 8, one);
-    CHECK_FALSE(one.told("time stands"));
+    CHECK_FALSE(one.told("time is stopped"));
     pass_together(room, 30, one);
     CHECK(one.ticks() == 0);
-    CHECK(one.log == std::vector<std::string>{"warn: lockstep: time stands at 0.00 s: waits for host two"});
+    CHECK(one.log == std::vector<std::string>{"warn: lockstep: time is stopped at 0.00 s: waits for host two"});
     StepRig two(room, "two");
     pass_together(room, 10, one, two);
     CHECK(one.ticks() > 3);
@@ -123,7 +123,7 @@ TEST_CASE("a host that names no other waits for the first host that names it", "
     StepRig one(room, "one");
     pass_together(room, 30, one);
     CHECK(one.ticks() == 0);
-    CHECK(one.told("time stands at 0.00 s: waits for another host in lockstep"));
+    CHECK(one.told("time is stopped at 0.00 s: waits for another host in lockstep"));
     StepRig two(room, "two", {"one"});
     pass_together(room, 10, one, two);
     CHECK(one.ticks() > 3);
@@ -138,7 +138,7 @@ TEST_CASE("time stands for all hosts while one is silent, paused or waiting", "[
     SECTION("silent") {
         pass_together(room, 30, a, b);
         CHECK(b.told("host c is silent"));
-        CHECK(a.told("time stands at 0."));
+        CHECK(a.told("time is stopped at 0."));
         CHECK(a.told("host b waits for host c"));
         CHECK(a.ticks() <= ticks + 5);
     }
@@ -258,7 +258,7 @@ TEST_CASE("different tick rates are refused at both hosts", "[dds][lockstep]") {
     CHECK(two.told(
         "error: lockstep: host one has 100 ticks a second, this one 50: say rate(100) here or rate(50) there"));
     CHECK(one.ticks() == 0);
-    CHECK(one.told("time stands at 0.00 s: host two has another tick rate"));
+    CHECK(one.told("time is stopped at 0.00 s: host two has another tick rate"));
 }
 
 TEST_CASE("a host that is not in lockstep is reported, and hosts do not wait for it", "[dds][lockstep]") {

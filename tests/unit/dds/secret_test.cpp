@@ -148,10 +148,10 @@ TEST_CASE("a secret that can't be stored is an error with advice", "[dds][secret
     scratch.write("file", "");
     const auto refused = user_secret(scratch.path() / "file" / "network.secret");
     REQUIRE_FALSE(refused);
-    CHECK(refused.error().message ==
-          "no secret for the hosts of this user in '" + (scratch.path() / "file/network.secret").string() +
-              "': Not a directory; say `secret = FILE`, which `nezumi network secret FILE` makes, or `open = true` "
-              "where every user of this computer may drive");
+    CHECK(refused.error().message == "no secret for the hosts of this user in '" +
+                                         (scratch.path() / "file/network.secret").string() +
+                                         "': Not a directory; set `secret = FILE` (`nezumi network secret FILE` makes "
+                                         "one), or `open = true` to let every user of this computer drive");
     CHECK(user_secret("").error().message.find("this user has no home") != std::string::npos);
     std::filesystem::create_directory(scratch.path() / "network.secret");
     CHECK(user_secret(scratch.path() / "network.secret").error().message.find("it is not a file of this user") !=

@@ -76,8 +76,8 @@ TEST_CASE("a map's further columns are ignored, and its comments, blank and shor
                "1,2,3,4,5,6,7,,\n");
     CHECK(read.boxes.size() == 2);
     CHECK(read.skipped == 6);
-    CHECK(describe(read, "map.csv") == "map.csv: 2 boxes, 6 lines that are no box skipped");
-    CHECK(describe(map_of(header + "# a wall\n"), "m") == "m: 0 boxes, 1 line that is no box skipped");
+    CHECK(describe(read, "map.csv") == "map.csv: 2 boxes, 6 lines that are not boxes skipped");
+    CHECK(describe(map_of(header + "# a wall\n"), "m") == "m: 0 boxes, 1 line that is not a box skipped");
     CHECK(describe(map_of("7,6,5,4,3,2,1\n1,2,3,4,5,6,7\n"), "m") ==
           "m: 1 box; its first line, which is skipped as a header, reads like a box");
 }

@@ -59,11 +59,11 @@ CameraImage picture(std::uint16_t width, std::uint16_t height, std::size_t bytes
 TEST_CASE("what only some sensors have is no port of the others", "[engine][sensor]") {
     PortSpec wrong = port("p", "TimedDouble", {"light_below"}, false);
     wrong.quantity = PortSpec::Quantity::rate;
-    CHECK(refusal(wrong) == "port 'p': 'light_below' is no gyro: it has no rate");
+    CHECK(refusal(wrong) == "port 'p': 'light_below' is not a gyro: it has no rate");
     wrong.quantity = PortSpec::Quantity::distance;
-    CHECK(refusal(wrong) == "port 'p': 'light_below' is no range sensor: it has no distance");
+    CHECK(refusal(wrong) == "port 'p': 'light_below' is not a range sensor: it has no distance");
     CHECK(refusal(port("p", "RangeData", {"light_below"}, false)) ==
-          "port 'p': 'light_below' is no range sensor: it has no distance");
+          "port 'p': 'light_below' is not a range sensor: it has no distance");
 }
 
 TEST_CASE("a colour sensor's ports give the colour's name or its code", "[engine][sensor]") {
@@ -157,7 +157,7 @@ TEST_CASE("what a screen, a speaker or a colour sensor can't do is an error", "[
     CHECK(refusal(port("p", "TimedShort", {"speaker"}, true)) ==
           "port 'p': 'speaker' takes a TimedString, not a TimedShort");
     CHECK(refusal(port("p", "TimedString", {"gyro"}, false)) ==
-          "port 'p': a TimedString carries colours, and 'gyro' is no color sensor");
+          "port 'p': a TimedString carries colours, and 'gyro' is not a color sensor");
     PortSpec off = port("p", "TimedString", {"speaker"}, true);
     off.off_when_silent = true;
     CHECK(refusal(off) ==

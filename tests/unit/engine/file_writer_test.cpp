@@ -52,7 +52,7 @@ TEST_CASE("the amount of waiting data is limited; beyond it writing fails withou
         CHECK(writer.problem() == 0);
         for (int i = 0; i < 5; ++i) writer.put(piece);
         CHECK(writer.problem() == ENOBUFS);
-        CHECK(why_not_written(writer.problem()) == "too much waits for it, which takes too little");
+        CHECK(why_not_written(writer.problem()) == "it accepts data too slowly, and too much is waiting");
         CHECK(writer.close() == ENOBUFS);
     }
     close(ends[0]);
@@ -69,7 +69,7 @@ TEST_CASE("a pipe without a reader is given up", "[engine][base]") {
     if (by_others) other = std::thread([&] { writer.give_up(); });
     CHECK(writer.close(by_others ? FileWriter::forever : std::chrono::milliseconds(50)) == ECANCELED);
     CHECK(std::chrono::steady_clock::now() - before < std::chrono::seconds(5));
-    CHECK(why_not_written(ECANCELED) == "it did not take all of it in time");
+    CHECK(why_not_written(ECANCELED) == "it did not accept all data in time");
     CHECK(why_not_written(ENOSPC) == "No space left on device");
     if (other.joinable()) other.join();
     close(ends[0]);

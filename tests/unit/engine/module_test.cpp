@@ -17,7 +17,7 @@ TEST_CASE("a module that is not built has another error than one that can't be l
         return loaded.error().message;
     };
     const std::string file = scratch.path("nezumi_pictures.so").string();
-    CHECK(error_of(file) == "this nezumi was built without the part for pictures: there is no " + file);
+    CHECK(error_of(file) == "this build of nezumi has no support for pictures: there is no " + file);
     scratch.write("nezumi_pictures.so", "no library");
     const std::string broken = error_of(file);
     CHECK(broken.starts_with("the part of nezumi for pictures can't be loaded: " + file));

@@ -207,7 +207,7 @@ TEST_CASE("a velocity is safe at zero, and another value can be declared safe", 
     CHECK(velocity.read() == Velocity2D{});
 }
 
-TEST_CASE("a cleared in-port is as before anything came", "[engine][port]") {
+TEST_CASE("a cleared in-port is as before the first message", "[engine][port]") {
     for (const std::size_t queue : {0u, 4u}) {
         Pair p(queue);
         p.pass(1, {1, 2});

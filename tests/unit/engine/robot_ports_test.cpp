@@ -34,7 +34,7 @@ TEST_CASE("a description whose ports can't be is refused with the port's name", 
         const auto made = Robot::make("mouse", spec, spec.drive.limits);
         return made ? "" : describe(made.error());
     };
-    CHECK(refusal([](PortSpec& p) { p.items = {}; }) == "robot.lua: port 'extra': says nothing of what it carries");
+    CHECK(refusal([](PortSpec& p) { p.items = {}; }) == "robot.lua: port 'extra': has no `from` and no `to`");
     CHECK(refusal([](PortSpec& p) { p.items = {"drive"}, p.type = "TimedDouble"; }) ==
           "robot.lua: port 'extra': 'drive' takes a TimedVelocity2D, not a TimedDouble");
     CHECK(refusal([](PortSpec& p) { p.items = {"drive"}, p.type = "TimedVelocity2D"; }) ==
@@ -50,7 +50,7 @@ TEST_CASE("a description whose ports can't be is refused with the port's name", 
     CHECK(refusal(out("TimedDouble", {"gyros"})) ==
           "robot.lua: port 'extra': there is no sensor 'gyros' (did you mean 'gyro'?)");
     CHECK(refusal(out("TimedDouble", {"gyro", "metre"})) ==
-          "robot.lua: port 'extra': a TimedDouble carries one sensor, not 2");
+          "robot.lua: port 'extra': a TimedDouble carries the value of one sensor, not of 2");
     CHECK(refusal(out("TimedPose3D", {"gyro"})) ==
           "robot.lua: port 'extra': a TimedPose3D can't carry sensors' values");
     CHECK(refusal(out("TimedPose2D", {"velocity"})) ==

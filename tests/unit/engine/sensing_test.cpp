@@ -121,7 +121,7 @@ TEST_CASE("the distances of several sensors come with their angles", "[engine][s
         return robot ? "none" : robot.error().message;
     };
     const std::string start =
-        "port 'scan': a RangeData tells the angles of its sensors as the first, the last and an even step from right "
+        "port 'scan': a RangeData gives its angles as the first, the last and a constant step from right "
         "to "
         "left: the yaw of ";
     CHECK(refusal({-45, 0, 30}) == start + "'ray2' does not fit");

@@ -242,7 +242,7 @@ TEST_CASE("a component can't have a name that is taken, no identifier or a word 
         return added ? "" : added.error().message;
     };
     CHECK(refused("it") == "the name 'it' is given twice");
-    CHECK(refused("pause") == "'pause' is a word of the console: choose another name");
+    CHECK(refused("pause") == "'pause' is a command of the console: choose another name");
     for (const char* name : {"", "2nd", "a-b", "a b", "end", "m\xC3\xA4use", "a.b"}) {
         CHECK(refused(name) == "'" + std::string(name) +
                                    "' is not a valid name: expected letters, digits and _, not beginning with a digit, "

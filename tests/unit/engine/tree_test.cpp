@@ -116,6 +116,6 @@ TEST_CASE("a parameter says by which act it is set, everything else why it can't
     CHECK(refusal("it.config", "sped_x") == "it: unknown parameter 'sped_x' (did you mean 'speed_x'?)");
     CHECK(refusal("it", "speed_x") == "it.speed_x can't be set: its parameter is it.config.speed_x");
     CHECK(refusal("it", "speed") == "it.speed is a port: write a value with it.speed:write(value)");
-    CHECK(refusal("it.speed", "value") == "it.speed: nothing of it can be set; write a value with :write(value)");
+    CHECK(refusal("it.speed", "value") == "it.speed: its members can't be set; write a value with :write(value)");
     CHECK(refusal("", "it") == "it can't be set");
 }

@@ -103,7 +103,7 @@ TEST_CASE("the reader of a pipe is not waited for, and nothing that lies beside 
     const auto pipe = scratch.path("pipe");
     REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
     CHECK(describe(write_whole(pipe, "text").error()) ==
-          pipe.string() + ": is a pipe that nobody reads: start its reader first, or give a file");
+          pipe.string() + ": is a pipe without a reader: start its reader first, or give a file");
     const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     REQUIRE(reader >= 0);
     CHECK(write_whole(pipe, "text"));

@@ -46,15 +46,15 @@ TEST_CASE("a logged run replays without the robot, and differences of its behavi
     const Outcome same = play(folder);
     CAPTURE(same.error);
     CHECK(same.status == 0);
-    CHECK(same.error.find("x.log: played, ") != std::string::npos);
-    CHECK(same.error.find(" writes as they were\n") != std::string::npos);
+    CHECK(same.error.find("x.log: replayed, ") != std::string::npos);
+    CHECK(same.error.find(" writes were equal\n") != std::string::npos);
 
     write_system(folder, "0.05");
     const Outcome slower = play(folder);
     CAPTURE(slower.error);
     CHECK(slower.status == 1);
     CHECK(slower.error.find("' was written to /dev/rtmotor_raw_l0, but now it has '") != std::string::npos);
-    CHECK(slower.error.find("x.log: played, ") != std::string::npos);
+    CHECK(slower.error.find("x.log: replayed, ") != std::string::npos);
     CHECK(slower.error.find(" difference") != std::string::npos);
 }
 

@@ -63,7 +63,7 @@ TEST_CASE("a device log that accepts no writes is abandoned, with a message", "[
     CHECK(run.wait() == promised.status);
     CHECK(clock_seconds() - begin < 2.5);
     CHECK(run.error.find(
-              "the device log can't be written: it did not take all of it in time: the run continues without it\n") !=
+              "the device log can't be written: it did not accept all data in time: the run continues without it\n") !=
           std::string::npos);
     close(reader);
 }

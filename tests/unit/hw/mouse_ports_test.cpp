@@ -66,13 +66,13 @@ TEST_CASE("a port that is unknown to a mouse is refused", "[hw][mouse]") {
     };
     CHECK(refusal([](RobotSpec& spec) {
               spec.drive.port = {"a", "b"};
-          }) == "drive.port of model 'raspimouse' has no meaning for the driver raspimouse: remove it out");
+          }) == "drive.port of model 'raspimouse' has no meaning for the driver raspimouse: leave it out");
     CHECK(refusal([](RobotSpec& spec) {
               for (ActuatorSpec& actuator : spec.actuators) {
                   if (actuator.name == "buzzer") actuator.port = "rtbuzzer0";
               }
           }) ==
-          "port of actuator 'buzzer' of model 'raspimouse' has no meaning for the driver raspimouse: remove it out");
+          "port of actuator 'buzzer' of model 'raspimouse' has no meaning for the driver raspimouse: leave it out");
     const auto with_ports = [&](SensorSpec::Kind kind, const std::string& port, int count) {
         return refusal([&](RobotSpec& spec) {
             int given = 0;

@@ -165,10 +165,10 @@ TEST_CASE("requests impossible for real robots are refused before anything moves
           "shows their names), or give --rig\n");
     const Outcome repeat = fake.test(two, {"--repeat", "2"});
     CHECK(repeat.status == 2);
-    CHECK(repeat.error == "nezumi: --hw: a real robot is never the same twice: leave out --repeat\n");
+    CHECK(repeat.error == "nezumi: --hw: two runs of a real robot always differ: leave out --repeat\n");
     const Outcome golden = fake.test(scenario("s:load 'ahead.lua' s:golden('x.csv', 'mouse.current_pose_out')"), {});
     CHECK(golden.status == 2);
-    CHECK(has(golden.out, "'x.csv': a real robot is never the same twice: leave this to simulation"));
+    CHECK(has(golden.out, "'x.csv': two runs of a real robot always differ: leave this to simulation"));
     const Outcome second = fake.test(scenario("s:load 'ahead.lua' s:load 'ahead.lua'"), {});
     CHECK(second.status == 2);
     CHECK(has(second.out, "with --hw there is one world, that of the real robots: this would be another"));

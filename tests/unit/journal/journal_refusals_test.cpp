@@ -22,16 +22,17 @@ TEST_CASE("a journal says which line can't be replayed, and why", "[journal]") {
     CHECK(it.error_with(2, act + R"({"component":"it","parameter":"step"}})") ==
           "J:2: SetParameter: 'value' is missing");
     CHECK(it.error_with(2, act + R"({"component":"it","parameter":"step","value":2,"more":1}})") ==
-          "J:2: SetParameter: there is a field that it does not have");
+          "J:2: SetParameter: it has an unknown field");
     CHECK(it.error_with(2, act + R"({"component":"it","parameter":"stop","value":2}})") ==
-          "J:2: SetParameter went well then, not now: unknown parameter 'stop' (did you mean 'step'?)");
+          "J:2: SetParameter succeeded in the original run, but fails now: unknown parameter 'stop' (did you mean "
+          "'step'?)");
     CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Set","with":{}})") == "J:2: there is no act 'Set'");
     CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"somebody","do":"Stop","with":{}})")
               .starts_with("J:2: 'somebody' is not a kind of actor: expected one of run, console"));
     CHECK(it.error_with(2, R"({"at":[2,3,0],"who":"console","do":"Stop","with":{}})") ==
           "J:3: tick 6 of start 1 comes after tick 3 of start 2");
     CHECK(it.error_with(2, R"({"at":[1,4,0],"hash":"0000000000000000"})")
-              .starts_with("J:2: the run is another one than the journal's: its hash at tick 4 of start 1 was "
+              .starts_with("J:2: this run differs from the journal's run: its hash at tick 4 of start 1 was "
                            "0000000000000000, not "));
     CHECK(it.error_with(1, "[]") == "J:1: is not a journal of nezumi run --journal");
     CHECK(it.error_with(1, R"({"journal":1,"version":"0.0"})") ==
@@ -52,7 +53,7 @@ TEST_CASE("a journal whose lines are not those of a run is refused at the line",
     it.end();
     CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Rearm","with":{},"failed":true})").empty());
     CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Stop","with":{},"failed":true})") ==
-          "J:2: Stop failed then, and does not now");
+          "J:2: Stop failed in the original run, but not now");
     CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Stop"})") == "J:2: an act must have do and with");
     CHECK(it.error_with(2, R"({"at":[1,3,0],"out_of_time":5})") ==
           "J:2: 'out_of_time' must have component, call and message");

@@ -65,15 +65,14 @@ TEST_CASE("a behaviour beside the file comes first, also a broken or an empty on
 TEST_CASE("the error for a script whose name only a system has says so", "[lua][project][refusals]") {
     const Files files;
     files.write("behaviors/systems/foo.lua", system_text);
-    CHECK(
-        files.found("foo") ==
-        "there is no script 'foo'; looked for behaviors/systems/foo.lua, behaviors/foo.lua, "
-        "share/behaviors/foo.lua; behaviors/systems/foo.lua is a system file, and no behaviour: `nezumi new behavior` "
-        "makes one, in behaviors/");
+    CHECK(files.found("foo") ==
+          "there is no script 'foo'; looked for behaviors/systems/foo.lua, behaviors/foo.lua, "
+          "share/behaviors/foo.lua; behaviors/systems/foo.lua is a system file, not a behaviour: `nezumi new behavior` "
+          "makes one, in behaviors/");
     files.write("share/behaviors/foo.lua", system_text);
     CHECK(files.found("foo") ==
           "there is no script 'foo'; looked for behaviors/systems/foo.lua, behaviors/foo.lua, "
-          "share/behaviors/foo.lua; behaviors/systems/foo.lua, share/behaviors/foo.lua are system files, and no "
+          "share/behaviors/foo.lua; behaviors/systems/foo.lua, share/behaviors/foo.lua are system files, not "
           "behaviours: `nezumi new behavior` makes one, in behaviors/");
     const std::string bar = files.path("behaviors/systems/bar.lua").string();
     const auto spec = read_system_text("rate(50)\nbehavior 'f' {\n  script = 'foo' }", bar, Project::of(bar));

@@ -191,9 +191,9 @@ TEST_CASE("a seek that is given up leaves the present untouched", "[lua][past]")
 TEST_CASE("a moment that never was is refused", "[lua][past]") {
     PastRig it;
     it.tick(100);
-    CHECK(it.seek(101) == "main has come to 1 s only");
+    CHECK(it.seek(101) == "main ends at 1 s");
     CHECK(it.seek(5, "other") == "there is no branch 'other': branches() lists them");
-    CHECK(it.seek(Seek{.tick = 5, .start = 2}) == "main has come to 1 s only");
+    CHECK(it.seek(Seek{.tick = 5, .start = 2}) == "main ends at 1 s");
     const auto past = it.live->begin_seek({.tick = 50});
     REQUIRE(past);
     REQUIRE((*past)->go_on(PastRun::Clock::time_point::max()));
@@ -243,7 +243,7 @@ TEST_CASE("a past that becomes another one is refused with its tick, and the pre
     for (int i = 0; i < 250; ++i) (*live)->tick();
     const std::uint64_t now = (*live)->trace_hash();
     CHECK((*live)->act(Seek{.tick = 220}, user).error().message ==
-          "the past can't be computed again: at tick 100 of start 1 it becomes another one than it was");
+          "the past can't be computed again: at tick 100 of start 1 it differs from the original run");
     CHECK((*live)->trace_hash() == now);
     CHECK_FALSE((*live)->is_past());
 }

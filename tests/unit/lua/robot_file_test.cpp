@@ -279,5 +279,5 @@ TEST_CASE("an imu's ports carry its rates, its accelerations or both", "[lua][ro
           "r.lua:2:72: robot_model: port 'p': 'imu' has several values: it has a port of its own");
     CHECK(robot_error(with(
               "sensors = { g = { kind = 'gyro' } }, ports = { p = { type = 'TimedDouble', from = 'g', quantity = "
-              "'acceleration' } }")) == "r.lua:2:48: robot_model: port 'p': 'g' is no imu: it has no acceleration");
+              "'acceleration' } }")) == "r.lua:2:48: robot_model: port 'p': 'g' is not an imu: it has no acceleration");
 }

@@ -50,7 +50,7 @@ TEST_CASE("a version that goes back in its first executions continues its tasks"
     CHECK(world.out<std::int32_t>("it.out") == 7);
     world.tick();
     CHECK(it.version() == 1);
-    CHECK(world.said("version 2 failed in execution 2 of its first 10: it.lua:2: late; back to version 1"));
+    CHECK(world.said("version 2 failed in its execution 2 (of the first 10): it.lua:2: late; back to version 1"));
     CHECK(world.out<std::int32_t>("it.out") == 7);
     world.tick(2);
     CHECK(world.out<std::int32_t>("it.out") == 2);

@@ -123,7 +123,7 @@ TEST_CASE("constraints are bounds and choices; what can't be said here is a rema
     CHECK(remarks(motion, "parameter 'encoding': the names of its choices"));
     CHECK(said(motion, "weights") == "{ 1.0, 0.5 } [0, 1] text");
     CHECK(said(motion, "pair") == "{ 1, 20 } text");
-    CHECK(remarks(motion, "parameter 'pair': a constraint that is another for each element"));
+    CHECK(remarks(motion, "parameter 'pair': a constraint that differs between elements"));
     CHECK(said(motion, "label") == "\"run\" text");
     CHECK(remarks(motion, "parameter 'label': the constraint <rtc:propertyIsLike>"));
     CHECK(said(motion, "channels") == "{ \"left\", \"right\" } \"left\" \"right\" \"both\" checkbox");
@@ -155,9 +155,9 @@ TEST_CASE("what is no profile is refused with one line", "[openrtm][profile]") {
     CHECK(reading_error("<rts:RtsProfile/>") == "RTC.xml: expected a profile with <RtcProfile>, got <rts:RtsProfile>");
     CHECK(reading_error("<RtcProfile/>") == "RTC.xml: has no component: BasicInfo has no name");
     CHECK(reading_error("<!DOCTYPE a [<!ENTITY b \"c\">]><RtcProfile/>") ==
-          "RTC.xml: has a DOCTYPE, and profiles have none: take it away");
+          "RTC.xml: has a DOCTYPE, which a profile can't have: remove it");
     CHECK(reading_error("<RtcProfile><BasicInfo name=\"\x93\xfa\x96\x7b\"/></RtcProfile>") ==
-          "RTC.xml: is no text in UTF-8: save it as UTF-8");
+          "RTC.xml: is not a text in UTF-8: save it as UTF-8");
     std::string deep;
     for (int i = 0; i < 100'000; ++i) deep += "<a>";
     for (int i = 0; i < 100'000; ++i) deep += "</a>";

@@ -176,7 +176,7 @@ TEST_CASE("a connection to an RTC needs a fitting port of ours", "[openrtm][prof
 
 TEST_CASE("a new name must belong to an exported port and be unique", "[openrtm][profiles]") {
     CHECK(error_of("rtm { export = \"c\", rename = { [\"c.inn\"] = \"x\" } }") ==
-          "rtm: field 'rename' names no port that is exported: there is none 'c.inn' (did you mean 'c.in'?)");
+          "rtm: field 'rename': there is no exported port 'c.inn' (did you mean 'c.in'?)");
     CHECK(error_of("rtm { export = \"c\", rename = { [\"c.in\"] = \"out\" } }") ==
           "rtm: two ports of c are called 'out'");
 }

@@ -171,7 +171,8 @@ TEST_CASE("a golden belongs to one line of a run, or to several runs with the sa
     CHECK(end.status() == 2);
     REQUIRE(end.reports.size() == 2);
     CHECK(describe(end.reports.back().result.error) ==
-          path + ":5: golden 'it.csv': one, " + path + ":2, has written another one there: choose another name");
+          path + ":5: golden 'it.csv': one, " + path +
+              ":2, has already written a different one there: choose another name");
     CHECK_FALSE(end.measured.back().passed);
     CHECK(both.session("one").summary.could_not_run == 0);
 

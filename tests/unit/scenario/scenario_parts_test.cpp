@@ -140,8 +140,8 @@ TEST_CASE("folders that are not parts of one session are refused", "[scenario][p
     REQUIRE_FALSE(other);
     CHECK(other.error().place.file == rig.part(2).string());
     CHECK(other.error().message ==
-          "is of other runs than " + rig.part(1).string() +
-              ": merge parts that the same nezumi made of the same files, with the same options");
+          "has other runs than " + rig.part(1).string() +
+              ": merge parts that the same version of nezumi made from the same files, with the same options");
     const auto twice = find_plan({rig.part(1), rig.part(1) / "." / ""});
     REQUIRE_FALSE(twice);
     CHECK(describe(twice.error()) == (rig.part(1) / "." / "").string() + ": is given twice: leave one of them out");

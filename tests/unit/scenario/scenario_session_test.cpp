@@ -87,7 +87,7 @@ TEST_CASE("a failing sample is simplified, and its command repeats it", "[lua][s
     // Of the others it is said once each that they are alike.
     CHECK(end.reports.back().result.outcome == RunOutcome::failed);
     CHECK(end.reports.back().result.facts ==
-          std::vector<std::string>{"fails where the simplest failure does: small [x=20.0, y=0.0]"});
+          std::vector<std::string>{"fails in the same line as the simplest failure: small [x=20.0, y=0.0]"});
 }
 
 TEST_CASE("a failure writes its text to a folder and names the folder", "[lua][scenario][session]") {
