@@ -33,13 +33,21 @@ std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash);
 Expected<std::unique_ptr<Journal>> Journal::create(const std::filesystem::path& file) {
     auto opened = ResultFile::open(file);
     if (!opened) return Unexpected(opened.error());
-    return std::unique_ptr<Journal>(new Journal(file.string(), std::move(*opened)));
+    std::unique_ptr<Journal> journal(new Journal);
+    journal->own_.emplace(file.string(), std::move(*opened));
+    return journal;
+}
+
+std::unique_ptr<Journal> Journal::of_sink(JournalSink sink) {
+    std::unique_ptr<Journal> journal(new Journal);
+    journal->sink_ = std::move(sink);
+    return journal;
 }
 
 Journal::~Journal() {
-    if (ended_) return;
-    writer_.close();
-    file_.discard();
+    if (ended_ || !own_) return;
+    own_->writer.close();
+    own_->file.discard();
 }
 
 void Journal::begin(RunningSystem& live, const std::string& version, bool hardware) {
@@ -87,12 +95,13 @@ void Journal::end(RunEnd how, const std::string& message, const ActTime& when, s
     if (!message.empty()) last["message"] = text_to_json(message);
     add([last = std::move(last)] { return line(last); });
     flush();
-    fail_with(writer_.close());
     ended_ = true;
+    if (!own_) return;
+    fail_with(own_->writer.close());
     if (!error_) {
-        file_.replace_older();
+        own_->file.replace_older();
     } else {
-        error_->message += ": the lines that are whole are kept" + file_.told_of_older();
+        error_->message += ": the lines that are whole are kept" + own_->file.told_of_older();
     }
 }
 
@@ -133,20 +142,23 @@ void Journal::ran_out_of_time(const ActTime& when, const std::string& component,
 
 void Journal::fail_with(int problem) {
     if (problem == 0 || error_) return;
-    error_ = Error{fmt::format("the journal can't be written: {}", why_not_written(problem)), {name_}};
+    error_ = Error{fmt::format("the journal can't be written: {}", why_not_written(problem)), {own_->name}};
 }
 
 void Journal::flush() {
     constexpr std::size_t usual_line = 200;  // bytes
     if (!waiting_.empty()) {
         const std::size_t bytes = usual_line * waiting_.size();
-        writer_.put(bytes, [lines = std::exchange(waiting_, {})] {
+        const auto lines = std::make_shared<const std::vector<Line>>(std::exchange(waiting_, {}));
+        const auto make = [lines] {
             std::string text;
-            for (const Line& each : lines) text += each();
+            for (const Line& each : *lines) text += each();
             return text;
-        });
+        };
+        if (own_) own_->writer.put(bytes, make);
+        if (sink_) sink_(bytes, make);
     }
-    fail_with(writer_.problem());
+    if (own_) fail_with(own_->writer.problem());
 }
 
 }  // namespace nezumi

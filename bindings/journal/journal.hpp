@@ -37,6 +37,10 @@ enum class RunEnd {
     error,     ///< by an error
 };
 
+/// Takes lines of a journal, about so many bytes, and makes their text when it writes them. Each call continues the one
+/// before. `make` may be called in another thread.
+using JournalSink = std::function<void(std::size_t bytes, std::function<std::string()> make)>;
+
 class Journal final : public ActObserver {
 public:
     /// The longest time before a line is written, and the interval of hashes: a crash loses at most 0.1 s, which is
@@ -46,6 +50,10 @@ public:
     /// Starts a file; an older one of the same name is renamed. The system to follow may end before the journal, but
     /// not act then.
     static Expected<std::unique_ptr<Journal>> create(const std::filesystem::path& file);
+    /// Starts a journal without a file of its own.
+    static std::unique_ptr<Journal> of_sink(JournalSink sink);
+    /// Gives all lines to this sink as well. Call it before `begin`.
+    void add_sink(JournalSink sink) { sink_ = std::move(sink); }
     /// Without a last line the journal is dropped, and the older file is restored.
     ~Journal() override;
     Journal(const Journal&) = delete;
@@ -62,9 +70,11 @@ public:
     /// The error of writing, if any.
     const std::optional<Error>& error() const { return error_; }
     /// The file is slower than the run: a run without a clock should wait.
-    bool is_behind() const { return writer_.is_behind(); }
+    bool is_behind() const { return own_ && own_->writer.is_behind(); }
     /// Drops what is not written yet, so that `end` returns soon, with an error. Any thread may call it.
-    void give_up() { writer_.give_up(); }
+    void give_up() {
+        if (own_) own_->writer.give_up();
+    }
 
     void acted(const ActTime& when, std::shared_ptr<const PastAct> act, const Expected<ActResult>& result) override;
     void ran_out_of_time(const ActTime& when, const std::string& component, const Component::OutOfTime& call) override;
@@ -72,8 +82,17 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    Journal(std::string name, ResultFile file)
-        : name_(std::move(name)), file_(std::move(file)), writer_(file_.descriptor()) {}
+    // Its own file.
+    struct OwnFile {
+        std::string name;
+        ResultFile file;
+        FileWriter writer;
+
+        OwnFile(std::string called, ResultFile opened)
+            : name(std::move(called)), file(std::move(opened)), writer(file.descriptor()) {}
+    };
+
+    Journal() = default;
     // Without files that never existed.
     FilesSeen known(FilesSeen files);
     using Line = std::function<std::string()>;
@@ -81,9 +100,8 @@ private:
     void flush();
     void fail_with(int problem);
 
-    std::string name_;
-    ResultFile file_;
-    FileWriter writer_;
+    std::optional<OwnFile> own_;
+    JournalSink sink_;
     std::set<std::filesystem::path> known_;  // files that existed
     RunningSystem* live_ = nullptr;
     std::vector<Line> waiting_;  // converted outside the ticks: an act may contain a picture or a million numbers

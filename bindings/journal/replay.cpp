@@ -19,8 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t largest_journal = std::size_t{4} << 30;  // bytes
-
 std::optional<std::uint64_t> hash_of(const Json& json) {
     std::uint64_t hash = 0;
     if (!json.is_string()) return std::nullopt;
@@ -84,18 +82,23 @@ Unexpected Replay::wrong(int line, const std::string& what) const {
 }
 
 Expected<std::unique_ptr<Replay>> Replay::read(const fs::path& file, const std::string& version) {
-    const auto text = read_whole(file, file.string(), largest_journal);
+    const auto text = read_whole(file, file.string(), largest);
     if (!text) return Unexpected(text.error());
+    return of_text(*text, file, version);
+}
+
+Expected<std::unique_ptr<Replay>> Replay::of_text(std::string_view text, const fs::path& file,
+                                                  const std::string& version) {
     std::unique_ptr<Replay> replay(new Replay(file));
     int number = 0;
-    for (std::size_t at = 0; at < text->size();) {
-        const std::size_t end = text->find('\n', at);
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = text.find('\n', at);
         ++number;
         if (end == std::string::npos) {
             replay->torn_ = number;
             break;
         }
-        const std::string line = text->substr(at, end - at);
+        const std::string line(text.substr(at, end - at));
         auto ok = number == 1 ? replay->read_header(line, version) : replay->read_entry(line, number);
         if (!ok) return Unexpected(ok.error());
         at = end + 1;

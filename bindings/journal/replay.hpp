@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bindings/journal/journal.hpp"
@@ -21,6 +22,11 @@ public:
     /// Reads a journal of this version. An error gives the file, the line and the problem, or why it can't be replayed
     /// here. An incomplete last line is ignored.
     static Expected<std::unique_ptr<Replay>> read(const std::filesystem::path& file, const std::string& version);
+    /// The same from its text; `file` is the name for errors.
+    static Expected<std::unique_ptr<Replay>> of_text(std::string_view text, const std::filesystem::path& file,
+                                                     const std::string& version);
+    /// A journal may have so many bytes.
+    static constexpr std::size_t largest = std::size_t{4} << 30;
     ~Replay();
     Replay(const Replay&) = delete;
     Replay& operator=(const Replay&) = delete;

@@ -40,7 +40,13 @@ void FileWriter::put(std::string text) {
     put(bytes, [text = std::move(text)]() mutable { return std::move(text); });
 }
 
-void FileWriter::put(std::size_t bytes, std::function<std::string()> make) {
+void FileWriter::put(std::size_t bytes, std::function<std::string()> make) { put(Piece{bytes, std::move(make)}); }
+
+void FileWriter::put_over(std::size_t bytes, std::function<std::string()> make) {
+    put(Piece{bytes, std::move(make), true});
+}
+
+void FileWriter::put(Piece piece) {
     {
         const std::lock_guard lock(mutex_);
         if (problem_ == 0 && waiting_bytes_ > most_waiting_) {
@@ -48,8 +54,8 @@ void FileWriter::put(std::size_t bytes, std::function<std::string()> make) {
             give_up();
         }
         if (problem_ != 0) return;
-        waiting_bytes_ += bytes;
-        waiting_.push_back({bytes, std::move(make)});
+        waiting_bytes_ += piece.bytes;
+        waiting_.push_back(std::move(piece));
     }
     news_.notify_one();
 }
@@ -62,6 +68,11 @@ int FileWriter::problem() const {
 std::uint64_t FileWriter::last_whole_piece() const {
     const std::lock_guard lock(mutex_);
     return last_whole_piece_;
+}
+
+std::uint64_t FileWriter::whole() const {
+    const std::lock_guard lock(mutex_);
+    return written_;
 }
 
 int FileWriter::close(std::chrono::milliseconds patience) {
@@ -91,6 +102,14 @@ int FileWriter::write(std::string_view text) const {
     return 0;
 }
 
+// The same at `kept_`; what was behind it goes.
+int FileWriter::write_over(std::string_view text) const {
+    const auto at = static_cast<off_t>(kept_);
+    if (lseek(file_, at, SEEK_SET) < 0) return errno;
+    if (const int problem = write(text); problem != 0) return problem;
+    return ftruncate(file_, at + static_cast<off_t>(text.size())) == 0 ? 0 : errno;
+}
+
 void FileWriter::run() {
     Lock lock(mutex_);
     for (;;) {
@@ -100,11 +119,13 @@ void FileWriter::run() {
         waiting_.pop_front();
         lock.unlock();
         const std::string text = piece.make();
-        const int problem = write(text);
+        const int problem = piece.goes_over ? write_over(text) : write(text);
         lock.lock();
         waiting_bytes_ -= piece.bytes;
+        if (piece.goes_over) written_ = kept_;
         if (problem == 0) {
             last_whole_piece_ = std::exchange(written_, written_ + text.size());
+            if (piece.goes_over) kept_ = written_;
         } else if (problem_ == 0) {
             problem_ = problem;
         }

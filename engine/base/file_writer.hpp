@@ -27,6 +27,8 @@ public:
     void put(std::string text);
     /// The same for a text of about so many bytes that takes long to make; the writer's thread makes it.
     void put(std::size_t bytes, std::function<std::string()> make);
+    /// The same, but the text replaces everything since the last text that came this way. The file must be on a disk.
+    void put_over(std::size_t bytes, std::function<std::string()> make);
     /// Whether more than half of `most_waiting` waits. Then callers that can wait should do so.
     bool is_behind() const { return waiting_bytes_ > most_waiting_ / 2; }
     /// The error that ended the writing (an errno); 0 if there is none. ENOBUFS: too much waited; ECANCELED: it was
@@ -34,6 +36,8 @@ public:
     int problem() const;
     /// The begin of the last piece that was written completely [bytes].
     std::uint64_t last_whole_piece() const;
+    /// [bytes] from the begin of the file that pieces fill which were written completely.
+    std::uint64_t whole() const;
     /// Drops everything that is not written yet, so that `close` returns soon. Can be called from any thread.
     void give_up() { given_up_ = true; }
     bool is_given_up() const { return given_up_; }
@@ -46,10 +50,13 @@ private:
     struct Piece {
         std::size_t bytes;
         std::function<std::string()> make;
+        bool goes_over = false;  // replaces what came after the last such piece
     };
 
+    void put(Piece piece);
     void run();
     int write(std::string_view text) const;
+    int write_over(std::string_view text) const;
 
     mutable Mutex mutex_;           // of all members below except file_ and the atomic ones
     std::condition_variable news_;  // for the thread
@@ -60,6 +67,7 @@ private:
     int file_;
     std::uint64_t written_ = 0;           // [bytes] of complete pieces
     std::uint64_t last_whole_piece_ = 0;  // its begin
+    std::uint64_t kept_ = 0;              // [bytes] up to the end of the last piece that went over others
     int problem_ = 0;
     bool ends_ = false;
     bool ended_ = false;

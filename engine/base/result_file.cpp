@@ -79,6 +79,10 @@ void ResultFile::discard() {
     }
 }
 
+void ResultFile::cut_to(std::uint64_t bytes) {
+    if (!path_.empty()) static_cast<void>(truncate(path_.c_str(), static_cast<off_t>(bytes)) == 0);
+}
+
 void ResultFile::cut_to_rows(std::uint64_t from, std::string_view note) {
     if (path_.empty()) return;
     const int file = ::open(path_.c_str(), O_RDWR | O_CLOEXEC);

@@ -27,7 +27,7 @@ public:
     /// there was no older file.
     std::string told_of_older() const;
 
-    // Call these three functions after the descriptor is closed.
+    // Call these functions after the descriptor is closed.
 
     /// The new file is complete: removes the older one.
     void replace_older();
@@ -36,6 +36,8 @@ public:
     /// Keeps what could be written, up to its last complete row, with `note` as a line after it if there is room.
     /// `from` is the begin of a row some bytes before the end [bytes].
     void cut_to_rows(std::uint64_t from, std::string_view note);
+    /// Keeps the first bytes.
+    void cut_to(std::uint64_t bytes);
 
 private:
     int descriptor_ = -1;

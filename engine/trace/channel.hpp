@@ -55,6 +55,10 @@ public:
     std::uint64_t turn() const { return turn_; }
     /// Visits the numbers, truth values and texts of one of these messages; 0 is the oldest.
     void visit(std::size_t message, const LeafVisitor& visit) const;
+    /// One of these messages, if it is a port; it stays valid until the next tick.
+    MessageView message(std::size_t message) const { return node_->port()->message(message); }
+    /// The port; null for other channels.
+    const Port* port() const { return is_port() ? node_->port() : nullptr; }
     /// Visits those of the latest message; zeros if there was none.
     void visit_latest(const LeafVisitor& visit) const;
 

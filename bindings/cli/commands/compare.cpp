@@ -7,6 +7,7 @@
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/base/version.hpp"
 #include "bindings/cli/commands/commands.hpp"
+#include "bindings/cli/files/run_file.hpp"
 #include "bindings/journal/compare_runs.hpp"
 #include "engine/base/visible.hpp"
 
@@ -19,7 +20,9 @@ struct LoadedRun {
 };
 
 Expected<LoadedRun> load(const std::string& file) {
-    auto replay = Replay::read(file, version());
+    const auto text = read_run(file);
+    if (!text) return Unexpected(text.error());
+    auto replay = Replay::of_text(*text, file, version());
     if (!replay) return Unexpected(replay.error());
     auto system = (*replay)->load(simulated_systems());
     if (!system) return Unexpected(system.error());

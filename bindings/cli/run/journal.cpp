@@ -5,15 +5,21 @@
 
 #include <utility>
 #include "bindings/cli/base/version.hpp"
+#include "bindings/cli/files/run_file.hpp"
 
 namespace nezumi::cli {
 
-Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& options, LiveOptions live) {
+Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& options, LiveOptions live,
+                                                          JournalSink recording) {
     if (!options.replay.empty()) {
         file_ = options.replay;
-        auto replay = Replay::read(options.replay, version());
+        auto text = read_run(options.replay);
+        if (!text) return Unexpected(text.error());
+        auto replay = Replay::of_text(*text, options.replay, version());
         if (!replay) return Unexpected(replay.error());
         replay_ = std::move(*replay);
+        // The new recording repeats the same run.
+        if (recording) recording(text->size(), [text = std::move(*text)] { return text; });
         if (!options.file.empty()) {
             if (auto ok = replay_->check_system(options.file); !ok) return Unexpected(ok.error());
         }
@@ -29,12 +35,19 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
         if (loaded) live_ = loaded->get();
         return loaded;
     }
-    if (options.journal.empty()) return RunningSystem::load(options.file, std::move(live));
-    auto journal = Journal::create(options.journal);
-    if (!journal) return Unexpected(journal.error());
+    if (options.journal.empty() && !recording) return RunningSystem::load(options.file, std::move(live));
+    std::unique_ptr<Journal> journal;
+    if (options.journal.empty()) {
+        journal = Journal::of_sink(std::move(recording));
+    } else {
+        auto created = Journal::create(options.journal);
+        if (!created) return Unexpected(created.error());
+        journal = std::move(*created);
+        if (recording) journal->add_sink(std::move(recording));
+    }
     auto loaded = RunningSystem::load(options.file, std::move(live));
     if (!loaded) return loaded;
-    journal_ = std::move(*journal);
+    journal_ = std::move(journal);
     live_ = loaded->get();
     journal_->begin(*live_, version(), options.hardware.has_value());
     return loaded;

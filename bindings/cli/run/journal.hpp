@@ -16,8 +16,9 @@ namespace nezumi::cli {
 
 class RunJournal final : public Attendant {
 public:
-    /// Loads the system from its file, or from the replayed journal. It is not active yet.
-    Expected<std::unique_ptr<RunningSystem>> load(const RunOptions& options, LiveOptions live);
+    /// Loads the system from its file, or from the replayed journal. It is not active yet. `recording` takes the
+    /// journal as well, if it is not empty.
+    Expected<std::unique_ptr<RunningSystem>> load(const RunOptions& options, LiveOptions live, JournalSink recording);
     /// Messages to show before the run starts.
     const std::vector<std::string>& notes() const { return notes_; }
     /// Performs a replay that is opened, up to its end; then this run is no replay any more. Gives up when `end` is not

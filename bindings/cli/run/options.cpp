@@ -112,7 +112,8 @@ Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
 std::vector<Option> run_options(RunWords& words) {
     return {
         {"[FILE]", &words.file,
-         "the system file, or its name: corridor is behaviors/systems/corridor.lua; --replay needs none"},
+         "the system file, or its name: corridor is behaviors/systems/corridor.lua; --replay needs none. A recording "
+         "RUN.mcap is repeated as by --replay"},
         {"--hw", &words.hw,
          "drive the real robots; --hw=NAME,...: only these; the others are simulated, and real and simulated robots do "
          "not see each other"},
@@ -155,8 +156,9 @@ std::vector<Option> run_options(RunWords& words) {
          FileUse::result},
         {"--record",
          &words.record,
-         "write what ports publish as CSV, a row for every tick",
-         "FILE.csv",
+         "write what ports publish: FILE.csv has a row for every tick; FILE.mcap is for programs of ROS 2, has truth, "
+         "parameters, state, log and journal too, and repeats the run as `nezumi run FILE.mcap`",
+         "FILE.csv|mcap",
          {},
          FileUse::result},
         {"--ports", &words.ports,
@@ -198,7 +200,12 @@ std::vector<Option> run_options(RunWords& words) {
 std::vector<Option> open_options(RunWords& words) {
     words.opens_replay = true;
     std::vector<Option> options{
-        {"RUN", &words.replay, "a journal, which `nezumi run --journal` wrote", "", {}, FileUse::source}};
+        {"RUN",
+         &words.replay,
+         "a journal or a recording, which `nezumi run` wrote with --journal OUT or --record OUT.mcap",
+         "",
+         {},
+         FileUse::source}};
     constexpr std::string_view same[] = {"--batch", "--speed",  "--port",    "--no-web",
                                          "--open",  "--listen", "--threads", "--history"};
     for (Option& each : run_options(words)) {
@@ -208,7 +215,10 @@ std::vector<Option> open_options(RunWords& words) {
     return options;
 }
 
-Expected<RunOptions> read_run_options(const RunWords& words) {
+Expected<RunOptions> read_run_options(const RunWords& given) {
+    RunWords words = given;
+    // A recording repeats its run, as a journal does.
+    if (words.replay.empty() && words.file.ends_with(".mcap")) words.replay = std::exchange(words.file, {});
     const bool repeats = !words.replay.empty() && !words.opens_replay;
     RunOptions options{.file = words.file,
                        .headless = words.headless || words.batch || repeats,

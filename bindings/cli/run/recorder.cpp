@@ -26,44 +26,17 @@ constexpr std::chrono::milliseconds longest_unwritten{50};
 constexpr std::chrono::milliseconds longest_wait{400};
 constexpr std::chrono::milliseconds longest_end{200};
 
-}  // namespace
-
-Expected<Recorder> Recorder::open(const std::string& file, Trace& trace, const System& system,
-                                  const std::vector<std::string>& names, std::int64_t every) {
-    Recorder recorder(trace);
-    recorder.every_ = every;
-    if (names.empty()) recorder.follow_ports(system);
-    for (const std::string& name : names) {
-        if (name.find_first_of("*?") != name.npos) {
-            if (!recorder.follow_fitting(system, name))
-                return failure(fmt::format("--ports: there is nothing with the name '{}'", shown(name)));
-            continue;
-        }
-        const auto channel = trace.follow(name);
-        if (!channel) return failure("--ports: " + channel.error().message);
-        recorder.table_.follow(**channel);
-    }
-    auto opened = ResultFile::open(file);
-    if (!opened) return Unexpected(opened.error());
-    recorder.name_ = file;
-    recorder.file_ = std::move(*opened);
-    recorder.writer_ = std::make_unique<FileWriter>(recorder.file_.descriptor());
-    return recorder;
-}
-
-// All that is called so: of each component, its out-ports, or what else it has by this name.
-bool Recorder::follow_fitting(const System& system, const std::string& pattern) {
+// Follows everything with such a name: of each component, its out-ports, or what else it has by this name.
+std::vector<const Channel*> follow_fitting(Trace& trace, const System& system, const std::string& pattern) {
     const std::size_t dot = std::min(pattern.find('.'), pattern.size());
     const std::string name = pattern.substr(0, dot), what = pattern.substr(std::min(dot + 1, pattern.size()));
     const bool is_name = what.find_first_of("*?") == what.npos;
     const auto fits = [](const std::string& its, const std::string& given) {
         return fnmatch(given.c_str(), its.c_str(), FNM_NOESCAPE) == 0;
     };
-    bool found = false;
+    std::vector<const Channel*> found;
     const auto follow = [&](const std::string& path) {
-        const auto channel = trace_->follow(path);
-        if (channel) table_.follow(**channel);
-        found = found || channel.has_value();
+        if (const auto channel = trace.follow(path)) found.push_back(*channel);
     };
     for (const auto& component : system.components()) {
         if (!fits(component->name(), name)) continue;
@@ -73,6 +46,42 @@ bool Recorder::follow_fitting(const System& system, const std::string& pattern) 
         }
     }
     return found;
+}
+
+}  // namespace
+
+Expected<std::vector<const Channel*>> follow_channels(Trace& trace, const System& system,
+                                                      const std::vector<std::string>& names) {
+    std::vector<const Channel*> channels;
+    for (const std::string& name : names) {
+        if (name.find_first_of("*?") != name.npos) {
+            const auto fitting = follow_fitting(trace, system, name);
+            if (fitting.empty())
+                return failure(fmt::format("--ports: there is nothing with the name '{}'", shown(name)));
+            channels.insert(channels.end(), fitting.begin(), fitting.end());
+            continue;
+        }
+        const auto channel = trace.follow(name);
+        if (!channel) return failure("--ports: " + channel.error().message);
+        channels.push_back(*channel);
+    }
+    return channels;
+}
+
+Expected<Recorder> Recorder::open(const std::string& file, Trace& trace, const System& system,
+                                  const std::vector<std::string>& names, std::int64_t every) {
+    Recorder recorder(trace);
+    recorder.every_ = every;
+    if (names.empty()) recorder.follow_ports(system);
+    const auto channels = follow_channels(trace, system, names);
+    if (!channels) return Unexpected(channels.error());
+    for (const Channel* each : *channels) recorder.table_.follow(*each);
+    auto opened = ResultFile::open(file);
+    if (!opened) return Unexpected(opened.error());
+    recorder.name_ = file;
+    recorder.file_ = std::move(*opened);
+    recorder.writer_ = std::make_unique<FileWriter>(recorder.file_.descriptor());
+    return recorder;
 }
 
 // Where a ranger sits and what it can measure is in a row only when it has changed.

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bindings/cli/run/run_recording.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/file_writer.hpp"
 #include "engine/base/mutex.hpp"
@@ -20,39 +21,33 @@
 
 namespace nezumi::cli {
 
+/// Follows the channels with these names ("mouse.ir_sensor_out", "mouse.truth", "controller.config") from now on. A
+/// name may have * and ? in it, which stand for any characters but dots. An error names what does not exist.
+Expected<std::vector<const Channel*>> follow_channels(Trace& trace, const System& system,
+                                                      const std::vector<std::string>& names);
+
 /// The first column is `time` [s], the tick's; the others are those of a `TraceTable`. A tick in which a port published
 /// several messages has as many rows of the same time.
-class Recorder {
+class Recorder final : public RunRecording {
 public:
-    /// Opens the file for these channels of the system ("mouse.ir_sensor_out", "mouse.truth", "controller.config"), or
-    /// for every out-port when there are none, also of components that come while it runs. A name may have * and ? in
-    /// it, which stand for any signs but dots. One tick of `every` is recorded. An error names what is not there, or
-    /// says why the file can't be written; then the file is as it was. The trace must outlive the recorder.
+    /// Opens the file for these channels of the system (`follow_channels`), or for every out-port if there are none,
+    /// also of components that come while it runs. One tick of `every` is recorded. An error names what does not exist,
+    /// or says why the file can't be written; then the file is as it was. The trace must outlive the recorder.
     static Expected<Recorder> open(const std::string& file, Trace& trace, const System& system,
                                    const std::vector<std::string>& names, std::int64_t every = 1);
     Recorder(Recorder&&) noexcept = default;
     Recorder& operator=(Recorder&&) = delete;
-    ~Recorder() = default;
+    ~Recorder() override = default;
 
-    /// Adds what the tick that has just passed brought.
-    void add_rows(const System& system);
-    /// From now on rows are ignored.
-    void seal() { sealed_ = true; }
-    /// Completes the file: the older one of its name goes. Or says what kept it from being written; then the rows that
-    /// are whole stay, with a last line that begins with # and says why, and so does the older file, under a name that
-    /// the error tells.
-    Expected<void> finish();
-    /// Completes the file of a run that is none, also while another thread is in the middle of a tick that does not
-    /// end: a last line that begins with # says why, in one line. Nothing is recorded any more.
-    void end_here(std::string_view why);
-    /// `ResultFile::told_of_older`.
-    std::string told_of_older() const { return file_.told_of_older(); }
-    /// What keeps the file from being written, as soon as something does.
-    const std::optional<Error>& error() const { return error_; }
-    /// The file takes less than comes: a run that follows no clock should wait.
-    bool is_behind() const { return writer_->is_behind(); }
-    /// What is not written yet is not: `finish` returns soon, with an error. From any thread.
-    void give_up() { writer_->give_up(); }
+    void add_rows(const System& system) override;
+    void seal() override { sealed_ = true; }
+    /// A file that can't be written ends with a line that begins with # and says why.
+    Expected<void> finish() override;
+    void end_here(std::string_view why) override;
+    std::string told_of_older() const override { return file_.told_of_older(); }
+    const std::optional<Error>& error() const override { return error_; }
+    bool is_behind() const override { return writer_->is_behind(); }
+    void give_up() override { writer_->give_up(); }
 
 private:
     // From which row on the columns are these, by their ids.
@@ -65,7 +60,6 @@ private:
 
     explicit Recorder(Trace& trace) : trace_(&trace), table_({}) {}
     void follow_ports(const System& system);
-    bool follow_fitting(const System& system, const std::string& pattern);
     void empty_what_stays(std::vector<std::string>& cells);
     void begin_layout();
     void flush();

@@ -6,9 +6,21 @@
 #include <utility>
 
 #include "bindings/cli/files/output_files.hpp"
+#include "bindings/cli/run/recorder.hpp"
 #include "sim/picture.hpp"
 
 namespace nezumi::cli {
+
+Expected<void> RunResults::prepare(const RunOptions& options) {
+    if (!options.record.ends_with(".mcap")) return {};
+    auto recorder = McapRecorder::create(options.record);
+    if (!recorder) return Unexpected(recorder.error());
+    mcap_ = recorder->get();
+    recorder_ = std::move(*recorder);
+    return {};
+}
+
+JournalSink RunResults::journal_sink() { return mcap_ != nullptr ? mcap_->journal_sink() : JournalSink(); }
 
 Expected<void> RunResults::open(const RunOptions& options, RunningSystem& live) {
     live_ = &live;
@@ -16,10 +28,11 @@ Expected<void> RunResults::open(const RunOptions& options, RunningSystem& live) 
     if (!picture_file_.empty()) {
         if (auto ok = check_can_write(picture_file_); !ok) return ok;
     }
+    if (mcap_ != nullptr) return mcap_->begin(live, options.ports, options.every);
     if (options.record.empty()) return {};
     auto recorder = Recorder::open(options.record, live.trace(), live.system(), options.ports, options.every);
     if (!recorder) return Unexpected(recorder.error());
-    recorder_.emplace(std::move(*recorder));
+    recorder_ = std::make_unique<Recorder>(std::move(*recorder));
     return {};
 }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "bindings/cli/run/mcap_recorder.hpp"
 #include "bindings/cli/run/options.hpp"
-#include "bindings/cli/run/recorder.hpp"
+#include "bindings/cli/run/run_recording.hpp"
 #include "bindings/draw/picture.hpp"
 #include "bindings/draw/trajectories.hpp"
 #include "engine/live/run_loop.hpp"
@@ -15,6 +17,15 @@ namespace nezumi::cli {
 
 class RunResults {
 public:
+    /// Opens a recording that takes the journal too, before the system is loaded. An error says why it can't be
+    /// written.
+    Expected<void> prepare(const RunOptions& options);
+    /// Takes the journal for that recording; empty if there is none.
+    JournalSink journal_sink();
+    /// Adds a line of the log to the recording.
+    void log(const LogLine& line) {
+        if (recorder_) recorder_->log(line);
+    }
     /// Opens the files of `options` for a loaded system, which must outlive all calls except `give_up` and
     /// `end_at_once`. An error says which file can't be written.
     Expected<void> open(const RunOptions& options, RunningSystem& live);
@@ -48,7 +59,8 @@ private:
     RunningSystem* live_ = nullptr;
     RunLoop* loop_ = nullptr;
     std::string picture_file_;
-    std::optional<Recorder> recorder_;
+    std::unique_ptr<RunRecording> recorder_;
+    McapRecorder* mcap_ = nullptr;  // it, if it is one
     draw::Trajectories trajectories_;
     int starts_ = 0;
     std::optional<draw::PictureOf> picture_;

@@ -141,7 +141,8 @@ private:
             if (!devices) return Unexpected(devices.error());
             devices_.emplace(std::move(*devices));
         }
-        auto live = journal_.load(options_, live_options());
+        if (auto ready = results_.prepare(options_); !ready) return Unexpected(ready.error());
+        auto live = journal_.load(options_, live_options(), results_.journal_sink());
         if (!live) return Unexpected(explain_system_error(live.error()));
         live_ = std::move(*live);
         if (options_.file.empty()) options_.file = live_->spec().file;
@@ -225,6 +226,7 @@ private:
                       .keep_going = options_.keep_going,
                       .log = [this](const LogLine& line) {
                           problems_.take(line);
+                          results_.log(line);
                           if (web_) web_->log(line);
                           if (!console_ || !console_->log(line)) screen_.log(line);
                       }};
@@ -301,8 +303,8 @@ private:
         std::string why = visible(describe(error));
         std::replace(why.begin(), why.end(), '\n', ' ');
         Error told = error;
-        told.message += results_.discard(why);
         journal_.give_up(describe(error));
+        told.message += results_.discard(why);
         return Unexpected(std::move(told));
     }
 

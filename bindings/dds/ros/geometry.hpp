@@ -7,17 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/messages/ros_time.hpp"
 #include "engine/values/describe.hpp"
 
 namespace nezumi::ros {
-
-struct Time {
-    std::int32_t sec = 0;       ///< [s] whole seconds
-    std::uint32_t nanosec = 0;  ///< [ns] the rest
-    bool operator==(const Time&) const = default;
-
-    static constexpr std::string_view type_name = "builtin_interfaces/msg/Time";
-};
 
 struct Header {
     Time stamp;

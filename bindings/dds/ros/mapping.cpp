@@ -13,6 +13,7 @@
 #include "bindings/dds/message_age.hpp"
 #include "bindings/dds/ros/convert.hpp"
 #include "bindings/dds/ros/type_hash.hpp"
+#include "engine/messages/msg_text.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/ports/port.hpp"
 #include "engine/values/cdr.hpp"
@@ -179,6 +180,32 @@ private:
 };
 
 template <class T, class Message>
+MessageCoding coding_of(const std::string& frame) {
+    MessageCoding made;
+    made.type = Describe<Message>::name;
+    made.definition = msg_text(type_of<Message>());
+    made.write = [frame](Octets& out, const ValueView& payload, double tm) {
+        Message message;
+        to_ros(payload.as<T>(), message);
+        set_stamp(message, tm, frame);
+        write_cdr(out, on_the_wire, message);
+    };
+    if constexpr (requires(const Message& from, T& to) { from_ros(from, to); }) {
+        made.read = [](std::span<const std::uint8_t> bytes, double tm) -> Expected<AnyMessage> {
+            Message message;
+            T payload{};
+            Expected<void> read = read_cdr(bytes, on_the_wire, message);
+            if (read) read = from_ros(message, payload);
+            if (!read) return Unexpected(read.error());
+            if (!is_finite(payload)) return failure("a number is not finite");
+            if constexpr (requires { message.header.stamp; }) tm = to_seconds(message.header.stamp);
+            return AnyMessage{Value(std::move(payload)), tm};
+        };
+    }
+    return made;
+}
+
+template <class T, class Message>
 Mapping pair(std::string_view frame, bool sensor_data) {
     Mapping made;
     made.port_type = message_of<T>();
@@ -195,6 +222,7 @@ Mapping pair(std::string_view frame, bool sensor_data) {
             return std::make_unique<Taker<T, Message>>(std::move(reader));
         };
     }
+    made.coding = coding_of<T, Message>;
     return made;
 }
 
@@ -210,7 +238,8 @@ Mapping defined(const MessageType& type) {
         },
         .subscribe = [&payload = *type.payload](std::unique_ptr<dds::Reader> reader) -> std::unique_ptr<Subscription> {
             return std::make_unique<DefinedTaker>(std::move(reader), payload);
-        }};
+        },
+        .coding = [&payload = *type.payload](const std::string&) { return coding_of_structure(payload); }};
 }
 
 constexpr std::string_view body = "base_link", odometry = "odom", camera = "camera";
@@ -267,6 +296,20 @@ Expected<Mapping> find_mapping(const MessageType* port_type, std::string_view ty
     if (types.empty()) return failure(fmt::format("there is no type of ROS for {}", name));
     return failure(fmt::format("{} {} no '{}'{}; there {} {}", name, takes ? "is made of" : "becomes", shown(type),
                                did_you_mean(type, types), types.size() == 1 ? "is" : "are", fmt::join(types, ", ")));
+}
+
+std::optional<MessageCoding> find_coding(const MessageType& port_type, std::string_view type) {
+    if (!port_type.is_compiled()) {
+        if (port_type.ros.empty() || (!type.empty() && type != port_type.ros)) return std::nullopt;
+        return coding_of_structure(*port_type.payload);
+    }
+    const Mapping* found = nullptr;
+    for (const Mapping& each : mappings()) {
+        if (each.port_type != &port_type || (!type.empty() && each.type != type)) continue;
+        if (found == nullptr || (found->frame.empty() && !each.frame.empty())) found = &each;
+    }
+    if (found == nullptr) return std::nullopt;
+    return found->coding(std::string(found->frame));
 }
 
 dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes) {

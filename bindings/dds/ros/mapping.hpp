@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "bindings/dds/transport.hpp"
 #include "engine/base/error.hpp"
+#include "engine/messages/message_coding.hpp"
 #include "engine/ports/messages.hpp"
 #include "engine/ports/port_base.hpp"
 
@@ -49,6 +51,8 @@ struct Mapping {
         publish{};
     /// None if this type can't be received.
     std::function<std::unique_ptr<Subscription>(std::unique_ptr<dds::Reader> reader)> subscribe{};
+    /// Of recordings. Its messages can't be read if this type can't be received.
+    std::function<MessageCoding(const std::string& frame)> coding{};
 };
 
 /// Of the compiled message types. The first mapping of a port's type is its default.
@@ -57,6 +61,10 @@ std::span<const Mapping> mappings();
 /// The mapping of a port's type to a type of ROS, or to the default for "". A type that a file defines has the name in
 /// ROS that the file gives it. An error lists the possible types. `takes`: from ROS.
 Expected<Mapping> find_mapping(const MessageType* port_type, std::string_view type, bool takes);
+
+/// The coding of a port's messages in recordings: as the type `type` of ROS; for "" as the first with a stamp, else the
+/// first. Nothing if there is no such type.
+std::optional<MessageCoding> find_coding(const MessageType& port_type, std::string_view type = "");
 
 /// The DDS topic of "/cmd_vel", with its quality of service.
 dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes);

@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "engine/ports/payload.hpp"
+#include "engine/messages/msg_text.hpp"
 
 namespace nezumi::ros {
 namespace {
@@ -81,10 +81,6 @@ std::string type_text(std::string_view name, std::string_view fields) {
 }
 
 }  // namespace
-
-std::string_view ros_name(const Type& type) {
-    return type.message != nullptr && !type.message->ros.empty() ? std::string_view(type.message->ros) : type.name;
-}
 
 std::string type_hash(const Type& type) {
     Descriptions all;

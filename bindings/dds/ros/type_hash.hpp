@@ -11,9 +11,6 @@ namespace nezumi::ros {
 /// Converts "geometry_msgs/msg/Twist" to its DDS name "geometry_msgs::msg::dds_::Twist_".
 std::string dds_type_name(std::string_view name);
 
-/// The name of a type in ROS: of a message that a file defines, the one that the file gives it.
-std::string_view ros_name(const Type& type);
-
 /// The hash by which ROS 2 since Iron distinguishes definitions (ROS Interface Hashing Standard, version 1). ROS has no
 /// enumerations: they are numbers of 32 bits there, as on the wire.
 std::string type_hash(const Type& type);

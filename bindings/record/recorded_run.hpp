@@ -1,0 +1,67 @@
+// What nezumi's own recordings contain beside ports: the journal of the run, the log, values by name.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/record/mcap_reader.hpp"
+#include "engine/base/error.hpp"
+#include "engine/base/log.hpp"
+#include "engine/messages/ros_time.hpp"
+
+namespace nezumi::record {
+
+/// The topic of the journal: std_msgs/msg/String, each with some of its lines.
+inline constexpr std::string_view journal_topic = "/nezumi/journal";
+/// The topic of the log, as ROS names it: rcl_interfaces/msg/Log.
+inline constexpr std::string_view log_topic = "/rosout";
+/// The name of a port in the metadata of its channel: "mouse.ir_sensor_out".
+inline constexpr std::string_view port_entry = "nezumi_port";
+
+/// "mouse.ir_sensor_out" as a topic: "/mouse/ir_sensor_out".
+std::string topic_of(std::string_view path);
+
+/// [ns] from seconds; what is negative or not a number is 0.
+std::uint64_t to_nanoseconds(double seconds);
+/// The inverse: a number of seconds with at most 9 decimals comes back exactly.
+double to_seconds(std::uint64_t nanoseconds);
+
+/// Numbers and texts by name, of parameters, of a script's state and of its probes. A truth value is 0 or 1.
+struct NamedNumber {
+    std::string name;
+    double value = 0;
+    static constexpr std::string_view type_name = "nezumi_msgs/msg/NamedNumber";
+};
+struct NamedText {
+    std::string name;
+    std::string value;
+    static constexpr std::string_view type_name = "nezumi_msgs/msg/NamedText";
+};
+struct NamedValues {
+    std::vector<NamedNumber> numbers;
+    std::vector<NamedText> texts;
+    static constexpr std::string_view type_name = "nezumi_msgs/msg/NamedValues";
+};
+struct RosLog {
+    ros::Time stamp;
+    std::uint8_t level = 0;
+    std::string name;
+    std::string msg;
+    std::string file;
+    std::string function;
+    std::uint32_t line = 0;
+    static constexpr std::string_view type_name = "rcl_interfaces/msg/Log";
+};
+struct RosString {
+    std::string data;
+    static constexpr std::string_view type_name = "std_msgs/msg/String";
+};
+/// A log line as rcl_interfaces/msg/Log, `tm` [s] being its time in the recording.
+RosLog to_ros(const LogLine& line, double tm);
+
+/// The journal of the recorded run. An error if the file has none.
+Expected<std::string> journal_of(const McapFile& recording, const std::string& name);
+
+}  // namespace nezumi::record
