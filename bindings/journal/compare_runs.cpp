@@ -121,11 +121,17 @@ std::vector<std::string> lines_of(const TracedLines& traced) {
     return lines;
 }
 
-// Goes back to before a tick and performs it once more, tracing this component.
-Expected<std::vector<std::string>> trace(RunningSystem& live, const ActTime& before, const std::string& component) {
+}  // namespace
+
+Expected<std::vector<std::string>> traced_lines(RunningSystem& live, const ActTime& before,
+                                                const std::string& component) {
     if (auto there = live.act(Seek{.branch = {}, .tick = before.tick, .start = before.start}, {}); !there)
         return Unexpected(there.error());
     live.repeat_known();  // it may have been added just then
+    return lines_of_next_tick(live, component);
+}
+
+Expected<std::vector<std::string>> lines_of_next_tick(RunningSystem& live, const std::string& component) {
     const auto number = live.explain_next(component);
     if (!number) return Unexpected(number.error());
     live.tick();
@@ -134,7 +140,6 @@ Expected<std::vector<std::string>> trace(RunningSystem& live, const ActTime& bef
     return *explanation ? lines_of((*explanation)->traced) : std::vector<std::string>();
 }
 
-// The lines between those that both have at the begin and at the end.
 std::vector<DifferingLine> differing_lines(const std::vector<std::string>& first,
                                            const std::vector<std::string>& second) {
     const auto [a, b] = std::mismatch(first.begin(), first.end(), second.begin(), second.end());
@@ -145,6 +150,8 @@ std::vector<DifferingLine> differing_lines(const std::vector<std::string>& first
     for (auto each = b; each != b_end.base(); ++each) lines.push_back({false, *each});
     return lines;
 }
+
+namespace {
 
 // A file that only one of the runs has read differs as well.
 std::vector<std::string> differing_files(const RunningSystem& first, const RunningSystem& second) {
@@ -195,8 +202,8 @@ Expected<RunComparison> compare_runs(Replay& first, RunningSystem& of_first, Rep
         RunDifference& found = comparison.difference.emplace(here);
         Comparison(of_first, of_second, found).compare();
         if (found.component.empty()) return comparison;
-        const auto lines = trace(of_first, found.when, found.component);
-        const auto other_lines = trace(of_second, found.second_when, found.component);
+        const auto lines = traced_lines(of_first, found.when, found.component);
+        const auto other_lines = traced_lines(of_second, found.second_when, found.component);
         if (lines && other_lines) found.lines = differing_lines(*lines, *other_lines);
         return comparison;
     }

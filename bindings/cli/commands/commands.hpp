@@ -23,6 +23,7 @@ SubCommand network_command();
 SubCommand rtc_command();
 SubCommand open_command();
 SubCommand compare_command();
+SubCommand judge_command();
 /// These two describe the whole program, which `program` gives.
 SubCommand completion_command(SubCommand (*program)());
 SubCommand manual_command(SubCommand (*program)());

@@ -1,0 +1,362 @@
+// The recorded messages come from a device whose out-ports are connected to the behaviour: they depend on the tick
+// alone, so the judged system can also go back in time, to trace an execution.
+#include "bindings/journal/drive.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "engine/values/value_text.hpp"
+#include "engine/values/walk.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr std::string_view player_name = "recording";
+constexpr std::string_view player_type = "Recording";
+
+// The component that an act of these kinds is about; "" for other acts.
+std::string component_of(const Act& act) {
+    return std::visit(
+        []<class T>(const T& its) -> std::string {
+            if constexpr (std::is_same_v<T, SetParameter> || std::is_same_v<T, Use> || std::is_same_v<T, Activate> ||
+                          std::is_same_v<T, Deactivate> || std::is_same_v<T, Reset> || std::is_same_v<T, Command>) {
+                return its.component;
+            } else {
+                return "";
+            }
+        },
+        act);
+}
+
+// Keeps the acts on one component.
+class ActKeeper final : public ActObserver {
+public:
+    ActKeeper(Drive& drive, std::string component) : drive_(drive), component_(std::move(component)) {}
+    void acted(const ActTime& when, std::shared_ptr<const PastAct> act, const Expected<ActResult>& result) override {
+        if (result && component_of(act->act) == component_) drive_.acts.emplace_back(when.tick, act->act);
+    }
+    void ran_out_of_time(const ActTime&, const std::string&, const Component::OutOfTime&) override {}
+
+private:
+    Drive& drive_;
+    const std::string component_;
+};
+
+// Publishes the recorded messages in the ticks in which they arrived.
+class Player final : public Device {
+public:
+    Player(const Drive& drive, const Component& behavior)
+        : Device(std::string(player_name), std::string(player_type)), drive_(drive) {
+        for (const auto& port : behavior.in_ports()) {
+            const auto recorded = drive_.arrived.find(port->name());
+            if (recorded == drive_.arrived.end()) continue;
+            out_ports_.push_back(make_out_port(port->type(), port->name(), ""));
+            tracks_.push_back({out_ports_.back().get(), &recorded->second.messages});
+        }
+    }
+    void sense(const Time& now) override {
+        for (Track& track : tracks_) {
+            for (; track.next < track.messages->size() && (*track.messages)[track.next].first <= now.tick;
+                 ++track.next) {
+                const auto& [tick, message] = (*track.messages)[track.next];
+                if (tick < now.tick) continue;
+                track.port->write_any(message.data);
+                track.port->stamp(message.tm);
+            }
+        }
+    }
+    void actuate(const Time& /*now*/) override {}
+
+private:
+    struct Track {
+        OutPortBase* port;
+        const std::vector<std::pair<std::int64_t, AnyMessage>>* messages;
+        std::size_t next = 0;
+    };
+    const Drive& drive_;
+    std::vector<Track> tracks_;
+};
+
+// The last message of a port in each tick, one after the other.
+class Cursor {
+public:
+    explicit Cursor(const DrivePort* port) : port_(port) {}
+    const Value* at(std::int64_t tick) {
+        const Value* found = nullptr;
+        for (; port_ != nullptr && next_ < port_->messages.size() && port_->messages[next_].first <= tick; ++next_) {
+            if (port_->messages[next_].first == tick) found = &port_->messages[next_].second.data;
+        }
+        return found;
+    }
+
+private:
+    const DrivePort* port_;
+    std::size_t next_ = 0;
+};
+
+struct JudgedLeaf {
+    std::string text;
+    std::optional<double> number;
+};
+
+std::map<std::string, JudgedLeaf> judged_leaves(const Value* value) {
+    std::map<std::string, JudgedLeaf> leaves;
+    if (value == nullptr) return leaves;
+    visit_leaves(*value, [&](const LeafPath& path, const ValueView& leaf) {
+        JudgedLeaf& made = leaves[path.text()];
+        if (leaf.type->is_number())
+            made.number = visit_number(leaf, [](const auto& number) { return static_cast<double>(number); });
+        made.text = lua_text(leaf);
+    });
+    if (leaves.empty()) leaves[""].text = short_text(*value);
+    return leaves;
+}
+
+class Judge {
+public:
+    Judge(const Drive& drive, double tolerance, Judgement& judgement)
+        : drive_(drive), tolerance_(tolerance), judgement_(judgement) {}
+
+    void follow(const Component& behavior) {
+        std::set<std::string> names;
+        for (const auto& port : behavior.out_ports()) names.insert(port->name());
+        for (const auto& [name, port] : drive_.published) names.insert(name);
+        for (const std::string& name : names) {
+            const auto recorded = drive_.published.find(name);
+            ports_.push_back({name, Cursor(recorded == drive_.published.end() ? nullptr : &recorded->second)});
+        }
+    }
+
+    // Returns whether anything differs in this tick.
+    bool compare(const Component& behavior, const Time& now) {
+        bool differs = false;
+        for (auto& [name, recorded] : ports_) {
+            const Value* then = recorded.at(now.tick);
+            const OutPortBase* port = behavior.find_out_port(name);
+            std::optional<Value> written;
+            if (port != nullptr && port->latched_tick() == now.tick) written = port->value();
+            if (compare_values(behavior.name() + "." + name, then, written ? &*written : nullptr, now)) differs = true;
+        }
+        judgement_.different += differs ? 1 : 0;
+        return differs;
+    }
+
+private:
+    bool compare_values(const std::string& port, const Value* then, const Value* now, const Time& time) {
+        if (then != nullptr && now != nullptr && is_equal(*then, *now)) return false;
+        const auto before = judged_leaves(then), after = judged_leaves(now);
+        std::set<std::string> parts;
+        for (const auto* each : {&before, &after}) {
+            for (const auto& [part, leaf] : *each) parts.insert(part);
+        }
+        bool any = false;
+        for (const std::string& part : parts) {
+            const auto a = before.find(part), b = after.find(part);
+            DifferingValue value{.name = join(port, part),
+                                 .first = a != before.end() ? a->second.text : "nothing",
+                                 .second = b != after.end() ? b->second.text : "nothing",
+                                 .by = {}};
+            if (a != before.end() && b != after.end()) {
+                if (a->second.number && b->second.number) value.by = std::abs(*a->second.number - *b->second.number);
+                if (value.by ? *value.by <= tolerance_ : value.first == value.second) continue;
+            }
+            any = true;
+            add(std::move(value), time);
+        }
+        return any;
+    }
+
+    static std::string join(const std::string& port, const std::string& part) {
+        return fmt::format("{}{}{}", port, part.empty() || part.front() == '[' ? "" : ".", part);
+    }
+
+    void add(DifferingValue value, const Time& time) {
+        auto field = std::find_if(judgement_.fields.begin(), judgement_.fields.end(),
+                                  [&](const JudgedField& each) { return each.name == value.name; });
+        if (field == judgement_.fields.end()) field = judgement_.fields.insert(field, JudgedField{.name = value.name});
+        ++field->ticks;
+        if (value.by && !(*value.by <= field->largest)) {
+            field->largest = *value.by;
+            field->largest_at = time.seconds;
+        }
+        if (judgement_.first.empty() || judgement_.first_tick == time.tick) {
+            judgement_.first_tick = time.tick;
+            judgement_.first_at = time.seconds;
+            judgement_.first.push_back(std::move(value));
+        }
+    }
+
+    const Drive& drive_;
+    const double tolerance_;
+    Judgement& judgement_;
+    std::vector<std::pair<std::string, Cursor>> ports_;
+};
+
+std::string names_of(const std::map<std::string, DrivePort, std::less<>>& ports) {
+    std::string names;
+    for (const auto& [name, port] : ports) names += (names.empty() ? "" : ", ") + name;
+    return names.empty() ? "nothing" : names;
+}
+
+// Whether the recording has what the behaviour reads.
+Expected<void> check_in_ports(const Drive& drive, const Component& behavior) {
+    for (const auto& port : behavior.in_ports()) {
+        const auto recorded = drive.arrived.find(port->name());
+        if (recorded == drive.arrived.end()) {
+            return failure(
+                fmt::format("input '{0}' is not in the recording, which has {1} for {2}: name a topic with "
+                            "--map TOPIC={2}.{0}",
+                            port->name(), names_of(drive.arrived), behavior.name()));
+        }
+        if (recorded->second.type == port->type() || recorded->second.messages.empty()) continue;
+        if (recorded->second.type->name == port->type()->name && !port->type()->is_compiled()) {
+            return failure(fmt::format("input '{}': the definition of {} is another one than in the recording",
+                                       port->name(), port->type()->name));
+        }
+        return failure(fmt::format("input '{}' is a {}, and the recording has a {}", port->name(), port->type()->name,
+                                   recorded->second.type->name));
+    }
+    return {};
+}
+
+SystemSpec system_of(const Drive& drive) {
+    SystemSpec spec;
+    spec.file = drive.entry.place.file;
+    spec.rate = drive.rate;
+    spec.physics_step = drive.physics_step;
+    spec.seed = drive.seed;
+    spec.entries.emplace_back(drive.entry);
+    ComponentEntry player;
+    player.name = player_name;
+    player.type = player_type;
+    spec.entries.emplace_back(std::move(player));
+    for (const auto& [name, port] : drive.arrived) {
+        spec.connections.push_back({.from = fmt::format("{}.{}", player_name, name),
+                                    .to = fmt::format("{}.{}", drive.entry.name, name),
+                                    .place = {}});
+    }
+    return spec;
+}
+
+}  // namespace
+
+Expected<Drive> drive_of(Replay& replay, RunningSystem& live, const std::string& component) {
+    const SystemSpec& spec = live.spec();
+    const BehaviorEntry* entry = find_entry<BehaviorEntry>(spec, component);
+    if (entry == nullptr) {
+        std::vector<std::string_view> names;
+        for (const BehaviorEntry* each : entries_of<BehaviorEntry>(spec)) names.push_back(each->name);
+        return failure(fmt::format("the recorded system has no behaviour '{}'{}; it has {}", shown(component),
+                                   did_you_mean(component, names),
+                                   names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+    }
+    Drive drive{.entry = *entry,
+                .rate = spec.rate,
+                .physics_step = spec.physics_step,
+                .seed = live.options().build.seed_wins ? live.options().build.seed
+                                                       : spec.seed.value_or(live.options().build.seed)};
+    ActKeeper keeper(drive, component);
+    live.observe_acts(&keeper);
+    live.activate();
+    const int start = live.generation();
+    const auto keep = [&](std::map<std::string, DrivePort, std::less<>>& ports, const Port& port, bool is_new) {
+        DrivePort& kept = ports[port.name()];
+        kept.type = port.type();
+        for (std::size_t i = 0; is_new && i < port.message_count(); ++i) {
+            const MessageView message = port.message(i);
+            kept.messages.emplace_back(drive.ticks, AnyMessage{Value(message.data), message.tm});
+        }
+    };
+    for (;; ++drive.ticks) {
+        const auto more = replay.before_tick(live);
+        if (!more) return Unexpected(more.error());
+        if (live.generation() != start) {
+            drive.notes.push_back(fmt::format("the run was restarted or went back after {:g} s: judged up to there",
+                                              static_cast<double>(drive.ticks) / drive.rate));
+            break;
+        }
+        const Component* its = std::as_const(live).system().find(component);
+        if (!*more || its == nullptr) break;
+        for (const auto& port : its->in_ports()) port->follow();
+        live.tick();
+        for (const auto& port : std::as_const(*its).in_ports())
+            keep(drive.arrived, *port, port->arrival_tick() == drive.ticks);
+        for (const auto& port : std::as_const(*its).out_ports())
+            keep(drive.published, *port, port->latched_tick() == drive.ticks);
+    }
+    live.observe_acts(nullptr);
+    return drive;
+}
+
+namespace {
+
+// The judged behaviour alone, with the device that plays what was recorded.
+class JudgedSystem {
+public:
+    static Expected<JudgedSystem> make(const Drive& drive, const Project& project, LiveOptions options) {
+        options.components[std::string(player_type)][std::string(simulated)] =
+            [&drive](const ComponentEntry&, System& system) -> Expected<std::unique_ptr<Component>> {
+            const Component* behavior = system.find(drive.entry.name);
+            if (auto fits = check_in_ports(drive, *behavior); !fits) return Unexpected(fits.error());
+            return std::make_unique<Player>(drive, *behavior);
+        };
+        auto live = RunningSystem::make(system_of(drive), project, std::move(options));
+        if (!live) return Unexpected(live.error());
+        (*live)->activate();
+        return JudgedSystem(drive, std::move(*live));
+    }
+
+    /// Performs the acts before the next tick.
+    Expected<void> act() {
+        for (; next_ < drive_->acts.size() && drive_->acts[next_].first <= tick(); ++next_) {
+            const Act& act = drive_->acts[next_].second;
+            const auto done = live_->act(act, {});
+            if (done) continue;
+            return failure(fmt::format("{} at {:g} s of the recording fails now: {}", name_of(act),
+                                       static_cast<double>(tick()) / drive_->rate, done.error().message),
+                           done.error().place);
+        }
+        return {};
+    }
+    RunningSystem& live() { return *live_; }
+    const Component& behavior() const { return *std::as_const(*live_).system().find(drive_->entry.name); }
+
+private:
+    JudgedSystem(const Drive& drive, std::unique_ptr<RunningSystem> live) : drive_(&drive), live_(std::move(live)) {}
+    std::int64_t tick() const { return std::as_const(*live_).system().now().tick; }
+
+    const Drive* drive_;
+    std::unique_ptr<RunningSystem> live_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace
+
+Expected<Judgement> judge(const Drive& drive, const Project& project, const LiveOptions& options, double tolerance) {
+    auto judged = JudgedSystem::make(drive, project, options);
+    if (!judged) return Unexpected(judged.error());
+    Judgement judgement{.ticks = drive.ticks, .notes = drive.notes};
+    Judge each(drive, tolerance, judgement);
+    each.follow(judged->behavior());
+    for (std::int64_t tick = 0; tick < drive.ticks; ++tick) {
+        if (auto done = judged->act(); !done) return Unexpected(done.error());
+        judged->live().tick();
+        each.compare(judged->behavior(), judged->live().system().last_tick());
+    }
+    if (judgement.different == 0) return judgement;
+    // Once more up to there: a trace costs time in each tick.
+    auto again = JudgedSystem::make(drive, project, options);
+    if (!again) return Unexpected(again.error());
+    for (std::int64_t tick = 0; tick <= judgement.first_tick; ++tick) {
+        if (auto done = again->act(); !done) return Unexpected(done.error());
+        if (tick < judgement.first_tick) again->live().tick();
+    }
+    auto lines = lines_of_next_tick(again->live(), drive.entry.name);
+    if (lines) judgement.lines = std::move(*lines);
+    return judgement;
+}
+
+}  // namespace nezumi

@@ -1,0 +1,68 @@
+// What a component got and wrote in a recorded run, to try another version of its behaviour with it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bindings/journal/compare_runs.hpp"
+#include "bindings/journal/replay.hpp"
+#include "engine/base/error.hpp"
+#include "engine/live/running_system.hpp"
+#include "engine/ports/port.hpp"
+
+namespace nezumi {
+
+/// The messages of one port, in the order of their ticks.
+struct DrivePort {
+    const MessageType* type = nullptr;
+    std::vector<std::pair<std::int64_t, AnyMessage>> messages{};
+};
+
+struct Drive {
+    BehaviorEntry entry;          ///< of the component: its name, rate, parameters and sets
+    double rate = 100;            ///< [Hz] of the tick
+    double physics_step = 0.005;  ///< [s]
+    std::uint64_t seed = 0;       ///< of the run
+    std::int64_t ticks = 0;
+    std::map<std::string, DrivePort, std::less<>> arrived{};    ///< at in-ports, by their names
+    std::map<std::string, DrivePort, std::less<>> published{};  ///< by out-ports
+    std::vector<std::pair<std::int64_t, Act>> acts{};           ///< on the component, before these ticks
+    std::vector<std::string> notes{};                           ///< for the user
+};
+
+/// Repeats a run, and keeps what this component got and wrote; up to the first restart. An error if the run can't be
+/// repeated, or the component is not in its system file.
+Expected<Drive> drive_of(Replay& replay, RunningSystem& live, const std::string& component);
+
+/// A value that a behaviour writes otherwise than in the recorded run.
+struct JudgedField {
+    std::string name;        ///< "keeper.out.vx"
+    std::int64_t ticks = 0;  ///< in which it differs
+    double largest = 0;      ///< difference of numbers
+    double largest_at = 0;   ///< [s]
+    bool operator==(const JudgedField&) const = default;
+};
+
+struct Judgement {
+    std::int64_t ticks = 0;               ///< in all
+    std::int64_t different = 0;           ///< in which something differs by more than the tolerance
+    std::vector<JudgedField> fields{};    ///< that differ
+    std::vector<DifferingValue> first{};  ///< in the first tick that differs
+    double first_at = 0;                  ///< [s] of this tick
+    std::int64_t first_tick = 0;
+    std::vector<std::string> lines{};  ///< of the behaviour that were executed in this tick, with their values
+    std::vector<std::string> notes{};  ///< for the user
+};
+
+/// Gives what was recorded to the behaviour of `drive.entry` as its file is now, tick by tick, and compares what it
+/// writes. Numbers are equal if they differ by at most `tolerance`. An error if the behaviour can't be loaded, if it
+/// has an in-port that the drive does not have in this type, or if an act of the drive fails now.
+Expected<Judgement> judge(const Drive& drive, const Project& project, const LiveOptions& options, double tolerance);
+
+}  // namespace nezumi
