@@ -34,21 +34,21 @@ std::string component_of(const Act& act) {
 // Keeps the acts on one component.
 class ActKeeper final : public ActObserver {
 public:
-    ActKeeper(Drive& drive, std::string component) : drive_(drive), component_(std::move(component)) {}
+    ActKeeper(RecordedDrive& drive, std::string component) : drive_(drive), component_(std::move(component)) {}
     void acted(const ActTime& when, std::shared_ptr<const PastAct> act, const Expected<ActResult>& result) override {
         if (result && component_of(act->act) == component_) drive_.acts.emplace_back(when.tick, act->act);
     }
     void ran_out_of_time(const ActTime&, const std::string&, const Component::OutOfTime&) override {}
 
 private:
-    Drive& drive_;
+    RecordedDrive& drive_;
     const std::string component_;
 };
 
 // Publishes the recorded messages in the ticks in which they arrived.
 class Player final : public Device {
 public:
-    Player(const Drive& drive, const Component& behavior)
+    Player(const RecordedDrive& drive, const Component& behavior)
         : Device(std::string(player_name), std::string(player_type)), drive_(drive) {
         for (const auto& port : behavior.in_ports()) {
             const auto recorded = drive_.arrived.find(port->name());
@@ -76,7 +76,7 @@ private:
         const std::vector<std::pair<std::int64_t, AnyMessage>>* messages;
         std::size_t next = 0;
     };
-    const Drive& drive_;
+    const RecordedDrive& drive_;
     std::vector<Track> tracks_;
 };
 
@@ -117,7 +117,7 @@ std::map<std::string, JudgedLeaf> judged_leaves(const Value* value) {
 
 class Judge {
 public:
-    Judge(const Drive& drive, double tolerance, Judgement& judgement)
+    Judge(const RecordedDrive& drive, double tolerance, Judgement& judgement)
         : drive_(drive), tolerance_(tolerance), judgement_(judgement) {}
 
     void follow(const Component& behavior) {
@@ -189,7 +189,7 @@ private:
         }
     }
 
-    const Drive& drive_;
+    const RecordedDrive& drive_;
     const double tolerance_;
     Judgement& judgement_;
     std::vector<std::pair<std::string, Cursor>> ports_;
@@ -202,7 +202,7 @@ std::string names_of(const std::map<std::string, DrivePort, std::less<>>& ports)
 }
 
 // Whether the recording has what the behaviour reads.
-Expected<void> check_in_ports(const Drive& drive, const Component& behavior) {
+Expected<void> check_in_ports(const RecordedDrive& drive, const Component& behavior) {
     for (const auto& port : behavior.in_ports()) {
         const auto recorded = drive.arrived.find(port->name());
         if (recorded == drive.arrived.end()) {
@@ -222,7 +222,7 @@ Expected<void> check_in_ports(const Drive& drive, const Component& behavior) {
     return {};
 }
 
-SystemSpec system_of(const Drive& drive) {
+SystemSpec system_of(const RecordedDrive& drive) {
     SystemSpec spec;
     spec.file = drive.entry.place.file;
     spec.rate = drive.rate;
@@ -243,7 +243,7 @@ SystemSpec system_of(const Drive& drive) {
 
 }  // namespace
 
-Expected<Drive> drive_of(Replay& replay, RunningSystem& live, const std::string& component) {
+Expected<RecordedDrive> drive_of(Replay& replay, RunningSystem& live, const std::string& component) {
     const SystemSpec& spec = live.spec();
     const BehaviorEntry* entry = find_entry<BehaviorEntry>(spec, component);
     if (entry == nullptr) {
@@ -253,11 +253,11 @@ Expected<Drive> drive_of(Replay& replay, RunningSystem& live, const std::string&
                                    did_you_mean(component, names),
                                    names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
     }
-    Drive drive{.entry = *entry,
-                .rate = spec.rate,
-                .physics_step = spec.physics_step,
-                .seed = live.options().build.seed_wins ? live.options().build.seed
-                                                       : spec.seed.value_or(live.options().build.seed)};
+    RecordedDrive drive{.entry = *entry,
+                        .rate = spec.rate,
+                        .physics_step = spec.physics_step,
+                        .seed = live.options().build.seed_wins ? live.options().build.seed
+                                                               : spec.seed.value_or(live.options().build.seed)};
     ActKeeper keeper(drive, component);
     live.observe_acts(&keeper);
     live.activate();
@@ -296,7 +296,7 @@ namespace {
 // The judged behaviour alone, with the device that plays what was recorded.
 class JudgedSystem {
 public:
-    static Expected<JudgedSystem> make(const Drive& drive, const Project& project, LiveOptions options) {
+    static Expected<JudgedSystem> make(const RecordedDrive& drive, const Project& project, LiveOptions options) {
         options.components[std::string(player_type)][std::string(simulated)] =
             [&drive](const ComponentEntry&, System& system) -> Expected<std::unique_ptr<Component>> {
             const Component* behavior = system.find(drive.entry.name);
@@ -325,17 +325,19 @@ public:
     const Component& behavior() const { return *std::as_const(*live_).system().find(drive_->entry.name); }
 
 private:
-    JudgedSystem(const Drive& drive, std::unique_ptr<RunningSystem> live) : drive_(&drive), live_(std::move(live)) {}
+    JudgedSystem(const RecordedDrive& drive, std::unique_ptr<RunningSystem> live)
+        : drive_(&drive), live_(std::move(live)) {}
     std::int64_t tick() const { return std::as_const(*live_).system().now().tick; }
 
-    const Drive* drive_;
+    const RecordedDrive* drive_;
     std::unique_ptr<RunningSystem> live_;
     std::size_t next_ = 0;
 };
 
 }  // namespace
 
-Expected<Judgement> judge(const Drive& drive, const Project& project, const LiveOptions& options, double tolerance) {
+Expected<Judgement> judge(const RecordedDrive& drive, const Project& project, const LiveOptions& options,
+                          double tolerance) {
     auto judged = JudgedSystem::make(drive, project, options);
     if (!judged) return Unexpected(judged.error());
     Judgement judgement{.ticks = drive.ticks, .notes = drive.notes};

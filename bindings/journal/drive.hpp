@@ -24,7 +24,7 @@ struct DrivePort {
     std::vector<std::pair<std::int64_t, AnyMessage>> messages{};
 };
 
-struct Drive {
+struct RecordedDrive {
     BehaviorEntry entry;          ///< of the component: its name, rate, parameters and sets
     double rate = 100;            ///< [Hz] of the tick
     double physics_step = 0.005;  ///< [s]
@@ -38,7 +38,7 @@ struct Drive {
 
 /// Repeats a run, and keeps what this component got and wrote; up to the first restart. An error if the run can't be
 /// repeated, or the component is not in its system file.
-Expected<Drive> drive_of(Replay& replay, RunningSystem& live, const std::string& component);
+Expected<RecordedDrive> drive_of(Replay& replay, RunningSystem& live, const std::string& component);
 
 /// A value that a behaviour writes otherwise than in the recorded run.
 struct JudgedField {
@@ -63,6 +63,7 @@ struct Judgement {
 /// Gives what was recorded to the behaviour of `drive.entry` as its file is now, tick by tick, and compares what it
 /// writes. Numbers are equal if they differ by at most `tolerance`. An error if the behaviour can't be loaded, if it
 /// has an in-port that the drive does not have in this type, or if an act of the drive fails now.
-Expected<Judgement> judge(const Drive& drive, const Project& project, const LiveOptions& options, double tolerance);
+Expected<Judgement> judge(const RecordedDrive& drive, const Project& project, const LiveOptions& options,
+                          double tolerance);
 
 }  // namespace nezumi

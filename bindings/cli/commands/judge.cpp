@@ -43,7 +43,7 @@ struct JudgeWords {
 struct JudgedRun {
     std::unique_ptr<Replay> replay;  // its files outlive the system
     std::unique_ptr<RunningSystem> then;
-    Drive drive;
+    RecordedDrive drive;
     fs::path behavior;
 };
 

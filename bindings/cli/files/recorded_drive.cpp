@@ -38,7 +38,7 @@ std::optional<MessageCoding> coding_in(const RecordedChannel& channel, const Mes
 
 class DriveReader {
 public:
-    DriveReader(Drive& drive, const McapFile& recording, const std::string& name)
+    DriveReader(RecordedDrive& drive, const McapFile& recording, const std::string& name)
         : drive_(drive), recording_(recording), name_(name) {
         if (!recording.messages.empty()) begin_ = recording.messages.front().log_time;
         for (const RecordedMessage& each : recording.messages)
@@ -110,7 +110,7 @@ private:
         return static_cast<std::int64_t>(std::ceil(seconds * drive_.rate - rounding));
     }
 
-    Drive& drive_;
+    RecordedDrive& drive_;
     const McapFile& recording_;
     const std::string& name_;
     std::uint64_t begin_ = 0;  // [ns]
@@ -125,8 +125,8 @@ std::string topics_of(const McapFile& recording) {
 
 }  // namespace
 
-Expected<void> read_drive(Drive& drive, const McapFile& recording, const std::string& name, const Component& behavior,
-                          const TopicsOfPorts& topics) {
+Expected<void> read_drive(RecordedDrive& drive, const McapFile& recording, const std::string& name,
+                          const Component& behavior, const TopicsOfPorts& topics) {
     DriveReader reader(drive, recording, name);
     const auto read = [&](const Port& port, auto& ports) -> Expected<void> {
         const auto said = topics.find(port.name());

@@ -19,7 +19,7 @@ using TopicsOfPorts = std::map<std::string, std::string, std::less<>>;
 /// `topics`, else from "/COMPONENT/PORT". Times are counted from the first message; a message arrives in the first tick
 /// after it. The parameters are those of the topic "/COMPONENT/config". `name` is the file's name. An error if a topic
 /// of `topics` does not exist, if no in-port is recorded, or if a topic has another type than its port.
-Expected<void> read_drive(Drive& drive, const record::McapFile& recording, const std::string& name,
+Expected<void> read_drive(RecordedDrive& drive, const record::McapFile& recording, const std::string& name,
                           const Component& behavior, const TopicsOfPorts& topics);
 
 }  // namespace nezumi::cli
