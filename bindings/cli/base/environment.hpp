@@ -19,6 +19,9 @@ std::vector<std::filesystem::path> installed_folders();
 /// What decides all that is drawn at random where nobody says another seed.
 inline constexpr std::uint64_t usual_seed = 124;
 
+/// The words of system files for other hosts, ROS 2 and OpenRTM.
+const PeerWords& peer_words();
+
 /// How systems are made here: simulated, from the project's files and the installed ones.
 LiveOptions simulated_systems();
 
