@@ -97,7 +97,7 @@ Names fields_of_table(const TextAtCursor& call) {
             for (const FieldRow& row : record.rows) fields.push_back(row.name);
         }
     };
-    add_of(file_records());
+    add_of(file_records({}));
     add_of(console_records());
     return fields;
 }

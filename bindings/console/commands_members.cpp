@@ -61,7 +61,7 @@ Expected<CommandEnd> add_entry(Session::Parts& parts, const Arguments& arguments
     }
     FileSnapshot files(at.project.files());
     const Project project = at.project.through(files);
-    SystemWords words(project, at.spec);
+    SystemWords words(project, parts.live.options().peer_words, at.spec);
     auto read = words.entry(call_of(word, at), *name->get_if<std::string>(), *fields);
     if (read) read = words.finish();
     if (!read) return Unexpected(as_typed(read.error(), at));
@@ -94,7 +94,7 @@ Expected<CommandEnd> command_marker(Session::Parts& parts, const Arguments& argu
         return failure("expected a table, as in marker { name = \"target\", id = 7, size = 0.1, at = { 1, 0, 0.1 } }");
     auto present = parts.at_system([&] { return std::make_optional(present_of(parts.live)); });
     if (!present) return failure("interrupted");
-    SystemWords words(present->project, SystemSpec{});
+    SystemWords words(present->project);
     const WordCall call = call_of("marker", *present);
     const auto thing = words.thing(call, *fields);
     if (!thing) return Unexpected(as_typed(thing.error(), *present));

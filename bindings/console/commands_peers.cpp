@@ -9,7 +9,6 @@
 #include "bindings/console/console_commands.hpp"
 #include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/live/object_core.hpp"
-#include "engine/system/rtm_spec.hpp"
 
 namespace nezumi {
 namespace {
@@ -60,7 +59,7 @@ Expected<void> read_values(PeerRequest& request, const FileTable& table) {
 std::optional<std::string> peer_named(const Arguments& arguments, int position) {
     if (lua_type(arguments.lua, arguments.index(position)) != LUA_TSTRING) return std::nullopt;
     std::string text(text_at(arguments.lua, arguments.index(position)));
-    if (!is_rtm_path(text)) return std::nullopt;
+    if (!text.starts_with(prefix)) return std::nullopt;
     return text.substr(prefix.size());
 }
 
@@ -82,7 +81,7 @@ Expected<CommandEnd> command_rtm(Session::Parts& parts, const Arguments& argumen
     if (arguments.count() < 1) return ask_peers(parts, {});
     auto name = arguments.text(1, "an RTC's name, as in rtm \"ConsoleOut0\"");
     if (!name) return Unexpected(name.error());
-    PeerRequest request{.name = is_rtm_path(*name) ? name->substr(prefix.size()) : *name};
+    PeerRequest request{.name = name->starts_with(prefix) ? name->substr(prefix.size()) : *name};
     if (!arguments.has(2)) return ask_peers(parts, request);
     if (request.name.empty()) return failure("which RTC? rtm() lists them");
     const auto what = read_file_value(arguments.lua, arguments.index(2));

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bindings/console/session_parts.hpp"
-#include "bindings/lua/files/record_shape.hpp"
 #include "engine/ports/setting.hpp"
+#include "engine/records/record_shape.hpp"
 
 namespace nezumi {
 

@@ -20,9 +20,9 @@ constexpr std::array<std::string_view, 9> event_names{"answer", "completions", "
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 // Reads the value of a field, or the default; remembers a value of a wrong type.
-class Fields {
+class MessageFields {
 public:
-    explicit Fields(const Json& json) : json_(json) {}
+    explicit MessageFields(const Json& json) : json_(json) {}
 
     std::string text(const char* name) {
         const Json* value = find(name);
@@ -124,7 +124,7 @@ std::string to_line(const Event& event) {
 Expected<Request> read_request(std::string_view line) {
     const auto json = read_object(line);
     if (!json) return Unexpected(json.error());
-    Fields fields(*json);
+    MessageFields fields(*json);
     Request request;
     request.kind = static_cast<Request::Kind>(fields.one_of("do", request_names));
     request.id = fields.whole("id");
@@ -142,7 +142,7 @@ Expected<Request> read_request(std::string_view line) {
 Expected<Event> read_event(std::string_view line) {
     const auto json = read_object(line);
     if (!json) return Unexpected(json.error());
-    Fields fields(*json);
+    MessageFields fields(*json);
     Event event;
     event.kind = static_cast<Event::Kind>(fields.one_of("is", event_names));
     event.id = fields.whole("id");

@@ -13,6 +13,7 @@
 #include "bindings/lua/files/system_text.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/system/network.hpp"
+#include "engine/system/peer_word.hpp"
 
 namespace nezumi {
 namespace {
@@ -95,13 +96,10 @@ void leave_out_twins(SystemSpec& spec) {
     }
 }
 
-// Removed components are no longer exported as RTCs.
-void leave_out_rtm(SystemSpec& spec) {
-    if (!spec.rtm) return;
-    std::erase_if(spec.rtm->exported, [&](const std::string& name) {
-        return std::none_of(spec.entries.begin(), spec.entries.end(),
-                            [&](const Entry& entry) { return name_of(entry) == name; });
-    });
+// Peers are no longer told of removed components.
+void leave_out_missing(SystemSpec& spec) {
+    const auto peers = spec.peers;  // each may replace its own
+    for (const auto& [name, peer] : peers) peer->word().remove_missing(spec);
 }
 
 // The behaviour with this script; "" if there is none.
@@ -125,7 +123,7 @@ Expected<PresentSystem> present_system(const RunningSystem& live) {
     });
     const auto& foreign = system.foreign_connections();
     spec.connections.insert(spec.connections.end(), foreign.begin(), foreign.end());
-    leave_out_rtm(spec);
+    leave_out_missing(spec);
     leave_out_twins(spec);
     for (Entry& entry : spec.entries) {
         const auto done = std::visit(
@@ -137,7 +135,7 @@ Expected<PresentSystem> present_system(const RunningSystem& live) {
             entry);
         if (!done) return Unexpected(done.error());
     }
-    return PresentSystem{std::move(spec), live.project(), live.options().installed};
+    return PresentSystem{std::move(spec), live.project(), live.options().installed, live.options().peer_words};
 }
 
 Expected<std::string> save_system(PresentSystem present, const std::string& file) {
@@ -156,7 +154,7 @@ Expected<std::string> save_system(PresentSystem present, const std::string& file
     const std::string title =
         spec.file.empty() ? "A system, saved from the console." : fmt::format("{}, saved from the console.", spec.file);
     const std::string text = write_system_text(spec, title);
-    if (auto back = read_system_text(text, path.string(), project); !back) {
+    if (auto back = read_system_text(text, path.string(), project, {.peer_words = present.peer_words}); !back) {
         return failure(
             fmt::format("nothing is saved, since {} could not be read: {}", path.string(), back.error().message));
     }

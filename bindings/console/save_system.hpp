@@ -14,6 +14,7 @@ struct PresentSystem {
     SystemSpec spec;
     Project project;
     std::vector<std::filesystem::path> installed;
+    PeerWords peer_words;
 };
 
 /// The present connections and configuration as data: the entries of the file with the present parameter values,

@@ -8,7 +8,9 @@
 #include <type_traits>
 
 #include "bindings/dds/domain_xml.hpp"
+#include "bindings/dds/network_word.hpp"
 #include "bindings/dds/ros/node.hpp"
+#include "bindings/dds/ros/ros_word.hpp"
 #include "bindings/dds/sealed_transport.hpp"
 #include "bindings/dds/silent_transport.hpp"
 #include "bindings/dds/system_network.hpp"
@@ -126,17 +128,17 @@ Expected<std::unique_ptr<Network>> make_both(const SystemSpec& spec, System& sys
                                              const std::string& version, std::unique_ptr<DdsTransport>& own,
                                              bool alone = false) {
     std::unique_ptr<SystemNetwork> host;
-    if (spec.network) {
-        auto made = make_host(join, *spec.network, system, version, alone);
+    if (const NetworkSpec* network = NetworkWord::find(spec)) {
+        auto made = make_host(join, *network, system, version, alone);
         if (!made) return Unexpected(made.error());
         host = std::move(*made);
     }
     std::string its_node;
-    if (spec.ros) {
-        const Expected<DdsTransport*> transport = join(*spec.ros);
-        if (!transport) return failure(fmt::format("ros: {}", transport.error().message), spec.ros->place);
+    if (const RosSpec* ros = RosWord::find(spec)) {
+        const Expected<DdsTransport*> transport = join(*ros);
+        if (!transport) return failure(fmt::format("ros: {}", transport.error().message), ros->place);
         const auto node =
-            RosNode::add(system, *spec.ros, **transport, {.clock = system.settings().clock, .wall_clock = time_of_day});
+            RosNode::add(system, *ros, **transport, {.clock = system.settings().clock, .wall_clock = time_of_day});
         if (!node) return Unexpected(node.error());
         its_node = (*node)->name();
     }

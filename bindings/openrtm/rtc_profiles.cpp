@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "bindings/openrtm/rtm_wiring.hpp"
 #include "engine/base/trimmed.hpp"
-#include "engine/system/rtm_wiring.hpp"
 
 namespace nezumi::openrtm {
 namespace {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bindings/openrtm/orb.hpp"
+#include "bindings/openrtm/rtm_spec.hpp"
 #include "engine/components/component.hpp"
 #include "engine/system/system.hpp"
 #include "engine/system/system_spec.hpp"

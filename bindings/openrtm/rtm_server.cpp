@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bindings/openrtm/peer_text.hpp"
+#include "bindings/openrtm/rtm_word.hpp"
 #include "engine/values/cdr.hpp"
 
 namespace nezumi::openrtm {
@@ -32,7 +33,7 @@ ConnectionSpec connection_of(const RtcLink& link, bool ours_receives) {
 
 Expected<std::unique_ptr<RtmServer>> RtmServer::open(RtmHost host, const OrbMaker& make_orb) {
     std::unique_ptr<RtmServer> server(new RtmServer(std::move(host)));
-    const RtmSpec& rtm = *server->host_.spec().rtm;
+    const RtmSpec& rtm = *RtmWord::find(server->host_.spec());
     // Errors of the file are reported before anything starts.
     if (auto fits = profiles_of(server->host_.system(), rtm); !fits) return Unexpected(fits.error());
     auto orb = make_orb({.nameserver = rtm.nameserver, .interface = rtm.interface}, *server);
@@ -52,8 +53,8 @@ Expected<void> RtmServer::show() {
     outlets_.clear();
     exported_.clear();
     paths_.clear();
-    const auto& rtm = host_.spec().rtm;
-    auto profiles = rtm ? profiles_of(system, *rtm) : Expected<std::vector<RtcProfile>>();
+    const RtmSpec* rtm = RtmWord::find(host_.spec());
+    auto profiles = rtm != nullptr ? profiles_of(system, *rtm) : Expected<std::vector<RtcProfile>>();
     std::vector<RtcLink> links;
     std::map<std::string, const Port*, std::less<>> in_ports;
     if (profiles) {

@@ -8,8 +8,8 @@
 
 #include "bindings/openrtm/profile_xml.hpp"
 #include "bindings/openrtm/rtc_profiles.hpp"
+#include "bindings/openrtm/rtm_word.hpp"
 #include "bindings/openrtm/system_profile.hpp"
-#include "engine/system/rtm_wiring.hpp"
 
 namespace nezumi::openrtm {
 namespace {
@@ -108,7 +108,8 @@ void write_end(const ProfiledEnd& end, const SystemProfile& profile, pugi::xml_n
 
 SystemProfile profile_of_system(const System& system, const SystemSpec& spec) {
     SystemProfile profile{.name = std::filesystem::path(spec.file).stem().string()};
-    RtmSpec all = spec.rtm.value_or(RtmSpec{});
+    const RtmSpec* rtm = RtmWord::find(spec);
+    RtmSpec all = rtm != nullptr ? *rtm : RtmSpec{};
     all.exported.clear();
     for (const Component* component : system.components()) all.exported.push_back(component->name());
     std::map<std::string, std::pair<ProfiledEnd, std::string>> ports;  // end and type, by path

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSessionOptions& options, RunFiles* files,
                    bool keep_history) {
-    auto read = ScenarioFile::read(file.path, {.installed = options.installed, .seed = options.seed});
+    auto read = ScenarioFile::read(
+        file.path, {.installed = options.installed, .peer_words = options.peer_words, .seed = options.seed});
     if (!read) return {.outcome = RunOutcome::could_not_run, .error = read.error()};
     if (run.scenario >= (*read)->scenarios().size())
         return {.outcome = RunOutcome::could_not_run, .error = {"the file has changed meanwhile", {file.shown}}};

@@ -23,6 +23,7 @@ struct TestSessionOptions {
     std::filesystem::path folder = "nezumi-test";  ///< the files of failures are in subfolders of it
     bool update_goldens = false;                   ///< writes the goldens instead of comparing with them
     std::vector<std::filesystem::path> installed;
+    PeerWords peer_words{};                ///< as in `LiveOptions`
     std::function<LiveOptions()> systems;  ///< makes systems
     std::string words;                     ///< options that are needed to repeat a run, besides its name and seed
     Shard shard;                           ///< only these runs are made

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/files/record_shape.hpp"
 #include "bindings/scenario/expectation.hpp"
 #include "bindings/scenario/scenario_file.hpp"
 #include "engine/ports/setting.hpp"
+#include "engine/records/record_shape.hpp"
 
 namespace nezumi {
 

@@ -87,7 +87,7 @@ Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem
                                                            std::vector<Error>* errors) {
     Project project = Project::of(path, options.installed);
     std::string shown = project.shown(path);
-    std::unique_ptr<ScenarioFile> file(new ScenarioFile(std::move(project), std::move(shown)));
+    std::unique_ptr<ScenarioFile> file(new ScenarioFile(std::move(project), options.peer_words, std::move(shown)));
     const auto give_up = [&](Error error) {
         if (errors != nullptr && errors->empty()) errors->push_back(error);
         return Unexpected(std::move(error));
@@ -120,7 +120,8 @@ Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem
     if (file->scenarios_.empty()) {
         return give_up({"the file has no scenario: expected scenario(\"name\", function(s) ... end)", {file->shown_}});
     }
-    if (const auto diagnostics = unknown_methods(file->text_, file->shown_, ScenarioRun::Methods::names());
+    if (const auto diagnostics =
+            unknown_methods(file->text_, file->shown_, ScenarioRun::Methods::names(options.peer_words));
         !diagnostics.empty()) {
         if (errors != nullptr) *errors = diagnostics;
         return give_up(diagnostics.front());

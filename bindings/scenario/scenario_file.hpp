@@ -15,6 +15,7 @@
 #include "bindings/scenario/sweep.hpp"
 #include "engine/base/error.hpp"
 #include "engine/project/project.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 
@@ -38,6 +39,7 @@ Expected<void> check_paired(const Scenario& scenario, const std::string& name);
 
 struct ScenarioFileOptions {
     std::vector<std::filesystem::path> installed;  ///< folders of the installed files (`Project::of`)
+    PeerWords peer_words{};                        ///< as in `LiveOptions`
     std::uint64_t seed = 0;                        ///< of `math.random`
     std::function<void(std::string_view)> print;   ///< gets the output of the file, a line at a time; may be empty
     std::optional<std::string> text{};             ///< replaces the content of the file, which need not exist
@@ -52,6 +54,7 @@ public:
 
     const std::string& shown() const { return shown_; }
     const Project& project() const { return project_; }
+    const PeerWords& peer_words() const { return peer_words_; }
     /// In the order of the file; at least one.
     const std::vector<Scenario>& scenarios() const { return scenarios_; }
     LuaState& state() const { return LuaState::of(file_->lua()); }
@@ -66,7 +69,8 @@ public:
     void push_function(lua_State* lua, std::size_t scenario) const;
 
 private:
-    ScenarioFile(Project project, std::string shown) : project_(std::move(project)), shown_(std::move(shown)) {}
+    ScenarioFile(Project project, PeerWords peer_words, std::string shown)
+        : project_(std::move(project)), peer_words_(std::move(peer_words)), shown_(std::move(shown)) {}
 
     static int scenario_word(lua_State* lua);
     static int range_word(lua_State* lua);
@@ -77,6 +81,7 @@ private:
     Expected<void> read_sweep(lua_State* lua, int index, Scenario& scenario);
 
     Project project_;
+    PeerWords peer_words_;
     std::string shown_;
     std::string text_;
     std::string refused_;

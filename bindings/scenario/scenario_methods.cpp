@@ -32,11 +32,10 @@ bool is_object(lua_State* lua, int index) {
 }
 
 // Methods that need no world.
-bool is_early(std::string_view name) {
+bool is_early(const std::vector<SystemWord>& words, std::string_view name) {
     constexpr std::string_view others[] = {"check", "near", "equal", "measure", "now", "load"};
-    const auto& words = system_word_names();
     return std::find(std::begin(others), std::end(others), name) != std::end(others) ||
-           std::find(words.begin(), words.end(), name) != words.end();
+           std::any_of(words.begin(), words.end(), [&](const SystemWord& word) { return word.name == name; });
 }
 
 // Words of system files that have no effect in a scenario: `s.seed` is the seed of the run, and the sweep gives values.
@@ -108,10 +107,10 @@ void ScenarioRun::Methods::push_object(lua_State* lua, ScenarioRun& run) {
     lua_setmetatable(lua, -2);
 }
 
-std::vector<std::string_view> ScenarioRun::Methods::names() {
+std::vector<std::string_view> ScenarioRun::Methods::names(const PeerWords& peer_words) {
     std::vector<std::string_view> all{"hold", "inject", "release", "world"};
-    for (const char* name : system_word_names()) {
-        if (!is_of_files_alone(name)) all.emplace_back(name);
+    for (const std::string_view name : system_word_names(peer_words)) {
+        if (!is_of_files_alone(name)) all.push_back(name);
     }
     for (const Method& method : of_time()) all.emplace_back(method.name);
     for (const Method& method : of_acts()) all.emplace_back(method.name);
@@ -153,13 +152,13 @@ int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
     if (name == "seed") return lua_pushinteger(lua, static_cast<lua_Integer>(run.settings_.seed)), 1;
     lua_pushvalue(lua, 2);
     const bool is_method = lua_rawget(lua, lua_upvalueindex(2)) != LUA_TNIL && !is_of_files_alone(name);
-    if (is_method && is_early(name)) {
+    if (is_method && is_early(run.word_host_.all, name)) {
         run.described();
         return 1;
     }
     if (auto settled = run.settle_or_note(); !settled) return raise(run, describe(settled.error()));
     if (!run.has_world()) {
-        const auto known = names();
+        const auto known = names(run.file_.peer_words());
         if (!is_method && name != "world") return raise(run, unknown_method("s", name, known));
         return raise(run, fmt::format("s.{}: there is no world yet: s:load a system, or use s:robot, s:behavior ...",
                                       shown(name)));
@@ -168,7 +167,7 @@ int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
     lua_pop(lua, 1);
     RunningSystem& world = run.current();
     if (name != "world" && world.system().find(name) == nullptr) {
-        auto known = names();
+        auto known = names(run.file_.peer_words());
         for (const auto& component : world.system().components()) known.emplace_back(component->name());
         return raise(run, unknown_method("s", name, known));
     }

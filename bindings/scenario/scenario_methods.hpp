@@ -18,7 +18,7 @@ struct ScenarioRun::Methods {
     /// Pushes the object. May raise a Lua error.
     static void push_object(lua_State* lua, ScenarioRun& run);
     /// The names of all methods, sorted.
-    static std::vector<std::string_view> names();
+    static std::vector<std::string_view> names(const PeerWords& peer_words);
 
     using Function = int (*)(ScenarioRun& run, lua_State* lua);
     struct Method {

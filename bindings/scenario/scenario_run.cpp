@@ -43,6 +43,7 @@ Expected<void> ScenarioRun::open() {
     LuaState& state = file_.state();
     state.set_print([this](std::string_view line) { print(line); });
     state.seed_random(seed_of(settings_.seed, scenario_.name));
+    word_host_.all = system_words(file_.peer_words());
     word_host_.source = [this](const std::string& shown) { return file_.source(shown); };
     word_host_.fail = [this](Error error) {
         setup_error_ = error;

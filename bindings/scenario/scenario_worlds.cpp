@@ -6,10 +6,10 @@
 
 #include "bindings/lua/files/calibration_file.hpp"
 #include "bindings/lua/files/change_robot.hpp"
-#include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_run.hpp"
+#include "engine/records/read_record.hpp"
 
 namespace nezumi {
 namespace {
@@ -32,7 +32,6 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
 void merge(SystemSpec& spec, const SystemSpec& more) {
     append(spec.entries, more.entries);
     append(spec.connections, more.connections);
-    if (more.rtm) spec.rtm = more.rtm;
     append(spec.arena.boxes, more.arena.boxes);
     append(spec.arena.cylinders, more.arena.cylinders);
     append(spec.arena.markers, more.arena.markers);
@@ -40,8 +39,7 @@ void merge(SystemSpec& spec, const SystemSpec& more) {
     if (more.arena.floor) spec.arena.floor = more.arena.floor;
     if (more.arena.size) spec.arena.size = more.arena.size;
     spec.models.insert(more.models.begin(), more.models.end());
-    if (more.network) spec.network = more.network;
-    if (more.ros) spec.ros = more.ros;
+    for (const auto& [word, peer] : more.peers) spec.peers.insert_or_assign(word, peer);
     if (!more.rate_place.file.empty()) {
         spec.rate = more.rate;
         spec.rate_place = more.rate_place;
@@ -79,7 +77,7 @@ ScenarioRun::Described& ScenarioRun::described() {
     if (described_.empty()) {
         Described first;
         first.project = std::make_unique<Project>(file_.project());
-        first.words = std::make_unique<SystemWords>(*first.project);
+        first.words = std::make_unique<SystemWords>(*first.project, file_.peer_words());
         first.words->spec().file = file_.shown();
         described_.push_back(std::move(first));
         word_host_.words = described_.back().words.get();
@@ -206,13 +204,15 @@ Expected<void> ScenarioRun::load(const std::string& name, const Expected<Value>&
     // A system of another project is read as part of that project; additions of the scenario belong to its own.
     const Project theirs = Project::of(*path, file_.project().installed());
     auto spec = read_system_file(*path, theirs,
-                                 {.seed = settings_.seed, .print = [this](std::string_view line) { print(line); }});
+                                 {.seed = settings_.seed,
+                                  .print = [this](std::string_view line) { print(line); },
+                                  .peer_words = file_.peer_words()});
     if (!spec) return Unexpected(spec.error());
     if (auto ok = change_robots(*spec, *options, theirs, place); !ok) return ok;
     merge(*spec, before);
     Described next;
     next.project = std::make_unique<Project>(file_.project().root().empty() ? theirs : file_.project());
-    next.words = std::make_unique<SystemWords>(*next.project, std::move(*spec));
+    next.words = std::make_unique<SystemWords>(*next.project, file_.peer_words(), std::move(*spec));
     if (auto ok = next.words->finish(); !ok) return ok;
     if (auto ok = build(next); !ok) return ok;
     if (!described_.empty() && described_.back().live == nullptr) {

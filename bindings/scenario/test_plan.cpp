@@ -229,7 +229,9 @@ Expected<TestPlan> plan_tests(const PlanOptions& options) {
     std::vector<std::string_view> names;
     for (const fs::path& path : *paths) {
         PlannedFile planned{.path = path, .shown = path.string()};
-        auto file = ScenarioFile::read(path, {.installed = options.installed, .seed = options.seed}, &planned.errors);
+        auto file = ScenarioFile::read(
+            path, {.installed = options.installed, .peer_words = options.peer_words, .seed = options.seed},
+            &planned.errors);
         if (file) {
             planned.shown = (*file)->shown();
             planned.scenarios = (*file)->scenarios();

@@ -11,6 +11,7 @@
 #include "bindings/scenario/scenario_file.hpp"
 #include "bindings/scenario/sweep.hpp"
 #include "engine/base/error.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 
@@ -63,6 +64,7 @@ struct PlanOptions {
     std::string filter;  ///< part of a run's name; the whole name of a run selects only this run
     std::uint64_t seed = 0;
     std::vector<std::filesystem::path> installed;
+    PeerWords peer_words{};            ///< as in `LiveOptions`
     std::optional<SeedRange> seeds{};  ///< each combination is run with each, instead of the scenario's seeds
     std::string paired;                ///< of all scenarios whose sweep has a list of this name; "": as they say
 };

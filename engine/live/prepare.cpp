@@ -41,13 +41,17 @@ Expected<const ScriptFile*> script_of(const System& system, const std::string& n
 }
 
 Expected<SystemSpec> read_spec(const std::filesystem::path& file, const Project& project, const LiveOptions& options) {
-    auto spec = options.scripts->read_system(
-        file, project, {.seed = options.build.seed, .print = options.print, .set = options.values.set});
+    auto spec = options.scripts->read_system(file, project,
+                                             {.seed = options.build.seed,
+                                              .print = options.print,
+                                              .set = options.values.set,
+                                              .peer_words = options.peer_words});
     if (spec && options.prepare) {
         if (auto ok = options.prepare(*spec); !ok) return Unexpected(ok.error());
     }
     if (spec) {
-        if (auto ok = options.scripts->apply(options.values, *spec, project); !ok) return Unexpected(ok.error());
+        if (auto ok = options.scripts->apply(options.values, *spec, project, options.peer_words); !ok)
+            return Unexpected(ok.error());
     }
     return spec;
 }

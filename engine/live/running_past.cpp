@@ -12,7 +12,7 @@ namespace nezumi {
 
 Expected<std::unique_ptr<PastRun>> RunningSystem::begin_seek(const Seek& where) {
     if (options_.build.real_time) return failure("real robots can't go back in time");
-    if (!options_.is_replay && (system().network() != nullptr || spec().rtm))
+    if (!options_.is_replay && !spec().peers.empty())
         return failure("a system that is connected with other programs can't go back in time");
     if (file_.empty()) return failure("a system without a file can't go back in time");
     history_.reach(when(), system().now().seconds);

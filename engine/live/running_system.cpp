@@ -69,6 +69,7 @@ Expected<std::unique_ptr<RunningSystem::Running>> RunningSystem::build(SystemSpe
     next->makers.rig = options_.rig;
     next->makers.network = options_.network;
     next->makers.components = options_.components;
+    next->makers.peer_words = options_.peer_words;
     next->behaviors = std::move(behaviors);
     next->makers.behavior = [&all = *next->behaviors](const BehaviorEntry& entry, const MakerContext&) {
         return all.take(entry);

@@ -25,6 +25,7 @@ namespace nezumi {
 
 struct LiveOptions {
     const ScriptHost* scripts = &no_scripts();     ///< must outlive the system
+    PeerWords peer_words{};                        ///< words of system files that describe peers
     std::vector<std::filesystem::path> installed;  ///< folders of the installed files (`Project::of`)
     const ProjectFiles* files = &disk();           ///< must outlive the system
     WorldFactory world;                            ///< may be empty: then there can be no robots

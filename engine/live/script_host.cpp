@@ -48,8 +48,8 @@ public:
     std::string write_system_text(const SystemSpec& /*spec*/, const std::string& /*title*/) const override {
         return "";
     }
-    Expected<void> apply(const StartValues& /*values*/, SystemSpec& /*spec*/,
-                         const Project& /*project*/) const override {
+    Expected<void> apply(const StartValues& /*values*/, SystemSpec& /*spec*/, const Project& /*project*/,
+                         const PeerWords& /*words*/) const override {
         return {};
     }
     Expected<void> read_robot(RobotEntry& robot, SystemSpec& part, const Project& /*project*/) const override {

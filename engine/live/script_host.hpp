@@ -70,7 +70,8 @@ struct SystemFileOptions {
     std::function<void(std::string_view)> print;  ///< gets the output of `print`, a line at a time; may be empty
     bool is_part = false;  ///< the tick, and robots that components are on, may be in another part of the system
     std::vector<std::string>
-        set{};  ///< as in `StartValues`: those without a dot before the = are arguments of the file
+        set{};               ///< as in `StartValues`: those without a dot before the = are arguments of the file
+    PeerWords peer_words{};  ///< words of the file beside those of every system
 };
 
 /// Parameter values that replace those of the system file. They are used again at every restart of the system.
@@ -94,8 +95,9 @@ public:
                                                   const Project& project, const SystemFileOptions& options) const = 0;
     /// A text that is read as the same system; `title` becomes its first line, a comment.
     virtual std::string write_system_text(const SystemSpec& spec, const std::string& title) const = 0;
-    /// Puts values into `spec`. The error names the option or the line of the file.
-    virtual Expected<void> apply(const StartValues& values, SystemSpec& spec, const Project& project) const = 0;
+    /// Puts values into `spec`. The error names the option or the line of the file, which may use these words.
+    virtual Expected<void> apply(const StartValues& values, SystemSpec& spec, const Project& project,
+                                 const PeerWords& words) const = 0;
     /// Reads the files of a robot that is added to the system `part`: its description, and its calibration if it uses
     /// one, which changes the entry.
     virtual Expected<void> read_robot(RobotEntry& robot, SystemSpec& part, const Project& project) const = 0;

@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "engine/base/schedule.hpp"
+#include "engine/system/peer_word.hpp"
 #include "engine/system/robot_limits.hpp"
-#include "engine/system/rtm_wiring.hpp"
 
 namespace nezumi {
 namespace {
@@ -154,6 +155,21 @@ Expected<Component*> add_native(System& system, const ComponentEntry& entry, con
     return system.add(std::move(*made));
 }
 
+// The word of the peer checks its connections, with what this system says of it. Empty if there are no such peers.
+System::ForeignCheck foreign_check(const PeerWords& words, const SystemSpec& spec) {
+    if (words.empty()) return {};
+    return [words, peers = spec.peers](const System& system, const ConnectionSpec& connection) -> Expected<void> {
+        const PeerWord* word = word_of_port(words, connection.from);
+        if (word == nullptr) word = word_of_port(words, connection.to);
+        if (word == nullptr) {
+            return failure(
+                fmt::format("{} to {}: ports of other programs can't be reached here", connection.from, connection.to));
+        }
+        const auto its = peers.find(word->name());
+        return word->check_connection(system, its == peers.end() ? nullptr : its->second.get(), connection);
+    };
+}
+
 }  // namespace
 
 Expected<Component*> add_entry(System& system, const Entry& entry, const SystemSpec& spec, const Makers& makers) {
@@ -211,15 +227,16 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
         left_out.insert(name_of(entry));
         system->log(LogLevel::error, describe(added.error()) + ": omitted, and the others continue");
     }
-    if (spec.network || spec.ros) {
-        const Place& place = spec.network ? spec.network->place : spec.ros->place;
-        const std::string_view word = spec.network ? "network" : "ros";
-        if (!makers.network) return failure(fmt::format("{}: there is no network here", word), place);
+    const auto networked = std::find_if(spec.peers.begin(), spec.peers.end(),
+                                        [](const auto& peer) { return peer.second->word().needs_network(); });
+    if (networked != spec.peers.end()) {
+        const auto& [word, peer] = *networked;
+        if (!makers.network) return failure(fmt::format("{}: there is no network here", word), peer->place());
         auto network = makers.network(spec, *system);
-        if (!network) return at(place, network.error());
+        if (!network) return at(peer->place(), network.error());
         system->take_network(std::move(*network));
     }
-    system->take_foreign_check(rtm_check(spec.rtm));
+    system->take_foreign_check(foreign_check(makers.peer_words, spec));
     for (const ConnectionSpec& connection : spec.connections) {
         if (is_left_out(connection.from) || is_left_out(connection.to)) continue;
         const auto made = system->connect(connection.from, connection.to);

@@ -43,6 +43,7 @@ struct Makers {
         behavior;
     /// Native components by type, then by backend.
     std::map<std::string, ByBackend<ComponentMaker>, std::less<>> components;
+    PeerWords peer_words{};  ///< they check connections with other programs
 };
 
 struct BuildOptions {

@@ -58,7 +58,7 @@ public:
     virtual void before_tick(const MessageDoor& deliver) = 0;
     /// Hosts that are there or waited for, by name.
     virtual std::vector<Host> hosts() const = 0;
-    /// Whether a connection was not made by a `connect` of this system, but by another host or by the word `ros`.
+    /// Whether a connection was not made by a `connect` of this system, but by another host or by a word of its file.
     virtual bool brought(const ConnectionSpec& connection) const = 0;
 
     // Shared time of several hosts.
@@ -77,8 +77,8 @@ public:
     virtual std::optional<Expected<PlainData>> answer(std::uint64_t number) const = 0;
 };
 
-/// Makes the network of a system whose file has `network` or `ros`. At this time, the system has all its components and
-/// no connections.
+/// Makes the network of a system whose file has a word that needs one (`PeerWord::needs_network`). At this time, the
+/// system has all its components and no connections.
 using NetworkMaker = std::function<Expected<std::unique_ptr<Network>>(const SystemSpec& spec, System& system)>;
 
 }  // namespace nezumi

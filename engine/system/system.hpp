@@ -107,12 +107,12 @@ public:
     Expected<const Port*> port(std::string_view path) const { return port_named(path); }
 
     /// Connects "name.port" to "name.port"; the error has the reason. One of them may be another host's,
-    /// "host/name.port", or another program's, "rtm:NAME.port".
+    /// "host/name.port", or another program's, "WORD:NAME.port".
     Expected<void> connect(std::string_view from, std::string_view to);
     Expected<void> disconnect(std::string_view from, std::string_view to);
     /// "name.port" of the ports at the other ends.
     std::vector<std::string> peers(const Port& port) const { return wiring_.peers(port); }
-    /// The same with those of other programs, "rtm:NAME.port".
+    /// The same with those of other programs, "WORD:NAME.port".
     std::vector<std::string> peers(const Component& component, const Port& port) const;
     /// A connection that has been dropped.
     struct Dropped {
@@ -121,7 +121,7 @@ public:
     };
     /// Removes all connections of a port that will be destroyed.
     std::vector<Dropped> disconnect_all(const Port& port);
-    /// Ends all connections with other programs of one end, "name.port" or "rtm:NAME.port". Returns whether there were
+    /// Ends all connections with other programs of one end, "name.port" or "WORD:NAME.port". Returns whether there were
     /// any.
     bool disconnect_foreign(std::string_view end);
     /// Makes a dropped connection again, at its former place among the connections.

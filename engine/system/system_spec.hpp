@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,7 +11,6 @@
 #include <vector>
 
 #include "engine/components/parameter.hpp"
-#include "engine/system/rtm_spec.hpp"
 #include "engine/world/arena_spec.hpp"
 #include "engine/world/robot_spec.hpp"
 
@@ -86,42 +86,13 @@ using Entry = std::variant<RobotEntry, BehaviorEntry, ComponentEntry>;
 const std::string& name_of(const Entry& entry);
 const Place& place_of(const Entry& entry);
 
-/// `network { name, domain, interface, peers, secret, open, lockstep, hosts }`: this system is one of several hosts.
-struct NetworkSpec {
-    std::string name;
-    std::int64_t domain = 0;
-    std::string interface;  ///< "": the loopback
-    std::vector<std::string> peers{};
-    std::string secret{};       ///< a file, as the system's says it; "": none
-    std::string secret_path{};  ///< where it was found; "": nowhere
-    bool open = false;
-    bool lockstep = false;
-    std::vector<std::string> hosts{};  ///< lockstep also waits for these before the first tick
-    Place place{};
-};
+class PeerSpec;
+class PeerWord;
+/// Words that describe peers, in the order in which they check a system. The words must outlive all users.
+using PeerWords = std::vector<const PeerWord*>;
 
-/// A topic of ROS 2, and the port that it is published from or written to.
-struct RosTopic {
-    std::string port;  ///< "name.port"
-    std::string topic;
-    std::string type{};   ///< as ROS names it; "": the first that there is for the port's type
-    std::string frame{};  ///< of its header; "": what fits its type
-    Place place{};
-};
-
-/// `ros { node, publish, subscribe, domain, interface, peers }`.
-struct RosSpec {
-    std::string node;
-    std::vector<RosTopic> publish{};
-    std::vector<RosTopic> subscribe{};
-    std::int64_t domain = 0;
-    std::string interface {};  ///< "": the loopback
-    std::vector<std::string> peers{};
-    Place place{};
-};
-
-/// `connect(from, to)`, each "name.port"; "host/name.port" for a port of another host, "rtm:NAME.port" for one of
-/// another program.
+/// `connect(from, to)`, each "name.port"; "host/name.port" for a port of another host, "WORD:NAME.port" for one of
+/// another program (`PeerWord::port_form`).
 struct ConnectionSpec {
     std::string from;
     std::string to;
@@ -130,7 +101,7 @@ struct ConnectionSpec {
     bool operator==(const ConnectionSpec& other) const { return from == other.from && to == other.to; }
 };
 
-/// Whether a port is another program's: "rtm:NAME.port".
+/// Whether a port is another program's: "WORD:NAME.port".
 constexpr bool is_foreign(std::string_view path) { return path.find(':') != std::string_view::npos; }
 /// Whether a component or port is another host's: "host/name", "host/name.port".
 constexpr bool is_remote(std::string_view path) {
@@ -150,9 +121,7 @@ struct SystemSpec {
     std::map<std::string, RobotSpec> models;  ///< by the name that entries use
     std::vector<Entry> entries;               ///< in the order of the file
     std::vector<ConnectionSpec> connections;
-    std::optional<NetworkSpec> network{};
-    std::optional<RosSpec> ros{};
-    std::optional<RtmSpec> rtm;      ///< none: no RTC sees the system
+    std::map<std::string, std::shared_ptr<const PeerSpec>, std::less<>> peers{};  ///< by their word
     std::vector<std::string> files;  ///< every file it was read from: system, models, maps
 };
 

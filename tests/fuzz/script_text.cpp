@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/files/check_files.hpp"
 #include "bindings/cli/files/lua_kind.hpp"
 #include "bindings/lua/reload/lua_host.hpp"
@@ -14,6 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const LiveOptions options = [] {
         LiveOptions made;
         made.scripts = &lua_scripts();
+        made.peer_words = cli::peer_words();
         made.installed = {"."};
         return made;
     }();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "bindings/cli/base/environment.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/schedule.hpp"
@@ -55,7 +56,8 @@ void check(const SystemSpec& spec) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const Project project = Project::of("behaviors/systems/any.lua", {"."});
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    const auto spec = read_system_text(text, "behaviors/systems/any.lua", project, {.seconds = 0.02});
+    const auto spec = read_system_text(text, "behaviors/systems/any.lua", project,
+                                       {.seconds = 0.02, .peer_words = cli::peer_words()});
     spec ? check(*spec) : check(spec.error());
     return 0;
 }

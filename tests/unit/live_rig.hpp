@@ -13,6 +13,7 @@
 #include "engine/live/running_system.hpp"
 #include "sim/world.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
+#include "tests/unit/peer_words.hpp"
 #include "tests/unit/source_root.hpp"
 
 namespace nezumi {
@@ -53,6 +54,7 @@ struct LiveRig {
         file = folder.write("system.lua", system);
         LiveOptions options;
         options.scripts = &lua_scripts();
+        options.peer_words = peer_words();
         options.files = &files;
         options.installed = {source_root()};
         options.world = sim::make_world;

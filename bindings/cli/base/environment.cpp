@@ -10,7 +10,10 @@
 #include "bindings/cli/base/status.hpp"
 #include "bindings/console/put_text.hpp"
 #include "bindings/dds/network_maker.hpp"
+#include "bindings/dds/network_word.hpp"
+#include "bindings/dds/ros/ros_word.hpp"
 #include "bindings/embed/simulation.hpp"
+#include "bindings/openrtm/rtm_word.hpp"
 #include "engine/base/visible.hpp"
 #include "hw/drivers.hpp"
 
@@ -27,8 +30,14 @@ std::vector<std::filesystem::path> installed_folders() {
     return {std::move(folder)};
 }
 
+const PeerWords& peer_words() {
+    static const PeerWords words{&dds::network_word(), &dds::ros_word(), &openrtm::rtm_word()};
+    return words;
+}
+
 LiveOptions simulated_systems() {
     LiveOptions live = nezumi::simulated_systems(installed_folders());
+    live.peer_words = peer_words();
     live.network = dds::make_silent_networks();
     for (const auto& [name, maker] : hw::drivers({})) live.drivers.push_back(name);
     return live;

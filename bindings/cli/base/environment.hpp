@@ -19,6 +19,9 @@ std::vector<std::filesystem::path> installed_folders();
 /// The default seed of all random numbers.
 inline constexpr std::uint64_t usual_seed = 124;
 
+/// The words of system files for other hosts, ROS 2 and OpenRTM.
+const PeerWords& peer_words();
+
 /// Options for simulated systems, with the project's files and the installed ones.
 LiveOptions simulated_systems();
 

@@ -161,7 +161,7 @@ int new_scenario(const NewScenario& wanted) {
         return refuse("new scenario: for which system? Give --system, for example --system " + *name);
     if (!file) return refuse(file.error());
     const Project project = Project::of(*file, installed_folders());
-    const auto system = read_system_file(*file, project);
+    const auto system = read_system_file(*file, project, {.peer_words = peer_words()});
     if (!system) return refuse(system.error());
     const Here here;
     const std::string written = here.scenario(*name);

@@ -43,7 +43,7 @@ int show_types(const TypesOptions& options) {
     if (options.lua && !options.names.empty()) return refuse("types: --lua writes all types: leave out the names");
     const MessageFiles files(Project::of("here", installed_folders()), read_message_file);
     if (options.lua) {
-        fmt::print("{}", annotations(scenario_records(), files.all("here")));
+        fmt::print("{}", annotations(scenario_records(), peer_words(), files.all("here")));
         return exit_done;
     }
     if (options.names.empty()) return show_all(files);

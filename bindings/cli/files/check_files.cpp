@@ -23,8 +23,10 @@
 #include "bindings/lua/script/check_script.hpp"
 #include "bindings/lua/script/script_component.hpp"
 #include "bindings/openrtm/rtc_profiles.hpp"
+#include "bindings/openrtm/rtm_word.hpp"
 #include "bindings/scenario/scenario_file.hpp"
 #include "engine/base/whole_file.hpp"
+#include "engine/system/peer_word.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -73,18 +75,9 @@ bool stands_at(const Entry& entry, const Place& place) {
 // Returns false if nothing is at this place.
 bool leave_out(SystemSpec& spec, const Project& project, const Place& place) {
     if (std::erase_if(spec.connections, [&](const ConnectionSpec& c) { return c.place == place; }) > 0) return true;
-    if (spec.network && spec.network->place == place) {
-        spec.network.reset();
-        std::erase_if(spec.connections, [](const auto& c) { return is_remote(c.from) || is_remote(c.to); });
-        return true;
-    }
-    if (spec.ros) {
-        const auto is_there = [&](const RosTopic& topic) { return topic.place == place; };
-        if (std::erase_if(spec.ros->publish, is_there) + std::erase_if(spec.ros->subscribe, is_there) > 0) return true;
-        if (spec.ros->place == place) {
-            spec.ros.reset();
-            return true;
-        }
+    const auto peers = spec.peers;  // each may remove its own
+    for (const auto& [name, peer] : peers) {
+        if (peer->word().remove_at(spec, place)) return true;
     }
     std::set<std::string, std::less<>> gone;
     for (const Entry& entry : spec.entries) {
@@ -113,23 +106,25 @@ void leave_out_bodies(SystemSpec& spec, Makers& makers) {
 
 // Checks what would be exported to RTCs.
 void check_rtm(const System& system, const SystemSpec& spec, std::vector<Error>& errors) {
-    if (!spec.rtm) return;
-    if (const auto profiles = openrtm::profiles_of(system, *spec.rtm); !profiles) errors.push_back(profiles.error());
+    const openrtm::RtmSpec* rtm = openrtm::RtmWord::find(spec);
+    if (rtm == nullptr) return;
+    if (const auto profiles = openrtm::profiles_of(system, *rtm); !profiles) errors.push_back(profiles.error());
 }
 
 std::vector<Error> check_system(const std::string& text, const std::string& shown, const Project& project,
                                 const LiveOptions& options) {
-    if (auto errors = check_system_text(text, shown, project); !errors.empty()) {
+    if (auto errors = check_system_text(text, shown, project, {.peer_words = options.peer_words}); !errors.empty()) {
         for (Error& error : errors) error = explain_system_error(std::move(error));
         return errors;
     }
-    auto spec = read_system_text(text, shown, project);
+    auto spec = read_system_text(text, shown, project, {.peer_words = options.peer_words});
     if (!spec) return {spec.error()};
     Makers makers;
     makers.world = options.world;
     makers.bodies = options.bodies;
     makers.drivers = options.drivers;
     makers.components = options.components;
+    makers.peer_words = options.peer_words;
     makers.network = dds::make_checked_networks();
     if (!makers.world) leave_out_bodies(*spec, makers);
     std::vector<Error> errors;
@@ -173,7 +168,8 @@ std::vector<Error> check_words(const std::string& text, const std::string& shown
 // Declares the scenarios without running any.
 std::vector<Error> check_scenarios(const fs::path& file, const std::string& text, const LiveOptions& options) {
     std::vector<Error> errors;
-    static_cast<void>(ScenarioFile::read(file, {.installed = options.installed, .text = text}, &errors));
+    static_cast<void>(ScenarioFile::read(
+        file, {.installed = options.installed, .peer_words = options.peer_words, .text = text}, &errors));
     return errors;
 }
 
@@ -204,8 +200,7 @@ std::vector<Error> check_text(const std::string& text, const fs::path& file, con
     switch (kind_of_file(file, text)) {
         case LuaKind::behavior: return check_behavior(source, context_of(type_of_file(shown), project));
         case LuaKind::module: return check_module(source);
-        case LuaKind::system_module:
-            return check_words(text, shown, {system_word_names().begin(), system_word_names().end()});
+        case LuaKind::system_module: return check_words(text, shown, system_word_names(options.peer_words));
         case LuaKind::system: return check_system(text, shown, project, options);
         case LuaKind::calibration: return check_calibration(text, shown, project);
         case LuaKind::robot: return check_robot_text(text, shown, project, options.drivers);

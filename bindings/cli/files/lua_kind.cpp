@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bindings/cli/base/environment.hpp"
 #include "bindings/lua/files/system_lua.hpp"
 #include "bindings/lua/script/script_globals.hpp"
 #include "bindings/lua/syntax/globals.hpp"
@@ -32,6 +33,7 @@ LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text) {
     if (path.stem().extension() == ".calibration") return LuaKind::calibration;
     const std::string folder = path.parent_path().filename().string();
 
+    const std::vector<std::string_view> words = system_word_names(peer_words());
     int of_behaviors = 0;
     int of_systems = 0;
     bool declares = false;
@@ -43,7 +45,7 @@ LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text) {
         if (use.name() == "calibration") return LuaKind::calibration;
         if (use.assigned && use.name().starts_with("on_")) declares = true;
         if (has(script_globals(), use.name()) && use.name() != "require") ++of_behaviors;
-        if (has(system_word_names(), use.name())) ++of_systems;
+        if (has(words, use.name())) ++of_systems;
     }
     if (folder == "messages") return LuaKind::message;
     if (!declares && folder == "robots") return LuaKind::robot;

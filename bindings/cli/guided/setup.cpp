@@ -50,7 +50,7 @@ Expected<std::unique_ptr<hw::GuidedRobot>> guided_by_file(const GuidedSetup& set
                                                           const volatile std::sig_atomic_t& end) {
     const LiveOptions live = simulated_systems();
     const Project project = Project::of(setup.file, live.installed);
-    auto spec = read_system_file(setup.file, project);
+    auto spec = read_system_file(setup.file, project, {.peer_words = live.peer_words});
     if (!spec) return Unexpected(spec.error());
     std::vector<std::string_view> names;
     for (const Entry& entry : spec->entries) {
@@ -72,7 +72,7 @@ Expected<std::unique_ptr<hw::GuidedRobot>> guided_by_file(const GuidedSetup& set
 Expected<std::unique_ptr<hw::GuidedCamera>> guided_camera(const GuidedSetup& setup,
                                                           const volatile std::sig_atomic_t& end) {
     const LiveOptions live = simulated_systems();
-    auto spec = read_system_file(setup.file, Project::of(setup.file, live.installed));
+    auto spec = read_system_file(setup.file, Project::of(setup.file, live.installed), {.peer_words = live.peer_words});
     if (!spec) return Unexpected(spec.error());
     std::vector<std::string_view> names;
     for (const ComponentEntry* component : entries_of<ComponentEntry>(*spec)) {

@@ -10,13 +10,13 @@
 #include <utility>
 
 #include "bindings/journal/value_json.hpp"
-#include "bindings/lua/files/write_record.hpp"
+#include "bindings/openrtm/rtm_wiring.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/components/parameter_fields.hpp"
 #include "engine/ports/payload.hpp"
-#include "engine/system/rtm_wiring.hpp"
+#include "engine/records/write_record.hpp"
 #include "engine/tree/member.hpp"
 #include "engine/values/value_text.hpp"
 
@@ -191,7 +191,7 @@ ComponentProfile profile_of(Script& script) {
     }
     for (const PortDeclaration& port : script.ports()) {
         const std::string& type = port.type->name;
-        if (rtm_type_id(*port.type).empty())
+        if (openrtm::rtm_type_id(*port.type).empty())
             profile.remarks.push_back(fmt::format("port '{}': OpenRTM has no type {}", port.name, type));
         profile.ports.push_back({.direction = port.direction,
                                  .name = port.name,

@@ -11,10 +11,10 @@
 #include "bindings/cli/new/arguments.hpp"
 #include "bindings/cli/new/behavior_text.hpp"
 #include "bindings/openrtm/rtc_profiles.hpp"
+#include "bindings/openrtm/rtm_spec.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/visible.hpp"
-#include "engine/system/rtm_spec.hpp"
 #include "engine/values/value_text.hpp"
 
 namespace nezumi::cli {
@@ -115,7 +115,7 @@ private:
         const auto known = known_.find(end.instance);
         if (known == known_.end()) {
             const std::string path = fmt::format("rtm:{}.{}", end.instance, end.port);
-            return rtm_path(path) ? path : "";
+            return openrtm::rtm_path(path) ? path : "";
         }
         for (const PortDeclaration& port : known->second.script->ports()) {
             if (port.name == end.port && port.direction == direction) return known->second.name + "." + port.name;

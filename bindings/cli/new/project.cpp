@@ -5,6 +5,7 @@
 
 #include <string_view>
 
+#include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/base/json_text.hpp"
 #include "bindings/lua/stubs/annotations.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
@@ -141,7 +142,7 @@ std::vector<NewFile> project_files(const std::string& name) {
         {"README.md", readme(name)},
         {".gitignore", "# What a failed scenario leaves to look at.\n/nezumi-test/\n"},
         {".luarc.json", luarc()},
-        {".nezumi/library/nezumi.lua", annotations(scenario_records())},
+        {".nezumi/library/nezumi.lua", annotations(scenario_records(), peer_words())},
         {".nezumi/plugin.lua", annotations_plugin},
         {".vscode/extensions.json", std::string(extensions)},
         {".vscode/tasks.json", std::string(tasks)},

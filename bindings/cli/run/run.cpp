@@ -36,6 +36,7 @@
 #include "bindings/console/put_text.hpp"
 #include "bindings/dds/network_maker.hpp"
 #include "bindings/embed/simulation.hpp"
+#include "bindings/openrtm/rtm_word.hpp"
 #include "bindings/push/interrupted.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/live/problems.hpp"
@@ -290,7 +291,7 @@ private:
 
     // A replay has what RTCs did in its journal.
     Expected<void> open_rtm() {
-        if (!live_->spec().rtm || !options_.replay.empty()) return {};
+        if (openrtm::RtmWord::find(live_->spec()) == nullptr || !options_.replay.empty()) return {};
         auto rtm = RunRtm::open(*loop_, live_->options().build.log);
         if (!rtm) return Unexpected(rtm.error());
         rtm_ = std::move(*rtm);

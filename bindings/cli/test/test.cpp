@@ -212,6 +212,7 @@ int test(TestOptions command) {
     options.folder = command.folder;
     options.update_goldens = command.update_goldens;
     options.installed = installed_folders();
+    options.peer_words = peer_words();
     options.resume = command.resume;
     options.keep = command.resume || !command.shard.empty();
     options.systems = simulated_systems;
@@ -235,6 +236,7 @@ int test(TestOptions command) {
                                 .filter = command.filter,
                                 .seed = options.seed,
                                 .installed = options.installed,
+                                .peer_words = options.peer_words,
                                 .seeds = *seeds,
                                 .paired = command.paired});
         if (!plan) return refuse(plan.error());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bindings/dds/ros/mapping.hpp"
+#include "bindings/dds/ros/ros_word.hpp"
 #include "bindings/dds/transport.hpp"
 #include "engine/components/component.hpp"
 #include "engine/system/network.hpp"

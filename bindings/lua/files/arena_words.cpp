@@ -6,8 +6,8 @@
 #include <limits>
 #include <optional>
 
-#include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/files/system_words.hpp"
+#include "engine/records/read_record.hpp"
 #include "engine/world/arena_fields.hpp"
 
 namespace nezumi {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "bindings/lua/files/file_fields.hpp"
 #include "bindings/lua/files/start_values.hpp"
 #include "bindings/lua/files/system_words.hpp"
 #include "engine/base/names.hpp"
+#include "engine/records/fields.hpp"
 
 namespace nezumi {
 namespace {

@@ -8,11 +8,12 @@
 #include <utility>
 
 #include "bindings/lua/files/data_file.hpp"
-#include "bindings/lua/files/read_record.hpp"
+#include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/files/robot_fields.hpp"
-#include "bindings/lua/files/write_record.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "engine/base/lua_text.hpp"
+#include "engine/records/read_record.hpp"
+#include "engine/records/write_record.hpp"
 #include "engine/world/camera_source.hpp"
 
 namespace nezumi {

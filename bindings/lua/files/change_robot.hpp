@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "bindings/lua/files/file_fields.hpp"
 #include "bindings/lua/files/file_value.hpp"
 #include "engine/project/project.hpp"
+#include "engine/records/fields.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {

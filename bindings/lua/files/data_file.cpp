@@ -104,10 +104,11 @@ Expected<void> DataFile::try_to_run(std::string_view text, const std::string& sh
         lua_setfield(inside, -2, "require");
         lua_Integer index = 0;
         for (const Global& global : globals) {
+            lua_pushlstring(inside, global.name.data(), global.name.size());
             lua_pushlightuserdata(inside, global.self);
             lua_pushinteger(inside, index++);
             lua_pushcclosure(inside, global.function, 2);
-            lua_setfield(inside, -2, global.name);
+            lua_rawset(inside, -3);
         }
         return 0;
     });

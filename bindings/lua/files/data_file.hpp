@@ -40,7 +40,7 @@ public:
     /// A global function for a file. Its first upvalue is a light userdata that points to `self`, the second its index
     /// among the globals.
     struct Global {
-        const char* name;
+        std::string_view name;
         lua_CFunction function;
         void* self;
     };

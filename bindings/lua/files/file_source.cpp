@@ -169,15 +169,6 @@ private:
     }
 };
 
-std::string to_text(const FieldPath& path) {
-    std::string text;
-    for (const std::string& part : path) {
-        if (!text.empty() && !part.starts_with('[')) text += '.';  // a name that a person chose may be empty
-        text += part;
-    }
-    return text;
-}
-
 FileSource::FileSource(std::string_view text, std::string shown)
     : shown_(std::move(shown)), calls_(std::make_unique<Node>()) {
     const SyntaxTree tree(without_preamble(text));

@@ -1,8 +1,8 @@
 // Merges the fields of two tables, for a robot that differs from the robot that it builds on.
 #pragma once
 
-#include "bindings/lua/files/file_fields.hpp"
 #include "bindings/lua/files/file_value.hpp"
+#include "engine/records/fields.hpp"
 
 namespace nezumi {
 

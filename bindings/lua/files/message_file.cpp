@@ -11,11 +11,12 @@
 #include <utility>
 
 #include "bindings/lua/files/data_file.hpp"
-#include "bindings/lua/files/file_fields.hpp"
+#include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/syntax/first_comment.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "engine/base/names.hpp"
 #include "engine/ports/port_base.hpp"
+#include "engine/records/fields.hpp"
 
 namespace nezumi {
 namespace {

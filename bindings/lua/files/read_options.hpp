@@ -4,7 +4,8 @@
 #include <lua.hpp>
 #include <string>
 
-#include "bindings/lua/files/read_record.hpp"
+#include "bindings/lua/files/file_value.hpp"
+#include "engine/records/read_record.hpp"
 
 namespace nezumi {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "bindings/lua/files/read_record.hpp"
 #include "engine/base/names.hpp"
+#include "engine/records/read_record.hpp"
 #include "engine/robot/robot.hpp"
 #include "engine/tree/member.hpp"
 #include "engine/world/robot_fields.hpp"

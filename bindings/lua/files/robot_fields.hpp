@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/files/file_fields.hpp"
+#include "engine/records/fields.hpp"
 #include "engine/world/robot_spec.hpp"
 
 namespace nezumi {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bindings/lua/files/data_file.hpp"
+#include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/files/merge_value.hpp"
 #include "bindings/lua/files/robot_fields.hpp"
 #include "bindings/lua/values/bridge.hpp"

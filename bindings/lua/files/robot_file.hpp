@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/files/file_fields.hpp"
 #include "bindings/lua/files/file_value.hpp"
 #include "engine/project/project.hpp"
+#include "engine/records/fields.hpp"
 #include "engine/world/robot_spec.hpp"
 
 namespace nezumi {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/files/robot_fields.hpp"
+#include "engine/records/read_record.hpp"
 #include "engine/world/robot_fields.hpp"
 
 namespace nezumi {

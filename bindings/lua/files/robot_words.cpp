@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/files/system_words.hpp"
+#include "engine/records/read_record.hpp"
 #include "engine/system/system_fields.hpp"
 
 namespace nezumi {

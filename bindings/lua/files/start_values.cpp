@@ -108,8 +108,8 @@ void take_config(AnEntry& entry, const AnEntry& from) {
     for (const auto& [path, place] : from.places) entry.places.insert_or_assign(path, place);
 }
 
-Expected<void> take_file(const std::string& file, SystemSpec& spec, const Project& project) {
-    const auto saved = read_system_file(file, project);
+Expected<void> take_file(const std::string& file, SystemSpec& spec, const Project& project, const PeerWords& words) {
+    const auto saved = read_system_file(file, project, {.peer_words = words});
     if (!saved) return Unexpected(saved.error());
     for (const Entry& from : saved->entries) {
         Entry* const entry = find_entry(spec, name_of(from));
@@ -159,9 +159,9 @@ bool sets_argument(std::string_view text) {
            text.substr(0, equals).find('.') == std::string_view::npos;
 }
 
-Expected<void> apply(const StartValues& values, SystemSpec& spec, const Project& project) {
+Expected<void> apply(const StartValues& values, SystemSpec& spec, const Project& project, const PeerWords& words) {
     if (!values.file.empty()) {
-        if (auto ok = take_file(values.file, spec, project); !ok) return ok;
+        if (auto ok = take_file(values.file, spec, project, words); !ok) return ok;
     }
     for (const std::string& text : values.set) {
         if (sets_argument(text)) continue;  // the file has used it already

@@ -17,17 +17,18 @@ Expected<SystemSpec> read(std::string_view text, const std::string& shown, const
                           const SystemFileOptions& options, std::vector<Error>& errors) {
     auto file = DataFile::create(project, {.budget = {options.seconds}, .seed = options.seed, .print = options.print});
     if (!file) return Unexpected(file.error());
-    SystemWords words(project);
+    SystemWords words(project, options.peer_words);
     words.spec().file = shown;
     words.note_file(shown);
     words.give_arguments(options.set);
     WordHost host;
     host.words = &words;
+    host.all = system_words(options.peer_words);
     host.source = [&](const std::string& name) { return (*file)->source(name); };
     host.fail = [&](Error error) { return (*file)->fail(std::move(error)); };
 
     std::vector<DataFile::Global> functions;
-    for (const char* name : system_word_names()) functions.push_back({name, call_system_word, &host});
+    for (const SystemWord& word : host.all) functions.push_back({word.name, call_system_word, &host});
     if (auto ran = (*file)->run(text, shown, functions); !ran) {
         errors = (*file)->errors();
         return Unexpected(ran.error());
@@ -53,9 +54,10 @@ Expected<SystemSpec> read_system_text(std::string_view text, const std::string& 
     return read(text, shown, project, options, errors);
 }
 
-std::vector<Error> check_system_text(std::string_view text, const std::string& shown, const Project& project) {
+std::vector<Error> check_system_text(std::string_view text, const std::string& shown, const Project& project,
+                                     const SystemFileOptions& options) {
     std::vector<Error> errors;
-    const auto spec = read(text, shown, project, {}, errors);
+    const auto spec = read(text, shown, project, options, errors);
     if (!spec && errors.empty()) errors.push_back(spec.error());
     return errors;
 }

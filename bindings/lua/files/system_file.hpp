@@ -23,6 +23,7 @@ Expected<SystemSpec> read_system_text(std::string_view text, const std::string& 
 
 /// All mistakes of a system file that can be found without building the system; empty if it can be read. For editors:
 /// one error for each unknown global, otherwise the first error.
-std::vector<Error> check_system_text(std::string_view text, const std::string& shown, const Project& project);
+std::vector<Error> check_system_text(std::string_view text, const std::string& shown, const Project& project,
+                                     const SystemFileOptions& options = {});
 
 }  // namespace nezumi

@@ -4,12 +4,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
 #include "bindings/lua/files/data_file.hpp"
+#include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "engine/system/peer_word.hpp"
 
 namespace nezumi {
 namespace {
@@ -120,7 +123,7 @@ WordCall make_call(lua_State* lua, const WordHost& host, std::string word) {
 
 Expected<Result> run_word(lua_State* lua, WordHost& host, const SystemWord& word, bool method) {
     ++host.calls;
-    const WordCall call = make_call(lua, host, word.name);
+    const WordCall call = make_call(lua, host, std::string(word.name));
     host.called = call.place;
     const Arguments arguments{lua, method ? 2 : 1};
     const auto fits = arguments.at_most(word.name, word.most, word.usage);
@@ -157,11 +160,15 @@ int take_table(lua_State* lua) {
 
 }  // namespace
 
-std::span<const SystemWord> system_words() {
+std::vector<SystemWord> system_words(const PeerWords& peers) {
     using Words = SystemWords;
     using Form = SystemWord::Form;
-    static constexpr std::string_view table = " { ... }", named = " \"NAME\" { ... }", of_file = " \"FILE\"";
-    static constexpr SystemWord words[] = {
+    constexpr const char *table = " { ... }", *named = " \"NAME\" { ... }", *of_file = " \"FILE\"";
+    std::vector<std::string> ends{"\"name.port\""};
+    for (const PeerWord* peer : peers) {
+        if (!peer->port_form().empty()) ends.push_back(fmt::format("\"{}\"", peer->port_form()));
+    }
+    std::vector<SystemWord> words{
         {"arena", Form::plain, 1, table, set<&Words::arena>},
         {"argument",
          Form::plain,
@@ -179,7 +186,7 @@ std::span<const SystemWord> system_words() {
          "(from, to)",
          wire,
          {"Connects an out-port to an in-port of the same type.",
-          {{"from", "string|Port \"name.port\", \"rtm:NAME.port\", or in a scenario the port itself"},
+          {{"from", fmt::format("string|Port {}, or in a scenario the port itself", fmt::join(ends, ", "))},
            {"to", "string|Port"}}}},
         {"csv",
          Form::thing,
@@ -199,12 +206,9 @@ std::span<const SystemWord> system_words() {
           {{"file", "string"}}}},
         {"marker", Form::thing, 1, table, thing},
         {"maze", Form::thing, 1, table, thing},
-        {"network", Form::plain, 1, table, set<&Words::network>},
         {"physics", Form::plain, 1, table, set<&Words::physics>},
         {"rate", Form::plain, 1, "(hertz)", set<&Words::rate>, {"Ticks per second; default 100.", {{"hz", "number"}}}},
         {"robot", Form::entry, 2, named, entry},
-        {"ros", Form::plain, 1, table, set<&Words::ros>},
-        {"rtm", Form::plain, 1, table, set<&Words::rtm>},
         {"seed",
          Form::plain,
          1,
@@ -213,21 +217,20 @@ std::span<const SystemWord> system_words() {
          {"Of everything random in the run.", {{"n", "integer"}}}},
         {"wall", Form::thing, 1, table, thing},
     };
+    for (const PeerWord* peer : peers) words.push_back({peer->name(), Form::plain, 1, table, set<&Words::peer>});
+    std::sort(words.begin(), words.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
     return words;
 }
 
-const std::vector<const char*>& system_word_names() {
-    static const std::vector<const char*> names = [] {
-        std::vector<const char*> all;
-        for (const SystemWord& word : system_words()) all.push_back(word.name);
-        return all;
-    }();
+std::vector<std::string_view> system_word_names(const PeerWords& peers) {
+    std::vector<std::string_view> names;
+    for (const SystemWord& word : system_words(peers)) names.push_back(word.name);
     return names;
 }
 
 int call_system_word(lua_State* lua) {
     auto& host = *static_cast<WordHost*>(lua_touserdata(lua, lua_upvalueindex(1)));
-    const SystemWord& word = system_words()[static_cast<std::size_t>(lua_tointeger(lua, lua_upvalueindex(2)))];
+    const SystemWord& word = host.all[static_cast<std::size_t>(lua_tointeger(lua, lua_upvalueindex(2)))];
     const bool method = lua_toboolean(lua, lua_upvalueindex(3)) != 0;
     Result result;
     bridge(lua, [&] { return run_word(lua, host, word, method).map([&](const Result& made) { result = made; }); });
@@ -251,12 +254,13 @@ int call_system_word(lua_State* lua) {
 
 void add_system_words(lua_State* lua, WordHost& host, bool methods) {
     lua_Integer number = 0;
-    for (const char* name : system_word_names()) {
+    for (const SystemWord& word : host.all) {
+        lua_pushlstring(lua, word.name.data(), word.name.size());
         lua_pushlightuserdata(lua, &host);
         lua_pushinteger(lua, number++);
         lua_pushboolean(lua, methods ? 1 : 0);
         lua_pushcclosure(lua, call_system_word, 3);
-        lua_setfield(lua, -2, name);
+        lua_rawset(lua, -3);
     }
 }
 

@@ -4,7 +4,6 @@
 #include <functional>
 #include <lua.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,11 +13,45 @@
 
 namespace nezumi {
 
+struct WordHost;
+
+/// A word of system files, without the fields of its table.
+struct SystemWord {
+    enum class Form {
+        plain,  ///< returns nothing
+        thing,  ///< returns an object of the arena
+        entry,  ///< has a name; its table may follow in a second call
+    };
+    struct Result;
+    /// Documentation of a word without a described table, for editors.
+    struct Help {
+        struct Parameter {
+            std::string name, type;
+        };
+        std::string doc{};
+        std::vector<Parameter> parameters{};
+    };
+
+    std::string_view name;  ///< of static duration
+    Form form;
+    int most;           ///< maximum number of arguments
+    std::string usage;  ///< what is given to it, for messages: " { ... }"
+    Expected<Result> (*run)(WordHost& host, const WordCall& call, const Arguments& arguments);
+    Help help{};
+};
+
+/// "arena", "behavior", "box", ..., sorted: the words of every system, and those of these peers.
+std::vector<SystemWord> system_words(const PeerWords& peers = {});
+/// Their names, in the same order.
+std::vector<std::string_view> system_word_names(const PeerWords& peers = {});
+
 /// The data of these functions. Must outlive their Lua state.
 struct WordHost {
     SystemWords* words = nullptr;
+    /// The functions' words, by their numbers. Those that describe peers must be among the words of `words`.
+    std::vector<SystemWord> all = system_words();
     /// The text of a file, for places within a call; may be empty, and may return null.
-    std::function<const FileSource*(const std::string& shown)> source{};
+    std::function<const FieldSource*(const std::string& shown)> source{};
     /// Gets the error of a word, and returns the error to raise in Lua. Empty: raises the error itself.
     std::function<Error(Error error)> fail{};
     /// Pushes the result of `robot "mouse" { ... }` and similar words, by the name. May raise a Lua error. Empty: they
@@ -32,36 +65,6 @@ struct WordHost {
     /// The number of calls.
     std::size_t calls = 0;
 };
-
-/// A word of system files, without the fields of its table.
-struct SystemWord {
-    enum class Form {
-        plain,  ///< returns nothing
-        thing,  ///< returns an object of the arena
-        entry,  ///< has a name; its table may follow in a second call
-    };
-    struct Result;
-    /// Documentation of a word without a described table, for editors.
-    struct Help {
-        struct Parameter {
-            std::string_view name, type;
-        };
-        std::string_view doc{};
-        Parameter parameters[3] = {};  ///< an empty name ends the list
-    };
-
-    const char* name;
-    Form form;
-    int most;                ///< maximum number of arguments
-    std::string_view usage;  ///< what is given to it, for messages: " { ... }"
-    Expected<Result> (*run)(WordHost& host, const WordCall& call, const Arguments& arguments);
-    Help help{};
-};
-
-/// "arena", "behavior", "box", ..., in the order of their numbers.
-std::span<const SystemWord> system_words();
-/// Their names, in the same order.
-const std::vector<const char*>& system_word_names();
 
 /// The function of every word. Upvalue 1: a light userdata, the `WordHost`; upvalue 2: the number of the word; upvalue
 /// 3: true for a method, whose first argument is the object.

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <string>
 #include <vector>
 
-#include "bindings/lua/files/write_record.hpp"
 #include "engine/base/lua_text.hpp"
+#include "engine/records/write_record.hpp"
+#include "engine/system/peer_word.hpp"
 #include "engine/system/system_fields.hpp"
 
 namespace nezumi {
@@ -54,51 +54,13 @@ std::string arena(const ArenaSpec& arena) {
     return text + "}\n\n";
 }
 
-// Entries of `publish` or `subscribe`: a name or a table; a list for a port with several topics.
-std::string topics(std::string_view field, const std::vector<RosTopic>& all) {
-    const bool publishes = field == "publish";
-    std::map<std::string, std::vector<std::string>> by_name;
-    for (const RosTopic& each : all) {
-        RosTopic own = each;
-        (publishes ? own.port : own.topic).clear();
-        const bool named = own.type.empty() && own.frame.empty();
-        by_name[publishes ? each.port : each.topic].push_back(named ? lua_quoted(publishes ? each.topic : each.port)
-                                                                    : write_record(own));
-    }
+// The calls of words that describe peers: at the beginning of the file, or after the components.
+std::string peers(const SystemSpec& spec, bool follow) {
     std::string text;
-    for (const auto& [name, entries] : by_name) {
-        const std::string list = fmt::format("{}", fmt::join(entries, ", "));
-        text += fmt::format("    [{}] = {},\n", lua_quoted(name), entries.size() == 1 ? list : "{ " + list + " }");
+    for (const auto& [name, peer] : spec.peers) {
+        if (peer->word().follows_components() == follow) text += (follow ? "\n" : "") + peer->word().text(*peer);
     }
-    return text.empty() ? "" : fmt::format("  {} = {{\n{}  }},\n", field, text);
-}
-
-// The fields of `network` or `ros` except the topics.
-template <Recorded T>
-std::string place_in_domain(const T& spec) {
-    const std::string own = write_record(spec);
-    std::string text = own.substr(2, own.size() - 4);
-    const auto add = [&](std::string_view field, const std::vector<std::string>& names) {
-        std::string list;
-        for (const std::string& name : names) list += (list.empty() ? "" : ", ") + lua_quoted(name);
-        if (!list.empty()) text += fmt::format(", {} = {{ {} }}", field, list);
-    };
-    add("peers", spec.peers);
-    if constexpr (std::is_same_v<T, NetworkSpec>) add("hosts", spec.hosts);
     return text;
-}
-
-std::string ros(const RosSpec& spec) {
-    return fmt::format("ros {{\n  {},\n{}{}}}\n", place_in_domain(spec), topics("publish", spec.publish),
-                       topics("subscribe", spec.subscribe));
-}
-
-std::string rtm(const RtmSpec& rtm) {
-    std::string names;
-    for (const std::string& name : rtm.exported) names += (names.empty() ? "{ " : ", ") + lua_quoted(name);
-    const std::string own = write_record(rtm);
-    if (names.empty()) return fmt::format("rtm {}\n", own);
-    return fmt::format("rtm {{ export = {} }}{}\n", names, own == "{}" ? " }" : ", " + own.substr(2));
 }
 
 }  // namespace
@@ -111,8 +73,7 @@ std::string write_system_text(const SystemSpec& spec, const std::string& title) 
     const SystemSpec plain;
     if (spec.rate != plain.rate) text += fmt::format("rate({})\n", lua_number(spec.rate));
     if (spec.physics_step != plain.physics_step) text += thing(PhysicsFields{spec.physics_step}) + "\n";
-    if (spec.network) text += fmt::format("network {{ {} }}\n", place_in_domain(*spec.network));
-    if (spec.ros) text += ros(*spec.ros);
+    text += peers(spec, false);
     text += "\n" + arena(spec.arena);
     for (const Entry& each : spec.entries) {
         std::visit(
@@ -121,7 +82,7 @@ std::string write_system_text(const SystemSpec& spec, const std::string& title) 
             },
             each);
     }
-    if (spec.rtm) text += "\n" + rtm(*spec.rtm);
+    text += peers(spec, true);
     text += spec.connections.empty() ? "" : "\n";
     for (const ConnectionSpec& connection : spec.connections)
         text += fmt::format("connect({}, {})\n", lua_quoted(connection.from), lua_quoted(connection.to));

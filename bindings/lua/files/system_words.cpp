@@ -7,11 +7,12 @@
 #include <cmath>
 
 #include "bindings/lua/files/find_script.hpp"
-#include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/schedule.hpp"
 #include "engine/components/component.hpp"
+#include "engine/records/read_record.hpp"
+#include "engine/system/peer_word.hpp"
 #include "engine/system/system_fields.hpp"
 #include "engine/world/arena_fields.hpp"
 
@@ -57,13 +58,6 @@ std::string text_of(double number) { return std::isnan(number) ? "nan" : fmt::fo
 
 }  // namespace
 
-FieldCheck check_of(const WordCall& call, const Value& fields, const std::string& name) {
-    FieldCheck check(name.empty() ? call.word : fmt::format("{} '{}'", call.word, name), call.word, call.place,
-                     call.source);
-    check.set_given({name, &fields});
-    return check;
-}
-
 Unexpected repeated(const WordCall& call, const Place& first) {
     return failure(fmt::format("{}: is set already, at {}:{}", call.word, first.file, first.line), call.place);
 }
@@ -73,7 +67,8 @@ bool is_taken_name(std::string_view name) {
     return is_reserved_name(name) || std::find(library.begin(), library.end(), name) != library.end();
 }
 
-SystemWords::SystemWords(const Project& project, SystemSpec start) : project_(project), spec_(std::move(start)) {
+SystemWords::SystemWords(const Project& project, PeerWords words, SystemSpec start)
+    : project_(project), words_(std::move(words)), spec_(std::move(start)) {
     for (const Entry& entry : spec_.entries) names_.emplace(name_of(entry), names_.size());
     for (const ConnectionSpec& connection : spec_.connections) wired_.emplace(connection.from, connection.to);
 }
@@ -201,20 +196,21 @@ Expected<ComponentEntry> SystemWords::read_component(const WordCall& call, const
 Expected<void> SystemWords::connect(const WordCall& call, const Value& from, const Value& to) {
     ConnectionSpec connection;
     connection.place = call.place;
-    const auto is_rtm = [](const Value& end) {
-        return end.get_if<std::string>() != nullptr && is_rtm_path(*end.get_if<std::string>());
+    const auto word_of = [&](const Value& end) {
+        const std::string* path = end.get_if<std::string>();
+        return path != nullptr ? word_of_port(words_, *path) : nullptr;
     };
     for (auto [value, out] : {std::pair{&from, &connection.from}, std::pair{&to, &connection.to}}) {
         const std::string* path = value->get_if<std::string>();
-        if (is_rtm(*value)) {
-            if (auto ok = rtm_path(*path); !ok) return failure("connect: " + ok.error().message, call.place);
+        if (const PeerWord* word = word_of(*value)) {
+            if (auto ok = word->check_port(*path); !ok) return failure("connect: " + ok.error().message, call.place);
         } else if (path == nullptr || !is_port_path(*path)) {
             const std::string got = path == nullptr ? nezumi::kind_of(*value) : "'" + *path + "'";
             return failure(fmt::format("connect: expected \"name.port\", got {}", got), call.place);
         }
         *out = *path;
     }
-    if (is_rtm(from) && is_rtm(to)) {
+    if (word_of(from) != nullptr && word_of(to) != nullptr) {
         return failure("connect: both ends are ports of other programs: one of them must be of this system",
                        call.place);
     }
@@ -271,6 +267,15 @@ Expected<void> SystemWords::physics(const WordCall& call, const Value& value) {
     return {};
 }
 
+Expected<void> SystemWords::peer(const WordCall& call, const Value& fields) {
+    const auto word =
+        std::find_if(words_.begin(), words_.end(), [&](const PeerWord* each) { return each->name() == call.word; });
+    auto given = (*word)->read({call, fields, project_, is_taken_name});
+    if (!given) return Unexpected(given.error());
+    const auto [earlier, is_first] = spec_.peers.try_emplace(call.word, std::move(*given));
+    return is_first ? Expected<void>() : repeated(call, earlier->second->place());
+}
+
 Expected<void> SystemWords::finish(bool is_part) const {
     for (const PendingEntry& pending : pending_) {
         if (pending.complete) continue;
@@ -296,8 +301,9 @@ Expected<void> SystemWords::finish(bool is_part) const {
                                    place_of(other).file, place_of(other).line),
                        marker.place);
     }
-    if (auto ok = check_network(); !ok) return ok;
-    if (auto ok = check_rtm(); !ok) return ok;
+    for (const PeerWord* word : words_) {
+        if (auto ok = word->check(spec_); !ok) return ok;
+    }
     std::vector<std::string_view> robots;
     for (const RobotEntry* robot : entries_of<RobotEntry>(spec_)) robots.push_back(robot->name);
     for (const ComponentEntry* component : entries_of<ComponentEntry>(spec_)) {

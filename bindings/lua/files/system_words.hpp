@@ -13,23 +13,12 @@
 #include <variant>
 #include <vector>
 
-#include "bindings/lua/files/file_source.hpp"
-#include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/files/robot_file.hpp"
 #include "engine/project/project.hpp"
+#include "engine/records/word_call.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {
-
-/// The place of a call. File names are searched beside `place.file`.
-struct WordCall {
-    std::string word;
-    Place place;
-    const FileSource* source = nullptr;  ///< the text of that file, for places within the call; may be null
-};
-
-/// The check of the table of a call. Messages begin with "WORD 'NAME'", or with "WORD" if the call has no name.
-FieldCheck check_of(const WordCall& call, const Value& fields, const std::string& name = "");
 
 /// The error of a word that may be called only once.
 Unexpected repeated(const WordCall& call, const Place& first);
@@ -41,7 +30,8 @@ bool is_taken_name(std::string_view name);
 /// (rates, names); `build_system` checks what depends on the components (ports, parameters, overlaps).
 class SystemWords {
 public:
-    explicit SystemWords(const Project& project, SystemSpec start = {});
+    /// `words`: those that describe peers.
+    explicit SystemWords(const Project& project, PeerWords words = {}, SystemSpec start = {});
 
     /// `robot`, `behavior` and `component`.
     Expected<void> entry(const WordCall& call, const std::string& name, const Value& fields);
@@ -61,9 +51,8 @@ public:
     Expected<void> seed(const WordCall& call, const Value& value);
     Expected<void> rate(const WordCall& call, const Value& hertz);
     Expected<void> physics(const WordCall& call, const Value& fields);
-    Expected<void> network(const WordCall& call, const Value& fields);
-    Expected<void> ros(const WordCall& call, const Value& fields);
-    Expected<void> rtm(const WordCall& call, const Value& fields);
+    /// A word that describes peers.
+    Expected<void> peer(const WordCall& call, const Value& fields);
 
     /// Sets the arguments of the file from `--set`: "n=10".
     void give_arguments(const std::vector<std::string>& set);
@@ -126,14 +115,13 @@ private:
     Expected<void> check_rates() const;
     Expected<void> check_lines() const;
     Expected<void> check_mazes() const;
-    Expected<void> check_network() const;
-    Expected<void> check_rtm() const;
 
     struct Argument {
         std::string option;  // "--set n=10"
         std::string text;
     };
     const Project& project_;
+    const PeerWords words_;
     SystemSpec spec_;
     std::map<std::string, Argument, std::less<>> given_;  // by name
     std::vector<std::string> asked_;                      // names of arguments

@@ -55,8 +55,9 @@ public:
     std::string write_system_text(const SystemSpec& spec, const std::string& title) const override {
         return nezumi::write_system_text(spec, title);
     }
-    Expected<void> apply(const StartValues& values, SystemSpec& spec, const Project& project) const override {
-        return nezumi::apply(values, spec, project);
+    Expected<void> apply(const StartValues& values, SystemSpec& spec, const Project& project,
+                         const PeerWords& words) const override {
+        return nezumi::apply(values, spec, project, words);
     }
 
     Expected<void> read_robot(RobotEntry& robot, SystemSpec& part, const Project& project) const override {

@@ -106,7 +106,8 @@ void add_word(std::string& text, std::string_view word, std::string_view suffix,
 
 }  // namespace
 
-std::string annotations(const std::vector<RecordShape>& more, const std::vector<const MessageType*>& defined) {
+std::string annotations(const std::vector<RecordShape>& more, const PeerWords& peers,
+                        const std::vector<const MessageType*>& defined) {
     std::vector<const MessageType*> messages;
     for (const MessageType& each : compiled_message_types()) messages.push_back(&each);
     messages.insert(messages.end(), defined.begin(), defined.end());
@@ -145,11 +146,10 @@ std::string annotations(const std::vector<RecordShape>& more, const std::vector<
              "Declares an out-port: `local target = output(\"target\", \"TimedVelocity2D\", \"what it is\")`.",
              messages);
     text += "---@alias ParameterValue boolean|integer|number|string|boolean[]|integer[]|number[]|string[]\n\n";
-    for (const auto* records : {&file_records(), &more}) {
-        for (const RecordShape& record : *records) text += annotation(record);
-    }
+    for (const RecordShape& record : file_records(peers)) text += annotation(record);
+    for (const RecordShape& record : more) text += annotation(record);
     text += detail::behavior_annotations;
-    text += "---@class Thing\n\n" + system_word_annotations(false);
+    text += "---@class Thing\n\n" + system_word_annotations(peers, false);
     text += fmt::format("---{}\n---@param fields {}\n---@return table\nfunction {}(fields) end\n\n",
                         Describe<RobotSpec>::doc, class_of(Describe<RobotSpec>::name), Describe<RobotSpec>::name);
     text += "---A port as seen from outside: reading it here does not consume messages.\n---@class Port\n";
@@ -157,7 +157,7 @@ std::string annotations(const std::vector<RecordShape>& more, const std::vector<
     text += "\n---@class Component\n";
     for (const MemberInfo& member : component_members()) text += annotation(member);
     text += "---@field [string] any its ports and commands\n\n";
-    return text + detail::scenario_annotations + "\n" + system_word_annotations(true);
+    return text + detail::scenario_annotations + "\n" + system_word_annotations(peers, true);
 }
 
 }  // namespace nezumi

@@ -4,14 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/files/record_shape.hpp"
+#include "engine/records/record_shape.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 
 /// A definition file (`---@meta`): the message types from their descriptions, one class per type and direction, and the
 /// words of behaviours, system files, robot files and scenarios. `more` are structures that these words take and other
-/// rooms describe: the options of scenarios.
-std::string annotations(const std::vector<RecordShape>& more, const std::vector<const MessageType*>& defined = {});
+/// rooms describe: the options of scenarios. `peers`: words of system files that describe peers.
+std::string annotations(const std::vector<RecordShape>& more, const PeerWords& peers,
+                        const std::vector<const MessageType*>& defined = {});
 
 namespace detail {
 /// The parts that do not depend on the message types.

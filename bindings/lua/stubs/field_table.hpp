@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/files/record_shape.hpp"
+#include "engine/records/record_shape.hpp"
 
 namespace nezumi {
 

@@ -9,6 +9,7 @@
 #include "bindings/lua/script/declaration_fields.hpp"
 #include "engine/components/parameter_fields.hpp"
 #include "engine/system/act_fields.hpp"
+#include "engine/system/peer_word.hpp"
 #include "engine/system/system_fields.hpp"
 #include "engine/world/calibration.hpp"
 
@@ -59,19 +60,18 @@ RecordShape robot_of_system() {
 std::string plain_word(const SystemWord& word, bool methods) {
     std::string text = fmt::format("---{}\n", word.help.doc), arguments;
     for (const SystemWord::Help::Parameter& each : word.help.parameters) {
-        if (each.name.empty()) continue;
         text += fmt::format("---@param {} {}\n", each.name, each.type);
         arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ", each.name);
     }
     if (word.form == Form::thing) text += "---@return Thing\n";
-    if (word.name == std::string_view("argument")) text += "---@return any\n";
+    if (word.name == "argument") text += "---@return any\n";
     return text + fmt::format("function {}{}({}) end\n\n", methods ? "s:" : "", word.name, arguments);
 }
 
 }  // namespace
 
-const std::vector<RecordShape>& file_records() {
-    static const std::vector<RecordShape> records{
+std::vector<RecordShape> file_records(const PeerWords& peers) {
+    std::vector<RecordShape> records{
         shape_of_record<ParameterSpec>(),
         shape_of_record<PortDeclaration>(),
         shape_of_record<ScriptAbout>(),
@@ -92,25 +92,27 @@ const std::vector<RecordShape>& file_records() {
         shape_of_record<BehaviorEntry>(),
         shape_of_record<ComponentEntry>(),
         shape_of_record<PhysicsFields>(),
-        shape_of_record<NetworkSpec>(),
-        shape_of_record<RosSpec>(),
-        shape_of_record<RosTopic>(),
-        shape_of_record<RtmSpec>(),
-        of_robot(shape_of_record<BodySpec>()),
-        of_robot(shape_of_record<Limits>()),
-        of_robot(shape_of_record<DriveSpec>()),
-        of_robot(shape_of_record<SensorSpec>()),
-        of_robot(shape_of_record<ActuatorSpec>()),
-        of_robot(shape_of_record<PortSpec>()),
-        of_robot(shape_of_record<HardwareSpec>()),
-        of_robot(shape_of_record<RobotSpec>()),
-        shape_of_record<RobotPlace>(),
-        shape_of_record<MarkerPlace>(),
-        shape_of_record<VelocityConstraint>(),
-        shape_of_record<HoldOptions>(),
-        shape_of_record<Calibration>(),
-        shape_of_record<WheelCalibration>(),
     };
+    for (const PeerWord* peer : peers) {
+        for (RecordShape& record : peer->records()) records.push_back(std::move(record));
+    }
+    for (RecordShape& record : std::vector<RecordShape>{
+             of_robot(shape_of_record<BodySpec>()),
+             of_robot(shape_of_record<Limits>()),
+             of_robot(shape_of_record<DriveSpec>()),
+             of_robot(shape_of_record<SensorSpec>()),
+             of_robot(shape_of_record<ActuatorSpec>()),
+             of_robot(shape_of_record<PortSpec>()),
+             of_robot(shape_of_record<HardwareSpec>()),
+             of_robot(shape_of_record<RobotSpec>()),
+             shape_of_record<RobotPlace>(),
+             shape_of_record<MarkerPlace>(),
+             shape_of_record<VelocityConstraint>(),
+             shape_of_record<HoldOptions>(),
+             shape_of_record<Calibration>(),
+             shape_of_record<WheelCalibration>(),
+         })
+        records.push_back(std::move(record));
     return records;
 }
 
@@ -130,17 +132,18 @@ std::string annotation(const RecordShape& record, const std::string& name, std::
     return text + "\n";
 }
 
-std::string system_word_annotations(bool methods) {
+std::string system_word_annotations(const PeerWords& peers, bool methods) {
+    const std::vector<SystemWord> words = system_words(peers);
     std::string text;
-    for (const RecordShape& record : file_records()) {
-        for (const SystemWord& word : system_words()) {
+    for (const RecordShape& record : file_records(peers)) {
+        for (const SystemWord& word : words) {
             if (word.name == record.name) text += word_of_table(record, word.form, methods);
         }
     }
-    for (const SystemWord& word : system_words()) {
+    for (const SystemWord& word : words) {
         if (word.help.doc.empty()) continue;
         // In scenarios, the seed comes from nezumi test, and the values from the sweep.
-        if (methods && (word.name == std::string_view("seed") || word.name == std::string_view("argument"))) continue;
+        if (methods && (word.name == "seed" || word.name == "argument")) continue;
         text += plain_word(word, methods);
     }
     return text;

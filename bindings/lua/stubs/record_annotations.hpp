@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/files/record_shape.hpp"
+#include "engine/records/record_shape.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 
-/// Every structure that these files contain as a table; inner structures come before outer ones.
-const std::vector<RecordShape>& file_records();
+/// Every structure that these files contain as a table; inner structures come before outer ones. `peers`: words of
+/// system files that describe peers.
+std::vector<RecordShape> file_records(const PeerWords& peers);
 
 /// `---@class (exact) BoxFields`, with a line for each field.
 std::string annotation(const RecordShape& record);
@@ -17,6 +19,6 @@ std::string annotation(const RecordShape& record);
 std::string annotation(const RecordShape& record, const std::string& name, std::string_view kind);
 
 /// The words of a system file, as functions or as methods of a scenario's `s`.
-std::string system_word_annotations(bool methods);
+std::string system_word_annotations(const PeerWords& peers, bool methods);
 
 }  // namespace nezumi

@@ -55,6 +55,7 @@ public:
     std::vector<Remark> read(const Text& text) override {
         std::vector<Remark> remarks;
         SystemFileOptions options;
+        options.peer_words = cli::peer_words();
         options.print = [&](std::string_view line) {
             remarks.push_back({.word = "prints", .text = std::string(line)});
         };
@@ -167,8 +168,11 @@ public:
         folder_.write("behaviors/none.lua", "param('x', 1)");
         TestSessionOptions options = simulated_session();
         options.folder = folder_.path("failures");
-        const auto planned =
-            plan_tests({.paths = {folder_.path(name_)}, .seed = options.seed, .installed = options.installed});
+        options.peer_words = cli::peer_words();
+        const auto planned = plan_tests({.paths = {folder_.path(name_)},
+                                         .seed = options.seed,
+                                         .installed = options.installed,
+                                         .peer_words = options.peer_words});
         if (!planned) return {remark_of(folder_.shortened(planned.error()), name_)};
         std::vector<Remark> remarks;
         for (const auto& file : planned->files) {

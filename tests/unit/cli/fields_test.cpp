@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "bindings/cli/base/environment.hpp"
 #include "bindings/console/console_fields.hpp"
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 
 // Every described structure.
 std::vector<RecordShape> all_records() {
-    std::vector<RecordShape> records = file_records();
+    std::vector<RecordShape> records = file_records(cli::peer_words());
     records.insert(records.end(), scenario_records().begin(), scenario_records().end());
     for (RecordShape& record : console_records()) records.push_back(std::move(record));
     return records;
@@ -72,7 +73,8 @@ std::string said_of(const RecordShape& record, const std::string& fields) {
     const auto fill = [&](std::string text) { return text.replace(text.find('%'), 1, fields); };
     const Project project = Project::of(root / "behaviors/systems/s.lua", {root});
     if (const auto system = systems.find(record.name); system != systems.end()) {
-        const auto read = read_system_text(fill(system->second), "behaviors/systems/s.lua", project);
+        const auto read = read_system_text(fill(system->second), "behaviors/systems/s.lua", project,
+                                           {.peer_words = cli::peer_words()});
         return read ? "no error" : read.error().message;
     }
     if (const auto robot = robots.find(record.name); robot != robots.end()) {
@@ -99,7 +101,7 @@ std::string before(const RecordShape& record, const FieldRow& row) {
 
 TEST_CASE("the readers take every field that is described, and no other", "[cli][fields]") {
     std::size_t tried = 0;
-    for (const RecordShape& record : file_records()) {
+    for (const RecordShape& record : file_records(cli::peer_words())) {
         if (said_of(record, "").empty()) continue;
         for (const FieldRow& row : record.rows) {
             CAPTURE(record.name, row.name);
@@ -118,7 +120,7 @@ TEST_CASE("the readers take every field that is described, and no other", "[cli]
 }
 
 TEST_CASE("editors are told of every field that is described", "[cli][fields]") {
-    const std::string text = annotations(scenario_records());
+    const std::string text = annotations(scenario_records(), cli::peer_words());
     for (const RecordShape& record : all_records()) {
         if (record.name == "port_options") continue;  // a class for each type, tried with the types
         if (record.name == "plot_options") continue;  // of the console, which no file is written for
@@ -180,14 +182,15 @@ TEST_CASE("the pages tell all that disturb takes", "[cli][fields]") {
 }
 
 TEST_CASE("a page that asks for fields or members that nobody described is refused", "[cli][fields]") {
-    CHECK(with_field_tables("a\n<!-- fields: bxo -->\n<!-- end -->\n", file_records()).error().message ==
-          "there are no fields of 'bxo'");
-    CHECK(with_field_tables("<!-- fields: box -->\n", file_records()).error().message ==
+    CHECK(
+        with_field_tables("a\n<!-- fields: bxo -->\n<!-- end -->\n", file_records(cli::peer_words())).error().message ==
+        "there are no fields of 'bxo'");
+    CHECK(with_field_tables("<!-- fields: box -->\n", file_records(cli::peer_words())).error().message ==
           "a marker for fields has no end");
     CHECK(with_member_tables("<!-- members: prot -->\n<!-- end -->\n").error().message ==
           "there are no members of 'prot'");
-    CHECK(with_field_tables("no table", file_records()) == "no table");
-    CHECK(with_field_tables("x\n<!-- fields: border -->\nold\n<!-- end -->\ny\n", file_records()) ==
+    CHECK(with_field_tables("no table", file_records(cli::peer_words())) == "no table");
+    CHECK(with_field_tables("x\n<!-- fields: border -->\nold\n<!-- end -->\ny\n", file_records(cli::peer_words())) ==
           "x\n<!-- fields: border -->\n| field | value | default | meaning |\n|---|---|---|---|\n"
           "| `thickness` | a positive number [m] | `0.02` |  |\n| `height` | a positive number [m] | `0.1` |  |\n"
           "<!-- end -->\ny\n");

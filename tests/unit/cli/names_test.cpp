@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "bindings/cli/base/environment.hpp"
 #include "bindings/lua/files/system_lua.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/script_globals.hpp"
@@ -23,9 +24,9 @@ void append(std::vector<std::string>& all, const auto& words) {
 std::vector<std::string> exported_words() {
     SessionRig console("arena {}", {});
     std::vector<std::string> all = console.complete("").candidates;
-    append(all, ScenarioRun::Methods::names());
+    append(all, ScenarioRun::Methods::names(cli::peer_words()));
     append(all, std::vector<std::string>{"scenario", "range"});
-    append(all, system_word_names());
+    append(all, system_word_names(cli::peer_words()));
     append(all, script_globals());
     return all;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/cli/base/environment.hpp"
 #include "bindings/lua/files/system_lua.hpp"
 #include "bindings/lua/script/script_globals.hpp"
 #include "bindings/lua/stubs/annotations.hpp"
@@ -58,12 +59,13 @@ TEST_CASE("the table of types has every message type", "[cli][types]") {
 
 TEST_CASE("the annotations are the committed ones", "[cli][types]") {
     // After a change that is meant: the same change there. `nezumi types --lua` also has the installed definitions.
-    const bool same = annotations(scenario_records()) == text_of_file(source_root() + "/tests/golden/nezumi.lua");
+    const bool same =
+        annotations(scenario_records(), cli::peer_words()) == text_of_file(source_root() + "/tests/golden/nezumi.lua");
     CHECK(same);
 }
 
 TEST_CASE("the annotations are Lua, and have every word and a class for every type and direction", "[cli][types]") {
-    const std::string text = annotations(scenario_records());
+    const std::string text = annotations(scenario_records(), cli::peer_words());
     CHECK(text.find("---@meta\n") == 0);
     const std::unique_ptr<lua_State, CloseLua> lua(luaL_newstate());
     CHECK(luaL_loadstring(lua.get(), text.c_str()) == LUA_OK);
@@ -79,7 +81,8 @@ TEST_CASE("the annotations are Lua, and have every word and a class for every ty
         CAPTURE(word);
         CHECK((has("function " + word + "(") || has(word + " = ")));
     }
-    for (const std::string word : system_word_names()) {
+    for (const std::string_view name : system_word_names(cli::peer_words())) {
+        const std::string word(name);
         CAPTURE(word);
         CHECK(has("function " + word + "("));
         CHECK(has("function s:" + word + "(") ==
@@ -88,7 +91,7 @@ TEST_CASE("the annotations are Lua, and have every word and a class for every ty
 }
 
 TEST_CASE("the annotations have every word of behaviours, systems, robots, scenarios and components", "[cli][types]") {
-    const std::string text = annotations(scenario_records());
+    const std::string text = annotations(scenario_records(), cli::peer_words());
     const auto has = [&](const std::string& line) { return text.find("\n" + line) != std::string::npos; };
     // The words that users rely on, as they write them: a word that is renamed or left out shows here.
     const std::vector<std::string> globals{
@@ -105,7 +108,7 @@ TEST_CASE("the annotations have every word of behaviours, systems, robots, scena
         CAPTURE(word);
         CHECK(has(word + " = "));
     }
-    for (const std::string_view method : ScenarioRun::Methods::names()) {
+    for (const std::string_view method : ScenarioRun::Methods::names(cli::peer_words())) {
         const std::string word(method);
         CAPTURE(word);
         CHECK((has("function s:" + word + "(") || (word == "world" && has("---@field world World "))));
@@ -159,7 +162,7 @@ TEST_CASE("the annotations have every word of behaviours, systems, robots, scena
 }
 
 TEST_CASE("a port's class says what it reads and what it takes", "[cli][types]") {
-    const std::string text = annotations(scenario_records());
+    const std::string text = annotations(scenario_records(), cli::peer_words());
     const auto has = [&](const std::string& line) { return text.find("\n" + line + "\n") != std::string::npos; };
     CHECK(has("---@field read fun(self: TimedShortSeq.In): integer[]"));
     CHECK(has("---@field write fun(self: TimedVelocity2D.Out, value: Velocity2D.Written)"));

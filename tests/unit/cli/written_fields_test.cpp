@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "bindings/cli/base/environment.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/files/system_text.hpp"
 #include "bindings/lua/stubs/record_annotations.hpp"
@@ -158,7 +159,8 @@ SystemSpec read(const std::string& text) {
     static const Scratch folder;
     folder.write("behaviors/systems/m.calibration.lua", "calibration { robot = 'm', model = 'raspimouse' }");
     const std::filesystem::path file = folder.path("behaviors/systems/s.lua");
-    auto spec = read_system_text(text, file.string(), Project::of(file, {source_root()}));
+    auto spec =
+        read_system_text(text, file.string(), Project::of(file, {source_root()}), {.peer_words = cli::peer_words()});
     INFO(text);
     INFO((spec ? std::string() : describe(spec.error())));
     REQUIRE(spec.has_value());
@@ -169,7 +171,7 @@ SystemSpec read(const std::string& text) {
 
 TEST_CASE("every field that a system file can have is written by save and read back", "[cli][fields]") {
     std::size_t tried = 0;
-    for (const RecordShape& record : file_records()) {
+    for (const RecordShape& record : file_records(cli::peer_words())) {
         CAPTURE(record.name);
         CHECK(systems.contains(record.name) != others.contains(record.name));
         if (!systems.contains(record.name)) continue;

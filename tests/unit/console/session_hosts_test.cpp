@@ -16,6 +16,7 @@
 #include "engine/system/network.hpp"
 #include "engine/trace/recent_curves.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
+#include "tests/unit/peer_words.hpp"
 #include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
@@ -71,6 +72,7 @@ struct HostsRig : ClockControl {
         folder.write("behaviors/it.lua", behavior);
         LiveOptions options;
         options.scripts = &lua_scripts();
+        options.peer_words = peer_words();
         options.installed = {source_root()};
         options.network = [this](const SystemSpec&, System&) -> Expected<std::unique_ptr<Network>> {
             auto made = std::make_unique<OneHost>();

@@ -9,6 +9,7 @@
 
 #include "bindings/dds/host_table.hpp"
 #include "bindings/dds/network_maker.hpp"
+#include "bindings/dds/network_word.hpp"
 #include "bindings/dds/sealed_transport.hpp"
 #include "bindings/dds/user_secret.hpp"
 #include "tests/unit/dds/host_rig.hpp"
@@ -169,7 +170,7 @@ struct UsersHost {
           }) {
         setenv("XDG_STATE_HOME", (scratch.path() / user).c_str(), 1);
         SystemSpec spec;
-        spec.network = std::move(network);
+        network_word().put(spec, std::move(network));
         auto made = make_networks(domains, "1.0")(spec, system);
         if (!made) FAIL(made.error().message);
         system.take_network(std::move(*made));

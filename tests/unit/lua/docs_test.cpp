@@ -6,6 +6,7 @@
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "engine/base/whole_file.hpp"
+#include "tests/unit/peer_words.hpp"
 #include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
@@ -52,7 +53,7 @@ TEST_CASE("the documentation's systems can be read", "[lua][docs]") {
     }
     CHECK(all.size() == 8);
     for (const std::string& text : all) {
-        const auto system = read_system_text(text, "behaviors/s.lua", project);
+        const auto system = read_system_text(text, "behaviors/s.lua", project, {.peer_words = peer_words()});
         INFO((system ? std::string() : describe(system.error())));
         CHECK(system.has_value());
     }

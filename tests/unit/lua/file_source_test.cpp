@@ -12,7 +12,7 @@ namespace {
 
 // "line:column" of a field of the call of `word` in `line`.
 std::string where(const FileSource& source, std::string_view word, int line, const FieldPath& path) {
-    const Place place = source.find(word, {"f.lua", line}, path);
+    const Place place = source.find(word, {"f.lua", line}, path, {});
     return std::to_string(place.line) + ":" + std::to_string(place.column);
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("a field that the text does not contain has the place of the outer fie
     CHECK(where(source, "robot", 2, {"model"}) == "2:0");
     CHECK(where(source, "robot", 9, {"model"}) == "9:0");
     CHECK(where(source, "behavior", 1, {"pose"}) == "1:0");
-    CHECK(source.find("robot", {"other.lua", 1}, {"pose"}) == Place{"other.lua", 1});
+    CHECK(source.find("robot", {"other.lua", 1}, {"pose"}, {}) == Place{"other.lua", 1});
 }
 
 TEST_CASE("elements are counted, and inner calls are separate calls", "[lua][file_source]") {
@@ -83,7 +83,7 @@ TEST_CASE("of several calls in a line, the one whose text fits the arguments is 
     INFO("no text that could have given it, or more than one: the line alone");
     CHECK(place(1, "a", fields(2, -2), {"n"}) == 0);
     CHECK(place(1, "", FileTable{{}, {{"m", {5.0}}}}, {"n"}) == 0);
-    CHECK(source.find("b", {"f.lua", 1}, {"n"}).column == 0);
+    CHECK(source.find("b", {"f.lua", 1}, {"n"}, {}).column == 0);
     CHECK(place(2, "", FileTable{{{1.0}}, {{"t", {true}}}}, {"t"}) == 18);
     CHECK(place(2, "", FileTable{{{1.0}}, {{"t", {false}}}}, {"t"}) == 0);
     CHECK(place(2, "", FileTable{{{1.0}, {std::string("s")}}, {}}, {"[1]"}) == 0);
@@ -132,7 +132,7 @@ TEST_CASE("fields are found beside functions, conditions and methods", "[lua][fi
 TEST_CASE("a text with syntax errors gives places or none", "[lua][file_source]") {
     for (const char* text : {"", "{", "}", "a {", "a { b = ", "a { 'x", "a { [[", "--[[", "a(}", "a { ) } ]", "= = {",
                              "a { end }", "a.b:c'd'{e=1"}) {
-        CHECK(FileSource(text, "f.lua").find("a", {"f.lua", 1}, {"b"}).line == 1);
+        CHECK(FileSource(text, "f.lua").find("a", {"f.lua", 1}, {"b"}, {}).line == 1);
     }
     CHECK(to_text({"sensors", "front", "at", "[2]"}) == "sensors.front.at[2]");
 }

@@ -330,25 +330,3 @@ TEST_CASE("the limits of a box also apply to boxes of maps", "[lua][system_file]
     CHECK(error("\narena { map 'map.yaml' }") ==
           "s.lua:2: box: field 'at.x' expected a number up to 1000000, got 1002499");
 }
-
-TEST_CASE("rtm lists the exported components, and connections lead to RTCs", "[lua][system_file][rtm]") {
-    const auto spec = system_of(
-        "behavior 'c' { script = 'robot_controller' }\n"
-        "rtm { nameserver = 'pc', export = { 'c' }, interface = '192.168.1.10', rename = { ['c.in'] = 'ir' } }\n"
-        "connect('rtm:ConsoleOut0.out', 'c.in')\n"
-        "connect('c.out', 'rtm:pc.host_cxt/RaspberryPiMouse0.target_velocity_in')");
-    REQUIRE(spec.rtm);
-    CHECK(spec.rtm->nameserver == "pc:2809");
-    CHECK(spec.rtm->exported == std::vector<std::string>{"c"});
-    CHECK(spec.rtm->interface == "192.168.1.10");
-    CHECK(spec.rtm->rename == ParameterValues{{"c.in", std::string("ir")}});
-    REQUIRE(spec.connections.size() == 2);
-    CHECK(spec.connections[0].to == "c.in");
-    CHECK(rtm_path(spec.connections[1].to) == RtmPath{"pc.host_cxt/RaspberryPiMouse0", "target_velocity_in"});
-
-    const auto plain = system_of("behavior 'c' { script = 'robot_controller' }");
-    CHECK_FALSE(plain.rtm);
-    const auto alone = system_of("behavior 'c' { script = 'robot_controller' } rtm { export = 'c' }");
-    CHECK(alone.rtm->nameserver == "localhost:2809");
-    CHECK(alone.rtm->interface == "127.0.0.1");
-}

@@ -1,9 +1,7 @@
-// What a system file is given from outside: arguments, the environment, calibrations of ROS; and what it is asked
-// about.
+// What a system file is given from outside: arguments, calibrations of ROS; and what it is asked about.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,22 +57,6 @@ TEST_CASE("an argument of a system file has its default or the given value", "[l
         "--set m=5: s.lua has no argument 'm': a parameter is COMPONENT.PARAMETER=VALUE, as in controller.speed_x=0.3");
     CHECK(rate_of("rate(argument(3, 50))", {}) ==
           "s.lua:1: argument: expected a name and a default, as in argument(\"n\", 5), got number");
-}
-
-TEST_CASE("the default domain of a ROS node is that of the environment", "[lua][system_file]") {
-    const auto domain_of = [](const std::string& said) {
-        const auto spec = system_of("ros { node = 'n'" + said + " }");
-        REQUIRE(spec.ros.has_value());
-        return spec.ros->domain;
-    };
-    setenv("ROS_DOMAIN_ID", "42", 1);
-    CHECK(domain_of("") == 42);
-    CHECK(domain_of(", domain = 0") == 0);
-    setenv("ROS_DOMAIN_ID", "many", 1);
-    CHECK(system_error("ros { node = 'n' }") ==
-          "s.lua:1: ros: the environment's ROS_DOMAIN_ID: expected 0 to 232, got 'many'");
-    unsetenv("ROS_DOMAIN_ID");
-    CHECK(domain_of("") == 0);
 }
 
 TEST_CASE("an angle of more than a turn gives a note about degrees", "[lua][system_file]") {

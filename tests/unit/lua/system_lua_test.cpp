@@ -71,7 +71,7 @@ TEST_CASE("an error of a method is a Lua error, which pcall catches", "[lua][sys
 TEST_CASE("words extend a system that was read before", "[lua][system_words]") {
     Methods methods;
     REQUIRE(methods.run("s:robot 'mouse' { model = 'raspimouse' }").empty());
-    SystemWords more(methods.project, methods.words.spec());
+    SystemWords more(methods.project, {}, methods.words.spec());
     methods.host.words = &more;
     CHECK(methods.run("s:behavior('mouse', { script = 'robot_controller' })") ==
           "t.lua:1: behavior 'mouse': the name is taken by the robot of t.lua:1");

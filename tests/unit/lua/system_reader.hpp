@@ -7,12 +7,14 @@
 #include <utility>
 
 #include "bindings/lua/files/system_file.hpp"
+#include "tests/unit/peer_words.hpp"
 #include "tests/unit/source_root.hpp"
 
 namespace nezumi::system_files {
 
 // Reads a text as the file behaviors/systems/s.lua of the project's own sources.
-inline Expected<SystemSpec> read(std::string_view text, const SystemFileOptions& options = {}) {
+inline Expected<SystemSpec> read(std::string_view text, SystemFileOptions options = {}) {
+    options.peer_words = peer_words();
     const Project project = Project::of(root / "behaviors/systems/s.lua", {root});
     return read_system_text(text, "behaviors/systems/s.lua", project, options);
 }

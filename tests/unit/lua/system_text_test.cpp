@@ -85,15 +85,3 @@ TEST_CASE("painted lines are written and read back", "[lua][system_text]") {
     CHECK(text.find("line { points = { { 1.0, 1.0 }, { 0.0, 1.0 } } }") != std::string::npos);
     CHECK(write_system_text(read_text(text), "Lines") == text);
 }
-
-TEST_CASE("rtm is written and read back", "[lua][system_text][rtm]") {
-    const SystemSpec spec = read_text(
-        "behavior 'c' { script = 'robot_controller' }\n"
-        "rtm { export = 'c', nameserver = 'pc', rename = { ['c.in'] = 'ir' } }\n"
-        "connect('rtm:Out0.out', 'c.in')");
-    const std::string text = write_system_text(spec, "Exported");
-    CHECK(text.find("rtm { export = { \"c\" }, nameserver = \"pc:2809\", rename = { [\"c.in\"] = \"ir\" } }\n") !=
-          std::string::npos);
-    CHECK(text.find("connect(\"rtm:Out0.out\", \"c.in\")\n") != std::string::npos);
-    CHECK(write_system_text(read_text(text), "Exported") == text);
-}

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "bindings/openrtm/rtc_profiles.hpp"
+#include "bindings/openrtm/rtm_word.hpp"
 #include "engine/values/value_text.hpp"
 #include "tests/unit/live_rig.hpp"
 
@@ -33,7 +34,7 @@ const Texts& set_of(const RtcSnapshot& snapshot, const std::string& name) {
 
 std::string error_of(const LiveRig& rig) {
     const SystemSpec& spec = rig.live->spec();
-    const auto profiles = profiles_of(rig.live->system(), *spec.rtm);
+    const auto profiles = profiles_of(rig.live->system(), *RtmWord::find(spec));
     return profiles ? "no error" : profiles.error().message;
 }
 
@@ -52,7 +53,7 @@ TEST_CASE("a component is exported with its ports, whose types OpenRTM knows", "
     const LiveRig rig(
         "behavior \"c\" { script = \"all\", rate = 50 }\nrtm { export = \"c\", rename = { [\"c.in\"] = \"ir\" } }",
         {{"all", all_kinds}});
-    const auto profiles = profiles_of(rig.live->system(), *rig.live->spec().rtm);
+    const auto profiles = profiles_of(rig.live->system(), *RtmWord::find(rig.live->spec()));
     REQUIRE(profiles);
     CHECK(*profiles == std::vector<RtcProfile>{{.component = "c",
                                                 .type = "All",
@@ -63,7 +64,7 @@ TEST_CASE("a component is exported with its ports, whose types OpenRTM knows", "
 
 TEST_CASE("a robot is exported as a component", "[openrtm][profiles]") {
     const LiveRig rig("robot \"mouse\" { model = \"raspimouse\" }\nrtm { export = \"mouse\" }");
-    const auto profiles = profiles_of(rig.live->system(), *rig.live->spec().rtm);
+    const auto profiles = profiles_of(rig.live->system(), *RtmWord::find(rig.live->spec()));
     REQUIRE(profiles);
     REQUIRE(profiles->size() == 1);
     CHECK(profiles->front().rate == 100);

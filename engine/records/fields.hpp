@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/files/file_source.hpp"
-#include "bindings/lua/files/file_value.hpp"
 #include "engine/base/error.hpp"
 #include "engine/components/parameter.hpp"
 #include "engine/ports/messages.hpp"
 #include "engine/ports/setting.hpp"
+#include "engine/records/field_path.hpp"
+#include "engine/records/file_table.hpp"
 
 namespace nezumi {
 
@@ -22,7 +22,7 @@ class FieldCheck {
 public:
     /// Every message begins with `what`: "robot 'mouse'". `source` may be null. `noun` is the name of a field in
     /// messages.
-    FieldCheck(std::string what, std::string word, Place call, const FileSource* source, std::string noun = "field")
+    FieldCheck(std::string what, std::string word, Place call, const FieldSource* source, std::string noun = "field")
         : what_(std::move(what)),
           word_(std::move(word)),
           call_(std::move(call)),
@@ -59,7 +59,7 @@ private:
     std::string what_;
     std::string word_;
     Place call_;
-    const FileSource* source_;
+    const FieldSource* source_;
     std::string noun_;
     GivenTable given_;
     int gravity_ = 0;

@@ -1,5 +1,5 @@
 // One writer for all structures, by the table of their type.
-#include "bindings/lua/files/write_record.hpp"
+#include "engine/records/write_record.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Reads the table of a described structure, strictly and field by field.
 #pragma once
 
-#include "bindings/lua/files/file_fields.hpp"
+#include "engine/records/fields.hpp"
 
 namespace nezumi {
 

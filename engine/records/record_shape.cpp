@@ -1,12 +1,12 @@
 // Describes the values of fields in words.
-#include "bindings/lua/files/record_shape.hpp"
+#include "engine/records/record_shape.hpp"
 
 #include <fmt/format.h>
 
 #include <cctype>
 #include <span>
 
-#include "bindings/lua/files/write_record.hpp"
+#include "engine/records/write_record.hpp"
 
 namespace nezumi {
 namespace {

@@ -1,13 +1,12 @@
 // Checks a connection as far as possible without the other RTC.
-#include "engine/system/rtm_wiring.hpp"
+#include "bindings/openrtm/rtm_wiring.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
-namespace nezumi {
+namespace nezumi::openrtm {
 namespace {
 
 constexpr std::array<std::string_view, 2> own_types{"CameraIntrinsics", "SeenMarkerSeq"};
@@ -45,15 +44,4 @@ Expected<RtmEnds> rtm_ends(const System& system, const ConnectionSpec& connectio
     return RtmEnds{ours, std::move(*theirs)};
 }
 
-System::ForeignCheck rtm_check(const std::optional<RtmSpec>& rtm) {
-    return [exported = rtm ? rtm->exported : std::vector<std::string>{}](
-               const System& system, const ConnectionSpec& connection) -> Expected<void> {
-        const auto ends = rtm_ends(system, connection);
-        if (!ends) return Unexpected(ends.error());
-        const std::string component = ends->ours.substr(0, ends->ours.find('.'));
-        if (std::find(exported.begin(), exported.end(), component) != exported.end()) return {};
-        return failure(needs_export(ends->ours == connection.from ? connection.to : connection.from, component));
-    };
-}
-
-}  // namespace nezumi
+}  // namespace nezumi::openrtm

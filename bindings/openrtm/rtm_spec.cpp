@@ -1,5 +1,5 @@
 // The names of RTCs, their ports and their name service.
-#include "engine/system/rtm_spec.hpp"
+#include "bindings/openrtm/rtm_spec.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cctype>
 #include <charconv>
 
-namespace nezumi {
+namespace nezumi::openrtm {
 namespace {
 
 constexpr std::string_view prefix = "rtm:";
@@ -70,4 +70,4 @@ std::string adopt_interface(std::string& text) {
     return fits ? "" : fmt::format("expected an address as 192.168.1.10, got '{}'", shown(text));
 }
 
-}  // namespace nezumi
+}  // namespace nezumi::openrtm

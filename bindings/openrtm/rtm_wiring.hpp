@@ -1,15 +1,14 @@
 // Which connections there can be between ports of a system and other programs' RTCs.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
+#include "bindings/openrtm/rtm_spec.hpp"
 #include "engine/base/error.hpp"
-#include "engine/system/rtm_spec.hpp"
 #include "engine/system/system.hpp"
 
-namespace nezumi {
+namespace nezumi::openrtm {
 
 /// The repository id by which OpenRTM-aist knows a message type: "IDL:RTC/TimedShortSeq:1.0", or what the file that
 /// defines it says. "" for none: what was added to OpenRTM's own types, and definitions without a name there.
@@ -29,7 +28,4 @@ struct RtmEnds {
 /// RTC's, or if the other end is no port, has the wrong direction, or a type that OpenRTM does not know.
 Expected<RtmEnds> rtm_ends(const System& system, const ConnectionSpec& connection);
 
-/// For `System::take_foreign_check`: an error if `rtm_ends` has one, or if this system's end is not exported.
-System::ForeignCheck rtm_check(const std::optional<RtmSpec>& rtm);
-
-}  // namespace nezumi
+}  // namespace nezumi::openrtm

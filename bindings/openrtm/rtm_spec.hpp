@@ -8,7 +8,7 @@
 #include "engine/base/error.hpp"
 #include "engine/components/parameter.hpp"
 
-namespace nezumi {
+namespace nezumi::openrtm {
 
 /// `rtm { nameserver, export, interface, rename }`.
 struct RtmSpec {
@@ -36,4 +36,4 @@ std::string adopt_nameserver(std::string& text);
 /// Checks that this is an IPv4 address in digits; returns the error, or "".
 std::string adopt_interface(std::string& text);
 
-}  // namespace nezumi
+}  // namespace nezumi::openrtm

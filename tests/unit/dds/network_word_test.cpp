@@ -1,28 +1,32 @@
 // `network` and `ros` in system files: what they take, and what they refuse.
 #include <catch2/catch.hpp>
+#include <cstdlib>
+#include <string>
 
 #include "bindings/lua/files/system_text.hpp"
 #include "tests/unit/lua/system_reader.hpp"
 
 using namespace nezumi;
+using namespace nezumi::dds;
 using namespace nezumi::system_files;
 
-TEST_CASE("network gives the name of the host", "[lua][system_file][network]") {
+TEST_CASE("network gives the name of the host", "[dds][system_file][network]") {
     const auto spec = system_of(
         "network { name = 'mouse_pi', domain = 7, interface = 'wlan0', peers = { '192.168.11.2' }, secret = 's.key' }");
-    REQUIRE(spec.network.has_value());
-    CHECK(spec.network->name == "mouse_pi");
-    CHECK(spec.network->domain == 7);
-    CHECK(spec.network->interface == "wlan0");
-    CHECK(spec.network->peers == std::vector<std::string>{"192.168.11.2"});
-    CHECK(spec.network->secret == "s.key");
-    CHECK_FALSE(spec.network->open);
-    CHECK_FALSE(spec.network->lockstep);
-    CHECK(spec.network->place.line == 1);
-    CHECK_FALSE(system_of("seed(1)").network.has_value());
+    const NetworkSpec* network = NetworkWord::find(spec);
+    REQUIRE(network != nullptr);
+    CHECK(network->name == "mouse_pi");
+    CHECK(network->domain == 7);
+    CHECK(network->interface == "wlan0");
+    CHECK(network->peers == std::vector<std::string>{"192.168.11.2"});
+    CHECK(network->secret == "s.key");
+    CHECK_FALSE(network->open);
+    CHECK_FALSE(network->lockstep);
+    CHECK(network->place.line == 1);
+    CHECK(system_of("seed(1)").peers.empty());
 }
 
-TEST_CASE("a port of another host is named host/name.port", "[lua][system_file][network]") {
+TEST_CASE("a port of another host is named host/name.port", "[dds][system_file][network]") {
     const auto spec =
         system_of("network { name = 'a' } connect('ev3/vehicle.current_vel', 'mouse.target_velocity_in')");
     REQUIRE(spec.connections.size() == 1);
@@ -39,26 +43,27 @@ TEST_CASE("a port of another host is named host/name.port", "[lua][system_file][
           "s.lua:2: connect: expected \"name.port\", got '/x.out'");
 }
 
-TEST_CASE("ros lists the topics of a system", "[lua][system_file][network]") {
+TEST_CASE("ros lists the topics of a system", "[dds][system_file][network]") {
     const auto spec = system_of(
         "ros { node = 'mouse', domain = 5,\n"
         "  publish = { ['mouse.current_velocity_out'] = '/velocity' },\n"
         "  subscribe = { ['/cmd_vel'] = { port = 'mouse.target_velocity_in', type = 'geometry_msgs/msg/TwistStamped' } "
         "} }");
-    REQUIRE(spec.ros.has_value());
-    CHECK(spec.ros->node == "mouse");
-    CHECK(spec.ros->domain == 5);
-    REQUIRE(spec.ros->publish.size() == 1);
-    CHECK(spec.ros->publish[0].port == "mouse.current_velocity_out");
-    CHECK(spec.ros->publish[0].topic == "/velocity");
-    CHECK(spec.ros->publish[0].place.line == 2);
-    REQUIRE(spec.ros->subscribe.size() == 1);
-    CHECK(spec.ros->subscribe[0].port == "mouse.target_velocity_in");
-    CHECK(spec.ros->subscribe[0].topic == "/cmd_vel");
-    CHECK(spec.ros->subscribe[0].type == "geometry_msgs/msg/TwistStamped");
+    const RosSpec* ros = RosWord::find(spec);
+    REQUIRE(ros != nullptr);
+    CHECK(ros->node == "mouse");
+    CHECK(ros->domain == 5);
+    REQUIRE(ros->publish.size() == 1);
+    CHECK(ros->publish[0].port == "mouse.current_velocity_out");
+    CHECK(ros->publish[0].topic == "/velocity");
+    CHECK(ros->publish[0].place.line == 2);
+    REQUIRE(ros->subscribe.size() == 1);
+    CHECK(ros->subscribe[0].port == "mouse.target_velocity_in");
+    CHECK(ros->subscribe[0].topic == "/cmd_vel");
+    CHECK(ros->subscribe[0].type == "geometry_msgs/msg/TwistStamped");
 }
 
-TEST_CASE("network and ros are written and read back", "[lua][system_text][network]") {
+TEST_CASE("network and ros are written and read back", "[dds][system_text][network]") {
     const std::string text =
         "network { name = \"a\", domain = 3, lockstep = true, peers = { \"10.0.0.1\", \"10.0.0.2\" }, hosts = { \"b\" "
         "} }\n"
@@ -73,4 +78,20 @@ TEST_CASE("network and ros are written and read back", "[lua][system_text][netwo
         "  },\n"
         "}\n";
     CHECK(write_system_text(system_of(text), "x") == "--- x\n" + text + "\n");
+}
+
+TEST_CASE("the default domain of a ROS node is that of the environment", "[dds][system_file][network]") {
+    const auto domain_of = [](const std::string& said) {
+        const auto spec = system_of("ros { node = 'n'" + said + " }");
+        REQUIRE(RosWord::find(spec) != nullptr);
+        return RosWord::find(spec)->domain;
+    };
+    setenv("ROS_DOMAIN_ID", "42", 1);
+    CHECK(domain_of("") == 42);
+    CHECK(domain_of(", domain = 0") == 0);
+    setenv("ROS_DOMAIN_ID", "many", 1);
+    CHECK(system_error("ros { node = 'n' }") ==
+          "s.lua:1: ros: the environment's ROS_DOMAIN_ID: expected 0 to 232, got 'many'");
+    unsetenv("ROS_DOMAIN_ID");
+    CHECK(domain_of("") == 0);
 }

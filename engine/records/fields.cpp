@@ -1,5 +1,5 @@
 // Checks of fields, and their messages.
-#include "bindings/lua/files/file_fields.hpp"
+#include "engine/records/fields.hpp"
 
 #include <fmt/format.h>
 

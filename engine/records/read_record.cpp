@@ -1,11 +1,11 @@
 // One reader for all structures, by the table of their type.
-#include "bindings/lua/files/read_record.hpp"
+#include "engine/records/read_record.hpp"
 
 #include <fmt/format.h>
 
 #include <type_traits>
 
-#include "bindings/lua/files/record_shape.hpp"
+#include "engine/records/record_shape.hpp"
 
 namespace nezumi {
 namespace {

@@ -1,0 +1,22 @@
+// Fields of the words `network` and `ros` that say where in a DDS domain a system is.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/records/fields.hpp"
+
+namespace nezumi::dds {
+
+/// The last domain that has ports (RTPS 2.5, 9.6.2.3).
+inline constexpr std::int64_t last_domain = 232;
+
+/// Checks that the field `peers` has addresses or names of hosts. Does not check whether such hosts exist.
+void check_peers(FieldCheck& check, const std::vector<std::string>& peers);
+
+/// The text of a list of names as a further field: ", peers = { \"a\", \"b\" }"; "" for none.
+std::string names_text(std::string_view field, const std::vector<std::string>& names);
+
+}  // namespace nezumi::dds

@@ -1,0 +1,57 @@
+// The word `rtm` of system files: components that are exported as RTCs, and connections of their ports.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <tuple>
+
+#include "bindings/openrtm/rtm_spec.hpp"
+#include "engine/base/error.hpp"
+#include "engine/ports/setting.hpp"
+#include "engine/system/peer_word_of.hpp"
+
+namespace nezumi {
+
+template <>
+struct Describe<openrtm::RtmSpec> {
+    static constexpr std::string_view name = "rtm";
+    static constexpr std::string_view doc =
+        "Components that are visible to OpenRTM-aist components and can be connected to them.";
+    static constexpr std::tuple fields{
+        Setting{"nameserver",
+                &openrtm::RtmSpec::nameserver,
+                "",
+                "\"HOST:PORT\" of the CORBA name service",
+                {.adopt = openrtm::adopt_nameserver}},
+        Setting{"export", &openrtm::RtmSpec::exported, "", "the components that appear there"},
+        Setting{"interface",
+                &openrtm::RtmSpec::interface,
+                "",
+                "this computer's address, at which others reach them; by default only this computer reaches them",
+                {.adopt = openrtm::adopt_interface}},
+        Setting{"rename", &openrtm::RtmSpec::rename, "", "what a port is called there, by `\"name.port\"`"},
+        Internal{&openrtm::RtmSpec::place},
+    };
+};
+
+namespace openrtm {
+
+class RtmWord final : public PeerWordOf<RtmSpec> {
+public:
+    bool follows_components() const override { return true; }
+    Expected<void> check(const SystemSpec& system) const override;
+    void remove_missing(SystemSpec& system) const override;
+    std::string_view port_form() const override { return "rtm:NAME.port"; }
+    Expected<void> check_port(std::string_view end) const override;
+    Expected<void> check_connection(const System& system, const PeerSpec* spec,
+                                    const ConnectionSpec& connection) const override;
+
+protected:
+    void complete(RtmSpec& given, Fields& fields, const PeerCall& call) const override;
+    std::string text_of(const RtmSpec& given) const override;
+};
+
+const RtmWord& rtm_word();
+
+}  // namespace openrtm
+}  // namespace nezumi

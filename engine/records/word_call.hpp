@@ -1,0 +1,21 @@
+// The call of a word of a file, for the errors of its reader.
+#pragma once
+
+#include <string>
+
+#include "engine/base/error.hpp"
+#include "engine/records/fields.hpp"
+
+namespace nezumi {
+
+/// The place of a call. File names are searched beside `place.file`.
+struct WordCall {
+    std::string word;
+    Place place;
+    const FieldSource* source = nullptr;  ///< the text of that file, for places within the call; may be null
+};
+
+/// The check of the table of a call. Messages begin with "WORD 'NAME'", or with "WORD" if the call has no name.
+FieldCheck check_of(const WordCall& call, const Value& fields, const std::string& name = "");
+
+}  // namespace nezumi
