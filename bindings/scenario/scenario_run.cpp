@@ -25,7 +25,11 @@ constexpr std::size_t most_printed = std::size_t{64} << 10;  // [bytes]
 std::uint64_t seed_of(std::uint64_t seed, std::string_view scenario) { return mix(seed, scenario); }
 
 ScenarioRun::ScenarioRun(ScenarioFile& file, std::size_t scenario, RunSettings settings)
-    : file_(file), scenario_(file.scenarios()[scenario]), index_(scenario), settings_(std::move(settings)) {}
+    : file_(file),
+      scenario_(file.scenarios()[scenario]),
+      index_(scenario),
+      settings_(std::move(settings)),
+      function_texts_([&file](const std::string& shown) { return file.text(shown); }) {}
 
 ScenarioRun::~ScenarioRun() = default;
 
@@ -142,11 +146,7 @@ std::string_view ScenarioRun::values() const {
 
 void ScenarioRun::finish() {
     const auto tell = [this](const Watched& watched) {
-        if (!watched.margin) return;
-        const Margin& margin = *watched.margin;
-        result_.margins.push_back(fmt::format("{}: came within {} of the limit at {} ({})", watched.expectation.title(),
-                                              text_of_number(margin.distance, margin.comparison->unit),
-                                              text_of_time(watched.margin_at), text_of(*margin.comparison)));
+        result_.margins.push_back(watched.margin.result(watched.expectation, watched.condition->why()));
     };
     for (const auto& watched : watches_) tell(*watched);
     for (const auto& watched : waits_) tell(*watched);
