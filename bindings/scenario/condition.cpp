@@ -241,6 +241,11 @@ void Condition::take_value(lua_State* lua, Comparison& value) {
     value.result = lua_toboolean(lua, 2) != 0;
     value.robustness = of_result(value.result);
     value.decided = &value;
+    if (value.is_contact) {
+        const auto clearance = texts_.clearance ? texts_.clearance(lua, 3) : std::nullopt;
+        if (clearance) value.robustness = value.result ? 0.0 : 0.0 - *clearance;
+        lua_settop(lua, 2);
+    }
     if (value.called.empty() || depth_ == 0) return;
     --depth_;
     Function* const function = depth_ < deepest ? calls_[depth_] : nullptr;

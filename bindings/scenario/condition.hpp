@@ -6,6 +6,7 @@
 #include <lua.hpp>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,7 +20,7 @@ namespace nezumi {
 /// Time limit for one call of a condition.
 inline constexpr Budget condition_budget{2.0};
 
-/// The source texts of functions, each parsed once.
+/// What conditions need to know: the source texts of functions, each parsed once, and clearances.
 class FunctionTexts {
 public:
     /// The text of a file, which outlives this; null if it is unknown.
@@ -27,6 +28,10 @@ public:
 
     explicit FunctionTexts(Find find) : find_(std::move(find)) {}
     const SyntaxTree* tree(const std::string& file);
+
+    /// The distance [m] from the robot at this index to what it would touch first. Nothing if it is unknown, or no
+    /// robot.
+    std::function<std::optional<double>(lua_State* lua, int index)> clearance{};
 
 private:
     Find find_;

@@ -271,7 +271,9 @@ private:
             insert(begin_of(node), call(HookCall::call, index));
             insert(end_of(callee), ")");
         }
-        insert(end_of(node), ")");
+        value.is_contact = node.is(Kind::member) && node.word_text() == "collided" && name_chain(*node.child);
+        if (value.is_contact) value.unit = "m";
+        insert(end_of(node), value.is_contact ? fmt::format(",{})", words(*node.child)) : ")");
         observed.comparisons.push_back(std::move(value));
         return index;
     }

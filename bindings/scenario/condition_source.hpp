@@ -13,7 +13,8 @@ namespace nezumi {
 /// comparison or decision.
 enum class HookCall : unsigned char {
     compare,  ///< (left, right): gives the result of the comparison
-    value,    ///< (...): a value that counts as true or false; gives all its arguments
+    value,    ///< (...): a value that counts as true or false; gives all its arguments. Of X.collided (value, X): gives
+              ///< the value
     call,     ///< (function): the function that is called for the next value; gives what is called instead
     decide,   ///< (...): the value of a decision; gives all its arguments
 };

@@ -18,6 +18,7 @@ struct Comparison {
     Operator op = Operator::less;
     std::string_view unit{};  ///< of what is compared, "" when the text does not tell
     bool negated = false;     ///< the condition has `not` before it
+    bool is_contact = false;  ///< the value is `X.collided` of a robot, whose clearance is a number
     std::string called{};     ///< the value of a call: what is called, as in Lua's messages: "upvalue 'near'"
 
     bool evaluated = false;

@@ -78,7 +78,16 @@ Expected<void> ScenarioRun::open() {
         constexpr std::size_t most = 32;
         if (read_ports_.size() < most) read_ports_.push_back(port);
     });
+    function_texts_.clearance = [this](lua_State* lua, int index) { return clearance(lua, index); };
     return {};
+}
+
+std::optional<double> ScenarioRun::clearance(lua_State* lua, int index) const {
+    if (to_object(lua, index, ObjectKind::component) == nullptr) return std::nullopt;
+    const auto at = objects_->to_component(lua, index);
+    if (!at) return std::nullopt;
+    const auto seen = seen_robot(at->live->system(), *at->component);
+    return seen ? seen->world->clearance(seen->id) : std::nullopt;
 }
 
 RunResult ScenarioRun::run() {

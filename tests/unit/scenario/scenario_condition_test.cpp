@@ -58,6 +58,8 @@ TEST_CASE("values and calls among comparisons are observed too", "[lua][scenario
     CHECK(observed_text("f(a < 1)") == "function() return h(1,h(2,f)(a < 1)) end");
     CHECK(observed_text("a < 1 == true") == "function() return h(1,a < 1 == true) end");
     CHECK(observed_text("a or-1") == "function() return h(1,a) or h(5,-1) end");
+    CHECK(observed_text("not a.collided") == "function() return not h(1,a.collided,a) end");
+    CHECK(observed_text("f().collided") == "function() return h(1,f().collided) end");
     CHECK(observed_text("true or a < 1") == "function() return true or h(0,a ,( 1)) end");
 }
 

@@ -147,6 +147,21 @@ TEST_CASE("the table of margins has a row for each run and condition", "[scenari
     CHECK_FALSE(is_margins_csv(measures_csv({})));
 }
 
+TEST_CASE("a robot that touches something is at the limit", "[scenario][margins]") {
+    ScenarioRig rig(
+        "scenario('it', function(s)\n"
+        "  local w = s:load 'systems/stop_at_wall.lua'\n"
+        "  w.controller:deactivate()\n"
+        "  s:hold(w.mouse.target_velocity_in, { vx = 0.4 })\n"
+        "  s:never('touches', function() return w.mouse.collided end)\n"
+        "  s:run(10)\n"
+        "end)");
+    const RunResult result = rig.run();
+    CHECK(result.outcome == RunOutcome::failed);
+    CHECK(result.margins.at(0).margin == 0.0);
+    CHECK(result.margins.at(0).time > 1);
+}
+
 TEST_CASE("a session reports margins, whatever the number of jobs", "[scenario][margins][session]") {
     ScenarioRig rig(two_scenarios);
     rig.options.jobs = 1;
@@ -158,13 +173,17 @@ TEST_CASE("a session reports margins, whatever the number of jobs", "[scenario][
     CHECK(keeps_off.comparison == "w.mouse.truth.pose.position.x < 0.5");
     CHECK(keeps_off.margin.value() > 0.35);
     CHECK(keeps_off.unit == "m");
-    CHECK(one.measured[0].margins[1].why == "w.mouse.collided is true or false");
+    const ConditionMargin& touches = one.measured[0].margins[1];
+    CHECK(touches.comparison == "w.mouse.collided");
+    CHECK(touches.margin.value() > 0.3);
+    CHECK(touches.margin.value() < 1);
+    CHECK(touches.unit == "m");
     CHECK(one.measured[0].margins[2].left.value() > 1);
     CHECK(one.measured[2].margins[0].margin == one.measured[2].margins[0].left);
     CHECK(rig.said.find("\nalways 'keeps off' of drives: least margin of 2 runs 0.") != std::string::npos);
     CHECK(rig.said.find("\neventually 'goes' of drives: least time left of 2 runs 1.") != std::string::npos);
     CHECK(rig.said.find("of drives [speed=0.1]\n") != std::string::npos);
-    CHECK(rig.said.find("\n    never 'touches': no margin: w.mouse.collided is true or false\n") != std::string::npos);
+    CHECK(rig.said.find("\n    never 'touches': came within 0.") != std::string::npos);
     rig.options.jobs = 3;
     CHECK(margins_csv(rig.session().measured) == margins_csv(one.measured));
 }
