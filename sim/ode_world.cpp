@@ -235,6 +235,41 @@ Expected<void> OdeWorld::check_free(const RobotModel& model, const std::string& 
                                pose.position.y, overlap->other));
 }
 
+std::optional<double> OdeWorld::clearance(RobotId id) const {
+    const SimRobot& self = robot(id);
+    if (self.touched) return 0;
+    Shape hull = self.model->hull;
+    place_hull(hull, *self.model, self.body);
+    const double top = hull.centre.z() + hull.half_height();
+    const double reach = hull.reach();
+    // A robot that tilts a little is as long as one that stands.
+    const auto level = [](Shape& shape) {
+        if (shape.rotation(2, 2) > 0.9)
+            shape.rotation = yaw_rotation(std::atan2(shape.rotation(1, 0), shape.rotation(0, 0)));
+    };
+    level(hull);
+    double least = most_clearance;
+    const auto look = [&](const Shape& shape) {
+        if (shape.centre.z() - shape.half_height() > top) return;
+        // Most shapes are farther than the nearest one at their rims.
+        const double dx = shape.centre.x() - hull.centre.x(), dy = shape.centre.y() - hull.centre.y();
+        const double far = least + reach + shape.reach();
+        if (dx * dx + dy * dy < far * far) least = std::min(least, gap_from_above(hull, shape));
+    };
+    // What is near is found fast; if there is something, nothing else can be nearer.
+    for (const double range : {0.1 * most_clearance, most_clearance}) {
+        scene_.for_each_fixed_near(hull.centre.x(), hull.centre.y(), reach + range,
+                                   [&](Scene::Index, const Shape& shape) { look(shape); });
+        scene_.for_each_mover_near(hull.centre.x(), hull.centre.y(), reach + range, self.mover,
+                                   [&](Scene::Index index, Shape shape) {
+                                       if (!movers_.is_thing(index)) level(shape);
+                                       look(shape);
+                                   });
+        if (least <= range) break;
+    }
+    return least;
+}
+
 Truth OdeWorld::truth(RobotId id) const {
     const SimRobot& robot = movers_.robots[id];
     const Rotation rotation = robot.body.rotation();

@@ -105,4 +105,36 @@ double distance_from_above(const Shape& shape, double x, double y) {
     return std::hypot(std::max(0.0, along), std::max(0.0, across));
 }
 
+namespace {
+
+// The least distance from the corners of an upright box to the other shape.
+double gap_at_corners(const Shape& box, const Shape& other) {
+    double least = nothing;
+    for (const double x : {-box.half.x(), box.half.x()}) {
+        for (const double y : {-box.half.y(), box.half.y()}) {
+            const Vec3 corner = box.centre + rotate(box.rotation, {x, y, 0});
+            least = std::min(least, distance_from_above(other, corner.x(), corner.y()));
+        }
+    }
+    return least;
+}
+
+bool is_upright_box(const Shape& shape) { return shape.kind == Shape::Kind::box && shape.is_upright(); }
+
+}  // namespace
+
+double gap_from_above(const Shape& a, const Shape& b) {
+    // Two boxes that do not overlap are nearest to each other at a corner.
+    if (is_upright_box(a) && is_upright_box(b)) {
+        const bool overlap = distance_from_above(a, b.centre.x(), b.centre.y()) == 0 ||
+                             distance_from_above(b, a.centre.x(), a.centre.y()) == 0;
+        return overlap ? 0 : std::min(gap_at_corners(a, b), gap_at_corners(b, a));
+    }
+    // The other shape is taken as a disc, which is exact for an upright cylinder.
+    const Shape& disc = is_upright_box(a) ? b : a;
+    const Shape& other = is_upright_box(a) ? a : b;
+    const double radius = disc.kind == Shape::Kind::cylinder && disc.is_upright() ? disc.half.x() : disc.reach();
+    return std::max(0.0, distance_from_above(other, disc.centre.x(), disc.centre.y()) - radius);
+}
+
 }  // namespace nezumi::sim

@@ -47,4 +47,8 @@ double cast_ray(const Shape& shape, const Vec3& from, const Vec3& direction, dou
 /// Distance [m] from (x, y) to the shape seen from above: 0 inside. Exact for upright shapes, otherwise a lower bound.
 double distance_from_above(const Shape& shape, double x, double y);
 
+/// The gap [m] between two shapes seen from above, 0 if they overlap. Exact for upright shapes that do not overlap,
+/// otherwise a lower bound.
+double gap_from_above(const Shape& a, const Shape& b);
+
 }  // namespace nezumi::sim

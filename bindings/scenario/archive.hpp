@@ -1,10 +1,11 @@
 // Writes structures as bytes and reads them back: the fields in order, numbers as in memory, texts and lists after
-// their length.
+// their length, optional values after whether they exist.
 #pragma once
 
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -19,6 +20,10 @@ template <class T>
 inline constexpr bool is_list = false;
 template <class T>
 inline constexpr bool is_list<std::vector<T>> = true;
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
 
 /// A structure needs a function `each_field(archive, value)` in its namespace. It calls the archive with each field,
 /// and returns whether all of them were read. The size of a number must be the same on all machines (no `std::size_t`).
@@ -38,6 +43,9 @@ struct ArchiveWriter {
             (*this)(static_cast<std::uint64_t>(value.size()));
             for (const auto& each : value) (*this)(each);
             return true;
+        } else if constexpr (is_optional<T>) {
+            (*this)(value.has_value());
+            return !value || (*this)(*value);
         } else {
             return each_field(*this, value);
         }
@@ -73,6 +81,11 @@ struct ArchiveReader {
                 if (!(*this)(value.emplace_back())) return false;
             }
             return true;
+        } else if constexpr (is_optional<T>) {
+            bool has_value = false;
+            if (!(*this)(has_value)) return false;
+            value.reset();
+            return !has_value || (*this)(value.emplace());
         } else {
             return each_field(*this, value);
         }

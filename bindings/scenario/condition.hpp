@@ -1,7 +1,10 @@
 // A condition of a scenario: a Lua function that returns true or false, and the numbers that it compares.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <lua.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,53 +12,79 @@
 #include <vector>
 
 #include "bindings/lua/sandbox/call.hpp"
-#include "bindings/scenario/condition_source.hpp"
+#include "bindings/lua/syntax/syntax_tree.hpp"
+#include "bindings/scenario/formula.hpp"
 
 namespace nezumi {
 
 /// Time limit for one call of a condition.
 inline constexpr Budget condition_budget{2.0};
 
+/// What conditions need to know: the source texts of functions, each parsed once, and clearances.
+class FunctionTexts {
+public:
+    /// The text of a file, which outlives this; null if it is unknown.
+    using Find = std::function<const std::string*(const std::string& file)>;
+
+    explicit FunctionTexts(Find find) : find_(std::move(find)) {}
+    const SyntaxTree* tree(const std::string& file);
+
+    /// The distance [m] from the robot at this index to what it would touch first. Nothing if it is unknown, or no
+    /// robot.
+    std::function<std::optional<double>(lua_State* lua, int index)> clearance{};
+
+private:
+    Find find_;
+    std::map<std::string, std::unique_ptr<SyntaxTree>> trees_;
+};
+
 class Condition {
 public:
-    /// Takes the function at `index`. `text` is the source of its file, or null. If the function has the form
-    /// `function() return EXPRESSION end`, it is replaced by a function that does the same and records the compared
-    /// numbers.
-    static tl::expected<std::unique_ptr<Condition>, CallError> take(lua_State* lua, int index, const std::string* text);
+    /// Takes the function at `index`. If its text is known, it is replaced by a function that does the same and records
+    /// the compared numbers; so is each Lua function whose result is a part of the condition, when it is called.
+    static tl::expected<std::unique_ptr<Condition>, CallError> take(lua_State* lua, int index, FunctionTexts& texts);
+    ~Condition();
     Condition(const Condition&) = delete;
     Condition& operator=(const Condition&) = delete;
 
     /// Calls it.
     tl::expected<bool, CallError> sample(lua_State* lua);
 
-    /// In the order of the text; empty if the function has another form.
-    const std::vector<Comparison>& comparisons() const { return comparisons_; }
+    /// Its own, without those of functions that it calls, in the order of the text.
+    const std::vector<Comparison>& comparisons() const;
+    /// Of the last sample.
+    const Robustness& robustness() const { return robustness_; }
+    /// Why nothing is known about its numbers; "" if something is.
+    const std::string& why() const { return why_; }
+    /// The compared values that caused the last result, and their differences; "" if unknown.
+    std::string reason() const;
 
 private:
-    Condition() = default;
-    static int compare(lua_State* lua);
-    bool observe(lua_State* lua, int function, const std::string& text);
+    struct Function;
 
-    std::vector<Comparison> comparisons_;
+    explicit Condition(FunctionTexts& texts);
+    static int hook(lua_State* lua);
+    static int compare(lua_State* lua, Comparison& comparison);
+    int called(lua_State* lua, const Comparison& comparison);
+    void take_value(lua_State* lua, Comparison& value);
+    bool observe(lua_State* lua, int index, Function& function);
+    Function* helper(lua_State* lua, int index);
+
+    FunctionTexts& texts_;
+    std::unique_ptr<Function> own_;  // null: it is not observed
+    std::map<const void*, std::unique_ptr<Function>> helpers_;
+    static constexpr std::size_t deepest = 16;
+    std::array<Function*, deepest> calls_{};  // functions that are being called; null: one that is not observed
+    std::size_t depth_ = 0;                   // may be more than `deepest`
+    Robustness robustness_;
+    bool held_ = false;
+    std::string why_;
 };
 
-/// How far the numbers that decided were from the limit.
-struct Margin {
-    double distance = 0;  ///< never negative
-    const Comparison* comparison = nullptr;
-};
-
-/// After a sample with the result `held`: the comparison that was nearest to its limit, among those that alone could
-/// have changed the result. A comparison for equality has no margin.
-std::optional<Margin> margin_of(const std::vector<Comparison>& comparisons, bool held);
-
-/// After a sample with the result `held`: the compared values that caused the result, and their differences; "" if
-/// unknown.
-std::string reason_of(const std::vector<Comparison>& comparisons, bool held);
+/// Why a robustness is infinite: "mouse.collided is true or false".
+std::string why_without_numbers(const Robustness& robustness);
 
 /// "0.004 m", "12".
 std::string text_of_number(double number, std::string_view unit);
-/// "mouse.truth.pose.position.x < 0.7".
-std::string text_of(const Comparison& comparison);
 
 }  // namespace nezumi

@@ -1,11 +1,15 @@
-// Goes through `or`, `and`, `not` and parentheses of an expression to its comparisons.
+// Goes through the statements of a function to its decisions, and through `or`, `and`, `not` and parentheses of their
+// expressions to the comparisons.
 #include "bindings/scenario/condition_source.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <optional>
 #include <utility>
 
-#include "bindings/lua/syntax/syntax_tree.hpp"
 #include "engine/ports/messages.hpp"
 
 namespace nezumi {
@@ -16,15 +20,15 @@ using Kind = SyntaxNode::Kind;
 std::optional<Comparison::Operator> to_operator(const SyntaxNode& node) {
     if (!node.is(Kind::binary)) return std::nullopt;
     using enum Comparison::Operator;
-    for (const auto& [text, op] : {std::pair<std::string_view, Comparison::Operator>{"<", less},
-                                   {"<=", less_equal},
-                                   {">", greater},
-                                   {">=", greater_equal},
-                                   {"==", equal},
-                                   {"~=", unequal}}) {
-        if (node.word->text == text) return op;
+    for (const auto op : {less, less_equal, greater, greater_equal, equal, unequal}) {
+        if (node.word->text == to_text(op)) return op;
     }
     return std::nullopt;
+}
+
+bool is_logical(const SyntaxNode& node) {
+    return (node.is(Kind::binary) && (node.word->is("and") || node.word->is("or"))) ||
+           (node.is(Kind::unary) && node.word->is("not"));
 }
 
 // The operands of `a or b or c`; one operand if the operator is another one.
@@ -47,40 +51,91 @@ std::string words(const SyntaxNode& node) {
     return out;
 }
 
-// Collects comparisons, and the texts that replace parts of the source.
+// Whether a literal counts as true.
+std::optional<bool> truth_of(const SyntaxNode& node) {
+    if (!node.is(Kind::literal) || node.first->is("...")) return std::nullopt;
+    return !node.first->is("false") && !node.first->is("nil");
+}
+
+// A value that Lua's compiler inserts wherever a <const> local is used.
+bool is_constant(const SyntaxNode& value) {
+    return value.is(Kind::literal) || (value.is(Kind::unary) && value.word->is("-") && value.child->is(Kind::literal));
+}
+
+// What `return true` returns, if it is the only statement.
+std::optional<bool> returned_literal(const SyntaxNode& block) {
+    const SyntaxNode* const statement = block.child;
+    if (statement == nullptr || statement->next != nullptr || !statement->is(Kind::return_statement))
+        return std::nullopt;
+    if (statement->child == nullptr || statement->child->count() == 0) return false;
+    return statement->child->count() == 1 ? truth_of(*statement->child->child) : std::nullopt;
+}
+
+bool contains_return(const SyntaxNode& node) {
+    if (node.is(Kind::function)) return false;
+    if (node.is(Kind::return_statement)) return true;
+    return std::any_of(begin(node), end(node), contains_return);
+}
+
+// A function that is nothing but `return EXPRESSION`.
+bool only_returns(const SyntaxNode& body) {
+    return body.child != nullptr && body.child->next == nullptr && body.child->is(Kind::return_statement) &&
+           body.child->count() == 1 && body.child->child->count() == 1;
+}
+
+// Collects comparisons and decisions, and the texts that replace parts of the source.
 class Rewriter {
 public:
-    Rewriter(const SyntaxTree& tree, std::string_view hook) : tree_(tree), hook_(hook) {}
-
-    // `for_true`: the whole is false unless this part has the required result; `for_false`: the same for true.
-    void visit(const SyntaxNode& node, bool for_true, bool for_false, bool negated = false) {
-        if (const auto parts = operands(node, "or"); parts.size() > 1) {
-            for (const auto* part : parts) visit(*part, negated && for_true, !negated && for_false, negated);
-        } else if (const auto both = operands(node, "and"); both.size() > 1) {
-            for (const auto* part : both) visit(*part, !negated && for_true, negated && for_false, negated);
-        } else if (to_operator(node)) {
-            compare(node, for_true, for_false, negated);
-        } else if (node.is(Kind::unary) && node.word->is("not")) {
-            visit(*node.child, for_true, for_false, !negated);
-        } else if (node.is(Kind::parenthesis)) {
-            visit(*node.child, for_true, for_false, negated);
+    Rewriter(const SyntaxTree& tree, const SyntaxNode& function, std::string_view hook)
+        : tree_(tree), function_(function), hook_(hook) {
+        for (const SyntaxNode& node : tree.nodes()) {
+            if (node.is(Kind::name) && node.variable != nullptr && is_assigned(node))
+                assigned_.push_back(node.variable);
         }
     }
 
-    // The source of a node, with the replacements.
-    std::string text(const SyntaxNode& node) {
-        std::sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) { return a.at < b.at; });
-        std::string out;
-        std::size_t begin = tree_.offset(*node.first);
-        const std::size_t end = begin + node.text().size();
+    void observe() {
+        const SyntaxNode& body = *function_.last;
+        if (only_returns(body)) {
+            const SyntaxNode& expression = *body.child->child->child;
+            add(Decision::Kind::result).formula = visit(expression, false);
+            observed.returns_only = true;
+        } else {
+            visit_statements(body);
+        }
+    }
+
+    // The source of the function, with the replacements.
+    std::string text() {
+        std::stable_sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) { return a.at < b.at; });
+        const std::string_view source = tree_.source();
+        std::string out = function_.first->is("function") ? "" : "function";
+        std::size_t begin = tree_.offset(*function_.first);
+        const std::size_t end = begin + function_.text().size();
         for (const Edit& edit : edits_) {
-            out.append(tree_.source().substr(begin, edit.at - begin)).append(edit.text);
+            out.append(source.substr(begin, edit.at - begin));
+            // A word before it must not become a part of the name.
+            const bool joins = edit.text.starts_with(hook_) && !out.empty() &&
+                               (std::isalnum(static_cast<unsigned char>(out.back())) != 0 || out.back() == '_');
+            out.append(joins ? " " : "").append(edit.text);
             begin = edit.at + edit.replaced;
         }
-        return out.append(tree_.source().substr(begin, end - begin));
+        return out.append(source.substr(begin, end - begin));
     }
 
-    std::vector<Comparison> comparisons;
+    // Declares the constants of outer functions that Lua does not keep as upvalues.
+    std::string constants() const {
+        std::string out;
+        for (const SyntaxNode& node : tree_.nodes()) {
+            if (!node.is(Kind::declaration) || node.variable == nullptr || !node.variable->constant) continue;
+            const SyntaxNode* const value = initial_value(node);
+            if (value == nullptr || !is_constant(*value) || !is_used(*node.variable)) continue;
+            out += fmt::format("local {} <const> = {} ", node.word_text(), words(*value));
+        }
+        return out;
+    }
+
+    Observed observed;
 
 private:
     struct Edit {
@@ -89,42 +144,167 @@ private:
         std::string text;
     };
 
-    void compare(const SyntaxNode& node, bool for_true, bool for_false, bool negated) {
-        if (to_operator(*node.child)) return;  // `a < b == c`
-        Comparison comparison;
-        comparison.left = words(*node.child);
-        comparison.right = words(*node.last);
-        comparison.op = *to_operator(node);
+    bool is_inside(const Token* token) const { return token >= function_.first && token < function_.end; }
+
+    bool is_used(const LocalName& variable) const {
+        if (is_inside(variable.place)) return false;
+        return std::any_of(tree_.nodes().begin(), tree_.nodes().end(), [&](const SyntaxNode& node) {
+            return node.is(Kind::name) && node.variable == &variable && is_inside(node.first);
+        });
+    }
+
+    // The expression of a declaration of `local a, b = 1, 2`.
+    static const SyntaxNode* initial_value(const SyntaxNode& declaration) {
+        const SyntaxNode& names = *declaration.parent;
+        const SyntaxNode* const statement = names.parent;
+        if (statement == nullptr || !statement->is(Kind::local) || statement->count() != 2) return nullptr;
+        const SyntaxNode* name = names.child;
+        const SyntaxNode* value = statement->last->child;
+        for (; name != nullptr && value != nullptr; name = name->next, value = value->next) {
+            if (name == &declaration) return value;
+        }
+        return nullptr;
+    }
+
+    std::size_t begin_of(const SyntaxNode& node) const { return tree_.offset(*node.first); }
+    std::size_t end_of(const SyntaxNode& node) const { return begin_of(node) + node.text().size(); }
+
+    void insert(std::size_t at, std::string text, std::size_t replaced = 0) {
+        edits_.push_back({at, replaced, std::move(text)});
+    }
+    std::string call(HookCall kind, std::size_t index) const {
+        return fmt::format("{}({},", hook_, index * 4 + static_cast<std::size_t>(kind));
+    }
+
+    Decision& add(Decision::Kind kind) {
+        observed.decisions.push_back({.kind = kind});
+        return observed.decisions.back();
+    }
+
+    std::size_t decide(Decision::Kind kind, const SyntaxNode& expression, std::optional<bool> literal = {}) {
+        const std::size_t index = observed.decisions.size();
+        Decision& decision = add(kind);
+        decision.literal = literal;
+        decision.first = observed.comparisons.size();
+        insert(begin_of(expression), call(HookCall::decide, index));
+        Formula formula = visit(expression, false);
+        insert(end_of(expression), ")");
+        observed.decisions[index].formula = std::move(formula);
+        observed.decisions[index].last = observed.comparisons.size();
+        return index;
+    }
+
+    void visit_statements(const SyntaxNode& node) {
+        if (node.is(Kind::function)) return;
+        if (node.is(Kind::return_statement)) {
+            if (node.child != nullptr && node.child->child != nullptr)
+                decide(Decision::Kind::result, *node.child->child);
+            return;
+        }
+        if (node.is(Kind::local)) return visit_local(node);
+        const bool decides = node.is(Kind::branches) && contains_return(node);
+        for (const SyntaxNode& child : node) {
+            if (decides && !child.is(Kind::block)) {
+                decide(Decision::Kind::branch, child, returned_literal(*child.next));
+            } else {
+                visit_statements(child);
+            }
+        }
+    }
+
+    void visit_local(const SyntaxNode& local) {
+        for (const SyntaxNode& name : *local.child) {
+            const SyntaxNode* const value = initial_value(name);
+            if (value == nullptr || !(is_logical(*value) || to_operator(*value))) continue;
+            if (std::find(assigned_.begin(), assigned_.end(), name.variable) != assigned_.end()) continue;
+            locals_[name.variable] = decide(Decision::Kind::local, *value);
+        }
+    }
+
+    Formula visit(const SyntaxNode& node, bool negated) {
+        for (const auto& [op, kind] :
+             {std::pair{"or", Formula::Kind::disjunction}, {"and", Formula::Kind::conjunction}}) {
+            const auto parts = operands(node, op);
+            if (parts.size() == 1) continue;
+            Formula formula{.kind = kind};
+            for (const SyntaxNode* part : parts) formula.parts.push_back(visit(*part, negated));
+            return formula;
+        }
+        if (node.is(Kind::parenthesis)) return visit(*node.child, negated);
+        if (is_logical(node)) {
+            Formula formula{.kind = Formula::Kind::negation};
+            formula.parts.push_back(visit(*node.child, !negated));
+            return formula;
+        }
+        if (const auto truth = truth_of(node)) return {.kind = Formula::Kind::constant, .value = *truth};
+        if (node.is(Kind::name) && node.variable != nullptr) {
+            const auto local = locals_.find(node.variable);
+            if (local != locals_.end()) return {.kind = Formula::Kind::local, .index = local->second};
+        }
+        const bool compares = to_operator(node) && !to_operator(*node.child);  // not `a < b == c`
+        return {.kind = Formula::Kind::comparison,
+                .index = compares ? compare(node, negated) : take_value(node, negated)};
+    }
+
+    std::size_t compare(const SyntaxNode& node, bool negated) {
+        Comparison comparison{.left = words(*node.child), .right = words(*node.last), .op = *to_operator(node)};
         comparison.unit = unit_of(comparison.left);
         if (comparison.unit.empty()) comparison.unit = unit_of(comparison.right);
-        comparison.for_true = for_true;
-        comparison.for_false = for_false;
         comparison.negated = negated;
         // The right side is in parentheses, so that it gives one value.
-        const std::string number = std::to_string(comparisons.size());
-        const std::size_t begin = tree_.offset(*node.first);
-        edits_.push_back({begin, 0, std::string(hook_) + "(" + number + ","});
-        edits_.push_back({tree_.offset(*node.word), node.word->text.size(), ",("});
-        edits_.push_back({begin + node.text().size(), 0, "))"});
-        comparisons.push_back(std::move(comparison));
+        const std::size_t index = observed.comparisons.size();
+        insert(begin_of(node), call(HookCall::compare, index));
+        insert(tree_.offset(*node.word), ",(", node.word->text.size());
+        insert(end_of(node), "))");
+        observed.comparisons.push_back(std::move(comparison));
+        return index;
+    }
+
+    std::size_t take_value(const SyntaxNode& node, bool negated) {
+        const std::size_t index = observed.comparisons.size();
+        Comparison value{.left = words(node), .right = "", .op = Comparison::Operator::truth};
+        value.negated = negated;
+        insert(begin_of(node), call(HookCall::value, index));
+        if (node.is(Kind::call)) {
+            const SyntaxNode& callee = *node.child;
+            value.called = called(callee);
+            insert(begin_of(node), call(HookCall::call, index));
+            insert(end_of(callee), ")");
+        }
+        value.is_contact = node.is(Kind::member) && node.word_text() == "collided" && name_chain(*node.child);
+        if (value.is_contact) value.unit = "m";
+        insert(end_of(node), value.is_contact ? fmt::format(",{})", words(*node.child)) : ")");
+        observed.comparisons.push_back(std::move(value));
+        return index;
+    }
+
+    // As Lua calls it in an error.
+    std::string called(const SyntaxNode& callee) const {
+        if (callee.is(Kind::member)) return fmt::format("field '{}'", callee.word_text());
+        if (!callee.is(Kind::name)) return "?";
+        const LocalName* const variable = callee.variable;
+        return fmt::format("{} '{}'",
+                           variable == nullptr          ? "global"
+                           : is_inside(variable->place) ? "local"
+                                                        : "upvalue",
+                           callee.word_text());
     }
 
     const SyntaxTree& tree_;
+    const SyntaxNode& function_;
     std::string_view hook_;
     std::vector<Edit> edits_;
+    std::vector<const LocalName*> assigned_;
+    std::map<const LocalName*, std::size_t> locals_;  // their decisions
 };
 
-// The expression of `function() return EXPRESSION end` with its `end` in this line, without a function inside.
-const SyntaxNode* returned_by(const SyntaxNode& function, int last_line) {
-    const bool has_name = !function.first->is("function");
-    const SyntaxNode* const statement = function.last->child;
-    if (has_name || function.end[-1].line != last_line || statement == nullptr || statement->next != nullptr ||
-        !statement->is(Kind::return_statement) || statement->count() != 1 || statement->child->count() != 1)
-        return nullptr;
-    for (const Token* token = statement->first; token != statement->end; ++token) {
-        if (token->is("function")) return nullptr;
-    }
-    return statement->child->child;
+bool fits(const SyntaxNode& function, const FunctionPlace& place) {
+    const SyntaxNode& parameters = *function.child;
+    const bool takes_more = (parameters.end - 2)->is("...");
+    const Token* keyword = function.first;
+    while (!keyword->is("function")) --keyword;
+    return keyword->line == place.first_line && function.end[-1].line == place.last_line &&
+           parameters.count() == place.parameters && takes_more == place.takes_more;
 }
 
 template <class T>
@@ -139,26 +319,18 @@ std::string_view unit_in(std::string_view field) {
 
 }  // namespace
 
-std::string_view to_text(Comparison::Operator op) {
-    constexpr std::string_view texts[] = {"<", "<=", ">", ">=", "==", "~="};
-    return texts[static_cast<std::size_t>(op)];
-}
-
-ObservedSource observe_comparisons(std::string_view source, int first_line, int last_line, std::string_view hook) {
-    const SyntaxTree tree(without_preamble(source));
+ObservedSource observe_function(const SyntaxTree& tree, const FunctionPlace& place, std::string_view hook) {
     const SyntaxNode* found = nullptr;
+    if (tree.error() != nullptr) return {.why = "its text is not found"};
     for (const SyntaxNode& node : tree.nodes()) {
-        const bool takes_nothing = node.is(Kind::function) && node.child->end - node.child->first == 2;
-        if (!takes_nothing || node.first->line != first_line) continue;
-        if (found != nullptr) return {};
+        if (!node.is(Kind::function) || !fits(node, place)) continue;
+        if (found != nullptr) return {.why = "several functions begin in its line"};
         found = &node;
     }
-    const SyntaxNode* const expression = found != nullptr ? returned_by(*found, last_line) : nullptr;
-    if (expression == nullptr) return {};
-    Rewriter rewriter(tree, hook);
-    rewriter.visit(*expression, true, true);
-    if (rewriter.comparisons.empty()) return {};
-    return {rewriter.text(*found), std::move(rewriter.comparisons)};
+    if (found == nullptr) return {.why = "its text is not found"};
+    Rewriter rewriter(tree, *found, hook);
+    rewriter.observe();
+    return {rewriter.text(), rewriter.constants(), std::move(rewriter.observed), ""};
 }
 
 std::string_view unit_of(std::string_view expression) {

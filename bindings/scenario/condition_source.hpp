@@ -1,42 +1,42 @@
-// Finds the comparisons of numbers in the source text of a condition.
+// Finds the comparisons and decisions in the source text of a condition, or of a function that it calls.
 #pragma once
 
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "bindings/lua/syntax/syntax_tree.hpp"
+#include "bindings/scenario/formula.hpp"
 
 namespace nezumi {
 
-/// One comparison of a condition, as in `function() return math.abs(mouse.truth.velocity.vx) < 0.01 end`.
-struct Comparison {
-    enum class Operator : unsigned char { less, less_equal, greater, greater_equal, equal, unequal };
-    std::string left;   ///< as written in the text
-    std::string right;  ///< the same
-    Operator op = Operator::less;
-    std::string_view unit;   ///< of what is compared, "" when the text does not tell
-    bool for_true = false;   ///< if it is false, the condition is false: the condition is `this and ...`
-    bool for_false = false;  ///< if it is true, the condition is true: the condition is `this or ...`
-    bool negated = false;    ///< the condition has `not` before it
-
-    // Of the last sample.
-    bool sampled = false;  ///< it was evaluated, and both sides were numbers
-    double left_value = 0;
-    double right_value = 0;
-    bool result = false;
+/// What a call of the hook is about: the lowest two bits of its first argument. The others are a number, of the
+/// comparison or decision.
+enum class HookCall : unsigned char {
+    compare,  ///< (left, right): gives the result of the comparison
+    value,    ///< (...): a value that counts as true or false; gives all its arguments. Of X.collided (value, X): gives
+              ///< the value
+    call,     ///< (function): the function that is called for the next value; gives what is called instead
+    decide,   ///< (...): the value of a decision; gives all its arguments
 };
 
-/// "<", ">=", "==", ...
-std::string_view to_text(Comparison::Operator op);
-
-/// The text of a condition that calls `hook(number, left, right)` instead of each comparison.
+/// The text of a function that calls `hook` with each comparison and decision.
 struct ObservedSource {
-    std::string text;  ///< "function() return hook(0, x,(0.7)) end", with the line breaks of the original
-    std::vector<Comparison> comparisons;
+    std::string text;       ///< "function() return hook(0, x,(0.7)) end", with the line breaks of the original
+    std::string constants;  ///< declares the constants that are no upvalues: "local limit <const> = 0.7 "
+    Observed observed;
+    std::string why;  ///< the reason if the text is empty
 };
 
-/// Finds the function without parameters that begins in one line of a source text, ends in another, and only returns an
-/// expression. Empty if there is none or more than one, or if it compares nothing.
-ObservedSource observe_comparisons(std::string_view source, int first_line, int last_line, std::string_view hook);
+struct FunctionPlace {
+    int first_line = 0, last_line = 0;
+    std::size_t parameters = 0;
+    bool takes_more = false;  ///< ends in `...`
+};
+
+/// Finds the function with these parameters that begins in one line of a source text and ends in another. A function
+/// that only returns an expression decides nothing else; otherwise its decisions are its `return`s, the conditions of
+/// each `if` that contains a `return`, and locals that are set once, to a comparison or to `and`, `or`, `not`.
+ObservedSource observe_function(const SyntaxTree& tree, const FunctionPlace& place, std::string_view hook);
 
 /// The unit of an expression such as "mouse.truth.velocity.vx"; "" if the text does not tell it.
 std::string_view unit_of(std::string_view expression);

@@ -82,7 +82,8 @@ std::string test_case(const RunReport& report) {
         out += fmt::format("      <{0} message=\"{1}\" type=\"{2}\">{3}</{0}>\n", tag, xml(result.error.message),
                            failed ? "failed" : "could not run", xml(lines_of(failure_lines(report))));
     }
-    std::vector<std::string> said = result.margins;
+    std::vector<std::string> said;
+    for (const ConditionMargin& margin : result.margins) said.push_back(text_of(margin));
     said.insert(said.end(), result.printed.begin(), result.printed.end());
     if (!said.empty()) out += fmt::format("      <system-out>{}</system-out>\n", xml(lines_of(said)));
     return out + "    </testcase>\n";

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "bindings/scenario/paired_statistics.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -62,6 +64,12 @@ std::vector<PairSummary> summarize_pairs(const std::vector<MeasuredRun>& runs) {
                 if (value < other->second) ++summary.less;
                 if (value > other->second) ++summary.more;
             }
+            std::sort(differences.begin(), differences.end());
+            if (!differences.empty()) {
+                summary.lower_quartile = quantile(differences, 0.25);
+                summary.upper_quartile = quantile(differences, 0.75);
+                summary.median_interval = median_interval(differences);
+            }
             summary.differences = Statistics::of(std::move(differences));
             summaries.push_back(std::move(summary));
         }
@@ -71,10 +79,16 @@ std::vector<PairSummary> summarize_pairs(const std::vector<MeasuredRun>& runs) {
 
 std::string text_of(const PairSummary& summary) {
     const Statistics& differences = summary.differences;
-    return fmt::format("{0}, {1}={2} minus {1}={3}: {4} pair{5}{6} (less in {7}, more in {8})",
-                       title_of_measure(summary.name, summary.unit, summary.scenario), summary.key, summary.second,
-                       summary.first, differences.count, differences.count == 1 ? "" : "s", text_of(differences),
-                       summary.less, summary.more);
+    const std::string pairs = fmt::format(
+        "{0}, {1}={2} minus {1}={3}: {4} pair{5}", title_of_measure(summary.name, summary.unit, summary.scenario),
+        summary.key, summary.second, summary.first, differences.count, differences.count == 1 ? "" : "s");
+    if (differences.count == 0) return pairs;
+    return pairs + fmt::format(
+                       ", min {:.6g}, quartiles {:.6g} and {:.6g}, median {:.6g} (95 % interval {:.6g} to {:.6g}), "
+                       "mean {:.6g}, max {:.6g}; less in {}, more in {} (sign test: p = {:.3g})",
+                       differences.min, summary.lower_quartile, summary.upper_quartile, differences.median,
+                       summary.median_interval.first, summary.median_interval.second, differences.mean, differences.max,
+                       summary.less, summary.more, sign_test(summary.less, summary.more));
 }
 
 }  // namespace nezumi

@@ -22,6 +22,7 @@ struct MeasuredRun {
     std::string repetition{};  ///< the part of its name after the values
     bool passed = false;
     std::vector<Measure> measures;
+    std::vector<ConditionMargin> margins{};
     bool counts = true;  ///< false: after an ERROR, or if the run could not be made, measures mean nothing
 };
 

@@ -33,7 +33,7 @@ public:
         if (result.outcome != RunOutcome::passed) {
             for (const std::string& each : failure_lines(report)) write_(each.empty() ? "\n" : "    " + each + "\n");
         }
-        for (const std::string& margin : result.margins) write_("    " + margin + "\n");
+        for (const ConditionMargin& margin : result.margins) write_("    " + text_of(margin) + "\n");
         for (const std::string& printed : result.printed) write_("    | " + printed + "\n");
     }
 
@@ -52,6 +52,7 @@ public:
         write_(text);
         for (const MeasureSummary& measure : summary.measures) write_(text_of(measure) + "\n");
         for (const PairSummary& pair : summary.pairs) write_(text_of(pair) + "\n");
+        for (const MarginSummary& margin : summary.margins) write_(text_of(margin) + "\n");
     }
 
 private:
@@ -93,7 +94,7 @@ public:
         const std::string name = report.scenario.empty() ? report.file : report.file + ": " + report.name;
         write_(fmt::format("{} {} - {}\n", passed ? "ok" : "not ok", ++number_, tap_name(name)));
         if (passed) {
-            for (const std::string& margin : report.result.margins) write_("# " + margin + "\n");
+            for (const ConditionMargin& margin : report.result.margins) write_("# " + text_of(margin) + "\n");
             return;
         }
         const Error& error = report.result.error;
@@ -112,6 +113,7 @@ public:
         if (summary.kept > 0) write_(fmt::format("# {} of them were kept\n", summary.kept));
         for (const MeasureSummary& measure : summary.measures) write_("# " + text_of(measure) + "\n");
         for (const PairSummary& pair : summary.pairs) write_("# " + text_of(pair) + "\n");
+        for (const MarginSummary& margin : summary.margins) write_("# " + text_of(margin) + "\n");
     }
 
 private:

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bindings/scenario/margins.hpp"
 #include "bindings/scenario/measured_pairs.hpp"
 #include "bindings/scenario/measures.hpp"
 #include "bindings/scenario/run_result.hpp"
@@ -39,6 +40,7 @@ struct SessionSummary {
     std::size_t merged = 0;  ///< number of folders that were merged; 0: this session made the runs
     std::vector<MeasureSummary> measures;
     std::vector<PairSummary> pairs;
+    std::vector<MarginSummary> margins;
 };
 
 using WriteText = std::function<void(std::string_view)>;

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "bindings/scenario/archive.hpp"
+#include "bindings/scenario/margins.hpp"
 #include "bindings/scenario/measures.hpp"
 #include "engine/base/find_files.hpp"
 #include "engine/base/whole_file.hpp"
@@ -23,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t largest_picture = std::size_t{256} << 20;  // [bytes] of a file that a run reads
-constexpr std::string_view magic = "nezumi result 2\n";
+constexpr std::string_view magic = "nezumi result 3\n";
 
 std::string text_of(const ResultKey& key) {
     return fmt::format("{}\n{}\n{}\n{}\n{}", key.file, key.run, key.repetition, key.simplest ? "simplest" : "run",
@@ -94,7 +95,7 @@ std::uint64_t fingerprint(const TestPlan& plan, std::uint64_t seed, const std::s
         if (!read.insert(folders).second) continue;
         for (const fs::path& path : files_in(folders)) {
             const std::string text = read_whole(path, path.string(), largest_picture).value_or("");
-            if (is_measures_csv(text)) continue;  // written by an earlier session
+            if (is_measures_csv(text) || is_margins_csv(text)) continue;  // written by an earlier session
             all = mix(all, path.filename().string());
             all = mix(all, text);
         }

@@ -25,7 +25,12 @@ bool is_possible(const RunResult& result) {
     const bool known = result.outcome <= RunOutcome::could_not_run && result.error.kind >= Error::Kind::ordinary &&
                        result.error.kind <= Error::Kind::out_of_time;
     const auto is_finite = [](const Measure& measure) { return std::isfinite(measure.value); };
-    return known && std::all_of(result.measures.begin(), result.measures.end(), is_finite);
+    const auto has_finite = [](const ConditionMargin& margin) {
+        return std::isfinite(margin.margin.value_or(0)) && std::isfinite(margin.time) &&
+               std::isfinite(margin.left.value_or(0));
+    };
+    return known && std::all_of(result.measures.begin(), result.measures.end(), is_finite) &&
+           std::all_of(result.margins.begin(), result.margins.end(), has_finite);
 }
 
 }  // namespace
@@ -34,6 +39,13 @@ template <class Archive, class AnyMeasure>
 requires std::is_same_v<std::remove_const_t<AnyMeasure>, Measure>
 bool each_field(Archive& archive, AnyMeasure& measure) {
     return archive(measure.name) && archive(measure.value) && archive(measure.unit);
+}
+
+template <class Archive, class AnyMargin>
+requires std::is_same_v<std::remove_const_t<AnyMargin>, ConditionMargin>
+bool each_field(Archive& archive, AnyMargin& margin) {
+    return archive(margin.kind) && archive(margin.condition) && archive(margin.margin) && archive(margin.unit) &&
+           archive(margin.comparison) && archive(margin.time) && archive(margin.left) && archive(margin.why);
 }
 
 template <class Archive, class AnyUse>

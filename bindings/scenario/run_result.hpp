@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,20 @@ struct Measure {
     bool operator==(const Measure&) const = default;
 };
 
+/// How near a condition came to failing.
+struct ConditionMargin {
+    std::string kind;                ///< "always", "wait_until", ...
+    std::string condition;           ///< its name
+    std::optional<double> margin{};  ///< finite; negative where it failed
+    std::string unit{};              ///< "" if unknown
+    std::string comparison{};        ///< the comparison that decided; "" if the margin is the time left
+    double time = 0;                 ///< [s] simulated, when it was so near
+    std::optional<double> left{};    ///< [s] from the event, or the begin of the hold, to the deadline
+    std::string why{};               ///< the reason if there is no margin
+
+    bool operator==(const ConditionMargin&) const = default;
+};
+
 /// A golden that a run compared with, or wrote.
 struct GoldenUse {
     std::string file;           ///< its path
@@ -37,18 +52,18 @@ struct GoldenUse {
 
 struct RunResult {
     RunOutcome outcome = RunOutcome::passed;
-    Error error{};                     ///< the failure, with the line of the scenario
-    bool component_failed = false;     ///< it failed because a component went to ERROR
-    std::vector<std::string> facts;    ///< more about the failure, a line each: differences, times, values, a plot
-    std::vector<std::string> margins;  ///< the smallest margins of the conditions, a line each
-    std::vector<std::string> printed;  ///< the output of the scenario, and warnings
-    std::vector<Measure> measures{};   ///< in the order of `s:measure`, each name once
-    std::vector<GoldenUse> goldens{};  ///< each file once
-    std::string folder;                ///< the folder of a failure's files; empty: there are none
-    std::vector<std::string> files;    ///< their names
-    double seconds = 0;                ///< simulated
-    double wall_seconds = 0;           ///< real time of the run
-    std::uint64_t hash = 0;            ///< of all published messages
+    Error error{};                   ///< the failure, with the line of the scenario
+    bool component_failed = false;   ///< it failed because a component went to ERROR
+    std::vector<std::string> facts;  ///< more about the failure, a line each: differences, times, values, a plot
+    std::vector<ConditionMargin> margins{};  ///< of its conditions, `always` and `never` first, in their order
+    std::vector<std::string> printed;        ///< the output of the scenario, and warnings
+    std::vector<Measure> measures{};         ///< in the order of `s:measure`, each name once
+    std::vector<GoldenUse> goldens{};        ///< each file once
+    std::string folder;                      ///< the folder of a failure's files; empty: there are none
+    std::vector<std::string> files;          ///< their names
+    double seconds = 0;                      ///< simulated
+    double wall_seconds = 0;                 ///< real time of the run
+    std::uint64_t hash = 0;                  ///< of all published messages
 
     bool operator==(const RunResult&) const = default;
 };

@@ -261,7 +261,7 @@ int ScenarioRun::Methods::expect(ScenarioRun& run, lua_State* lua, Expectation::
     if (auto ok = check_parameters(lua, function, 0); !ok)
         return raise(run, fmt::format("'{}': the function is called with nothing; {}", terms.name, ok.error().message));
 
-    auto condition = Condition::take(lua, function, run.file_.text(terms.place.file));
+    auto condition = Condition::take(lua, function, run.function_texts_);
     if (!condition) return raise(run, condition.error().message);
     auto watched =
         std::make_unique<Watched>(Watched{Expectation(std::move(terms), run.worlds_.now()), std::move(*condition)});

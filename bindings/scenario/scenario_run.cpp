@@ -25,7 +25,11 @@ constexpr std::size_t most_printed = std::size_t{64} << 10;  // [bytes]
 std::uint64_t seed_of(std::uint64_t seed, std::string_view scenario) { return mix(seed, scenario); }
 
 ScenarioRun::ScenarioRun(ScenarioFile& file, std::size_t scenario, RunSettings settings)
-    : file_(file), scenario_(file.scenarios()[scenario]), index_(scenario), settings_(std::move(settings)) {}
+    : file_(file),
+      scenario_(file.scenarios()[scenario]),
+      index_(scenario),
+      settings_(std::move(settings)),
+      function_texts_([&file](const std::string& shown) { return file.text(shown); }) {}
 
 ScenarioRun::~ScenarioRun() = default;
 
@@ -75,7 +79,16 @@ Expected<void> ScenarioRun::open() {
         constexpr std::size_t most = 32;
         if (read_ports_.size() < most) read_ports_.push_back(port);
     });
+    function_texts_.clearance = [this](lua_State* lua, int index) { return clearance(lua, index); };
     return {};
+}
+
+std::optional<double> ScenarioRun::clearance(lua_State* lua, int index) const {
+    if (to_object(lua, index, ObjectKind::component) == nullptr) return std::nullopt;
+    const auto at = objects_->to_component(lua, index);
+    if (!at) return std::nullopt;
+    const auto seen = seen_robot(at->live->system(), *at->component);
+    return seen ? seen->world->clearance(seen->id) : std::nullopt;
 }
 
 RunResult ScenarioRun::run() {
@@ -143,11 +156,7 @@ std::string_view ScenarioRun::values() const {
 
 void ScenarioRun::finish() {
     const auto tell = [this](const Watched& watched) {
-        if (!watched.margin) return;
-        const Margin& margin = *watched.margin;
-        result_.margins.push_back(fmt::format("{}: came within {} of the limit at {} ({})", watched.expectation.title(),
-                                              text_of_number(margin.distance, margin.comparison->unit),
-                                              text_of_time(watched.margin_at), text_of(*margin.comparison)));
+        result_.margins.push_back(watched.margin.result(watched.expectation, watched.condition->why()));
     };
     for (const auto& watched : watches_) tell(*watched);
     for (const auto& watched : waits_) tell(*watched);

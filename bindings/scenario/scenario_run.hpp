@@ -20,6 +20,7 @@
 #include "bindings/scenario/expectation.hpp"
 #include "bindings/scenario/faults.hpp"
 #include "bindings/scenario/golden.hpp"
+#include "bindings/scenario/margin_watch.hpp"
 #include "bindings/scenario/run_result.hpp"
 #include "bindings/scenario/scenario_file.hpp"
 #include "bindings/scenario/worlds.hpp"
@@ -78,11 +79,7 @@ private:
     struct Watched {
         Expectation expectation;
         std::unique_ptr<Condition> condition;
-        std::optional<Margin> margin{};  // the smallest margin
-        double margin_at = 0;
-        // Margin of a hold that began when its condition became true, while the margin only grows; nothing: it has
-        // shrunk.
-        std::optional<double> growing{};
+        MarginWatch margin{};
         bool sampled = false;
         struct Sample {
             double time;
@@ -152,6 +149,7 @@ private:
     std::unique_ptr<Objects> objects_;
     Faults faults_;
     std::vector<Golden> goldens_;
+    FunctionTexts function_texts_;
     std::vector<std::unique_ptr<Watched>> watches_;
     std::vector<std::unique_ptr<Watched>> waits_;
     std::set<std::pair<const RunningSystem*, std::string>> allowed_errors_;  // components that may go to ERROR
@@ -161,6 +159,7 @@ private:
     bool sampling_ = false;  // a condition is running
     bool stopped_ = false;
     std::optional<Error> setup_error_;  // error of a word, a method or of building, which Lua may raise next
+    std::optional<double> clearance(lua_State* lua, int index) const;
     bool is_setup_error(const CallError& error) const;
     RunResult result_;
 };

@@ -1,6 +1,7 @@
 // Lets time pass in a run: tick, evaluate every condition, decide.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -54,31 +55,16 @@ bool ScenarioRun::sample(lua_State* lua, Watched& watched) {
     if (settings_.keep_history) {
         watched.history.resize(comparisons.size());
         for (std::size_t i = 0; i < comparisons.size(); ++i) {
-            if (comparisons[i].sampled)
+            if (comparisons[i].has_numbers)
                 watched.history[i].push_back({now, comparisons[i].left_value, comparisons[i].right_value});
         }
     }
+    const Expectation& expectation = watched.expectation;
     const Verdict verdict = watched.expectation.add_sample(*is_true, now);
-    if (verdict == Verdict::broken) {
-        fail(watched);
-        return false;
-    }
-    const Expectation::Kind kind = watched.expectation.terms().kind;
-    const bool as_expected = *is_true != (kind == Expectation::Kind::never);
-    if (as_expected && kind != Expectation::Kind::wait_until && kind != Expectation::Kind::eventually) {
-        const auto margin = margin_of(comparisons, *is_true);
-        // A condition that has just become true is at its limit; this is not a small margin.
-        const bool grows = margin && watched.growing && margin->distance >= *watched.growing;
-        watched.growing = grows ? std::optional(margin->distance) : std::nullopt;
-        if (margin && (grows || !watched.margin || margin->distance < watched.margin->distance)) {
-            watched.margin = margin;
-            watched.margin_at = now;
-        }
-    } else if (kind == Expectation::Kind::maintain) {
-        watched.margin.reset();
-        watched.growing = 0;
-    }
-    return true;
+    const double deadline = std::min(expectation.started() + expectation.terms().within, scenario_.timeout);
+    watched.margin.add(expectation, condition.robustness(), *is_true, now, deadline);
+    if (verdict == Verdict::broken) fail(watched);
+    return verdict != Verdict::broken;
 }
 
 bool ScenarioRun::pass_time(lua_State* lua, double seconds) {
@@ -136,8 +122,7 @@ void ScenarioRun::fail(const Watched& watched) {
     if (stopped_) return;
     const Expectation& expectation = watched.expectation;
     stop(RunOutcome::failed, {expectation.explain(), expectation.terms().place});
-    const bool was = expectation.terms().kind == Expectation::Kind::never;
-    const std::string reason = reason_of(watched.condition->comparisons(), was);
+    const std::string reason = watched.condition->reason();
     if (!reason.empty()) result_.facts.push_back(reason);
     tell_ports(read_ports_);
     tell_plot(watched);

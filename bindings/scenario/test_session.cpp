@@ -243,10 +243,12 @@ private:
                  .repetition = run.repetition.name,
                  .passed = result.outcome == RunOutcome::passed,
                  .measures = result.measures,
+                 .margins = result.margins,
                  .counts = !result.component_failed && result.outcome != RunOutcome::could_not_run});
         }
         end_.summary.measures = summarize(end_.measured);
         end_.summary.pairs = summarize_pairs(end_.measured);
+        end_.summary.margins = summarize_margins(end_.measured);
     }
 
     // Omits facts that are also in the report of the simplest failure.

@@ -25,6 +25,7 @@
 #include "bindings/cli/test/progress.hpp"
 #include "bindings/cli/test/scenario_files.hpp"
 #include "bindings/cli/test/sweep_plots.hpp"
+#include "bindings/scenario/margins.hpp"
 #include "bindings/scenario/measures.hpp"
 #include "bindings/scenario/reporter.hpp"
 #include "bindings/scenario/test_session.hpp"
@@ -162,7 +163,7 @@ Expected<void> enter_project(TestOptions& command) {
     std::error_code problem;
     if (!fs::is_directory(fs::path(command.project) / "behaviors", problem))
         return failure("--project: expected a project, a folder that has behaviors/", {command.project});
-    for (std::string* file : {&command.junit, &command.measures, &command.plots}) {
+    for (std::string* file : {&command.junit, &command.measures, &command.margins, &command.plots}) {
         if (!file->empty()) *file = fs::absolute(*file).string();
     }
     fs::current_path(command.project, problem);
@@ -177,6 +178,9 @@ int finish(const TestOptions& command, const SessionEnd& end) {
     }
     if (!command.measures.empty()) {
         if (auto ok = write_whole(command.measures, measures_csv(end.measured)); !ok) return refuse(ok.error());
+    }
+    if (!command.margins.empty()) {
+        if (auto ok = write_whole(command.margins, margins_csv(end.measured)); !ok) return refuse(ok.error());
     }
     if (!command.plots.empty()) {
         const auto plots = sweep_plots(end.measured);
@@ -247,7 +251,7 @@ int test(TestOptions command) {
         };
     }
 
-    for (const std::string& file : {command.junit, command.measures}) {
+    for (const std::string& file : {command.junit, command.measures, command.margins}) {
         if (file.empty()) continue;
         // Found out before hours of tests have run.
         if (auto ok = check_can_write(file); !ok) return refuse(ok.error());

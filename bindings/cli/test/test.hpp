@@ -17,7 +17,7 @@ struct TestOptions {
     std::optional<std::uint64_t> seed, repeat, jobs;
     std::string junit;
     std::string seeds, paired;
-    std::string measures;
+    std::string measures, margins;
     std::string plots;
     bool tap = false;
     bool quiet = false;

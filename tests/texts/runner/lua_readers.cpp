@@ -2,13 +2,17 @@
 // reads them.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/files/check_files.hpp"
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
+#include "bindings/lua/sandbox/compile.hpp"
+#include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/script_component.hpp"
+#include "bindings/scenario/condition.hpp"
 #include "reader.hpp"
 #include "tests/unit/lua/objects_rig.hpp"
 #include "tests/unit/lua/sandbox_support.hpp"
@@ -194,6 +198,33 @@ private:
     Folder folder_;
 };
 
+// Lua that returns a condition. Its margin in one sample, and the comparison that decided.
+class MarginReader : public CaseReader {
+public:
+    void write(const std::string&, const std::string&) override {}
+    std::vector<Remark> read(const Text& text) override {
+        auto state = create_sandbox().value();
+        lua_State* const lua = state->lua();
+        const std::string file = "box.lua";
+        const auto chunk = compile(text.code, file);
+        if (!chunk) return {remark_of(chunk.error(), file)};
+        if (auto ran = load_chunk(lua, *chunk); !ran) return {remark_of(ran.error(), file)};
+        if (auto ran = protected_call(lua, 0, 1, {}); !ran) return {remark_of(ran.error(), file)};
+        FunctionTexts texts([&](const std::string& name) { return name == file ? &text.code : nullptr; });
+        auto condition = Condition::take(lua, -1, texts);
+        if (!condition) return {remark_of(condition.error(), file)};
+        const auto held = (*condition)->sample(lua);
+        if (!held) return {remark_of(held.error(), file)};
+        const Robustness& margin = (*condition)->robustness();
+        if (std::isfinite(margin.value))
+            return {{.word = "returns",
+                     .text = fmt::format("{} ({})", text_of_number(margin.value, margin.decided->unit),
+                                         text_of(*margin.decided))}};
+        const std::string& why = (*condition)->why();
+        return {{.word = "returns", .text = "none: " + (why.empty() ? why_without_numbers(margin) : why)}};
+    }
+};
+
 // A file as `nezumi check` reads it. All texts of a case are files of one project.
 class CheckReader : public CaseReader {
 public:
@@ -220,6 +251,7 @@ std::unique_ptr<CaseReader> make_reader(std::string_view kind) {
     if (kind == "sandbox") return std::make_unique<SandboxReader>();
     if (kind == "objects") return std::make_unique<ObjectReader>();
     if (kind == "scenarios") return std::make_unique<ScenarioReader>();
+    if (kind == "margins") return std::make_unique<MarginReader>();
     if (kind == "checks") return std::make_unique<CheckReader>();
     if (kind == "console") return make_console_reader();
     if (kind == "commands") return make_command_reader();

@@ -1,4 +1,4 @@
-// Which comparisons are found in a condition's text, and what they have to do with the outcome.
+// How a condition's text is changed to record what it compares. tests/texts/margins has the margins themselves.
 #include <catch2/catch.hpp>
 
 #include "bindings/lua/sandbox/compile.hpp"
@@ -10,14 +10,19 @@ using namespace nezumi;
 
 namespace {
 
-ObservedSource observe(std::string_view expression) {
-    return observe_comparisons("local f = function() return " + std::string(expression) + " end", 1, 1, "h");
+ObservedSource observe(const std::string& text, FunctionPlace place = {.first_line = 1, .last_line = 1}) {
+    return observe_function(SyntaxTree(text), place, "h");
+}
+
+std::string observed_text(const std::string& expression) {
+    return observe("local f = function() return " + expression + " end").text;
 }
 
 // A state with a condition: the text's result.
 struct Tried {
     std::unique_ptr<LuaState> state = create_sandbox().value();
     std::string text;
+    FunctionTexts texts{[this](const std::string&) { return &text; }};
     std::unique_ptr<Condition> condition;
 
     explicit Tried(std::string source) : text(std::move(source)) {
@@ -26,7 +31,7 @@ struct Tried {
         REQUIRE(chunk);
         REQUIRE(load_chunk(lua, *chunk));
         REQUIRE(protected_call(lua, 0, 1, {}));
-        auto taken = Condition::take(lua, -1, &text);
+        auto taken = Condition::take(lua, -1, texts);
         REQUIRE(taken);
         condition = std::move(*taken);
     }
@@ -40,50 +45,38 @@ struct Tried {
 }  // namespace
 
 TEST_CASE("a comparison is found with the texts of its sides", "[lua][scenario][condition]") {
-    const ObservedSource found = observe("math.abs(a.velocity.vx) < limit");
+    const ObservedSource found = observe("local f = function() return math.abs(a.velocity.vx) < limit end");
     CHECK(found.text == "function() return h(0,math.abs(a.velocity.vx) ,( limit)) end");
-    REQUIRE(found.comparisons.size() == 1);
-    CHECK(found.comparisons[0].left == "math.abs(a.velocity.vx)");
-    CHECK(found.comparisons[0].right == "limit");
-    CHECK(found.comparisons[0].unit == "m/s");
-    CHECK(found.comparisons[0].for_true);
-    CHECK(found.comparisons[0].for_false);
+    REQUIRE(found.observed.comparisons.size() == 1);
+    CHECK(found.observed.comparisons[0].left == "math.abs(a.velocity.vx)");
+    CHECK(found.observed.comparisons[0].right == "limit");
+    CHECK(found.observed.comparisons[0].unit == "m/s");
 }
 
-TEST_CASE("and, or and not determine which comparison decides", "[lua][scenario][condition]") {
-    const auto flags = [](std::string_view expression) {
-        std::string out;
-        for (const Comparison& c : observe(expression).comparisons) {
-            out += out.empty() ? "" : " ";
-            out += c.for_true ? "T" : "";
-            out += c.for_false ? "F" : "";
-            out += c.negated ? "n" : "";
-            out += "-";
-        }
-        return out;
-    };
-    CHECK(flags("a < 1") == "TF-");
-    CHECK(flags("a < 1 and b > 2") == "T- T-");
-    CHECK(flags("a < 1 or b > 2") == "F- F-");
-    CHECK(flags("not (a < 1 or b > 2)") == "Tn- Tn-");
-    CHECK(flags("not (a < 1 and not (b > 2))") == "Fn- F-");
-    CHECK(flags("a < 1 and (b > 2 or c == 3)") == "T- - -");
-    CHECK(flags("f(a < 1)").empty());
-    CHECK(flags("a < 1 == true").empty());
+TEST_CASE("values and calls among comparisons are observed too", "[lua][scenario][condition]") {
+    CHECK(observed_text("flag and not(a < 1)") == "function() return h(1,flag) and not(h(4,a ,( 1))) end");
+    CHECK(observed_text("f(a < 1)") == "function() return h(1,h(2,f)(a < 1)) end");
+    CHECK(observed_text("a < 1 == true") == "function() return h(1,a < 1 == true) end");
+    CHECK(observed_text("a or-1") == "function() return h(1,a) or h(5,-1) end");
+    CHECK(observed_text("not a.collided") == "function() return not h(1,a.collided,a) end");
+    CHECK(observed_text("f().collided") == "function() return h(1,f().collided) end");
+    CHECK(observed_text("true or a < 1") == "function() return true or h(0,a ,( 1)) end");
 }
 
-TEST_CASE("functions of another form are not changed", "[lua][scenario][condition]") {
-    CHECK(observe("flag").text.empty());
-    CHECK(observe("any(function() return a < 1 end)").text.empty());
-    CHECK(observe_comparisons("f = function() local x = 1 return x < 2 end", 1, 1, "h").text.empty());
-    CHECK(observe_comparisons("f = function(x) return x < 2 end", 1, 1, "h").text.empty());
-    // Two in one line: which is meant can't be known.
-    CHECK(
-        observe_comparisons("f, g = function() return a < 2 end, function() return b < 2 end", 1, 1, "h").text.empty());
+TEST_CASE("the returns and early decisions of a function are observed", "[lua][scenario][condition]") {
+    CHECK(observe("function f(x) if x > 1 then return true end return x end",
+                  {.first_line = 1, .last_line = 1, .parameters = 1})
+              .text == "function(x) if h(3,h(0,x ,( 1))) then return h(7,true) end return h(11,h(5,x)) end");
+    // Only an `if` that contains a return decides.
+    CHECK(observe("f = function() local x = 1 if x > 1 then x = 2 end while x > 3 do end return x < 2 end").text ==
+          "function() local x = 1 if x > 1 then x = 2 end while x > 3 do end return h(3,h(0,x ,( 2))) end");
+    CHECK(observe("f = function() return any(list, function() return a < 1 end) end").why ==
+          "several functions begin in its line");
 }
 
 TEST_CASE("a condition with several lines keeps its line numbers", "[lua][scenario][condition]") {
-    const ObservedSource found = observe_comparisons("f(function()\n  return a -- first\n    < b\nend)", 1, 4, "h");
+    const ObservedSource found =
+        observe("f(function()\n  return a -- first\n    < b\nend)", {.first_line = 1, .last_line = 4});
     CHECK(found.text == "function()\n  return h(0,a -- first\n    ,( b))\nend");
 }
 
@@ -98,23 +91,33 @@ TEST_CASE("a condition that records comparisons has the result and the effects o
     CHECK(tried.condition->comparisons()[0].left_value == 1);
     CHECK(tried.condition->comparisons()[1].right_value == 7);
     CHECK_FALSE(tried.sample());  // 3 < 3
-    CHECK_FALSE(tried.condition->comparisons()[1].sampled);
+    CHECK_FALSE(tried.condition->comparisons()[1].evaluated);
 }
 
-TEST_CASE("the margin is the distance of the comparison nearest to its limit", "[lua][scenario][condition]") {
-    Tried tried("local a, b = 0.25, 10\nreturn function() return a < 0.5 and b > 9.875 end");
-    CHECK(tried.sample());
-    const auto margin = margin_of(tried.condition->comparisons(), true);
-    REQUIRE(margin);
-    CHECK(margin->distance == 0.125);
-    CHECK(text_of(*margin->comparison) == "b > 9.875");
+TEST_CASE("a helper that is made anew in each sample is observed a limited number of times",
+          "[lua][scenario][condition]") {
+    Tried tried(
+        "local a = 1\n"
+        "return function()\n"
+        "  local function near() return a < 4 end\n"
+        "  return near()\n"
+        "end");
+    for (int i = 0; i < 100; ++i) CHECK(tried.sample());
+    CHECK(tried.condition->robustness().decided->left == "near()");
 }
 
 TEST_CASE("the reason names the comparison that failed, and by how much", "[lua][scenario][condition]") {
     Tried tried("local pose, limit = { x = 0.75 }, 0.5\nreturn function() return pose.x < limit and pose.x > 0 end");
     CHECK_FALSE(tried.sample());
-    CHECK(reason_of(tried.condition->comparisons(), false) ==
-          "pose.x < limit: pose.x was 0.75 m, limit was 0.5 m, off the limit by 0.25 m");
+    CHECK(tried.condition->reason() == "pose.x < limit: pose.x was 0.75 m, limit was 0.5 m, off the limit by 0.25 m");
+}
+
+TEST_CASE("the reason names a comparison of a helper", "[lua][scenario][condition]") {
+    Tried tried(
+        "local gap = 0.75\nlocal function near() return gap < 0.5 end\n"
+        "return function() return near() end");
+    CHECK_FALSE(tried.sample());
+    CHECK(tried.condition->reason() == "gap < 0.5: gap was 0.75, off the limit by 0.25");
 }
 
 TEST_CASE("compile-time constants do not become globals", "[lua][scenario][condition]") {
@@ -130,8 +133,10 @@ TEST_CASE("an error in a condition has the line of its text", "[lua][scenario][c
 }
 
 TEST_CASE("a condition that returns nothing is an error", "[lua][scenario][condition]") {
-    Tried tried("return function() end");
-    const auto held = tried.condition->sample(tried.state->lua());
-    REQUIRE_FALSE(held);
-    CHECK(held.error().message == "the condition returned nothing: expected true or false");
+    for (const char* text : {"return function() end", "local function f() end\nreturn function() return f() end"}) {
+        Tried tried(text);
+        const auto held = tried.condition->sample(tried.state->lua());
+        REQUIRE_FALSE(held);
+        CHECK(held.error().message == "the condition returned nothing: expected true or false");
+    }
 }

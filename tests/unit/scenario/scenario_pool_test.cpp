@@ -102,7 +102,7 @@ TEST_CASE("a result is sent as bytes, and incomplete bytes are an error", "[lua]
     RunResult result{.outcome = RunOutcome::failed,
                      .error = {"no", {"a.lua", 3, 4}},
                      .facts = {"one", "", std::string("\0\n", 2)},
-                     .margins = {"m"},
+                     .margins = {{.kind = "always", .condition = "m", .margin = 0.5, .time = 1, .left = 2}},
                      .folder = "x",
                      .seconds = 1.5,
                      .hash = 0x1234567890abcdef};
