@@ -57,7 +57,7 @@ constexpr const char* two_scenarios =
     "end)\n"
     "scenario('stands', function(s)\n"
     "  local w = s:load 'systems/stop_at_wall.lua'\n"
-    "  s:maintain('holds', { hold = 0.1, within = 1 }, function() return not w.mouse.collided end)\n"
+    "  s:maintain('holds', { hold = 0.1, within = 1 }, function() return w.controller.status == 'ACTIVE' end)\n"
     "end)\n";
 
 }  // namespace
