@@ -82,7 +82,7 @@ bool RunDevices::finish() {
     const int differences = comparison.differences();
     say_(differences == 0
              ? fmt::format("{}: replayed, {} writes were equal", file_, comparison.compared())
-             : fmt::format("{}: played, {} difference{}", file_, differences, differences == 1 ? "" : "s"));
+             : fmt::format("{}: replayed, {} difference{}", file_, differences, differences == 1 ? "" : "s"));
     return differences == 0;
 }
 

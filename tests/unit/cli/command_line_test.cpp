@@ -131,6 +131,6 @@ TEST_CASE("every command's --help shows each option with its form, help and defa
     }
     const std::string test = run_nezumi({"test", "--help"}).out;
     CHECK(test.find("-o,--output DIR=nezumi-test ") != std::string::npos);
-    CHECK(test.find("make each run so often (default 1);") != std::string::npos);
+    CHECK(test.find("repeat each run this many times (default 1);") != std::string::npos);
     CHECK(run_nezumi({"--version"}).out.starts_with("nezumi 0."));
 }

@@ -144,7 +144,7 @@ TEST_CASE("a robot with another version of nezumi, or none, gets nothing", "[cli
     const Outcome other = project.push(server);
     CHECK(other.status == 2);
     CHECK(other.error.starts_with("nezumi: mouse has nezumi 9.9.9, this computer has nezumi "));
-    CHECK(other.error.ends_with(": install the same on both\n"));
+    CHECK(other.error.ends_with(": install the same version on both\n"));
     server.write_program("nezumi", "exit 127\n");
     CHECK(project.push(server).error == "nezumi: mouse needs nezumi: install its package there\n");
     CHECK(server.there("robots/behaviors/drive.lua") == "not there");

@@ -108,7 +108,7 @@ TEST_CASE("defaults are read as several languages write them", "[openrtm][profil
     CHECK(said(mixer, "enabled") == "true text");
     CHECK(said(mixer, "names") == "{ \"left\", \"right\" } text");
     CHECK(said(mixer, "mode") == "\"fast\" text");
-    CHECK(remarks(mixer, "parameter 'mode': its type 'Mode' is unknown, a text here"));
+    CHECK(remarks(mixer, "parameter 'mode': its type 'Mode' is unknown and becomes a text"));
 }
 
 TEST_CASE("constraints are bounds and choices; what can't be said here is a remark", "[openrtm][profile]") {
@@ -162,7 +162,7 @@ TEST_CASE("what is no profile is refused with one line", "[openrtm][profile]") {
     for (int i = 0; i < 100'000; ++i) deep += "<a>";
     for (int i = 0; i < 100'000; ++i) deep += "</a>";
     CHECK(reading_error("<RtcProfile>" + deep + "</RtcProfile>") ==
-          "RTC.xml: is nested more than 100 elements deep, which no profile is");
+          "RTC.xml: has more than 100 nested elements, too many for a profile");
     CHECK(reading_error(std::string(5'000'000, ' ')) ==
           "RTC.xml: has 5000000 bytes, and a profile has at most 4194304");
 }
