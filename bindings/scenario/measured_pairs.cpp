@@ -79,7 +79,7 @@ std::vector<PairSummary> summarize_pairs(const std::vector<MeasuredRun>& runs) {
 
 std::string text_of(const PairSummary& summary) {
     const Statistics& differences = summary.differences;
-    const std::string pairs = fmt::format(
+    std::string pairs = fmt::format(
         "{0}, {1}={2} minus {1}={3}: {4} pair{5}", title_of_measure(summary.name, summary.unit, summary.scenario),
         summary.key, summary.second, summary.first, differences.count, differences.count == 1 ? "" : "s");
     if (differences.count == 0) return pairs;

@@ -101,7 +101,7 @@ Expected<JudgedRun> from_journal(const std::string& text, const JudgeWords& word
     return JudgedRun{std::move(*replay), std::move(*live), std::move(*drive), std::move(behavior)};
 }
 
-Expected<JudgedRun> from_topics(const record::McapFile& recording, const JudgeWords& words, fs::path behavior) {
+Expected<JudgedRun> from_topics(const record::McapFile& recording, const JudgeWords& words, const fs::path& behavior) {
     std::string component = words.component;
     const auto topics = topics_in(words.maps, component);
     if (!topics) return Unexpected(topics.error());

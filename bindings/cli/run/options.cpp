@@ -215,8 +215,8 @@ std::vector<Option> open_options(RunWords& words) {
     return options;
 }
 
-Expected<RunOptions> read_run_options(const RunWords& given) {
-    RunWords words = given;
+Expected<RunOptions> read_run_options(const RunWords& typed) {
+    RunWords words = typed;
     // A recording repeats its run, as a journal does.
     if (words.replay.empty() && words.file.ends_with(".mcap")) words.replay = std::exchange(words.file, {});
     const bool repeats = !words.replay.empty() && !words.opens_replay;
