@@ -1,5 +1,4 @@
-// The recorded messages come from a device whose out-ports are connected to the behaviour: they depend on the tick
-// alone, so the judged system can also go back in time, to trace an execution.
+// The recorded messages come from a device whose out-ports are connected to the behaviour.
 #include "bindings/journal/drive.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +13,8 @@
 namespace nezumi {
 namespace {
 
-constexpr std::string_view player_name = "recording";
+// No other component of the judged system has this name.
+std::string player_of(const std::string& behavior) { return behavior + "_recording"; }
 constexpr std::string_view player_type = "Recording";
 
 // The component that an act of these kinds is about; "" for other acts.
@@ -49,7 +49,7 @@ private:
 class Player final : public Device {
 public:
     Player(const RecordedDrive& drive, const Component& behavior)
-        : Device(std::string(player_name), std::string(player_type)), drive_(drive) {
+        : Device(player_of(behavior.name()), std::string(player_type)), drive_(drive) {
         for (const auto& port : behavior.in_ports()) {
             const auto recorded = drive_.arrived.find(port->name());
             if (recorded == drive_.arrived.end()) continue;
@@ -86,7 +86,7 @@ public:
     explicit Cursor(const DrivePort* port) : port_(port) {}
     const Value* at(std::int64_t tick) {
         const Value* found = nullptr;
-        for (; port_ != nullptr && next_ < port_->messages.size() && port_->messages[next_].first <= tick; ++next_) {
+        for (; next_ < port_->messages.size() && port_->messages[next_].first <= tick; ++next_) {
             if (port_->messages[next_].first == tick) found = &port_->messages[next_].second.data;
         }
         return found;
@@ -121,12 +121,11 @@ public:
         : drive_(drive), tolerance_(tolerance), judgement_(judgement) {}
 
     void follow(const Component& behavior) {
-        std::set<std::string> names;
-        for (const auto& port : behavior.out_ports()) names.insert(port->name());
-        for (const auto& [name, port] : drive_.published) names.insert(name);
-        for (const std::string& name : names) {
-            const auto recorded = drive_.published.find(name);
-            ports_.push_back({name, Cursor(recorded == drive_.published.end() ? nullptr : &recorded->second)});
+        for (const auto& [name, port] : drive_.published) ports_.push_back({name, Cursor(&port)});
+        for (const auto& port : behavior.out_ports()) {
+            if (drive_.published.contains(port->name())) continue;
+            judgement_.notes.push_back(
+                fmt::format("output '{}' is not in the recording: it is not compared", port->name()));
         }
     }
 
@@ -230,14 +229,9 @@ SystemSpec system_of(const RecordedDrive& drive) {
     spec.seed = drive.seed;
     spec.entries.emplace_back(drive.entry);
     ComponentEntry player;
-    player.name = player_name;
+    player.name = player_of(drive.entry.name);
     player.type = player_type;
     spec.entries.emplace_back(std::move(player));
-    for (const auto& [name, port] : drive.arrived) {
-        spec.connections.push_back({.from = fmt::format("{}.{}", player_name, name),
-                                    .to = fmt::format("{}.{}", drive.entry.name, name),
-                                    .place = {}});
-    }
     return spec;
 }
 
@@ -305,6 +299,12 @@ public:
         };
         auto live = RunningSystem::make(system_of(drive), project, std::move(options));
         if (!live) return Unexpected(live.error());
+        const std::string& name = drive.entry.name;
+        // Of the inputs that the behaviour has now.
+        for (const auto& port : std::as_const(**live).system().find(name)->in_ports()) {
+            const Connect connect{.from = player_of(name) + "." + port->name(), .to = name + "." + port->name()};
+            if (auto done = (*live)->act(connect, {}); !done) return Unexpected(done.error());
+        }
         (*live)->activate();
         return JudgedSystem(drive, std::move(*live));
     }
