@@ -25,21 +25,58 @@ struct Leaf {
 };
 using Leaves = std::map<std::string, Leaf>;
 
-// What a port published in this tick; empty if it published nothing.
-Leaves leaves_of(const Port* port, std::int64_t tick) {
-    const auto* out = dynamic_cast<const OutPortBase*>(port);
-    if (out == nullptr || out->latched_tick() != tick) return {};
+Leaves leaves_of(const Value* value) {
     Leaves leaves;
-    const Value value = out->value();
-    visit_leaves(value, [&](const LeafPath& path, const ValueView& leaf) {
+    if (value == nullptr) return leaves;
+    visit_leaves(*value, [&](const LeafPath& path, const ValueView& leaf) {
         Leaf& made = leaves[path.text()];
         if (leaf.type->is_number())
             made.number = visit_number(leaf, [](const auto& number) { return static_cast<double>(number); });
         made.text = lua_text(leaf);
     });
-    if (leaves.empty()) leaves[""].text = short_text(value);
+    if (leaves.empty()) leaves[""].text = short_text(*value);
     return leaves;
 }
+
+// The value that a port published in this tick; nothing if it published nothing.
+std::optional<Value> published_in(const Port* port, std::int64_t tick) {
+    const auto* out = dynamic_cast<const OutPortBase*>(port);
+    if (out == nullptr || out->latched_tick() != tick) return std::nullopt;
+    return out->value();
+}
+
+}  // namespace
+
+std::vector<DifferingValue> differing_values(const std::string& port, const Value* first, const Value* second,
+                                             double tolerance) {
+    std::vector<DifferingValue> found;
+    if (first != nullptr && second != nullptr && is_equal(*first, *second)) return found;
+    const Leaves a = leaves_of(first), b = leaves_of(second);
+    std::set<std::string> parts;
+    for (const Leaves* each : {&a, &b}) {
+        for (const auto& [part, leaf] : *each) parts.insert(part);
+    }
+    bool all_same = true;
+    for (const std::string& part : parts) {
+        const auto in_a = a.find(part), in_b = b.find(part);
+        DifferingValue value{.name = fmt::format("{}{}{}", port, part.empty() || part.front() == '[' ? "" : ".", part),
+                             .first = in_a != a.end() ? in_a->second.text : "nothing",
+                             .second = in_b != b.end() ? in_b->second.text : "nothing",
+                             .by = {}};
+        if (value.first == value.second) continue;
+        all_same = false;
+        if (in_a != a.end() && in_b != b.end() && in_a->second.number && in_b->second.number)
+            value.by = std::abs(*in_a->second.number - *in_b->second.number);
+        if (value.by && *value.by <= tolerance) continue;
+        found.push_back(std::move(value));
+    }
+    // Bytes, as of pictures, are no leaves.
+    if (all_same && first != nullptr && second != nullptr)
+        found.push_back({port, short_text(*first), short_text(*second), {}});
+    return found;
+}
+
+namespace {
 
 class Comparison {
 public:
@@ -68,34 +105,12 @@ private:
     }
 
     bool differs(const std::string& port) {
-        const Port* const in_first = find(first_, port);
-        const Port* const in_second = find(second_, port);
-        const Leaves a = leaves_of(in_first, found_.when.tick);
-        const Leaves b = leaves_of(in_second, found_.second_when.tick);
-        std::set<std::string> parts;
-        for (const Leaves* each : {&a, &b}) {
-            for (const auto& [part, leaf] : *each) parts.insert(part);
-        }
-        bool any = false;
-        for (const std::string& part : parts) {
-            const auto in_a = a.find(part), in_b = b.find(part);
-            DifferingValue value{
-                .name = fmt::format("{}{}{}", port, part.empty() || part.front() == '[' ? "" : ".", part),
-                .first = in_a != a.end() ? in_a->second.text : "nothing",
-                .second = in_b != b.end() ? in_b->second.text : "nothing",
-                .by = {}};
-            if (value.first == value.second) continue;
-            if (in_a != a.end() && in_b != b.end() && in_a->second.number && in_b->second.number)
-                value.by = std::abs(*in_a->second.number - *in_b->second.number);
-            any = true;
-            add(std::move(value));
-        }
-        // Bytes, as of pictures, are no leaves.
-        if (!any && !a.empty() && !b.empty() && !is_equal(in_first->value(), in_second->value())) {
-            any = true;
-            add({port, short_text(in_first->value()), short_text(in_second->value()), {}});
-        }
-        return any;
+        const auto first = published_in(find(first_, port), found_.when.tick);
+        const auto second = published_in(find(second_, port), found_.second_when.tick);
+        std::vector<DifferingValue> values =
+            differing_values(port, first ? &*first : nullptr, second ? &*second : nullptr, 0);
+        for (DifferingValue& each : values) add(std::move(each));
+        return !values.empty();
     }
 
     void add(DifferingValue value) {

@@ -26,6 +26,10 @@ struct DifferingLine {
     std::string text;  ///< "keeper.lua:9  local near = 3   near = 31"
 };
 
+/// The parts of a port's value in which two messages differ, numbers by more than `tolerance`. Null: no message.
+std::vector<DifferingValue> differing_values(const std::string& port, const Value* first, const Value* second,
+                                             double tolerance);
+
 struct RunDifference {
     ActTime when{};         ///< of the first tick that differs, in the first run
     ActTime second_when{};  ///< of this tick in the second run, another one if it was restarted at other ticks

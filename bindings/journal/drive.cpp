@@ -4,11 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
-
-#include "engine/values/value_text.hpp"
-#include "engine/values/walk.hpp"
 
 namespace nezumi {
 namespace {
@@ -97,24 +92,6 @@ private:
     std::size_t next_ = 0;
 };
 
-struct JudgedLeaf {
-    std::string text;
-    std::optional<double> number;
-};
-
-std::map<std::string, JudgedLeaf> judged_leaves(const Value* value) {
-    std::map<std::string, JudgedLeaf> leaves;
-    if (value == nullptr) return leaves;
-    visit_leaves(*value, [&](const LeafPath& path, const ValueView& leaf) {
-        JudgedLeaf& made = leaves[path.text()];
-        if (leaf.type->is_number())
-            made.number = visit_number(leaf, [](const auto& number) { return static_cast<double>(number); });
-        made.text = lua_text(leaf);
-    });
-    if (leaves.empty()) leaves[""].text = short_text(*value);
-    return leaves;
-}
-
 class Judge {
 public:
     Judge(const RecordedDrive& drive, double tolerance, Judgement& judgement)
@@ -137,41 +114,17 @@ public:
             const OutPortBase* port = behavior.find_out_port(name);
             std::optional<Value> written;
             if (port != nullptr && port->latched_tick() == now.tick) written = port->value();
-            if (compare_values(behavior.name() + "." + name, then, written ? &*written : nullptr, now)) differs = true;
+            for (DifferingValue& each :
+                 differing_values(behavior.name() + "." + name, then, written ? &*written : nullptr, tolerance_)) {
+                add(std::move(each), now);
+                differs = true;
+            }
         }
         judgement_.different += differs ? 1 : 0;
         return differs;
     }
 
 private:
-    bool compare_values(const std::string& port, const Value* then, const Value* now, const Time& time) {
-        if (then != nullptr && now != nullptr && is_equal(*then, *now)) return false;
-        const auto before = judged_leaves(then), after = judged_leaves(now);
-        std::set<std::string> parts;
-        for (const auto* each : {&before, &after}) {
-            for (const auto& [part, leaf] : *each) parts.insert(part);
-        }
-        bool any = false;
-        for (const std::string& part : parts) {
-            const auto a = before.find(part), b = after.find(part);
-            DifferingValue value{.name = join(port, part),
-                                 .first = a != before.end() ? a->second.text : "nothing",
-                                 .second = b != after.end() ? b->second.text : "nothing",
-                                 .by = {}};
-            if (a != before.end() && b != after.end()) {
-                if (a->second.number && b->second.number) value.by = std::abs(*a->second.number - *b->second.number);
-                if (value.by ? *value.by <= tolerance_ : value.first == value.second) continue;
-            }
-            any = true;
-            add(std::move(value), time);
-        }
-        return any;
-    }
-
-    static std::string join(const std::string& port, const std::string& part) {
-        return fmt::format("{}{}{}", port, part.empty() || part.front() == '[' ? "" : ".", part);
-    }
-
     void add(DifferingValue value, const Time& time) {
         auto field = std::find_if(judgement_.fields.begin(), judgement_.fields.end(),
                                   [&](const JudgedField& each) { return each.name == value.name; });
