@@ -46,7 +46,7 @@ CosNaming::Name name_of(std::string_view path) {
 }
 
 // "pc.host_cxt"
-std::string text_of(const CosNaming::NameComponent& component) {
+std::string naming_text(const CosNaming::NameComponent& component) {
     const std::string kind = component.kind.in();
     return component.id.in() + (kind.empty() ? "" : "." + kind);
 }
@@ -131,7 +131,7 @@ Expected<NameService::Named> NameService::find(const std::string& component) {
     }
     if (found.empty() && is_short) {
         for (const CosNaming::NameComponent& context : contexts())
-            take(text_of(context) + "/" + component, resolve(root(), with(context, name)));
+            take(naming_text(context) + "/" + component, resolve(root(), with(context, name)));
     }
     if (found.empty()) return failure("there is no RTC '" + component + "' in the name service");
     if (found.size() > 1) {
@@ -176,14 +176,14 @@ void NameService::collect(CosNaming::NamingContext_ptr context, const std::strin
             if (std::string_view(last.kind.in()) != kind_of_rtcs) continue;
             // The part after a dot would be taken for the kind.
             const std::string id = last.id.in();
-            const std::string name = path + (id.find('.') == std::string::npos ? id : text_of(last));
+            const std::string name = path + (id.find('.') == std::string::npos ? id : naming_text(last));
             const CORBA::Object_var object = resolve(context, binding.binding_name);
             if (!CORBA::is_nil(object)) found.push_back({name, RTC::RTObject::_unchecked_narrow(object)});
         } else if (depth > 0) {
             try {
                 const CORBA::Object_var object = resolve(context, binding.binding_name);
                 const CosNaming::NamingContext_var inner = CosNaming::NamingContext::_unchecked_narrow(object);
-                if (!CORBA::is_nil(inner)) collect(inner, path + text_of(last) + "/", depth - 1, found);
+                if (!CORBA::is_nil(inner)) collect(inner, path + naming_text(last) + "/", depth - 1, found);
             } catch (const CORBA::Exception&) {
                 continue;  // it belongs to another name service, which is away
             }
