@@ -1,7 +1,85 @@
-// Makes ports from the name of a message type.
+// Connections and queues of ports of any type, and ports made from the name of a message type.
 #include "engine/ports/port.hpp"
 
+#include <iterator>
+
 namespace nezumi {
+
+void OutPortBase::release_slots(std::uint64_t sequence) const {
+    for (InPortBase* reader : readers_) {
+        if (reader->looks_at_ == this && reader->looked_sequence_ == sequence) reader->keep_latest();
+    }
+}
+
+std::vector<const OutPortBase*> InPortBase::sources() const {
+    std::vector<const OutPortBase*> all;
+    for (const Source& source : sources_) all.push_back(source.port);
+    return all;
+}
+
+double InPortBase::stale_after() const {
+    double longest = sources_.empty() ? silence : 0;
+    for (const Source& source : sources_) longest = std::max(longest, source.port->stale_after());
+    return longest;
+}
+
+InPortBase::Source* InPortBase::find_source(const OutPortBase& source) {
+    return std::find_if(sources_.begin(), sources_.end(), [&](const Source& each) { return each.port == &source; });
+}
+
+void InPortBase::attach(OutPortBase& source) {
+    assert(source.type() == type());
+    if (Source* known = find_source(source); known != sources_.end()) {
+        ++known->connections;
+        return;
+    }
+    sources_.push_back({&source, source.sequence()});
+    source.readers_.push_back(this);
+}
+
+void InPortBase::move_behind(const OutPortBase& source, std::span<const OutPortBase* const> before) {
+    const auto is_before = [&](const Source& each) {
+        return std::find(before.begin(), before.end(), each.port) != before.end();
+    };
+    Source* own = find_source(source);
+    std::rotate(std::find_if_not(sources_.begin(), own, is_before), own, own + 1);
+}
+
+void InPortBase::detach(const OutPortBase& source) {
+    Source* found = find_source(source);
+    if (found == sources_.end() || --found->connections > 0) return;
+    if (looks_at_ == &source) keep_latest();
+    auto& readers = found->port->readers_;
+    readers.erase(std::find(readers.begin(), readers.end(), this));
+    sources_.erase(found);
+    ++disconnections_;
+    count_when_left_ = count_;
+}
+
+std::vector<AnyMessage> InPortBase::set_queue(std::size_t queue) {
+    if (queue == capacity_) return {};
+    std::vector<AnyMessage> unread = take_unread();
+    set_capacity(queue);
+    return set_unread(std::move(unread));
+}
+
+void InPortBase::put_back(std::vector<AnyMessage> dropped) {
+    if (capacity_ == 0) return;
+    overflow_ -= dropped.size();
+    std::vector<AnyMessage> unread = take_unread();
+    dropped.insert(dropped.end(), std::make_move_iterator(unread.begin()), std::make_move_iterator(unread.end()));
+    set_unread(std::move(dropped));
+}
+
+// Keeps the newest of these messages that have a place. Returns the others.
+std::vector<AnyMessage> InPortBase::set_unread(std::vector<AnyMessage> unread) {
+    unread_ = std::min(unread.size(), std::max<std::size_t>(capacity_, 1));
+    const auto first = unread.end() - static_cast<std::ptrdiff_t>(unread_);
+    fill({std::make_move_iterator(first), std::make_move_iterator(unread.end())});
+    unread.erase(first, unread.end());
+    overflow_ += unread.size();
+    return unread;
+}
 
 std::unique_ptr<InPortBase> make_in_port(const MessageType* type, std::string name, std::string doc,
                                          std::size_t queue) {

@@ -81,9 +81,6 @@ std::optional<T> default_safe() {
 }
 
 template <Held T>
-class InPort;
-
-template <Held T>
 class OutPort final : public OutPortBase {
 public:
     explicit OutPort(std::string name, std::string doc = "", std::optional<T> safe = default_safe<T>(),
@@ -124,7 +121,7 @@ public:
         if (pending_ == 0) return false;
         // Readers of the publication before this one still refer to its slots, because behaviours latch their outputs
         // after their inputs.
-        for (InPort<T>* reader : readers_) reader->before_reuse(*this, sequence_ - 1);
+        release_slots(sequence_ - 1);
         Few<Message<T>>& slots = slots_[filling_];
         filling_ = next(filling_);
         latched_ = std::exchange(pending_, 0);
@@ -138,11 +135,6 @@ public:
         count_ += latched_;
         ++sequence_;
         return true;
-    }
-    void add_reader(InPort<T>& reader) { readers_.push_back(&reader); }
-    void remove_reader(const InPort<T>& reader) {
-        const auto found = std::find(readers_.begin(), readers_.end(), &reader);
-        if (found != readers_.end()) readers_.erase(found);
     }
     void discard() override { pending_ = 0; }
     void write_any(const Value& value) override { write(detail::held_in<T>(value)); }
@@ -188,7 +180,6 @@ private:
     const Few<Message<T>>& published() const { return slots_[next(next(filling_))]; }
 
     std::size_t latched_ = 0;    // number of messages in the last publication
-    Few<InPort<T>*> readers_;    // connected to it
     std::uint32_t filling_ = 0;  // the place that is filled
     std::array<Few<Message<T>>, places> slots_;
     [[no_unique_address]] detail::Zero<T> zero_;
@@ -248,22 +239,6 @@ public:
         arrived_at_ = 0;
     }
     void inject(const Value& value) override { injected_.push_back({detail::held_in<T>(value), 0.0}); }
-    std::vector<AnyMessage> set_queue(std::size_t queue) override {
-        if (queue == capacity_) return {};
-        std::vector<Message<T>> unread = take_unread();
-        if (capacity_ == 0) taken_ = unread_ > 0 ? Message<T>{zero_.get()} : *latest_;
-        capacity_ = queue;
-        return set_unread(std::move(unread));
-    }
-    void put_back(std::vector<AnyMessage> dropped) override {
-        if (capacity_ == 0) return;
-        std::vector<Message<T>> unread;
-        unread.reserve(dropped.size() + unread_);
-        for (AnyMessage& each : dropped) unread.push_back({detail::held_in<T>(std::move(each.data)), each.tm});
-        overflow_ -= unread.size();
-        for (Message<T>& each : take_unread()) unread.push_back(std::move(each));
-        set_unread(std::move(unread));
-    }
 
     std::size_t message_count() const override { return arrived_.size(); }
     MessageView message(std::size_t index) const override { return arrived_[index].view(); }
@@ -278,60 +253,7 @@ public:
     }
     Value override_value() const override { return *held_; }
 
-    std::vector<const OutPortBase*> sources() const override {
-        std::vector<const OutPortBase*> all;
-        for (const Source& source : sources_) all.push_back(source.port);
-        return all;
-    }
-    double stale_after() const override {
-        double longest = sources_.empty() ? silence : 0;
-        for (const Source& source : sources_) longest = std::max(longest, source.port->stale_after());
-        return longest;
-    }
-    /// Called before `source` reuses the slots of this publication.
-    void before_reuse(const OutPortBase& source, std::uint64_t sequence) {
-        if (looks_at_ == &source && looked_sequence_ == sequence) keep_latest();
-    }
-
 private:
-    void attach(OutPortBase& source) override {
-        assert(source.type() == type());
-        auto& port = static_cast<OutPort<T>&>(source);
-        const auto known = find_source(source);
-        if (known != sources_.end()) {
-            ++known->connections;
-            return;
-        }
-        sources_.push_back({&port, port.sequence()});
-        port.add_reader(*this);
-        connections_ = sources_.size();
-    }
-    void move_behind(const OutPortBase& source, std::span<const OutPortBase* const> before) override {
-        const auto is_before = [&](const Source& each) {
-            return std::find(before.begin(), before.end(), each.port) != before.end();
-        };
-        const auto own = find_source(source);
-        std::rotate(std::find_if_not(sources_.begin(), own, is_before), own, own + 1);
-    }
-    void detach(const OutPortBase& source) override {
-        const auto found = find_source(source);
-        if (found == sources_.end() || --found->connections > 0) return;
-        if (looks_at_ == &source) keep_latest();
-        found->port->remove_reader(*this);
-        sources_.erase(found);
-        ++disconnections_;
-        connections_ = sources_.size();
-        count_when_left_ = count_;
-    }
-    struct Source {
-        OutPort<T>* port = nullptr;
-        std::uint64_t seen = 0;  // the sequence number of the publication taken last
-        int connections = 1;
-    };
-    auto find_source(const OutPortBase& source) {
-        return std::find_if(sources_.begin(), sources_.end(), [&](const Source& s) { return s.port == &source; });
-    }
-
     void take_published(const Time& now) {
         // Sources that published in an earlier tick (behaviours) come before sources of this tick (sensors).
         bool any_of_this_tick = false;
@@ -352,7 +274,8 @@ private:
         source.seen = source.port->sequence();
         looks_at_ = source.port;
         looked_sequence_ = source.seen;
-        for (const Message<T>& message : source.port->messages()) deliver(message, now);
+        const auto& port = static_cast<const OutPort<T>&>(*source.port);
+        for (const Message<T>& message : port.messages()) deliver(message, now);
     }
     void take_injected(const Time& now) {
         for (Message<T>& message : injected_) {
@@ -366,8 +289,7 @@ private:
         for (Source& source : sources_) source.seen = source.port->sequence();
         injected_.clear();
     }
-    /// Copies the latest message into this port, so that it no longer refers to a source.
-    void keep_latest() {
+    void keep_latest() override {
         if (latest_ != &own_) own_ = *latest_;
         latest_ = &own_;
         looks_at_ = nullptr;
@@ -401,27 +323,32 @@ private:
         queue_[(head_ + unread_) % capacity_] = message;
         ++unread_;
     }
-    std::vector<Message<T>> take_unread() {
-        std::vector<Message<T>> unread;
-        for (std::size_t i = 0; i < unread_; ++i)
-            unread.push_back(capacity_ > 0 ? std::move(queue_[(head_ + i) % capacity_]) : *latest_);
+    void set_capacity(std::size_t queue) override {
+        if (capacity_ == 0) taken_ = unread_ > 0 ? Message<T>{zero_.get()} : *latest_;
+        capacity_ = queue;
+    }
+    std::vector<AnyMessage> take_unread() override {
+        std::vector<AnyMessage> unread;
+        for (std::size_t i = 0; i < unread_; ++i) {
+            if (capacity_ == 0) {
+                unread.push_back({latest_->data, latest_->tm});
+            } else {
+                Message<T>& each = queue_[(head_ + i) % capacity_];
+                unread.push_back({std::move(each.data), each.tm});
+            }
+        }
         return unread;
     }
-    std::vector<AnyMessage> set_unread(std::vector<Message<T>> unread) {
-        const std::size_t kept = std::min(unread.size(), std::max<std::size_t>(capacity_, 1));
-        const auto first = unread.end() - static_cast<std::ptrdiff_t>(kept);
-        std::vector<AnyMessage> dropped;
-        for (auto each = unread.begin(); each != first; ++each)
-            dropped.push_back({Value(std::move(each->data)), each->tm});
-        unread.erase(unread.begin(), first);
-        overflow_ += dropped.size();
+    void fill(std::vector<AnyMessage> unread) override {
         head_ = 0;
-        unread_ = kept;
-        queue_ = capacity_ > 0 ? std::move(unread) : std::vector<Message<T>>{};
         queued_bytes_ = 0;
-        for (const Message<T>& message : queue_) queued_bytes_ += heap_bytes(message.data);
+        queue_.clear();
         queue_.resize(capacity_);
-        return dropped;
+        if (capacity_ == 0) return;
+        for (std::size_t i = 0; i < unread.size(); ++i) {
+            queue_[i] = {detail::held_in<T>(std::move(unread[i].data)), unread[i].tm};
+            queued_bytes_ += heap_bytes(queue_[i].data);
+        }
     }
     void drop_oldest() {
         if constexpr (holds_heap) {
@@ -440,10 +367,7 @@ private:
     static constexpr bool holds_heap = !std::is_trivially_copyable_v<T>;
 
     // Members that are used in every tick come first.
-    const Message<T>* latest_ = &own_;       // a slot of `looks_at_`, or `own_`
-    const OutPortBase* looks_at_ = nullptr;  // the source of this slot
-    std::uint64_t looked_sequence_ = 0;      // the publication of this slot
-    Few<Source> sources_;
+    const Message<T>* latest_ = &own_;  // a slot of `looks_at_`, or `own_`
     std::vector<Message<T>> injected_;
     [[no_unique_address]] detail::Zero<T> zero_;
     Message<T> own_{zero_.get()};    // if it does not belong to a source

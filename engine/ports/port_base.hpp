@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/base/error.hpp"
+#include "engine/base/few.hpp"
 #include "engine/ports/messages.hpp"
 #include "engine/ports/payload.hpp"
 
@@ -46,6 +47,7 @@ struct MessageView {
 };
 
 class Component;
+class InPortBase;
 
 /// The base of all ports, for messages of any type.
 class Port {
@@ -162,12 +164,19 @@ public:
 
 protected:
     using Port::Port;
+    /// Before the slots of this publication are reused: its readers keep copies of what they refer to.
+    void release_slots(std::uint64_t sequence) const;
+
     std::size_t pending_ = 0;  // how many of the pending slots are filled
     std::int64_t latched_tick_ = -1;
     double latched_at_ = 0;  // [s]
     std::uint64_t sequence_ = 0;
     double rate_ = 0;
     OutPortBase* companion_ = nullptr;
+
+private:
+    friend class InPortBase;
+    Few<InPortBase*> readers_;  // connected to it
 };
 
 /// A message of any type.
@@ -188,10 +197,10 @@ public:
     virtual void inject(const Value& value) = 0;
     /// Changes the length of the queue (0: only the latest value). Unread messages stay; if they are too many, the
     /// newest stay. Returns the dropped messages, oldest first, and counts them as dropped.
-    virtual std::vector<AnyMessage> set_queue(std::size_t queue) = 0;
+    std::vector<AnyMessage> set_queue(std::size_t queue);
     /// Reverts the dropping by `set_queue`: the messages come before the unread ones. Messages that do not fit now stay
     /// dropped.
-    virtual void put_back(std::vector<AnyMessage> dropped) = 0;
+    void put_back(std::vector<AnyMessage> dropped);
 
     /// Whether there is an unread message.
     bool is_new() const { return unread_ > 0; }
@@ -205,7 +214,7 @@ public:
     std::int64_t arrival_tick() const { return arrival_tick_; }
     /// The time of that tick [s]; 0 before the first one.
     double arrived_at() const { return arrived_at_; }
-    bool connected() const { return connections_ > 0; }
+    bool connected() const { return !sources_.empty(); }
     /// Whether no message came for more than `stale_after` before `now` [s], or never, or not since its last connection
     /// was removed.
     bool is_stale(double now) const {
@@ -237,7 +246,7 @@ public:
     }
     /// Sets the in-port for the companions of its sources.
     void set_companion(InPortBase& companion) { companion_ = &companion; }
-    virtual std::vector<const OutPortBase*> sources() const = 0;
+    std::vector<const OutPortBase*> sources() const;
     /// Its companion, if connecting this port to `source` also connects the companions; otherwise nullptr.
     InPortBase* companion_for(const OutPortBase& source) const {
         const bool both = companion_ != nullptr && source.companion() != nullptr;
@@ -248,24 +257,36 @@ public:
     void follow() const { followed_ = true; }
 
     /// The port is stale after this time [s] without a message: that of its slowest sender.
-    virtual double stale_after() const = 0;
+    double stale_after() const;
     /// Limit for texts, sequences and pictures in a queue [bytes]. Beyond it the oldest message is dropped, as if the
     /// queue were full.
     static constexpr std::size_t most_queued_bytes = std::size_t{64} << 20;
 
 protected:
-    virtual void attach(OutPortBase& source) = 0;
-    /// Moves a source forward so that only the sources in `before` come before it.
-    virtual void move_behind(const OutPortBase& source, std::span<const OutPortBase* const> before) = 0;
-    virtual void detach(const OutPortBase& source) = 0;
-
     InPortBase(std::string name, const MessageType* type, std::string doc, std::size_t queue)
         : Port(std::move(name), type, Direction::in, std::move(doc)), capacity_(queue) {}
 
+    struct Source {
+        OutPortBase* port = nullptr;
+        std::uint64_t seen = 0;  // the sequence number of the publication taken last
+        int connections = 1;
+    };
+    /// Copies the latest message into this port, so that it no longer refers to a source.
+    virtual void keep_latest() = 0;
+    /// Changes `capacity_`; the queue is filled by `fill` afterwards.
+    virtual void set_capacity(std::size_t queue) = 0;
+    /// Moves the unread messages out, oldest first.
+    virtual std::vector<AnyMessage> take_unread() = 0;
+    /// Replaces the queue by these messages, at most `capacity_`.
+    virtual void fill(std::vector<AnyMessage> unread) = 0;
+
+    // Members that are used in every tick come first.
+    const OutPortBase* looks_at_ = nullptr;  // the source whose slot has the latest message; null: this port has it
+    std::uint64_t looked_sequence_ = 0;      // the publication of this slot
+    Few<Source> sources_;
     mutable bool followed_ = false;  // may be set by readers: it does not change the port's behaviour
     std::size_t capacity_;
     std::size_t unread_ = 0;
-    std::size_t connections_ = 0;
     std::uint64_t overflow_ = 0;
     std::uint64_t disconnections_ = 0;
     std::uint64_t count_when_left_ = 0;  // the number of messages when its last connection went
@@ -273,6 +294,14 @@ protected:
     double arrived_at_ = 0;
 
 private:
+    friend class OutPortBase;
+    Source* find_source(const OutPortBase& source);
+    void attach(OutPortBase& source);
+    /// Moves a source forward so that only the sources in `before` come before it.
+    void move_behind(const OutPortBase& source, std::span<const OutPortBase* const> before);
+    void detach(const OutPortBase& source);
+    std::vector<AnyMessage> set_unread(std::vector<AnyMessage> unread);
+
     InPortBase* companion_ = nullptr;
     bool overflow_told_ = false;
 };

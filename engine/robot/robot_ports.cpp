@@ -35,39 +35,52 @@ template <class T>
 constexpr bool can_carry = std::is_arithmetic_v<T> || std::is_same_v<T, std::string>;
 
 // Writes sensor readings into a message of type T, directly into the published slot.
-template <class T>
-struct Writer {
-    template <class Port>
-    static void write(const Port& port, std::span<const SensorReading> readings, std::span<const double> values,
-                      double rate, const Pose3D* turned) {
-        const std::size_t size = port.count > 0 ? port.count : port.sensors.size();
-        const auto value = [&](std::size_t i) {
-            if (port.count > 0) return values[port.first + i];
-            const SensorReading& reading = readings[port.sensors[i]];
-            return port.physical ? reading.physical : reading.value;
-        };
-        T& slot = static_cast<OutPort<T>&>(*port.port).next_pending();
-        if constexpr (can_carry<T>) {
-            slot = element<T>(value(0));
-        } else if constexpr (std::is_same_v<T, RangeData>) {
-            slot.ranges.resize(size);
-            for (std::size_t i = 0; i < size; ++i) slot.ranges[i] = value(i);
-            slot.config.frequency = rate;
-            if (turned != nullptr) slot.geometry.pose = *turned;
-        } else {
-            slot.resize(size);
-            for (std::size_t i = 0; i < size; ++i) slot[i] = element<typename T::value_type>(value(i));
-        }
+template <class T, class SensorPort>
+void write_readings(const SensorPort& port, std::span<const SensorReading> readings, std::span<const double> values,
+                    double rate, const Pose3D* turned) {
+    const std::size_t size = port.count > 0 ? port.count : port.sensors.size();
+    const auto value = [&](std::size_t i) {
+        if (port.count > 0) return values[port.first + i];
+        const SensorReading& reading = readings[port.sensors[i]];
+        return port.physical ? reading.physical : reading.value;
+    };
+    T& slot = static_cast<OutPort<T>&>(*port.port).next_pending();
+    if constexpr (can_carry<T>) {
+        slot = element<T>(value(0));
+    } else if constexpr (std::is_same_v<T, RangeData>) {
+        slot.ranges.resize(size);
+        for (std::size_t i = 0; i < size; ++i) slot.ranges[i] = value(i);
+        slot.config.frequency = rate;
+        if (turned != nullptr) slot.geometry.pose = *turned;
+    } else {
+        slot.resize(size);
+        for (std::size_t i = 0; i < size; ++i) slot[i] = element<typename T::value_type>(value(i));
     }
+}
+
+// How a message type carries the readings of sensors.
+template <class SensorPort>
+struct Carrier {
+    decltype(SensorPort::write) write = nullptr;  // null: it can't
+    bool is_single = false;                       // one value
+    bool is_text = false;                         // names of colours, no numbers
+    bool is_range = false;                        // a RangeData
 };
 
-template <class T>
-constexpr bool carries_values() {
+template <class SensorPort, class T>
+Carrier<SensorPort> carrier_of() {
+    constexpr bool range = std::is_same_v<T, RangeData>;
     if constexpr (Sequence<T>) {
-        return can_carry<typename T::value_type>;
-    } else {
-        return can_carry<T> || std::is_same_v<T, RangeData>;
+        if constexpr (can_carry<typename T::value_type>)
+            return {.write = write_readings<T, SensorPort>,
+                    .is_text = std::is_same_v<typename T::value_type, std::string>};
+    } else if constexpr (can_carry<T> || range) {
+        return {.write = write_readings<T, SensorPort>,
+                .is_single = !range,
+                .is_text = std::is_same_v<T, std::string>,
+                .is_range = range};
     }
+    return {};
 }
 
 // The smaller angle [rad] from one yaw to another.
@@ -149,10 +162,6 @@ std::string_view lacks(const SensorSpec& sensor, PortSpec::Quantity quantity) {
     return "";
 }
 
-// Whether a message of type T carries the names of colours, but no numbers.
-template <class T>
-constexpr bool is_text = std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<std::string>>;
-
 // The index of a sensor of the robot, or an error that names the nearest.
 Expected<std::size_t> find_sensor(const RobotSpec& spec, std::string_view name) {
     const auto found = std::find_if(spec.sensors.begin(), spec.sensors.end(),
@@ -203,61 +212,51 @@ Expected<void> Robot::add_output(const PortSpec& port) {
         if (!sensor) return Unexpected(sensor.error());
         sensors.push_back(*sensor);
     }
-    return with_payload_type(**type, [&]<class T>() -> Expected<void> {
-        if constexpr (!carries_values<T>()) {
-            return failure(fmt::format("a {} can't carry sensors' values", port.type));
-        } else {
-            if (can_carry<T> && sensors.size() > 1)
-                return failure(
-                    fmt::format("a {} carries the value of one sensor, not of {}", port.type, sensors.size()));
-            for (const std::size_t i : sensors) {
-                const SensorSpec& sensor = spec_.sensors[i];
-                if (is_text<T> && sensor.kind != SensorSpec::Kind::color)
-                    return failure(
-                        fmt::format("a {} carries colours, and '{}' is not a color sensor", port.type, sensor.name));
-                const std::string_view lack =
-                    lacks(sensor, std::is_same_v<T, RangeData> ? PortSpec::Quantity::distance : port.quantity);
-                if (!lack.empty()) return failure(fmt::format("'{}' {}", sensor.name, lack));
-                if (values_of(sensor) == 0) continue;
-                if (sensors.size() > 1)
-                    return failure(fmt::format("'{}' has several values: it has a port of its own", sensor.name));
-                if (can_carry<T> || is_text<T>)
-                    return failure(
-                        fmt::format("'{}' has several values, and a {} carries one", sensor.name, port.type));
-            }
-            const bool is_acceleration = port.quantity == PortSpec::Quantity::acceleration;
-            const bool is_half = is_acceleration || port.quantity == PortSpec::Quantity::rate;
-            const std::size_t count = values_of(spec_.sensors[sensors.front()]);
-            SensorPort made{.port = nullptr,
-                            .write = Writer<T>::template write<SensorPort>,
-                            .sensors = sensors,
-                            .first = is_acceleration ? count / 2 : 0,
-                            .count = is_half ? count / 2 : count,
-                            .physical = port.quantity != PortSpec::Quantity::value || std::is_same_v<T, RangeData>,
-                            .rate = port.rate,
-                            .pose = {},
-                            .servo = std::nullopt};
-            if constexpr (std::is_same_v<T, RangeData>) {
-                const auto range = describe_ranges(spec_, sensors);
-                if (!range) return Unexpected(range.error());
-                auto& out = add_out_port<T>(port.name, port.doc);
-                out.prepare(*range);
-                made.port = &out;
-                made.pose = range->geometry.pose;
-                for (std::size_t i = 0; i < spec_.actuators.size(); ++i) {
-                    const ActuatorSpec& actuator = spec_.actuators[i];
-                    if (actuator.kind == ActuatorSpec::Kind::servo &&
-                        actuator.name == spec_.sensors[sensors.front()].on)
-                        made.servo = i;
-                }
-            } else {
-                made.port = &add_out_port<T>(port.name, port.doc);
-            }
-            made.port->set_rate(port.rate);
-            sensor_ports_.push_back(std::move(made));
-            return {};
+    const auto carrier = with_payload_type(**type, []<class T>() { return carrier_of<SensorPort, T>(); });
+    if (carrier.write == nullptr) return failure(fmt::format("a {} can't carry sensors' values", port.type));
+    if (carrier.is_single && sensors.size() > 1)
+        return failure(fmt::format("a {} carries the value of one sensor, not of {}", port.type, sensors.size()));
+    for (const std::size_t i : sensors) {
+        const SensorSpec& sensor = spec_.sensors[i];
+        if (carrier.is_text && sensor.kind != SensorSpec::Kind::color)
+            return failure(fmt::format("a {} carries colours, and '{}' is not a color sensor", port.type, sensor.name));
+        const std::string_view lack = lacks(sensor, carrier.is_range ? PortSpec::Quantity::distance : port.quantity);
+        if (!lack.empty()) return failure(fmt::format("'{}' {}", sensor.name, lack));
+        if (values_of(sensor) == 0) continue;
+        if (sensors.size() > 1)
+            return failure(fmt::format("'{}' has several values: it has a port of its own", sensor.name));
+        if (carrier.is_single || carrier.is_text)
+            return failure(fmt::format("'{}' has several values, and a {} carries one", sensor.name, port.type));
+    }
+    const bool is_acceleration = port.quantity == PortSpec::Quantity::acceleration;
+    const bool is_half = is_acceleration || port.quantity == PortSpec::Quantity::rate;
+    const std::size_t count = values_of(spec_.sensors[sensors.front()]);
+    SensorPort made{.port = nullptr,
+                    .write = carrier.write,
+                    .sensors = sensors,
+                    .first = is_acceleration ? count / 2 : 0,
+                    .count = is_half ? count / 2 : count,
+                    .physical = port.quantity != PortSpec::Quantity::value || carrier.is_range,
+                    .rate = port.rate,
+                    .pose = {},
+                    .servo = std::nullopt};
+    auto out = make_out_port(*type, port.name, port.doc);
+    if (carrier.is_range) {
+        const auto range = describe_ranges(spec_, sensors);
+        if (!range) return Unexpected(range.error());
+        static_cast<OutPort<RangeData>&>(*out).prepare(*range);
+        made.pose = range->geometry.pose;
+        for (std::size_t i = 0; i < spec_.actuators.size(); ++i) {
+            const ActuatorSpec& actuator = spec_.actuators[i];
+            if (actuator.kind == ActuatorSpec::Kind::servo && actuator.name == spec_.sensors[sensors.front()].on)
+                made.servo = i;
         }
-    });
+    }
+    made.port = out.get();
+    made.port->set_rate(port.rate);
+    out_ports_.push_back(std::move(out));
+    sensor_ports_.push_back(std::move(made));
+    return {};
 }
 
 Expected<void> Robot::add_input(const PortSpec& port) {
