@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/lua/script/coverage.hpp"
+#include "bindings/lua/sandbox/coverage.hpp"
 
 namespace nezumi {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/script/coverage.hpp"
+#include "bindings/lua/sandbox/coverage.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi {

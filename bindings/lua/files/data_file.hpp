@@ -17,8 +17,8 @@
 #include "bindings/lua/files/file_source.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/compile.hpp"
+#include "bindings/lua/sandbox/coverage.hpp"
 #include "bindings/lua/sandbox/state.hpp"
-#include "bindings/lua/script/coverage.hpp"
 #include "engine/base/error.hpp"
 #include "engine/project/project.hpp"
 

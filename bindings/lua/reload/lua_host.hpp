@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "bindings/lua/script/coverage.hpp"
+#include "bindings/lua/sandbox/coverage.hpp"
 #include "engine/live/script_host.hpp"
 
 namespace nezumi {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bindings/lua/sandbox/compile.hpp"
-#include "bindings/lua/script/coverage.hpp"
+#include "bindings/lua/sandbox/coverage.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/mutex.hpp"
 #include "engine/project/script_source.hpp"

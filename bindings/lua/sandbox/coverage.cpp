@@ -1,5 +1,5 @@
 // The registry of each state has the table of marks under the address of its source.
-#include "bindings/lua/script/coverage.hpp"
+#include "bindings/lua/sandbox/coverage.hpp"
 
 #include <algorithm>
 #include <map>
