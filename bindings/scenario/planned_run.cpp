@@ -18,8 +18,12 @@ namespace fs = std::filesystem;
 
 RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSessionOptions& options, RunFiles* files,
                    bool keep_history) {
+    std::optional<Coverage> coverage;
+    if (options.coverage) coverage.emplace(Project::of(file.path, options.installed).root());
+    Coverage* const covered = coverage ? &*coverage : nullptr;
     auto read = ScenarioFile::read(
-        file.path, {.installed = options.installed, .peer_words = options.peer_words, .seed = options.seed});
+        file.path,
+        {.installed = options.installed, .peer_words = options.peer_words, .seed = options.seed, .coverage = covered});
     if (!read) return {.outcome = RunOutcome::could_not_run, .error = read.error()};
     if (run.scenario >= (*read)->scenarios().size())
         return {.outcome = RunOutcome::could_not_run, .error = {"the file has changed meanwhile", {file.shown}}};
@@ -30,7 +34,8 @@ RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSes
                           .systems = options.systems,
                           .files = files,
                           .keep_history = keep_history,
-                          .update_goldens = options.update_goldens});
+                          .update_goldens = options.update_goldens,
+                          .coverage = covered});
     return scenario.run();
 }
 

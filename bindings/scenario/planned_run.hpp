@@ -22,6 +22,7 @@ struct TestSessionOptions {
     std::size_t jobs = 1;                          ///< processes at a time
     std::filesystem::path folder = "nezumi-test";  ///< the files of failures are in subfolders of it
     bool update_goldens = false;                   ///< writes the goldens instead of comparing with them
+    bool coverage = false;                         ///< results have the coverage of their runs
     std::vector<std::filesystem::path> installed;
     PeerWords peer_words{};                ///< as in `LiveOptions`
     std::function<LiveOptions()> systems;  ///< makes systems

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t largest_picture = std::size_t{256} << 20;  // [bytes] of a file that a run reads
-constexpr std::string_view magic = "nezumi result 3\n";
+constexpr std::string_view magic = "nezumi result 4\n";
 
 std::string text_of(const ResultKey& key) {
     return fmt::format("{}\n{}\n{}\n{}\n{}", key.file, key.run, key.repetition, key.simplest ? "simplest" : "run",

@@ -16,8 +16,9 @@ bool all_fields(Archive& archive, Result& result) {
     return archive(result.outcome) && archive(result.error.message) && archive(result.error.place.file) &&
            archive(result.error.place.line) && archive(result.error.place.column) && archive(result.error.kind) &&
            archive(result.component_failed) && archive(result.facts) && archive(result.margins) &&
-           archive(result.printed) && archive(result.measures) && archive(result.goldens) && archive(result.folder) &&
-           archive(result.files) && archive(result.seconds) && archive(result.wall_seconds) && archive(result.hash);
+           archive(result.printed) && archive(result.measures) && archive(result.goldens) && archive(result.coverage) &&
+           archive(result.folder) && archive(result.files) && archive(result.seconds) && archive(result.wall_seconds) &&
+           archive(result.hash);
 }
 
 // Bytes of another machine may contain anything.
@@ -53,6 +54,22 @@ requires std::is_same_v<std::remove_const_t<AnyUse>, GoldenUse>
 bool each_field(Archive& archive, AnyUse& use) {
     return archive(use.file) && archive(use.place.file) && archive(use.place.line) && archive(use.place.column) &&
            archive(use.written);
+}
+
+template <class Archive, class AnyLine>
+requires std::is_same_v<std::remove_const_t<AnyLine>, CoveredLine>
+bool each_field(Archive& archive, AnyLine& line) { return archive(line.line) && archive(line.ran); }
+
+template <class Archive, class AnyBranch>
+requires std::is_same_v<std::remove_const_t<AnyBranch>, CoveredBranch>
+bool each_field(Archive& archive, AnyBranch& branch) {
+    return archive(branch.line) && archive(branch.number) && archive(branch.way) && archive(branch.ran);
+}
+
+template <class Archive, class AnyFile>
+requires std::is_same_v<std::remove_const_t<AnyFile>, FileCoverage>
+bool each_field(Archive& archive, AnyFile& file) {
+    return archive(file.file) && archive(file.hash) && archive(file.lines) && archive(file.branches);
 }
 
 std::string to_bytes(const RunResult& result) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bindings/lua/sandbox/coverage.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi {
@@ -59,6 +60,7 @@ struct RunResult {
     std::vector<std::string> printed;        ///< the output of the scenario, and warnings
     std::vector<Measure> measures{};         ///< in the order of `s:measure`, each name once
     std::vector<GoldenUse> goldens{};        ///< each file once
+    std::vector<FileCoverage> coverage{};    ///< of the files that it loaded, if it was asked for
     std::string folder;                      ///< the folder of a failure's files; empty: there are none
     std::vector<std::string> files;          ///< their names
     double seconds = 0;                      ///< simulated

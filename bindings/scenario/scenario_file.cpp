@@ -95,7 +95,8 @@ Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem
     auto text = options.text ? Expected<std::string>(*options.text) : read_whole(path, file->shown_);
     if (!text) return give_up(text.error());
     file->text_ = std::move(*text);
-    auto data = DataFile::create(file->project_, {.seed = options.seed, .print = options.print});
+    auto data =
+        DataFile::create(file->project_, {.seed = options.seed, .print = options.print, .coverage = options.coverage});
     if (!data) return give_up(data.error());
     file->file_ = std::move(*data);
     file->state().set_memory_limit(std::size_t{256} << 20);

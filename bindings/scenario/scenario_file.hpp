@@ -43,6 +43,7 @@ struct ScenarioFileOptions {
     std::uint64_t seed = 0;                        ///< of `math.random`
     std::function<void(std::string_view)> print;   ///< gets the output of the file, a line at a time; may be empty
     std::optional<std::string> text{};             ///< replaces the content of the file, which need not exist
+    Coverage* coverage = nullptr;                  ///< of required modules; may be null, must outlive the file
 };
 
 class ScenarioFile {

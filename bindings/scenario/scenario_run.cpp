@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bindings/lua/live/object_core.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/system/perform.hpp"
@@ -94,6 +95,7 @@ std::optional<double> ScenarioRun::clearance(lua_State* lua, int index) const {
 RunResult ScenarioRun::run() {
     const auto began = std::chrono::steady_clock::now();
     lua_State* lua = file_.state().lua();
+    if (settings_.coverage != nullptr) covered_scripts_ = covered_scripts(*settings_.coverage);
     if (auto ok = open(); !ok) {
         stop(RunOutcome::could_not_run, ok.error());
     } else {
@@ -163,6 +165,7 @@ void ScenarioRun::finish() {
     worlds_.stop_robots();
     result_.seconds = worlds_.now();
     result_.hash = worlds_.trace_hash();
+    if (settings_.coverage != nullptr) result_.coverage = settings_.coverage->take();
     if (settings_.files == nullptr) return;
     RunFiles::Kept kept = settings_.files->finish(settings_.name);
     result_.files = std::move(kept.names);

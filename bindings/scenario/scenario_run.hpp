@@ -52,6 +52,7 @@ struct RunSettings {
     RunFiles* files = nullptr;             ///< null: no files
     bool keep_history = false;             ///< for plots; takes memory that grows with the run
     bool update_goldens = false;           ///< writes the goldens instead of comparing with them
+    Coverage* coverage = nullptr;          ///< notes which lines of scripts run; null: not needed
 };
 
 /// The seed for everything that a scenario draws at random.
@@ -143,8 +144,9 @@ private:
     const Scenario& scenario_;
     std::size_t index_;
     RunSettings settings_;
-    Worlds worlds_;                    // declared before the members that refer to them
-    std::deque<Described> described_;  // a deque, because addresses must not change
+    std::unique_ptr<ScriptHost> covered_scripts_;  // null: no coverage is asked for
+    Worlds worlds_;                                // declared before the members that refer to them
+    std::deque<Described> described_;              // a deque, because addresses must not change
     WordHost word_host_;
     std::unique_ptr<Objects> objects_;
     Faults faults_;

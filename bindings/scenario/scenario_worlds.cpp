@@ -124,6 +124,7 @@ Expected<void> ScenarioRun::build(Described& described) {
         options.build.out_of_time_is_fatal = true;
         options.budget = headless_budget;
     }
+    if (covered_scripts_ != nullptr) options.scripts = covered_scripts_.get();
     options.watch = false;
     options.print = [this](std::string_view line) { print(line); };
     options.build.log = [this](const LogLine& line) {

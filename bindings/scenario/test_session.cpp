@@ -234,6 +234,7 @@ private:
         for (const std::size_t index : told_) {
             const PlannedRun& run = plan_.runs[index];
             const RunResult result = agree(results_[index], scenario_of(run).place);
+            end_.coverage.add(scenario_of(run).name, result.coverage);
             end_.measured.push_back(
                 {.scenario = scenario_of(run).name,
                  .name = run.name,

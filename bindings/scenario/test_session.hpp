@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "bindings/scenario/coverage_report.hpp"
 #include "bindings/scenario/measures.hpp"
 #include "bindings/scenario/plan_file.hpp"
 #include "bindings/scenario/planned_run.hpp"
@@ -17,6 +18,7 @@ struct SessionEnd {
     SessionSummary summary;
     std::vector<RunReport> reports;
     std::vector<MeasuredRun> measured;  ///< every run that was made, as it was planned
+    CoverageReport coverage{};          ///< of the same runs, if it was asked for
     bool interrupted = false;
     bool can_resume = false;  ///< it was interrupted, and results of finished runs are kept
 

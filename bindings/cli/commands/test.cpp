@@ -69,6 +69,10 @@ SubCommand test_command() {
               FileUse::result},
              {"--plots", &options->plots,
               "draw each measure over each swept parameter into this folder, as SVG: medians and quartiles", "DIR"},
+             {"--coverage", &options->coverage,
+              "note which lines and branches of behaviours and modules run; writes coverage.txt and lcov.info into this "
+              "folder",
+              "DIR"},
              {"--tap", &options->tap, "print the results as TAP"},
              {"--quiet", &options->quiet, "report only runs that do not pass, and the summary"},
              {"--update-goldens", &options->update_goldens, "write the traces of s:golden instead of comparing"},

@@ -21,6 +21,7 @@
 #include "bindings/cli/base/version.hpp"
 #include "bindings/cli/files/output_files.hpp"
 #include "bindings/cli/run/hardware.hpp"
+#include "bindings/cli/test/coverage_files.hpp"
 #include "bindings/cli/test/parts.hpp"
 #include "bindings/cli/test/progress.hpp"
 #include "bindings/cli/test/scenario_files.hpp"
@@ -120,6 +121,8 @@ int list(const TestPlan& plan, const Shard& shard) {
 Expected<void> check_options(const TestOptions& command) {
     const GivenOptions parts{{"--shard", !command.shard.empty()}, {"--resume", command.resume}};
     auto ok = refuse_given({{"--quiet", command.tap && command.quiet}}, "--tap reports every run");
+    if (ok && command.hw)
+        ok = refuse_given({{"--coverage", !command.coverage.empty()}}, "--hw: only simulated time waits for marks");
     if (ok && command.update_goldens) ok = refuse_given(parts, "--update-goldens: every run has to be made");
     if (!ok || !command.merge) return ok;
     ok = refuse_given(parts, "--merge reports runs that were made before");
@@ -145,6 +148,7 @@ Expected<void> check_options(const TestOptions& command) {
 Expected<SessionEnd> run_plan(const TestOptions& command, const TestPlan& plan, TestSessionOptions& options,
                               Reporter& reporter) {
     options.made_with = fingerprint(plan, options.seed, version(), options.installed);
+    if (options.coverage) options.made_with = mix(options.made_with, "coverage");
     if (!command.shard.empty()) {
         const KeptPlan kept{.plan = plan,
                             .made_with = options.made_with,
@@ -163,7 +167,7 @@ Expected<void> enter_project(TestOptions& command) {
     std::error_code problem;
     if (!fs::is_directory(fs::path(command.project) / "behaviors", problem))
         return failure("--project: expected a project, a folder that has behaviors/", {command.project});
-    for (std::string* file : {&command.junit, &command.measures, &command.margins, &command.plots}) {
+    for (std::string* file : {&command.junit, &command.measures, &command.margins, &command.plots, &command.coverage}) {
         if (!file->empty()) *file = fs::absolute(*file).string();
     }
     fs::current_path(command.project, problem);
@@ -188,6 +192,13 @@ int finish(const TestOptions& command, const SessionEnd& end) {
             if (auto ok = draw::draw_sweep_plot(plot, command.plots); !ok) return refuse(ok.error());
         }
         if (plots.empty()) fmt::print(stderr, "nezumi: --plots: nothing was measured over a swept parameter\n");
+    }
+    if (!command.coverage.empty()) {
+        if (end.coverage.empty() && command.merge)
+            return refuse("--coverage: the parts have no coverage: make them with --coverage too");
+        if (auto ok = write_coverage(end.coverage, command.coverage); !ok) return refuse(ok.error());
+        // TAP allows only comments between its lines.
+        fmt::print("{}{}\n", command.tap ? "# " : "", end.coverage.summary());
     }
     if (end.interrupted)
         return refuse(end.can_resume ? "interrupted: not all scenarios have run; --resume runs the others"
@@ -219,6 +230,7 @@ int test(TestOptions command) {
     options.peer_words = peer_words();
     options.resume = command.resume;
     options.keep = command.resume || !command.shard.empty();
+    options.coverage = !command.coverage.empty();
     options.systems = simulated_systems;
     options.files = scenario_files;
     if (auto ready = choose_robots(command, options); !ready) return refuse(ready.error());
@@ -256,10 +268,11 @@ int test(TestOptions command) {
         // Found out before hours of tests have run.
         if (auto ok = check_can_write(file); !ok) return refuse(ok.error());
     }
-    if (!command.plots.empty()) {
+    for (const std::string& folder : {command.plots, command.coverage}) {
+        if (folder.empty()) continue;
         std::error_code problem;
-        std::filesystem::create_directories(command.plots, problem);
-        if (problem) return refuse(Error{fmt::format("can't be made: {}", problem.message()), {command.plots}});
+        std::filesystem::create_directories(folder, problem);
+        if (problem) return refuse(Error{fmt::format("can't be made: {}", problem.message()), {folder}});
     }
     const bool colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
     SweepProgress progress(write_error, isatty(STDERR_FILENO) == 1);

@@ -18,7 +18,7 @@ struct TestOptions {
     std::string junit;
     std::string seeds, paired;
     std::string measures, margins;
-    std::string plots;
+    std::string plots, coverage;
     bool tap = false;
     bool quiet = false;
     std::string shard;

@@ -47,7 +47,12 @@ Expected<std::unique_ptr<DataFile>> DataFile::create(const Project& project, Dat
     auto state = create_sandbox({.seed = file->options_.seed, .print = file->options_.print});
     if (!state) return Unexpected(state.error());
     file->state_ = std::move(*state);
+    if (file->options_.coverage != nullptr) file->options_.coverage->add(*file->state_);
     return file;
+}
+
+DataFile::~DataFile() {
+    if (options_.coverage != nullptr && state_ != nullptr) options_.coverage->remove(*state_);
 }
 
 Error DataFile::fail(Error error) {
@@ -147,6 +152,8 @@ Expected<DataFile::Module> DataFile::find_module(lua_State* lua) {
     auto chunk = compile_file(*text, module_);
     if (!chunk) return refuse(chunk.error());
     chunk_ = std::move(*chunk);
+    covered_ = nullptr;
+    if (options_.coverage != nullptr) covered_ = options_.coverage->mark({path->string(), module_, *text}, chunk_);
     loading_.insert(module_);
     return Module::compiled;
 }
@@ -166,7 +173,11 @@ int DataFile::require(lua_State* lua) {
     const Chunk& chunk = file.chunk_;
     if (luaL_loadbufferx(lua, chunk.bytecode.data(), chunk.bytecode.size(), "chunk", "b") != LUA_OK)
         return lua_error(lua);
-    lua_pushvalue(lua, 1);
+    if (file.covered_ != nullptr) {
+        Coverage::push_marks(lua, *file.covered_);
+    } else {
+        lua_pushvalue(lua, 1);
+    }
     lua_call(lua, 1, 1);
     if (lua_isnil(lua, -1)) {
         lua_pop(lua, 1);

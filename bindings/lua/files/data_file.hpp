@@ -17,6 +17,7 @@
 #include "bindings/lua/files/file_source.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/compile.hpp"
+#include "bindings/lua/sandbox/coverage.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "engine/base/error.hpp"
 #include "engine/project/project.hpp"
@@ -27,6 +28,7 @@ struct DataFileOptions {
     Budget budget{2.0};                           ///< of CPU time, for the file and all modules that it requires
     std::uint64_t seed = 0;                       ///< of `math.random`
     std::function<void(std::string_view)> print;  ///< gets the output of `print`, a line at a time; may be empty
+    Coverage* coverage = nullptr;                 ///< of required modules; may be null, must outlive the file
 };
 
 /// A message with text from a file, as one short line without control characters.
@@ -44,6 +46,10 @@ public:
         lua_CFunction function;
         void* self;
     };
+
+    ~DataFile();
+    DataFile(const DataFile&) = delete;
+    DataFile& operator=(const DataFile&) = delete;
 
     /// `project` must outlive it.
     static Expected<std::unique_ptr<DataFile>> create(const Project& project, DataFileOptions options);
@@ -85,10 +91,11 @@ private:
     std::vector<Error> errors_;
     std::map<std::string, FileSource> sources_;
     std::vector<std::string> files_;
-    std::set<std::string> loading_;  // modules that are being loaded
-    std::set<std::string> loaded_;   // modules whose results are in a table in the registry
-    std::string module_;             // the module that `find_module` found, as it is shown
-    Chunk chunk_;                    // its code
+    std::set<std::string> loading_;        // modules that are being loaded
+    std::set<std::string> loaded_;         // modules whose results are in a table in the registry
+    std::string module_;                   // the module that `find_module` found, as it is shown
+    Chunk chunk_;                          // its code
+    Coverage::Source* covered_ = nullptr;  // what gets the marks of the code
     std::unique_ptr<LuaState> state_;
 };
 

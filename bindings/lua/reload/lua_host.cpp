@@ -17,7 +17,7 @@ namespace {
 
 class LuaBehaviors final : public Behaviors {
 public:
-    explicit LuaBehaviors(Budget budget) : budget_(budget) {}
+    LuaBehaviors(Budget budget, Coverage* coverage) : budget_(budget), chunks_(coverage) {}
 
     void load(const BehaviorEntry& entry, const MakerContext& context, const Project& project) override {
         loaded_.emplace(entry.name,
@@ -44,6 +44,8 @@ private:
 
 class LuaHost final : public ScriptHost {
 public:
+    explicit LuaHost(Coverage* coverage = nullptr) : coverage_(coverage) {}
+
     Expected<SystemSpec> read_system(const std::filesystem::path& file, const Project& project,
                                      const SystemFileOptions& options) const override {
         return read_system_file(file, project, options);
@@ -74,8 +76,13 @@ public:
     }
 
     std::unique_ptr<Behaviors> behaviors(Budget budget) const override {
-        return std::make_unique<LuaBehaviors>(budget);
+        // Marks take at most twice the time of the script itself.
+        if (coverage_ != nullptr) budget.seconds *= 3;
+        return std::make_unique<LuaBehaviors>(budget, coverage_);
     }
+
+private:
+    Coverage* const coverage_;
 };
 
 }  // namespace
@@ -84,5 +91,7 @@ const ScriptHost& lua_scripts() {
     static const LuaHost host;
     return host;
 }
+
+std::unique_ptr<ScriptHost> covered_scripts(Coverage& coverage) { return std::make_unique<LuaHost>(&coverage); }
 
 }  // namespace nezumi

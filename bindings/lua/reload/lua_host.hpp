@@ -1,11 +1,16 @@
 // Lua as the language of a system's files and behaviours.
 #pragma once
 
+#include <memory>
+
+#include "bindings/lua/sandbox/coverage.hpp"
 #include "engine/live/script_host.hpp"
 
 namespace nezumi {
 
 /// For `LiveOptions::scripts`.
 const ScriptHost& lua_scripts();
+/// The same; notes which lines of scripts run. `coverage` must outlive the systems.
+std::unique_ptr<ScriptHost> covered_scripts(Coverage& coverage);
 
 }  // namespace nezumi

@@ -73,7 +73,8 @@ struct Reloader::Next {
 
 struct Reloader::Prepared final : PreparedReload {
     std::vector<std::pair<std::string, int>> running;  // every behaviour with its running version
-    ChunkCache chunks;                                 // code of `scripts`
+    explicit Prepared(Coverage* coverage) : chunks(coverage) {}
+    ChunkCache chunks;  // code of `scripts`
     std::vector<Next> next;
     std::vector<std::unique_ptr<Script>> scripts;  // in the order of `next`
     std::vector<ScriptFile> required;              // by the last of them
@@ -129,9 +130,9 @@ Reloads::Loader Reloader::loader() const {
         next.loading.source = {script.file().path, script.file().shown, ""};
         next.loading.context.seconds = system_.now().seconds;
     }
-    return [all = std::move(all)](const std::vector<std::string>& files, const SourceText& source,
-                                  const Project& project) {
-        auto prepared = std::make_unique<Prepared>();
+    return [all = std::move(all), coverage = chunks_.coverage()](const std::vector<std::string>& files,
+                                                                 const SourceText& source, const Project& project) {
+        auto prepared = std::make_unique<Prepared>(coverage);
         prepared->load(all, files, source, project);
         return prepared;
     };

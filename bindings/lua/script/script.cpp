@@ -24,6 +24,10 @@ Script::Script(const SourceText& source, ScriptContext context)
     hooks_.fill(LUA_NOREF);
 }
 
+Script::~Script() {
+    if (coverage_ != nullptr) coverage_->remove(*lua_);
+}
+
 Expected<std::unique_ptr<Script>> Script::load(const SourceText& source, ScriptContext context,
                                                const Inheritance& inheritance) {
     auto script = std::unique_ptr<Script>(new Script(source, std::move(context)));
@@ -37,6 +41,8 @@ Expected<std::unique_ptr<Script>> Script::load(const SourceText& source, ScriptC
                        Libraries::when_named);
     if (!lua) return Unexpected(lua.error());
     script->lua_ = std::move(*lua);
+    if (script->context_.chunks != nullptr) script->coverage_ = script->context_.chunks->coverage();
+    if (script->coverage_ != nullptr) script->coverage_->add(*script->lua_);
     script->lua_->set_hint([self](const Error& error) { return self->hint(error); });
     script->lua_->set_tail_calls(
         [self](std::string_view file, int first, int last) { return tail_calls_of(self->text_of(file), first, last); });
@@ -74,7 +80,16 @@ Expected<void> Script::run_top_level(const SourceText& source) {
     });
     if (!installed) return Unexpected(to_error(installed.error()));
     if (auto loaded = load_chunk(L, code->chunk); !loaded) return Unexpected(to_error(loaded.error()));
-    auto ran = protected_call(L, 0, 0, context_.budget);
+    int arguments = 0;
+    if (code->covered != nullptr) {
+        const auto pushed = protect(L, context_.budget, [&code](lua_State* inside) {
+            Coverage::push_marks(inside, *code->covered);
+            return 1;
+        });
+        if (!pushed) return Unexpected(to_error(pushed.error()));
+        arguments = 1;
+    }
+    auto ran = protected_call(L, arguments, 0, context_.budget);
     if (!ran) {
         // The error of a module has its own place, not the line that requires it.
         if (module_error_ && ran.error().message.find(module_error_->message) != std::string::npos)
@@ -139,7 +154,7 @@ Expected<void> Script::begin_module(std::string_view name) {
     }
     loading_modules_.push_back({std::string(name), source->path});
     modules_.emplace_back(*source);
-    module_chunk_ = std::move(code->chunk);
+    module_ = std::move(*code);
     return {};
 }
 
@@ -156,6 +171,12 @@ Expected<const MessageType*> Script::find_message(std::string_view name) {
     // Errors in a message's file are reported at their own place.
     if (!found.error().place.file.empty() && !module_error_) module_error_ = found.error();
     return Unexpected(found.error());
+}
+
+int Script::push_module_marks(lua_State* lua) const {
+    if (module_.covered == nullptr) return 0;
+    Coverage::push_marks(lua, *module_.covered);
+    return 1;
 }
 
 void Script::end_module() { loading_modules_.pop_back(); }

@@ -93,6 +93,7 @@ public:
     static Expected<std::unique_ptr<Script>> load(const SourceText& source, ScriptContext context,
                                                   const Inheritance& inheritance = {});
 
+    ~Script();
     Script(const Script&) = delete;
     Script& operator=(const Script&) = delete;
 
@@ -204,7 +205,9 @@ public:
     /// fails.
     Expected<void> begin_module(std::string_view name);
     void end_module();
-    const Chunk& module_chunk() const { return module_chunk_; }
+    const Chunk& module_chunk() const { return module_.chunk; }
+    /// Pushes the argument of `module_chunk`, if it has one. Returns the number of arguments.
+    int push_module_marks(lua_State* lua) const;
 
 private:
     struct LoadingModule {
@@ -236,7 +239,8 @@ private:
     std::vector<ScriptFile> modules_;
     std::vector<LoadingModule> loading_modules_;
     std::optional<Error> module_error_;
-    Chunk module_chunk_;
+    ScriptCode module_;  // the one that loads
+    Coverage* coverage_ = nullptr;
     std::list<PortDeclaration> ports_;
     std::list<PortSlot> slots_;
     std::vector<CommandDeclaration> commands_;

@@ -91,6 +91,7 @@ Expected<ScriptCode> ChunkCache::compile(const SourceText& source, ScriptKind ki
     if (!entry.code.chunk.bytecode.empty() && entry.text == source.text) return entry.code;
     auto code = compile_script(source, kind);
     if (!code) return Unexpected(code.error().front());
+    if (coverage_ != nullptr) code->covered = coverage_->mark(source, code->chunk);
     entry = {source.text, *code};
     return std::move(*code);
 }

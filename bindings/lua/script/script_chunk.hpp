@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bindings/lua/sandbox/compile.hpp"
+#include "bindings/lua/sandbox/coverage.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/mutex.hpp"
 #include "engine/project/script_source.hpp"
@@ -26,6 +27,7 @@ struct ParameterUse {
 struct ScriptCode {
     Chunk chunk;
     std::vector<ParameterUse> parameters;  ///< in order of place
+    Coverage::Source* covered = nullptr;   ///< gets the marks of the chunk, which its main function has as argument
 };
 
 /// Compiles a text, or returns all its mistakes in order of place.
@@ -34,6 +36,10 @@ tl::expected<ScriptCode, std::vector<Error>> compile_script(const SourceText& so
 /// Stores the newest code of every file. Several threads may use it.
 class ChunkCache {
 public:
+    /// With `coverage`, which must outlive this, all code has marks.
+    explicit ChunkCache(Coverage* coverage = nullptr) : coverage_(coverage) {}
+    Coverage* coverage() const { return coverage_; }
+
     /// The code of this text, or its first mistake.
     Expected<ScriptCode> compile(const SourceText& source, ScriptKind kind);
     /// Takes over all code of another cache.
@@ -47,6 +53,7 @@ private:
         ScriptCode code;
     };
 
+    Coverage* const coverage_;
     mutable Mutex mutex_;
     std::map<std::string, Entry> entries_;  // by path, shown name and kind
 };

@@ -98,9 +98,10 @@ int global_require(lua_State* L) {
         lua_toclose(L, 3);
         const Chunk& chunk = script.module_chunk();
         if (luaL_loadbufferx(L, chunk.bytecode.data(), chunk.bytecode.size(), "module", "b") != LUA_OK) lua_error(L);
+        const int arguments = script.push_module_marks(L);
         if (is_outside_coroutines(L)) {
-            lua_call(L, 0, 1);
-        } else if (lua_pcall(L, 0, 1, 0) != LUA_OK) {  // a failed coroutine must be closed explicitly
+            lua_call(L, arguments, 1);
+        } else if (lua_pcall(L, arguments, 1, 0) != LUA_OK) {  // a failed coroutine must be closed explicitly
             lua_closeslot(L, 3);
             lua_error(L);
         }

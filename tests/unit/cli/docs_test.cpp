@@ -299,6 +299,8 @@ TEST_CASE("the page about Python does what it says", "[cli][docs]") { follow("py
 
 TEST_CASE("the page for those who come from elsewhere does what it says", "[cli][docs]") { follow("coming_from.md"); }
 
+TEST_CASE("the page about coverage does what it says", "[cli][docs]") { follow("coverage.md"); }
+
 TEST_CASE("the page about sweeps does what it says", "[cli][docs]") { follow("sweeps.md"); }
 
 TEST_CASE("the page about upgrading does what it says", "[cli][docs]") { follow("upgrading.md"); }

@@ -1,0 +1,24 @@
+// A file that has changed since the run is shown without its lines.
+#include "bindings/cli/test/coverage_files.hpp"
+
+#include <filesystem>
+
+#include "bindings/cli/base/environment.hpp"
+#include "engine/base/whole_file.hpp"
+#include "engine/project/project.hpp"
+
+namespace nezumi::cli {
+
+Expected<void> write_coverage(const CoverageReport& report, const std::string& folder) {
+    namespace fs = std::filesystem;
+    const fs::path root = Project::of(fs::current_path() / "any", installed_folders()).root();
+    const auto read = [&root](const std::string& file, std::uint64_t hash) -> std::optional<std::string> {
+        auto text = read_whole(root / file, file);
+        if (!text || ScriptFile({"", "", *text}).hash != hash) return std::nullopt;
+        return std::move(*text);
+    };
+    if (auto ok = write_whole(fs::path(folder) / "coverage.txt", report.text(read)); !ok) return ok;
+    return write_whole(fs::path(folder) / "lcov.info", report.lcov());
+}
+
+}  // namespace nezumi::cli
