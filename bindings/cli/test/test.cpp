@@ -23,6 +23,7 @@
 #include "bindings/cli/run/hardware.hpp"
 #include "bindings/cli/test/parts.hpp"
 #include "bindings/cli/test/progress.hpp"
+#include "bindings/cli/test/recordings.hpp"
 #include "bindings/cli/test/scenario_files.hpp"
 #include "bindings/cli/test/sweep_plots.hpp"
 #include "bindings/scenario/margins.hpp"
@@ -220,6 +221,7 @@ int test(TestOptions command) {
     options.resume = command.resume;
     options.keep = command.resume || !command.shard.empty();
     options.systems = simulated_systems;
+    options.recordings = &recordings();
     options.files = scenario_files;
     if (auto ready = choose_robots(command, options); !ready) return refuse(ready.error());
     if (!command.project.empty()) options.words += " --project " + shell_text(command.project);
