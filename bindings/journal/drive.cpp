@@ -10,7 +10,6 @@ namespace {
 
 // No other component of the judged system has this name.
 std::string player_of(const std::string& behavior) { return behavior + "_recording"; }
-constexpr std::string_view player_type = "Recording";
 
 // The component that an act of these kinds is about; "" for other acts.
 std::string component_of(const Act& act) {
@@ -38,41 +37,6 @@ public:
 private:
     RecordedDrive& drive_;
     const std::string component_;
-};
-
-// Publishes the recorded messages in the ticks in which they arrived.
-class Player final : public Device {
-public:
-    Player(const RecordedDrive& drive, const Component& behavior)
-        : Device(player_of(behavior.name()), std::string(player_type)), drive_(drive) {
-        for (const auto& port : behavior.in_ports()) {
-            const auto recorded = drive_.arrived.find(port->name());
-            if (recorded == drive_.arrived.end()) continue;
-            out_ports_.push_back(make_out_port(port->type(), port->name(), ""));
-            tracks_.push_back({out_ports_.back().get(), &recorded->second.messages});
-        }
-    }
-    void sense(const Time& now) override {
-        for (Track& track : tracks_) {
-            for (; track.next < track.messages->size() && (*track.messages)[track.next].first <= now.tick;
-                 ++track.next) {
-                const auto& [tick, message] = (*track.messages)[track.next];
-                if (tick < now.tick) continue;
-                track.port->write_any(message.data);
-                track.port->stamp(message.tm);
-            }
-        }
-    }
-    void actuate(const Time& /*now*/) override {}
-
-private:
-    struct Track {
-        OutPortBase* port;
-        const std::vector<std::pair<std::int64_t, AnyMessage>>* messages;
-        std::size_t next = 0;
-    };
-    const RecordedDrive& drive_;
-    std::vector<Track> tracks_;
 };
 
 // The last message of a port in each tick, one after the other.
@@ -183,7 +147,7 @@ SystemSpec system_of(const RecordedDrive& drive) {
     spec.entries.emplace_back(drive.entry);
     ComponentEntry player;
     player.name = player_of(drive.entry.name);
-    player.type = player_type;
+    player.type = RecordedDevice::type_name;
     spec.entries.emplace_back(std::move(player));
     return spec;
 }
@@ -244,11 +208,13 @@ namespace {
 class JudgedSystem {
 public:
     static Expected<JudgedSystem> make(const RecordedDrive& drive, const Project& project, LiveOptions options) {
-        options.components[std::string(player_type)][std::string(simulated)] =
+        options.components[std::string(RecordedDevice::type_name)][std::string(simulated)] =
             [&drive](const ComponentEntry&, System& system) -> Expected<std::unique_ptr<Component>> {
             const Component* behavior = system.find(drive.entry.name);
             if (auto fits = check_in_ports(drive, *behavior); !fits) return Unexpected(fits.error());
-            return std::make_unique<Player>(drive, *behavior);
+            auto player = std::make_unique<RecordedDevice>(player_of(drive.entry.name));
+            for (const auto& port : behavior->in_ports()) player->add(port->name(), drive.arrived.at(port->name()));
+            return player;
         };
         auto live = RunningSystem::make(system_of(drive), project, std::move(options));
         if (!live) return Unexpected(live.error());

@@ -11,18 +11,13 @@
 #include <vector>
 
 #include "bindings/journal/compare_runs.hpp"
+#include "bindings/journal/recorded_device.hpp"
 #include "bindings/journal/replay.hpp"
 #include "engine/base/error.hpp"
 #include "engine/live/running_system.hpp"
 #include "engine/ports/port.hpp"
 
 namespace nezumi {
-
-/// The messages of one port, in the order of their ticks.
-struct DrivePort {
-    const MessageType* type = nullptr;
-    std::vector<std::pair<std::int64_t, AnyMessage>> messages{};
-};
 
 struct RecordedDrive {
     BehaviorEntry entry;          ///< of the component: its name, rate, parameters and sets

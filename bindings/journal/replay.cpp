@@ -231,6 +231,18 @@ Expected<std::unique_ptr<RunningSystem>> Replay::load(LiveOptions options) {
     return live;
 }
 
+std::int64_t Replay::ticks() const {
+    std::int64_t all = 0;
+    ActTime last{};
+    for (const Entry& entry : entries_) {
+        // A restart begins at tick 0; a seek continues at an earlier tick.
+        if (entry.when.start != last.start) last.tick = 0;
+        all += std::max<std::int64_t>(0, entry.when.tick - last.tick);
+        last = entry.when;
+    }
+    return all;
+}
+
 Expected<bool> Replay::before_tick(RunningSystem& live) {
     for (; next_ < entries_.size(); ++next_) {
         const Entry& entry = entries_[next_];

@@ -40,6 +40,8 @@ public:
     /// follow. An error gives the line where the run differs from the journal.
     Expected<bool> before_tick(RunningSystem& live);
 
+    /// The number of ticks of the recorded run, over all its starts.
+    std::int64_t ticks() const;
     /// How the recorded run ended; nothing if its journal is incomplete, because the process was killed.
     std::optional<RunEnd> end() const { return end_; }
     const std::string& end_message() const { return end_message_; }

@@ -32,6 +32,7 @@ RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSes
                           .point = run.point,
                           .name = run.name,
                           .systems = options.systems,
+                          .recordings = options.recordings,
                           .files = files,
                           .keep_history = keep_history,
                           .update_goldens = options.update_goldens,

@@ -24,11 +24,12 @@ struct TestSessionOptions {
     bool update_goldens = false;                   ///< writes the goldens instead of comparing with them
     bool coverage = false;                         ///< results have the coverage of their runs
     std::vector<std::filesystem::path> installed;
-    PeerWords peer_words{};                ///< as in `LiveOptions`
-    std::function<LiveOptions()> systems;  ///< makes systems
-    std::string words;                     ///< options that are needed to repeat a run, besides its name and seed
-    Shard shard;                           ///< only these runs are made
-    bool resume = false;                   ///< does not repeat runs whose results exist
+    PeerWords peer_words{};                  ///< as in `LiveOptions`
+    std::function<LiveOptions()> systems;    ///< makes systems
+    const Recordings* recordings = nullptr;  ///< as in `RunSettings`
+    std::string words;                       ///< options that are needed to repeat a run, besides its name and seed
+    Shard shard;                             ///< only these runs are made
+    bool resume = false;                     ///< does not repeat runs whose results exist
     bool keep = false;  ///< keeps the results for resuming or merging; without its result a run counts as not made
     std::uint64_t made_with = 0;  ///< `fingerprint` of the plan
     bool is_real = false;         ///< systems have real robots: no run is repeated automatically

@@ -275,6 +275,8 @@ int ScenarioRun::Methods::allow_error(ScenarioRun& run, lua_State* lua) {
 const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_acts() {
     static const std::vector<Method> methods{
         {"load", load, 2, "(file, { robots = { NAME = { ... } } })"},
+        {"recorded", recorded, 2, "(file, { map = { TOPIC = \"component.port\" } })"},
+        {"judge", judge, 1, "{ behavior =, component =, run =, map =, tolerance = }"},
         {"golden", golden, 250, "(name, options, port, ...)"},
         {"reload", reload, 2, "(component, { file = } or { text = })"},
         {"inject", [](ScenarioRun& run, lua_State* lua) { return act_on_port(run, lua, "inject"); }, 2,

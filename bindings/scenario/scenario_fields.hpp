@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bindings/scenario/expectation.hpp"
+#include "bindings/scenario/recordings.hpp"
 #include "bindings/scenario/scenario_file.hpp"
 #include "engine/ports/setting.hpp"
 #include "engine/records/record_shape.hpp"
@@ -107,6 +108,47 @@ struct Describe<LoadOptions> {
     static constexpr std::string_view doc = "Options of a system that is loaded.";
     static constexpr std::tuple fields{
         Extra{"robots", "table<string, RobotModelFields>", "", "changes to the system's robots, by the robot's name"},
+    };
+};
+
+/// The options of `s:recorded`. The map is read by hand.
+struct RecordedOptions {};
+
+template <>
+struct Describe<RecordedOptions> {
+    static constexpr std::string_view name = "recorded_options";
+    static constexpr std::string_view doc = "Options of a recording that is looked at.";
+    static constexpr std::tuple fields{
+        Extra{
+            "map",
+            "table<string, string>",
+            "",
+            "names of ports for topics, `{ [\"/scan\"] = \"robot.scan\" }`; only for recordings of other programs and "
+            "of real robots",
+            {.fallback = "`/a/b` is `a.b`, and `/scan` is `topics.scan`"}},
+    };
+};
+
+template <>
+struct Describe<JudgeRequest> {
+    static constexpr std::string_view name = "judge_options";
+    static constexpr std::string_view doc = "A behaviour, and the recorded run that it is judged by.";
+    static constexpr std::tuple fields{
+        Setting{"behavior", &JudgeRequest::behavior, "", "its file, or its name", {.required = true}},
+        Setting{"component",
+                &JudgeRequest::component,
+                "",
+                "the recorded component",
+                {.fallback = "the one with this file"}},
+        Setting{"run", &JudgeRequest::run, "", "the recording or journal", {.required = true}},
+        Extra{"map", "table<string, string>", "",
+              "ports of topics, `{ [\"/scan\"] = \"keeper.rays\" }`: needed for recordings of other programs"},
+        Setting{"tolerance",
+                &JudgeRequest::tolerance,
+                "",
+                "largest difference of equal numbers",
+                {.range = NumberRange::not_negative, .most = 1e300}},
+        Internal{&JudgeRequest::map},
     };
 };
 

@@ -33,7 +33,7 @@ bool is_object(lua_State* lua, int index) {
 
 // Methods that need no world.
 bool is_early(const std::vector<SystemWord>& words, std::string_view name) {
-    constexpr std::string_view others[] = {"check", "near", "equal", "measure", "now", "load"};
+    constexpr std::string_view others[] = {"check", "near", "equal", "measure", "now", "load", "recorded", "judge"};
     return std::find(std::begin(others), std::end(others), name) != std::end(others) ||
            std::any_of(words.begin(), words.end(), [&](const SystemWord& word) { return word.name == name; });
 }

@@ -63,6 +63,8 @@ private:
 
     static int golden(ScenarioRun& run, lua_State* lua);
     static int load(ScenarioRun& run, lua_State* lua);
+    static int recorded(ScenarioRun& run, lua_State* lua);
+    static int judge(ScenarioRun& run, lua_State* lua);
     static int reload(ScenarioRun& run, lua_State* lua);
     static int act_on_port(ScenarioRun& run, lua_State* lua, std::string_view word);
     static int release(ScenarioRun& run, lua_State* lua);

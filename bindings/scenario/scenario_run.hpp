@@ -21,6 +21,7 @@
 #include "bindings/scenario/faults.hpp"
 #include "bindings/scenario/golden.hpp"
 #include "bindings/scenario/margin_watch.hpp"
+#include "bindings/scenario/recordings.hpp"
 #include "bindings/scenario/run_result.hpp"
 #include "bindings/scenario/scenario_file.hpp"
 #include "bindings/scenario/worlds.hpp"
@@ -47,12 +48,13 @@ public:
 struct RunSettings {
     std::uint64_t seed = 0;
     SweepPoint point{};
-    std::string name{};                    ///< of the run
-    std::function<LiveOptions()> systems;  ///< makes systems; the run sets seed, log and budget
-    RunFiles* files = nullptr;             ///< null: no files
-    bool keep_history = false;             ///< for plots; takes memory that grows with the run
-    bool update_goldens = false;           ///< writes the goldens instead of comparing with them
-    Coverage* coverage = nullptr;          ///< notes which lines of scripts run; null: not needed
+    std::string name{};                      ///< of the run
+    std::function<LiveOptions()> systems;    ///< makes systems; the run sets seed, log and budget
+    const Recordings* recordings = nullptr;  ///< null: `s:recorded` and `s:judge` are refused
+    RunFiles* files = nullptr;               ///< null: no files
+    bool keep_history = false;               ///< for plots; takes memory that grows with the run
+    bool update_goldens = false;             ///< writes the goldens instead of comparing with them
+    Coverage* coverage = nullptr;            ///< notes which lines of scripts run; null: not needed
 };
 
 /// The seed for everything that a scenario draws at random.
@@ -127,11 +129,13 @@ private:
     Expected<void> rebuild(Described& described);
     Expected<void> add_new(Described& described);
     Expected<void> load(const std::string& name, const Expected<Value>& options, const Place& place);
-    RunningSystem& current() { return *described_.back().live; }
-    bool has_world() const { return !described_.empty() && described_.back().live != nullptr; }
+    LiveOptions world_options();
+    RunningSystem& current();
+    bool has_world() const { return !worlds_.empty(); }
 
     // Lets time pass. False: the run has ended.
     bool advance(lua_State* lua, const Watched* waiting);
+    bool stop_at_end(const Watched* waiting);
     bool sample(lua_State* lua, Watched& watched);
     bool pass_time(lua_State* lua, double seconds);
     bool wait(lua_State* lua, Watched& watched);

@@ -11,7 +11,17 @@
 
 namespace nezumi {
 
+// There is nothing more to look at.
+bool ScenarioRun::stop_at_end(const Watched* waiting) {
+    std::string text = fmt::format("the recording has ended, at {}", text_of_time(worlds_.now()));
+    if (waiting != nullptr) text += "; " + waiting->expectation.explain_open(worlds_.now());
+    stop(RunOutcome::failed, {text, waiting != nullptr ? waiting->expectation.terms().place : scenario_.place});
+    if (waiting != nullptr) tell_plot(*waiting);
+    return false;
+}
+
 bool ScenarioRun::advance(lua_State* lua, const Watched* waiting) {
+    if (std::isinf(worlds_.next())) return stop_at_end(waiting);
     if (worlds_.next() > scenario_.timeout + time_tolerance) {
         std::string text = fmt::format("timeout: the scenario takes longer than {} of simulated time",
                                        text_of_time(scenario_.timeout));
@@ -27,6 +37,7 @@ bool ScenarioRun::advance(lua_State* lua, const Watched* waiting) {
         stop(RunOutcome::could_not_run, ticked.error());
         return false;
     }
+    if (ticked->empty()) return stop_at_end(waiting);
     if (settings_.files != nullptr) {
         for (const std::size_t world : *ticked) settings_.files->after_tick(world);
     }
@@ -75,7 +86,8 @@ bool ScenarioRun::pass_time(lua_State* lua, double seconds) {
     while (worlds_.next() <= asked_until_ + time_tolerance) {
         if (!advance(lua, nullptr)) return false;
     }
-    return true;
+    const bool is_short = std::isinf(worlds_.next()) && worlds_.now() < asked_until_ - time_tolerance;
+    return is_short ? stop_at_end(nullptr) : true;
 }
 
 bool ScenarioRun::wait(lua_State* lua, Watched& watched) {

@@ -113,14 +113,11 @@ Expected<void> ScenarioRun::settle_or_note() {
     return {};
 }
 
-Expected<void> ScenarioRun::build(Described& described) {
+LiveOptions ScenarioRun::world_options() {
     LiveOptions options = settings_.systems();
     options.build.seed = settings_.seed;
     options.build.seed_wins = true;
-    if (options.build.real_time) {
-        if (!worlds_.empty())
-            return failure("with --hw there is one world, that of the real robots: this would be another");
-    } else {
+    if (!options.build.real_time) {
         options.build.out_of_time_is_fatal = true;
         options.budget = headless_budget;
     }
@@ -132,6 +129,18 @@ Expected<void> ScenarioRun::build(Described& described) {
         const std::string who = line.component.empty() ? "" : line.component + ": ";
         print(fmt::format("[{:8.3f}] {} {}{}", line.seconds, to_text(line.level), who, line.text));
     };
+    return options;
+}
+
+RunningSystem& ScenarioRun::current() {
+    const bool is_described = !described_.empty() && described_.back().live != nullptr;
+    return is_described ? *described_.back().live : worlds_[worlds_.size() - 1];
+}
+
+Expected<void> ScenarioRun::build(Described& described) {
+    LiveOptions options = world_options();
+    if (options.build.real_time && !worlds_.empty())
+        return failure("with --hw there is one world, that of the real robots: this would be another");
     SystemSpec spec = described.words->spec();
     if (options.prepare) {
         if (auto ready = options.prepare(spec); !ready) return ready;

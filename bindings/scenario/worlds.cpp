@@ -2,6 +2,7 @@
 #include "bindings/scenario/worlds.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "bindings/scenario/expectation.hpp"
@@ -29,8 +30,15 @@ void Worlds::World::tick() {
 
 RunningSystem& Worlds::add(std::unique_ptr<RunningSystem> world) {
     const double passed = world->system().settings().real_time ? world->system().now().seconds : 0;
-    worlds_.push_back({std::move(world), now_ - passed, 0});
-    return *worlds_.back().live;
+    RunningSystem* const live = world.get();
+    worlds_.push_back({std::move(world), live, now_ - passed, 0});
+    return *live;
+}
+
+RunningSystem& Worlds::add(std::unique_ptr<RecordedWorld> recording) {
+    RunningSystem* const live = &recording->live();
+    worlds_.push_back({nullptr, live, now_, 0, std::move(recording)});
+    return *live;
 }
 
 void Worlds::stop_robots() {
@@ -52,8 +60,15 @@ double Worlds::next() const {
 }
 
 Expected<std::vector<std::size_t>> Worlds::step() {
+    for (World& world : worlds_) {
+        if (world.recording == nullptr || world.has_ended || world.next() > next() + time_tolerance) continue;
+        const auto more = world.recording->before_tick();
+        if (!more) return Unexpected(more.error());
+        world.has_ended = !*more;
+    }
     const double then = next();
     std::vector<std::size_t> ticked;
+    if (std::isinf(then)) return ticked;
     for (std::size_t i = 0; i < worlds_.size(); ++i) {
         World& world = worlds_[i];
         if (world.next() > then + time_tolerance) continue;

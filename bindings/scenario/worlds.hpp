@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "bindings/scenario/recordings.hpp"
 #include "engine/base/error.hpp"
 #include "engine/live/running_system.hpp"
 #include "engine/system/pacer.hpp"
@@ -19,6 +21,9 @@ public:
     /// Adds a world; its time begins now.
     RunningSystem& add(std::unique_ptr<RunningSystem> world);
 
+    /// The same with a recorded run.
+    RunningSystem& add(std::unique_ptr<RecordedWorld> recording);
+
     bool empty() const { return worlds_.empty(); }
     std::size_t size() const { return worlds_.size(); }
     RunningSystem& operator[](std::size_t index) { return *worlds_[index].live; }
@@ -30,7 +35,7 @@ public:
 
     /// Simulated time since the start [s].
     double now() const { return now_; }
-    /// The time after the next step. There must be a world.
+    /// The time after the next step; infinity if all worlds are recordings that have ended. There must be a world.
     double next() const;
     /// One step: every world that is due ticks. Returns the indices of these worlds. An error ends the run.
     Expected<std::vector<std::size_t>> step();
@@ -42,9 +47,12 @@ public:
 
 private:
     struct World {
-        std::unique_ptr<RunningSystem> live;
+        std::unique_ptr<RunningSystem> own;  // null if it is that of a recording
+        RunningSystem* live;
         double began;
         std::int64_t ticks;
+        std::unique_ptr<RecordedWorld> recording{};
+        bool has_ended = false;  // it is a recording
 
         std::optional<Pacer> pacer{};  // from its first tick on, if robots are real
 
@@ -52,6 +60,7 @@ private:
         bool is_real() const { return live->system().settings().real_time; }
         double now() const { return began + live->system().now().seconds; }
         double next() const {
+            if (has_ended) return std::numeric_limits<double>::infinity();
             const double rate = live->system().settings().rate;
             return is_real() ? now() + 1 / rate : began + static_cast<double>(ticks + 1) / rate;
         }

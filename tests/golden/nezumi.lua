@@ -793,6 +793,16 @@ function output(name, type, doc, options) end
 ---@field file? string its script, found as a system file finds one
 ---@field text? string the script itself
 
+---@class (exact) RecordedOptions
+---@field map? table<string, string> names of ports for topics, `{ ["/scan"] = "robot.scan" }`; only for recordings of other programs and of real robots
+
+---@class (exact) JudgeOptions
+---@field behavior string its file, or its name
+---@field component? string the recorded component
+---@field run string the recording or journal
+---@field map? table<string, string> ports of topics, `{ ["/scan"] = "keeper.rays" }`: needed for recordings of other programs
+---@field tolerance? number largest difference of equal numbers
+
 ---Declares a parameter, read as `config.name`. Its type follows the default: `30` integer, `0.0` number.
 ---@param name string
 ---@param default ParameterValue
@@ -1106,6 +1116,18 @@ local s = {}
 ---@param options? LoadOptions
 ---@return World
 function s:load(file, options) end
+
+---A recorded run as a world: its ports can be looked at while time moves through the recording. A journal, a recording
+---of nezumi, or a recording of ROS 2 in MCAP.
+---@param file string
+---@param options? RecordedOptions
+---@return World world
+---@return number length [s] of the recording
+function s:recorded(file, options) end
+
+---Gives a behaviour what its component got in a recorded run. Fails where it writes something else than then.
+---@param options JudgeOptions
+function s:judge(options) end
 
 ---[s] Simulated time since the scenario began.
 ---@return number

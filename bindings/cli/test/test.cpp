@@ -24,6 +24,7 @@
 #include "bindings/cli/test/coverage_files.hpp"
 #include "bindings/cli/test/parts.hpp"
 #include "bindings/cli/test/progress.hpp"
+#include "bindings/cli/test/recordings.hpp"
 #include "bindings/cli/test/scenario_files.hpp"
 #include "bindings/cli/test/sweep_plots.hpp"
 #include "bindings/scenario/margins.hpp"
@@ -232,6 +233,7 @@ int test(TestOptions command) {
     options.keep = command.resume || !command.shard.empty();
     options.coverage = !command.coverage.empty();
     options.systems = simulated_systems;
+    options.recordings = &recordings();
     options.files = scenario_files;
     if (auto ready = choose_robots(command, options); !ready) return refuse(ready.error());
     if (!command.project.empty()) options.words += " --project " + shell_text(command.project);

@@ -44,6 +44,18 @@ local s = {}
 ---@return World
 function s:load(file, options) end
 
+---A recorded run as a world: its ports can be looked at while time moves through the recording. A journal, a recording
+---of nezumi, or a recording of ROS 2 in MCAP.
+---@param file string
+---@param options? RecordedOptions
+---@return World world
+---@return number length [s] of the recording
+function s:recorded(file, options) end
+
+---Gives a behaviour what its component got in a recorded run. Fails where it writes something else than then.
+---@param options JudgeOptions
+function s:judge(options) end
+
 ---[s] Simulated time since the scenario began.
 ---@return number
 function s:now() end

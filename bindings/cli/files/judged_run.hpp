@@ -1,0 +1,44 @@
+// A behaviour and the recorded run that it is judged by, for the command `judge` and for scenarios.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bindings/cli/files/recorded_drive.hpp"
+#include "bindings/journal/drive.hpp"
+#include "bindings/journal/replay.hpp"
+#include "bindings/scenario/recordings.hpp"
+#include "engine/base/error.hpp"
+
+namespace nezumi::cli {
+
+/// What to judge, found once: each `judge` reads only the behaviour again.
+class JudgedRun {
+public:
+    /// Reads the run, and finds the behaviour's file. Errors name the options of the command.
+    static Expected<JudgedRun> read(const JudgeRequest& request);
+
+    /// The behaviour's file.
+    const std::filesystem::path& behavior() const { return behavior_; }
+    /// Gives the recorded messages to the behaviour as its file is now. `log` gets what it logs.
+    Expected<Judgement> judge(double tolerance, LogSink log) const;
+    /// A judgement as text: whether it is equal, the first difference, the lines that were executed differently, and
+    /// the fields that differ.
+    std::vector<std::string> text_of(const Judgement& judged) const;
+
+private:
+    static Expected<JudgedRun> from_journal(const std::string& text, const JudgeRequest& request,
+                                            std::filesystem::path behavior);
+    static Expected<JudgedRun> from_topics(const record::McapFile& recording, const JudgeRequest& request,
+                                           const std::filesystem::path& behavior);
+    void add_lines(std::vector<std::string>& lines, const Judgement& judged) const;
+
+    std::unique_ptr<Replay> replay_;  // its files outlive the system
+    std::unique_ptr<RunningSystem> then_;
+    RecordedDrive drive_;
+    std::filesystem::path behavior_;
+};
+
+}  // namespace nezumi::cli

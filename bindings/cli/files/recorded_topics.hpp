@@ -1,0 +1,52 @@
+// Topics of a recording as messages of ports.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bindings/journal/recorded_device.hpp"
+#include "bindings/record/mcap_reader.hpp"
+#include "engine/base/error.hpp"
+
+namespace nezumi::cli {
+
+/// The bytes of a message, without copying them.
+std::span<const std::uint8_t> bytes_of(const record::RecordedMessage& message);
+
+/// The names of all topics, sorted and separated by commas; "none".
+std::string topics_of(const record::McapFile& recording);
+
+/// Times are counted from the first message; a message arrives in the first tick after its log time.
+class TopicReader {
+public:
+    /// `name` is that of the file, for errors; `rate` [Hz] that of the tick. The arguments must outlive the reader.
+    TopicReader(const record::McapFile& recording, const std::string& name, double rate);
+
+    std::int64_t tick_of(std::uint64_t log_time) const;
+    /// The number of ticks up to the last message.
+    std::int64_t ticks() const;
+    /// Adds the messages of a topic to `kept`, whose type is set. Returns whether the topic exists. `what` is the port
+    /// for errors: "input 'rays'". An error if the topic has another type.
+    Expected<bool> read(const std::string& topic, const std::string& what, DrivePort& kept) const;
+
+private:
+    const record::McapFile& recording_;
+    const std::string& name_;
+    double rate_;
+    std::uint64_t begin_ = 0;  // [ns]
+};
+
+/// The ports of a recording by component and port.
+using RecordedPorts = std::map<std::string, std::map<std::string, DrivePort, std::less<>>, std::less<>>;
+
+/// Reads all topics whose messages are CDR with a definition: "/mouse/front/scan" is the port `front_scan` of `mouse`,
+/// and "/scan" the port `scan` of `topics`. A topic in `names` is the port that it gives there: {"/scan",
+/// "robot.scan"}. `skipped` gets a line for each topic that can't be read. An error if `names` has an unknown topic or
+/// no port's name, or if nothing can be read.
+Expected<RecordedPorts> read_topics(const record::McapFile& recording, const std::string& name, double rate,
+                                    const std::map<std::string, std::string>& names, std::vector<std::string>& skipped);
+
+}  // namespace nezumi::cli

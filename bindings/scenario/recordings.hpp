@@ -1,0 +1,48 @@
+// Recorded runs in scenarios, as the program that runs scenarios provides them.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/live/running_system.hpp"
+
+namespace nezumi {
+
+/// A recorded run as a world.
+class RecordedWorld {
+public:
+    virtual ~RecordedWorld() = default;
+    virtual RunningSystem& live() = 0;
+    /// Performs what happened before the next tick. Returns false at the end.
+    virtual Expected<bool> before_tick() = 0;
+    /// [s] of simulated time
+    virtual double length() const = 0;
+};
+
+/// Which behaviour is judged, and by what.
+struct JudgeRequest {
+    std::string behavior{};                    ///< its file, or its name
+    std::string component{};                   ///< recorded; "" for the one with this file
+    std::string run{};                         ///< the recording or journal
+    std::map<std::string, std::string> map{};  ///< topics by names of ports, for other recordings
+    double tolerance = 1e-6;                   ///< largest difference of equal numbers
+};
+
+class Recordings {
+public:
+    virtual ~Recordings() = default;
+    /// `ports` are names of ports by topics; if there are some, the run is read from its topics. The system is not active yet.
+    virtual Expected<std::unique_ptr<RecordedWorld>> open(const std::filesystem::path& file,
+                                                          const std::map<std::string, std::string>& ports,
+                                                          LiveOptions options) const = 0;
+    /// What the behaviour writes otherwise than in the recorded run, a line each; nothing if it writes the same. Files
+    /// in `request` are paths.
+    virtual Expected<std::vector<std::string>> judge(const JudgeRequest& request) const = 0;
+};
+
+}  // namespace nezumi
