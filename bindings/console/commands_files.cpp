@@ -30,9 +30,9 @@ Expected<CommandEnd> draw(Session::Parts& parts, const Arguments& arguments, Dra
 Expected<CommandEnd> command_save(Session::Parts& parts, const Arguments& arguments) {
     const auto file = arguments.text(1, "the name of a file, as in save \"system.lua\"");
     if (!file) return Unexpected(file.error());
-    if (file->ends_with(".xml")) {
+    if (file->ends_with(".xml") || file->ends_with(".yaml")) {
         return draw(parts, arguments, Drawn::profile,
-                    {.word = "save", .file = "a profile", .what = "a system", .endings = {".xml"}});
+                    {.word = "save", .file = "a profile", .what = "a system", .endings = {".xml", ".yaml"}});
     }
     auto present = parts.at_system([&] { return std::make_optional(present_system(parts.live)); });
     if (!present) return failure("interrupted");

@@ -3,7 +3,7 @@
 
 #include <bit>
 #include <cstdint>
-#include <future>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -50,14 +50,28 @@ struct RtcSnapshot {
     std::vector<std::pair<std::string, Texts>> sets{};
 };
 
-/// A request for a component of ours.
+/// A request for a component, ours or of another program.
 struct RtcRequest {
-    enum class What { activate, deactivate, reset, use, set, connect, disconnect };
+    enum class What {
+        activate,
+        deactivate,
+        reset,
+        use,
+        set,
+        connect,
+        disconnect,
+        exit,    ///< ends the component
+        create,  ///< of ours: adds a behaviour
+        end,     ///< of ours: ends the run
+        forget,  ///< of others: removes the name of an RTC that is gone
+    };
     What what = What::activate;
-    std::string component{};
+    std::string component{};   ///< for `connect` of others: the connection's name
     std::string set{};         ///< for `use` and `set`
-    Texts values{};            ///< for `set`: parameters of the set
-    std::string from{}, to{};  ///< for `connect` and `disconnect`: two ports of ours
+    Texts values{};            ///< for `set` and `create`: parameters; for `connect`: properties of the connection
+    std::string from{}, to{};  ///< for `connect` and `disconnect`: two ports of ours, or two of others
+    std::string id{};          ///< for `connect` of others: of the connection; may be empty
+    std::string script{};      ///< for `create`: the behaviour's name
 };
 
 enum class RtcAnswer { done, refused, unknown, busy };
@@ -78,6 +92,12 @@ struct RtcInside {
     bool operator==(const RtcInside&) const = default;
 };
 
+/// A behaviour that could be added.
+struct RtcModule {
+    std::string name{};  ///< "robot_controller"
+    std::string type{};  ///< "RobotController"
+};
+
 /// The system's functions for CORBA's threads. None waits longer than a second for a tick.
 class RtcSite {
 public:
@@ -85,6 +105,8 @@ public:
 
     virtual RtcSnapshot snapshot(std::string_view component) = 0;
     virtual RtcAnswer perform(const RtcRequest& request) = 0;
+    /// The behaviours of the project and the installed ones.
+    virtual std::vector<RtcModule> modules() = 0;
     /// Takes a message for an in-port from the connection named `from`.
     virtual PutAnswer put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes,
                           std::endian order) = 0;
@@ -134,11 +156,12 @@ struct PeerAnswer {
     std::string problem{};             ///< why it could not be done; "" on success
     std::string missing{};             ///< the unknown name,
     std::vector<std::string> known{};  ///< among these
+    bool was_so = false;               ///< nothing had to be done
     std::vector<PeerSnapshot> peers{};
 };
 
-/// Turns an answer into text for people. Called in a thread of CORBA's side.
-using TellPeers = Expected<std::string>(const PeerQuestion& question, const PeerAnswer& answer);
+/// Takes an answer. Called once for each question, in a thread of CORBA's side or of the asker.
+using TakeAnswer = std::function<void(const PeerQuestion& question, PeerAnswer answer)>;
 
 /// The byte orders that connections of an out-port use.
 struct WantedOrders {
@@ -158,7 +181,7 @@ public:
     virtual void show_inside(std::vector<RtcInside> connections) = 0;
     virtual WantedOrders wanted(std::string_view path) = 0;
     /// Asks RTCs of other programs on a separate thread. Every question is answered, at the latest when the ORB ends.
-    virtual std::future<Expected<std::string>> ask(PeerQuestion question, TellPeers* tell) = 0;
+    virtual void ask(PeerQuestion question, TakeAnswer take) = 0;
     /// Sends a message to the connections of an out-port that use this byte order.
     virtual void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order) = 0;
     /// True if a requested connection exists, as far as known.
@@ -166,8 +189,9 @@ public:
 };
 
 struct OrbOptions {
-    std::string nameserver = "localhost:2809";
+    std::vector<std::string> nameservers{"localhost:2809"};  ///< not empty
     std::string interface = "127.0.0.1";
+    bool manager = false;  ///< tools may add and remove behaviours, and end the run
 };
 
 /// Starts. `site` must outlive it. An error says in one line what to install.

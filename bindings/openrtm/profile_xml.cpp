@@ -13,8 +13,6 @@
 namespace nezumi::openrtm {
 namespace {
 
-constexpr int deepest = 100;
-
 int line_of(std::string_view text, std::ptrdiff_t offset) {
     const auto end = text.begin() + std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(text.size()));
     return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
@@ -25,28 +23,6 @@ bool has_text_alone(const pugi::xml_node& node) {
     const auto attributes = node.attributes();
     return std::all_of(attributes.begin(), attributes.end(),
                        [](const pugi::xml_attribute& each) { return is_utf8(each.name()) && is_utf8(each.value()); });
-}
-
-// Why this document is no profile that a tool has written, or "".
-std::string wrong_with(const pugi::xml_document& document) {
-    int depth = 0;
-    pugi::xml_node node = document.first_child();
-    while (node) {
-        if (node.type() == pugi::node_doctype) return "has a DOCTYPE, which a profile can't have: remove it";
-        if (!has_text_alone(node)) return "is not a text in UTF-8: save it as UTF-8";
-        if (depth > deepest) return fmt::format("has more than {} nested elements, too many for a profile", deepest);
-        if (node.first_child()) {
-            node = node.first_child();
-            ++depth;
-            continue;
-        }
-        while (node && !node.next_sibling()) {
-            node = node.parent();
-            --depth;
-        }
-        node = node.next_sibling();
-    }
-    return "";
 }
 
 // The first text of a document that XML 1.0 can't hold; "" if there is none.
@@ -67,6 +43,28 @@ std::string unwritable_text(const pugi::xml_node& node) {
 }
 
 }  // namespace
+
+std::string wrong_with(const pugi::xml_document& document) {
+    int depth = 0;
+    pugi::xml_node node = document.first_child();
+    while (node) {
+        if (node.type() == pugi::node_doctype) return "has a DOCTYPE, which a profile can't have: remove it";
+        if (!has_text_alone(node)) return "is not a text in UTF-8: save it as UTF-8";
+        if (depth > deepest_profile)
+            return fmt::format("has more than {} nested elements, too many for a profile", deepest_profile);
+        if (node.first_child()) {
+            node = node.first_child();
+            ++depth;
+            continue;
+        }
+        while (node && !node.next_sibling()) {
+            node = node.parent();
+            --depth;
+        }
+        node = node.next_sibling();
+    }
+    return "";
+}
 
 Expected<pugi::xml_node> open_profile(std::string_view text, const std::string& shown_file, std::string_view root,
                                       pugi::xml_document& document) {

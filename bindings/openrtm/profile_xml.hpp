@@ -14,11 +14,16 @@ namespace nezumi::openrtm {
 
 /// The largest profile that is read [bytes].
 inline constexpr std::size_t largest_profile = std::size_t{4} << 20;
+/// The most elements within each other.
+inline constexpr int deepest_profile = 100;
 
 /// Parses `text` into `document` and returns its outermost element, which must be called `root`. An error has `shown`
 /// as its file, and a line where one is known.
 Expected<pugi::xml_node> open_profile(std::string_view text, const std::string& shown, std::string_view root,
                                       pugi::xml_document& document);
+
+/// Why this document is no profile that a tool has written; "" if it may be one.
+std::string wrong_with(const pugi::xml_document& document);
 
 /// The outermost element of a new document.
 pugi::xml_node begin_profile(pugi::xml_document& document, const char* root);

@@ -36,7 +36,7 @@ Expected<std::unique_ptr<RtmServer>> RtmServer::open(RtmHost host, const OrbMake
     const RtmSpec& rtm = *RtmWord::find(server->host_.spec());
     // Errors of the file are reported before anything starts.
     if (auto fits = profiles_of(server->host_.system(), rtm); !fits) return Unexpected(fits.error());
-    auto orb = make_orb({.nameserver = rtm.nameserver, .interface = rtm.interface}, *server);
+    auto orb = make_orb({.nameservers = rtm.nameservers, .interface = rtm.interface, .manager = rtm.manager}, *server);
     if (!orb) return failure("rtm: " + orb.error().message, rtm.place);
     server->orb_ = std::move(*orb);
     if (auto shown = server->show(); !shown) return Unexpected(shown.error());
@@ -54,7 +54,13 @@ Expected<void> RtmServer::show() {
     exported_.clear();
     paths_.clear();
     const RtmSpec* rtm = RtmWord::find(host_.spec());
-    auto profiles = rtm != nullptr ? profiles_of(system, *rtm) : Expected<std::vector<RtcProfile>>();
+    RtmSpec all = rtm != nullptr ? *rtm : RtmSpec{};
+    std::erase_if(created_, [&](const std::string& name) { return system.find(name) == nullptr; });
+    for (const std::string& name : created_) {
+        if (std::find(all.exported.begin(), all.exported.end(), name) == all.exported.end())
+            all.exported.push_back(name);
+    }
+    auto profiles = profiles_of(system, all);
     std::vector<RtcLink> links;
     std::map<std::string, const Port*, std::less<>> in_ports;
     if (profiles) {
@@ -236,7 +242,27 @@ Expected<ActResult> RtmServer::act(const Act& act) { return host_.act(act, {Acto
 
 RtcAnswer RtmServer::done(const Act& wanted) { return act(wanted) ? RtcAnswer::done : RtcAnswer::refused; }
 
+RtcAnswer RtmServer::create(const RtcRequest& request) {
+    if (!host_.create) return RtcAnswer::refused;
+    if (const auto made = host_.create(request); !made) {
+        host_.say(true, fmt::format("rtm: a tool can't add '{}': {}", shown(request.script), describe(made.error())));
+        return RtcAnswer::refused;
+    }
+    host_.say(false, fmt::format("rtm: a tool has added {} ({})", request.component, request.script));
+    created_.push_back(request.component);
+    layout_ = 0;  // it is exported at once
+    follow_changes();
+    return RtcAnswer::done;
+}
+
 RtcAnswer RtmServer::perform_now(const RtcRequest& request) {
+    if (request.what == RtcRequest::What::create) return create(request);
+    if (request.what == RtcRequest::What::end) {
+        if (!host_.end) return RtcAnswer::refused;
+        host_.say(false, "rtm: a tool ends the run");
+        host_.end();
+        return RtcAnswer::done;
+    }
     const Component* component = host_.system().find(request.component);
     if (component == nullptr) return RtcAnswer::unknown;
     switch (request.what) {
@@ -255,6 +281,10 @@ RtcAnswer RtmServer::perform_now(const RtcRequest& request) {
         case RtcRequest::What::set: return set_values(*component, request);
         case RtcRequest::What::connect: return done(Connect{request.from, request.to});
         case RtcRequest::What::disconnect: return done(Disconnect{request.from, request.to});
+        case RtcRequest::What::exit: return done(Remove{request.component});
+        case RtcRequest::What::create:
+        case RtcRequest::What::end:
+        case RtcRequest::What::forget: break;
     }
     return RtcAnswer::refused;
 }
@@ -282,6 +312,8 @@ RtcSnapshot RtmServer::snapshot(std::string_view component) {
     return found != snapshots_.end() ? found->second : RtcSnapshot{};
 }
 
+std::vector<RtcModule> RtmServer::modules() { return host_.modules ? host_.modules() : std::vector<RtcModule>{}; }
+
 RtcAnswer RtmServer::perform(const RtcRequest& request) {
     if (host_.wake) host_.wake();
     return inbox_.ask(request, patience);
@@ -304,7 +336,11 @@ PutAnswer RtmServer::put(std::string_view path, std::string_view from, std::span
 void RtmServer::left(std::string_view path, std::string_view from) { inbox_.put_zero(path, from); }
 
 std::future<Expected<std::string>> RtmServer::ask(PeerQuestion question) {
-    return orb_->ask(std::move(question), &told_of_peers);
+    const auto promise = std::make_shared<std::promise<Expected<std::string>>>();
+    orb_->ask(std::move(question), [promise](const PeerQuestion& asked, const PeerAnswer& answer) {
+        promise->set_value(told_of_peers(asked, answer));
+    });
+    return promise->get_future();
 }
 
 void RtmServer::joined(const RtcLink& link) {

@@ -38,6 +38,12 @@ struct RtmHost {
     std::function<void(bool is_problem, const std::string& line)> say;
     /// Wakes the ticking thread; any thread may call it. Optional.
     std::function<void()> wake{};
+    /// Adds a behaviour. Optional, as the next two.
+    std::function<Expected<void>(const RtcRequest& request)> create{};
+    /// The behaviours that can be added; any thread may call it.
+    std::function<std::vector<RtcModule>()> modules{};
+    /// Ends the run.
+    std::function<void()> end{};
     /// [s] since 1970: the stamps of real robots.
     std::function<double()> wall_clock = time_of_day;
 };
@@ -75,6 +81,7 @@ public:
     // For CORBA's threads:
     RtcSnapshot snapshot(std::string_view component) override;
     RtcAnswer perform(const RtcRequest& request) override;
+    std::vector<RtcModule> modules() override;
     PutAnswer put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes,
                   std::endian order) override;
     void left(std::string_view path, std::string_view from) override;
@@ -103,6 +110,7 @@ private:
     void take_snapshots();
     void show_inside();
     RtcAnswer perform_now(const RtcRequest& request);
+    RtcAnswer create(const RtcRequest& request);
     RtcAnswer set_values(const Component& component, const RtcRequest& request);
     Expected<ActResult> act(const Act& act);
     RtcAnswer done(const Act& wanted);
@@ -110,6 +118,7 @@ private:
     const RtmHost host_;
     std::vector<Outlet> outlets_;
     std::vector<std::string> exported_;
+    std::vector<std::string> created_;          // components that a manager's client has added
     std::set<std::string, std::less<>> paths_;  // of the exported ports
     std::vector<RtcInside> inside_;             // connections between them
     std::vector<ConnectionSpec> wanted_;        // connections, as exported

@@ -11,7 +11,6 @@ namespace nezumi::openrtm {
 namespace {
 
 constexpr std::string_view prefix = "rtm:";
-constexpr std::string_view default_port = ":2809";  // port of omniNames, assigned by IANA to CORBA's name services
 constexpr int last_port = 65535;
 
 // The contexts and the name of an RTC: printable and not empty.
@@ -53,7 +52,7 @@ std::string adopt_nameserver(std::string& text) {
         (has_port && !is_number(std::string_view(text).substr(colon + 1), 1, last_port))) {
         return fmt::format("expected \"HOST:PORT\", got '{}'", shown(text));
     }
-    if (!has_port) text += default_port;
+    if (!has_port) text += usual_port;
     return "";
 }
 

@@ -10,12 +10,16 @@
 
 namespace nezumi::openrtm {
 
-/// `rtm { nameserver, export, interface, rename }`.
+/// The port of CORBA's name services, assigned by IANA.
+inline constexpr std::string_view usual_port = ":2809";
+
+/// `rtm { nameserver, export, interface, rename, manager }`.
 struct RtmSpec {
-    std::string nameserver = "localhost:2809";  ///< "HOST:PORT" of a CORBA name service
-    std::vector<std::string> exported{};        ///< names of components that are exported as RTCs
-    std::string interface = "127.0.0.1";        ///< address of these RTCs
-    ParameterValues rename{};                   ///< texts: what a port is called there, by "name.port"
+    std::vector<std::string> nameservers{"localhost:2809"};  ///< "HOST:PORT" of CORBA name services, not empty
+    std::vector<std::string> exported{};                     ///< names of components that are exported as RTCs
+    std::string interface = "127.0.0.1";                     ///< address of these RTCs
+    ParameterValues rename{};                                ///< texts: what a port is called there, by "name.port"
+    bool manager = false;                                    ///< tools may add and remove behaviours, and end the run
     Place place{};
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bindings/openrtm/rtc_profiles.hpp"
 #include "bindings/openrtm/rtm_wiring.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/records/write_record.hpp"
@@ -29,10 +30,25 @@ std::string problem_of(const RtmSpec& rtm, const std::string& path, const Value&
     return "";
 }
 
+std::string names_text(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "{ " : ", ") + lua_quoted(name);
+    return text + " }";
+}
+
 }  // namespace
 
 void RtmWord::complete(RtmSpec& given, Fields& fields, const PeerCall& /*call*/) const {
     FieldCheck& check = fields.check();
+    auto& servers = given.nameservers;
+    if (servers.empty()) check.wrong_at({"nameserver"}, "field 'nameserver' expected at least one \"HOST:PORT\"");
+    for (auto server = servers.begin(); server != servers.end(); ++server) {
+        if (const std::string problem = adopt_nameserver(*server); !problem.empty()) {
+            check.wrong_at({"nameserver"}, "field 'nameserver' " + problem);
+        } else if (std::find(servers.begin(), server, *server) != server) {
+            check.wrong_at({"nameserver"}, fmt::format("field 'nameserver' has '{}' twice", *server));
+        }
+    }
     for (const auto& [path, name] : given.rename) {
         const std::string problem = problem_of(given, path, name);
         if (!problem.empty())
@@ -45,11 +61,15 @@ void RtmWord::complete(RtmSpec& given, Fields& fields, const PeerCall& /*call*/)
 }
 
 std::string RtmWord::text_of(const RtmSpec& given) const {
-    std::string names;
-    for (const std::string& name : given.exported) names += (names.empty() ? "{ " : ", ") + lua_quoted(name);
+    std::string lists;  // which write_record leaves out
+    const auto add = [&](std::string_view field, const std::vector<std::string>& names) {
+        lists += fmt::format("{}{} = {}", lists.empty() ? "{ " : ", ", field, names_text(names));
+    };
+    if (!given.exported.empty()) add("export", given.exported);
+    if (given.nameservers != RtmSpec{}.nameservers) add("nameserver", given.nameservers);
     const std::string own = write_record(given);
-    if (names.empty()) return fmt::format("rtm {}\n", own);
-    return fmt::format("rtm {{ export = {} }}{}\n", names, own == "{}" ? " }" : ", " + own.substr(2));
+    if (lists.empty()) return fmt::format("rtm {}\n", own);
+    return fmt::format("rtm {}{}\n", lists, own == "{}" ? " }" : ", " + own.substr(2));
 }
 
 Expected<void> RtmWord::check(const SystemSpec& system) const {
@@ -108,6 +128,12 @@ Expected<void> RtmWord::check_connection(const System& system, const PeerSpec* s
         if (std::find(exported.begin(), exported.end(), component) != exported.end()) return {};
     }
     return failure(needs_export(ends->ours == connection.from ? connection.to : connection.from, component));
+}
+
+Expected<void> RtmWord::check_built(const System& system, const PeerSpec& spec) const {
+    const auto profiles = profiles_of(system, static_cast<const Spec&>(spec).given);
+    if (!profiles) return Unexpected(profiles.error());
+    return {};
 }
 
 const RtmWord& rtm_word() {

@@ -19,10 +19,10 @@ struct Describe<openrtm::RtmSpec> {
         "Components that are visible to OpenRTM-aist components and can be connected to them.";
     static constexpr std::tuple fields{
         Setting{"nameserver",
-                &openrtm::RtmSpec::nameserver,
+                &openrtm::RtmSpec::nameservers,
                 "",
-                "\"HOST:PORT\" of the CORBA name service",
-                {.adopt = openrtm::adopt_nameserver}},
+                "\"HOST:PORT\" of the CORBA name service, or of several",
+                {.fallback = "\"localhost:2809\""}},
         Setting{"export", &openrtm::RtmSpec::exported, "", "the components that appear there"},
         Setting{"interface",
                 &openrtm::RtmSpec::interface,
@@ -30,6 +30,8 @@ struct Describe<openrtm::RtmSpec> {
                 "this computer's address, at which others reach them; by default only this computer reaches them",
                 {.adopt = openrtm::adopt_interface}},
         Setting{"rename", &openrtm::RtmSpec::rename, "", "what a port is called there, by `\"name.port\"`"},
+        Setting{"manager", &openrtm::RtmSpec::manager, "",
+                "tools such as RTSystemEditor may add and remove behaviours, and end the run"},
         Internal{&openrtm::RtmSpec::place},
     };
 };
@@ -45,6 +47,7 @@ public:
     Expected<void> check_port(std::string_view end) const override;
     Expected<void> check_connection(const System& system, const PeerSpec* spec,
                                     const ConnectionSpec& connection) const override;
+    Expected<void> check_built(const System& system, const PeerSpec& spec) const override;
 
 protected:
     void complete(RtmSpec& given, Fields& fields, const PeerCall& call) const override;

@@ -1,14 +1,16 @@
-// Positions in the editor, object references and properties of connections are left out: they say nothing here.
+// Positions in the editor and references to objects are left out: they say nothing here.
 #include "bindings/openrtm/system_profile.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "bindings/openrtm/profile_xml.hpp"
+#include "bindings/openrtm/profile_yaml.hpp"
 #include "engine/base/trimmed.hpp"
 
 namespace nezumi::openrtm {
@@ -33,7 +35,39 @@ Id id_in(std::string_view text) {
 
 ProfiledEnd end_in(const pugi::xml_node& node) {
     const std::string_view port = attribute_of(node, "portName");  // "ConsoleIn0.out"
-    return {std::string(attribute_of(node, "instanceName")), std::string(port.substr(port.rfind('.') + 1))};
+    ProfiledEnd end{std::string(attribute_of(node, "instanceName")), std::string(port.substr(port.rfind('.') + 1))};
+    for (const ProfileProperty& property : properties_of(node)) {
+        if (property.name == "COMPONENT_PATH_ID") end.path = property.value;
+    }
+    return end;
+}
+
+// A reference to an object of a run before would confuse the ports.
+bool is_reference(std::string_view property) { return property.ends_with("_ior") || property.ends_with("_ref"); }
+
+ProfiledConnection connection_in(const pugi::xml_node& node, std::string_view source, std::string_view target) {
+    ProfiledConnection connection{.from = end_in(element_of(node, source)),
+                                  .to = end_in(element_of(node, target)),
+                                  .type = std::string(attribute_of(node, "dataType")),
+                                  .name = std::string(attribute_of(node, "name")),
+                                  .id = std::string(attribute_of(node, "connectorId"))};
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 4> terms{
+        {{"interfaceType", "dataport.interface_type"},
+         {"dataflowType", "dataport.dataflow_type"},
+         {"subscriptionType", "dataport.subscription_type"},
+         {"dataType", "dataport.data_type"}}};
+    auto& properties = connection.properties;
+    for (const auto& [attribute, property] : terms) {
+        const std::string_view value = attribute_of(node, attribute);
+        if (!value.empty()) properties.emplace_back(property, value);
+    }
+    for (ProfileProperty& property : properties_of(node)) {
+        const auto said = std::find_if(properties.begin(), properties.end(),
+                                       [&](const auto& each) { return each.first == property.name; });
+        if (said == properties.end() && !property.name.empty() && !is_reference(property.name))
+            properties.emplace_back(std::move(property.name), std::move(property.value));
+    }
+    return connection;
 }
 
 ProfiledComponent component_in(const pugi::xml_node& node) {
@@ -43,7 +77,9 @@ ProfiledComponent component_in(const pugi::xml_node& node) {
                                 .set = std::string(attribute_of(node, "activeConfigurationSet")),
                                 .vendor = std::move(id.vendor),
                                 .category = std::move(id.category),
-                                .version = std::move(id.version)};
+                                .version = std::move(id.version),
+                                .path = std::string(attribute_of(node, "pathUri")),
+                                .is_required = attribute_of(node, "isRequired") != "false"};
     for (const pugi::xml_node& port : elements_of(node, "DataPorts")) {
         const std::string_view name = attribute_of(port, "name");  // "ConsoleIn0.out"
         component.ports.emplace_back(name.substr(name.rfind('.') + 1));
@@ -63,7 +99,8 @@ ProfiledComponent component_in(const pugi::xml_node& node) {
 
 Expected<SystemProfile> read_system_profile(std::string_view text, const std::string& shown_file) {
     pugi::xml_document document;
-    const auto root = open_profile(text, shown_file, "RtsProfile", document);
+    const auto root = is_yaml_profile(text) ? open_yaml_profile(text, shown_file, document)
+                                            : open_profile(text, shown_file, "RtsProfile", document);
     if (!root) return Unexpected(root.error());
     SystemProfile profile{.name = id_in(attribute_of(*root, "id")).type,
                           .doc = std::string(trimmed(without_html_breaks(attribute_of(*root, "abstract"), "\n")))};
@@ -75,18 +112,25 @@ Expected<SystemProfile> read_system_profile(std::string_view text, const std::st
                 profile.remarks.push_back(fmt::format("component '{}': it is composite ({})",
                                                       shown(profile.components.back().instance), shown(kind)));
         } else if (name == "DataPortConnectors") {
-            profile.connections.push_back({end_in(element_of(node, "sourceDataPort")),
-                                           end_in(element_of(node, "targetDataPort")),
-                                           std::string(attribute_of(node, "dataType"))});
+            profile.connections.push_back(connection_in(node, "sourceDataPort", "targetDataPort"));
         } else if (name == "ServicePortConnectors") {
-            profile.remarks.push_back(
-                fmt::format("connection of service ports '{}'", shown(attribute_of(node, "name"))));
+            profile.service_connections.push_back(connection_in(node, "sourceServicePort", "targetServicePort"));
         } else if (name == "Groups") {
             profile.remarks.push_back(fmt::format("group '{}'", shown(attribute_of(node, "groupId"))));
         }
     }
     if (profile.components.empty()) return failure("has no components", {shown_file});
     return profile;
+}
+
+const ProfiledComponent* component_at(const SystemProfile& profile, const ProfiledEnd& end) {
+    const ProfiledComponent* found = nullptr;
+    for (const ProfiledComponent& each : profile.components) {
+        if (each.instance != end.instance) continue;
+        if (!end.path.empty() && each.path == end.path) return &each;
+        if (found == nullptr) found = &each;
+    }
+    return found;
 }
 
 }  // namespace nezumi::openrtm

@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <utility>
 
+#include "bindings/openrtm/host_context.hpp"
 #include "bindings/openrtm/profile_xml.hpp"
+#include "bindings/openrtm/profile_yaml.hpp"
 #include "bindings/openrtm/rtc_profiles.hpp"
 #include "bindings/openrtm/rtm_word.hpp"
 #include "bindings/openrtm/system_profile.hpp"
@@ -17,7 +20,17 @@ namespace {
 // "controller" is the RTC "controller0".
 std::string instance_of(const std::string& component) { return component + "0"; }
 
-ProfiledComponent profiled(const RtcProfile& profile, const Component& component) {
+// "localhost" of "localhost:2809": that a name service has the usual port is not said.
+std::string server_text(const RtmSpec& rtm) {
+    const std::string& first = rtm.nameservers.front();
+    return first.ends_with(usual_port) ? first.substr(0, first.size() - usual_port.size()) : first;
+}
+
+std::string path_text(const std::string& server, const std::string& component) {
+    return fmt::format("{}/{}.rtc", server, component);
+}
+
+ProfiledComponent profiled(const RtcProfile& profile, const Component& component, const std::string& server) {
     RtcSnapshot now = look_at(component);
     ProfiledComponent written{.type = profile.type,
                               .instance = instance_of(profile.component),
@@ -26,24 +39,25 @@ ProfiledComponent profiled(const RtcProfile& profile, const Component& component
                               .vendor = std::move(now.vendor),
                               .category = std::move(now.category),
                               .version = std::move(now.version),
+                              .path = path_text(server, own_context() + "/" + instance_of(profile.component)),
                               .sets = std::move(now.sets)};
     for (const RtcPort& port : profile.ports) written.ports.push_back(port.name);
     return written;
 }
 
 // The component of another program, as far as a connection tells of it.
-ProfiledComponent& other_component(SystemProfile& profile, const std::string& instance) {
+ProfiledComponent& other_component(SystemProfile& profile, const std::string& instance, std::string path) {
     auto& all = profile.components;
     const auto known =
         std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.instance == instance; });
     if (known != all.end()) return *known;
     const std::string type = instance.substr(0, instance.find_last_not_of("0123456789") + 1);
-    return all.emplace_back(ProfiledComponent{.type = type, .instance = instance, .set = "default"});
+    return all.emplace_back(ProfiledComponent{.type = type, .instance = instance, .set = "", .path = std::move(path)});
 }
 
-ProfiledEnd other_end(SystemProfile& profile, const RtmPath& path) {
+ProfiledEnd other_end(SystemProfile& profile, const RtmPath& path, const std::string& server) {
     const std::string instance = path.component.substr(path.component.rfind('/') + 1);
-    auto& ports = other_component(profile, instance).ports;
+    auto& ports = other_component(profile, instance, path_text(server, path.component)).ports;
     if (std::find(ports.begin(), ports.end(), path.port) == ports.end()) ports.push_back(path.port);
     return {instance, path.port};
 }
@@ -51,8 +65,6 @@ ProfiledEnd other_end(SystemProfile& profile, const RtmPath& path) {
 std::string id_text(const ProfiledComponent& component) {
     return fmt::format("RTC:{}:{}:{}:{}", component.vendor, component.category, component.type, component.version);
 }
-
-std::string path_text(const std::string& instance) { return "localhost/" + instance + ".rtc"; }
 
 using Attributes = std::vector<std::pair<const char*, std::string>>;
 
@@ -62,13 +74,14 @@ pugi::xml_node with(pugi::xml_node node, const Attributes& attributes) {
 }
 
 void write_component(const ProfiledComponent& component, std::size_t place, pugi::xml_node root) {
-    pugi::xml_node node = with(root.append_child("rts:Components"), {{"xsi:type", "rtsExt:component_ext"},
-                                                                     {"rts:id", id_text(component)},
-                                                                     {"rts:pathUri", path_text(component.instance)},
-                                                                     {"rts:instanceName", component.instance},
-                                                                     {"rts:activeConfigurationSet", component.set},
-                                                                     {"rts:compositeType", "None"},
-                                                                     {"rts:isRequired", "true"}});
+    pugi::xml_node node =
+        with(root.append_child("rts:Components"), {{"xsi:type", "rtsExt:component_ext"},
+                                                   {"rts:id", id_text(component)},
+                                                   {"rts:pathUri", component.path},
+                                                   {"rts:instanceName", component.instance},
+                                                   {"rts:compositeType", "None"},
+                                                   {"rts:isRequired", component.is_required ? "true" : "false"}});
+    if (!component.set.empty()) with(node, {{"rts:activeConfigurationSet", component.set}});
     for (const std::string& port : component.ports) {
         with(node.append_child("rts:DataPorts"),
              {{"xsi:type", "rtsExt:dataport_ext"}, {"rts:name", component.instance + "." + port}});
@@ -93,32 +106,72 @@ void write_component(const ProfiledComponent& component, std::size_t place, pugi
 }
 
 void write_end(const ProfiledEnd& end, const SystemProfile& profile, pugi::xml_node node) {
-    const auto& all = profile.components;
-    const auto component =
-        std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.instance == end.instance; });
+    const ProfiledComponent* component = component_at(profile, end);
+    const std::string known = component != nullptr ? component->path : "";
     with(node, {{"xsi:type", "rtsExt:target_port_ext"},
-                {"rts:componentId", component == all.end() ? "" : id_text(*component)},
+                {"rts:componentId", component == nullptr ? "" : id_text(*component)},
                 {"rts:instanceName", end.instance},
                 {"rts:portName", end.instance + "." + end.port}});
     with(node.append_child("rtsExt:Properties"),
-         {{"rtsExt:name", "COMPONENT_PATH_ID"}, {"rtsExt:value", path_text(end.instance)}});
+         {{"rtsExt:name", "COMPONENT_PATH_ID"}, {"rtsExt:value", end.path.empty() ? known : end.path}});
+}
+
+// Which attributes say a connection's terms, and which properties of the connection they are.
+struct ConnectionTerm {
+    const char* attribute;
+    std::string_view property;
+    const char* usual;
+};
+constexpr std::array<ConnectionTerm, 3> connection_terms{
+    {{"rts:interfaceType", "dataport.interface_type", "corba_cdr"},
+     {"rts:dataflowType", "dataport.dataflow_type", "push"},
+     {"rts:subscriptionType", "dataport.subscription_type", "new"}}};
+
+void write_connection(const ProfiledConnection& connection, const SystemProfile& profile, bool is_data,
+                      const std::string& id, pugi::xml_node root) {
+    const auto& [from, to, type, name, own_id, properties] = connection;
+    const std::string usual_name = fmt::format("{}.{}_{}.{}", from.instance, from.port, to.instance, to.port);
+    pugi::xml_node node =
+        with(root.append_child(is_data ? "rts:DataPortConnectors" : "rts:ServicePortConnectors"),
+             {{"xsi:type", is_data ? "rtsExt:dataport_connector_ext" : "rtsExt:serviceport_connector_ext"},
+              {"rts:connectorId", own_id.empty() ? id : own_id},
+              {"rts:name", name.empty() ? usual_name : name}});
+    if (is_data) {
+        node.append_attribute("rts:dataType") = type.c_str();
+        for (const auto& [attribute, property, usual] : connection_terms) {
+            const auto said = std::find_if(properties.begin(), properties.end(),
+                                           [&](const auto& each) { return each.first == property; });
+            node.append_attribute(attribute) = said == properties.end() ? usual : said->second.c_str();
+        }
+    }
+    write_end(from, profile, node.append_child(is_data ? "rts:sourceDataPort" : "rts:sourceServicePort"));
+    write_end(to, profile, node.append_child(is_data ? "rts:targetDataPort" : "rts:targetServicePort"));
+    for (const auto& [property, value] : properties) {
+        if (property == "dataport.data_type" && is_data) continue;
+        if (is_data && std::any_of(connection_terms.begin(), connection_terms.end(),
+                                   [&](const ConnectionTerm& term) { return term.property == property; }))
+            continue;
+        with(node.append_child("rtsExt:Properties"), {{"rtsExt:name", property}, {"rtsExt:value", value}});
+    }
 }
 
 }  // namespace
 
 SystemProfile profile_of_system(const System& system, const SystemSpec& spec) {
     SystemProfile profile{.name = std::filesystem::path(spec.file).stem().string()};
+    profile.doc = profile.name + ", saved by nezumi";  // rtresurrect does not read a profile without
     const RtmSpec* rtm = RtmWord::find(spec);
     RtmSpec all = rtm != nullptr ? *rtm : RtmSpec{};
     all.exported.clear();
+    const std::string server = server_text(all);
     for (const Component* component : system.components()) all.exported.push_back(component->name());
     std::map<std::string, std::pair<ProfiledEnd, std::string>> ports;  // end and type, by path
     if (const auto rtcs = profiles_of(system, all)) {
         for (const RtcProfile& rtc : *rtcs) {
-            profile.components.push_back(profiled(rtc, *system.find(rtc.component)));
+            profile.components.push_back(profiled(rtc, *system.find(rtc.component), server));
             for (const RtcPort& port : rtc.ports) {
-                ports.insert_or_assign(port.path, std::pair{ProfiledEnd{instance_of(rtc.component), port.name},
-                                                            "IDL:RTC/" + port.type + ":1.0"});
+                ports.insert_or_assign(port.path,
+                                       std::pair{ProfiledEnd{instance_of(rtc.component), port.name}, port.type_id()});
             }
         }
     }
@@ -135,7 +188,7 @@ SystemProfile profile_of_system(const System& system, const SystemSpec& spec) {
                 *end = ours->second.first;
                 written.type = ours->second.second;
             } else if (theirs) {
-                *end = other_end(profile, *theirs);
+                *end = other_end(profile, *theirs, server);
             } else {
                 is_known = false;  // of another host, or of a type that OpenRTM does not have
             }
@@ -145,7 +198,8 @@ SystemProfile profile_of_system(const System& system, const SystemSpec& spec) {
     return profile;
 }
 
-Expected<std::string> write_system_profile(const SystemProfile& profile, const std::string& date) {
+Expected<std::string> write_system_profile(const SystemProfile& profile, const std::string& date,
+                                           ProfileFormat format) {
     pugi::xml_document document;
     const pugi::xml_node root =
         with(begin_profile(document, "rts:RtsProfile"), {{"rts:id", "RTSystem:nezumi:" + profile.name + ":1.0"},
@@ -157,22 +211,12 @@ Expected<std::string> write_system_profile(const SystemProfile& profile, const s
                                                          {"xmlns:rtsExt", "http://www.openrtp.org/namespaces/rts_ext"},
                                                          {"xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance"}});
     for (std::size_t i = 0; i < profile.components.size(); ++i) write_component(profile.components[i], i, root);
-    pugi::xml_node parent = root;
-    for (std::size_t i = 0; i < profile.connections.size(); ++i) {
-        const auto& [from, to, type] = profile.connections[i];
-        pugi::xml_node node =
-            with(parent.append_child("rts:DataPortConnectors"),
-                 {{"xsi:type", "rtsExt:dataport_connector_ext"},
-                  {"rts:connectorId", fmt::format("nezumi_{}", i + 1)},
-                  {"rts:name", fmt::format("{}.{}_{}.{}", from.instance, from.port, to.instance, to.port)},
-                  {"rts:dataType", type},
-                  {"rts:interfaceType", "corba_cdr"},
-                  {"rts:dataflowType", "push"},
-                  {"rts:subscriptionType", "new"}});
-        write_end(from, profile, node.append_child("rts:sourceDataPort"));
-        write_end(to, profile, node.append_child("rts:targetDataPort"));
+    int id = 0;
+    for (const bool is_data : {true, false}) {
+        for (const ProfiledConnection& each : is_data ? profile.connections : profile.service_connections)
+            write_connection(each, profile, is_data, fmt::format("nezumi_{}", ++id), root);
     }
-    return save_profile(document);
+    return format == ProfileFormat::yaml ? save_yaml_profile(document) : save_profile(document);
 }
 
 }  // namespace nezumi::openrtm

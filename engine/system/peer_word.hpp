@@ -81,6 +81,8 @@ public:
                                             const ConnectionSpec& /*connection*/) const {
         return {};
     }
+    /// Checks what the peers would see of a system that is built, without reaching them.
+    virtual Expected<void> check_built(const System& /*system*/, const PeerSpec& /*spec*/) const { return {}; }
 };
 
 /// The word whose peers have this port; null if there is none.

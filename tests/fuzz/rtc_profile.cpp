@@ -1,5 +1,5 @@
 // Reads anything as a profile of RTCBuilder or RTSystemEditor: what comes out is a behaviour that loads and a profile
-// that reads back as the same, or a system file, or one line that says why not.
+// that reads back as the same, or a system file and a profile in XML and YAML, or one line that says why not.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -10,15 +10,33 @@
 #include "bindings/cli/new/profile_behavior.hpp"
 #include "bindings/cli/new/profile_system.hpp"
 #include "bindings/lua/syntax/syntax_tree.hpp"
+#include "bindings/openrtm/restore_system.hpp"
 #include "tests/fuzz/require.hpp"
 
 using namespace nezumi;
 
 namespace {
 
+// What is written is read as what was written.
+void write_again(const openrtm::SystemProfile& profile) {
+    const std::string date = "2026-01-31T12:00:00";
+    const auto written = openrtm::write_system_profile(profile, date);
+    if (!written) return require_line(written.error().message);
+    for (const auto format : {openrtm::ProfileFormat::xml, openrtm::ProfileFormat::yaml}) {
+        const auto text = openrtm::write_system_profile(profile, date, format);
+        require(text.has_value());
+        const auto again = openrtm::read_system_profile(*text, "RTS");
+        require(again.has_value());
+        require(openrtm::write_system_profile(*again, date) == *written);
+    }
+    const auto nameservers = openrtm::nameservers_of(profile);
+    if (!nameservers) require_line(nameservers.error().message);
+}
+
 void read_system(std::string_view text) {
     const auto profile = openrtm::read_system_profile(text, "RTS.xml");
     if (!profile) return check(profile.error());
+    write_again(*profile);
     const auto any_behavior = [](const std::string&) {
         auto script = Script::load({"it.lua", "it.lua",
                                     "input(\"in\", \"TimedLong\") output(\"out\", \"TimedLong\") "

@@ -22,8 +22,6 @@
 #include "bindings/lua/script/behavior_maker.hpp"
 #include "bindings/lua/script/check_script.hpp"
 #include "bindings/lua/script/script_component.hpp"
-#include "bindings/openrtm/rtc_profiles.hpp"
-#include "bindings/openrtm/rtm_word.hpp"
 #include "bindings/scenario/scenario_file.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/system/peer_word.hpp"
@@ -104,13 +102,6 @@ void leave_out_bodies(SystemSpec& spec, Makers& makers) {
     }
 }
 
-// Checks what would be exported to RTCs.
-void check_rtm(const System& system, const SystemSpec& spec, std::vector<Error>& errors) {
-    const openrtm::RtmSpec* rtm = openrtm::RtmWord::find(spec);
-    if (rtm == nullptr) return;
-    if (const auto profiles = openrtm::profiles_of(system, *rtm); !profiles) errors.push_back(profiles.error());
-}
-
 std::vector<Error> check_system(const std::string& text, const std::string& shown, const Project& project,
                                 const LiveOptions& options) {
     if (auto errors = check_system_text(text, shown, project, {.peer_words = options.peer_words}); !errors.empty()) {
@@ -146,7 +137,9 @@ std::vector<Error> check_system(const std::string& text, const std::string& show
     for (int i = 0; i < most_errors; ++i) {
         const auto built = build_system(*spec, makers, options.build);
         if (built) {
-            check_rtm(**built, *spec, errors);
+            for (const auto& [word, peers] : spec->peers) {
+                if (auto ok = peers->word().check_built(**built, *peers); !ok) errors.push_back(ok.error());
+            }
             break;
         }
         add(built.error());

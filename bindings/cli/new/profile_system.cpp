@@ -34,7 +34,9 @@ public:
 
     std::string write() {
         for (const ProfiledComponent& component : profile_.components) write_component(component);
-        for (const auto& [from, to, type] : profile_.connections) write_connection(from, to);
+        for (const auto& connection : profile_.connections) write_connection(connection.from, connection.to);
+        for (const auto& connection : profile_.service_connections)
+            remarks_.push_back(fmt::format("connection of service ports '{}'", shown(connection.name)));
         remarks_.insert(remarks_.end(), profile_.remarks.begin(), profile_.remarks.end());
         const std::string doc = profile_.doc.empty() ? "RTSystemEditor's system " + profile_.name : profile_.doc;
         std::string text = comment_text("---", doc);

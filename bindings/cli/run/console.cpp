@@ -45,8 +45,10 @@ RunConsole::RunConsole(RunLoop& loop, const std::string& name)
         if (what == Drawn::profile) {
             return [profile = openrtm::profile_of_system(live.system(), live.spec())](const std::string& file) {
                 const std::time_t now = std::time(nullptr);  // the wall clock: a profile has the date of its saving
-                const std::string date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
-                return openrtm::write_system_profile(profile, date).and_then([&](const std::string& text) {
+                const std::string date = fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(now));
+                const auto format =
+                    file.ends_with(".yaml") ? openrtm::ProfileFormat::yaml : openrtm::ProfileFormat::xml;
+                return openrtm::write_system_profile(profile, date, format).and_then([&](const std::string& text) {
                     return write_whole(file, text);
                 });
             };

@@ -2,6 +2,7 @@
 #include "bindings/openrtm/orb/asker.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <system_error>
 #include <utility>
@@ -24,7 +25,7 @@ std::string last_of(const std::string& name) { return name.substr(name.rfind('/'
 
 }  // namespace
 
-Asker::Asker(CORBA::ORB_ptr orb, const std::string& nameserver) : names_(orb, nameserver) {
+Asker::Asker(CORBA::ORB_ptr orb, const std::vector<std::string>& nameservers) : names_(orb, nameservers) {
     thread_ = start_thread([this] { run(); });
 }
 
@@ -35,22 +36,19 @@ Asker::~Asker() {
     }
     changed_.notify_all();
     thread_.join();
-    for (Asked& asked : asked_) asked.promise.set_value(failure("the run ends"));
+    for (Asked& asked : asked_) asked.take(asked.question, {.problem = "the run ends"});
 }
 
-std::future<Expected<std::string>> Asker::ask(PeerQuestion question, TellPeers* tell) {
-    Asked asked{std::move(question), tell};
-    auto answer = asked.promise.get_future();
+void Asker::ask(PeerQuestion question, TakeAnswer take) {
     {
         const std::lock_guard lock(mutex_);
         if (asked_.size() < most_questions) {
-            asked_.push_back(std::move(asked));
-        } else {
-            asked.promise.set_value(failure("too many questions are already waiting"));
+            asked_.push_back({std::move(question), std::move(take)});
+            changed_.notify_all();
+            return;
         }
     }
-    changed_.notify_all();
-    return answer;
+    take(question, {.problem = "too many questions are already waiting"});
 }
 
 void Asker::run() {
@@ -63,24 +61,42 @@ void Asker::run() {
             asked = std::move(asked_.front());
             asked_.pop_front();
         }
-        asked.promise.set_value(asked.tell(asked.question, answer(asked.question)));
+        asked.take(asked.question, answer(asked.question));
     }
+}
+
+PeerAnswer Asker::unknown(const std::string& name, const Error& error) {
+    PeerAnswer none{.problem = error.message, .missing = name};
+    const bool is_short = name.find('/') == std::string::npos;
+    for (const auto& each : names_.all()) none.known.push_back(is_short ? last_of(each.name) : each.name);
+    if (std::find(none.known.begin(), none.known.end(), none.missing) != none.known.end()) none.known.clear();
+    return none;
+}
+
+// Connects two ports of other programs, or ends their connection.
+PeerAnswer Asker::of_connection(const RtcRequest& request) {
+    std::array<PeerPort, 2> ends;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const std::string& path = i == 0 ? request.from : request.to;
+        const std::size_t dot = std::min(path.rfind('.'), path.size());
+        auto found = names_.find(path.substr(0, dot));
+        if (!found) return unknown(path.substr(0, dot), found.error());
+        ends[i] = {std::move(*found), path.substr(std::min(dot + 1, path.size()))};
+    }
+    return connect_peers(ends, request);
 }
 
 PeerAnswer Asker::answer(const PeerQuestion& question) {
     try {
+        if (question.request && !question.request->from.empty()) return of_connection(*question.request);
         if (question.name.empty()) return look_at_all();
         auto found = names_.find(question.name);
-        if (!found) {
-            PeerAnswer none{.problem = found.error().message, .missing = question.name};
-            const bool is_short = question.name.find('/') == std::string::npos;
-            for (const auto& each : names_.all()) none.known.push_back(is_short ? last_of(each.name) : each.name);
-            if (std::find(none.known.begin(), none.known.end(), none.missing) != none.known.end()) none.known.clear();
-            return none;
-        }
+        if (!found) return unknown(question.name, found.error());
         try {
             if (question.request) {
-                PeerAnswer answer = perform(*found, *question.request);
+                PeerAnswer answer = question.request->what == RtcRequest::What::forget
+                                        ? names_.forget(*found)
+                                        : perform(*found, *question.request);
                 if (!answer.problem.empty()) answer.problem = "rtm:" + found->name + ": " + answer.problem;
                 return answer;
             }
@@ -91,7 +107,7 @@ PeerAnswer Asker::answer(const PeerQuestion& question) {
             return {.problem = "'" + question.name + "' is not there: its entry in the name service is stale"};
         }
     } catch (const CORBA::Exception&) {
-        return {.problem = "no name service answers at " + names_.address() + ": start one, as omniNames"};
+        return {.problem = "no name service answers at " + names_.addresses() + ": start one, as omniNames"};
     }
 }
 

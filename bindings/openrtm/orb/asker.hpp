@@ -4,38 +4,39 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
-#include <future>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "bindings/openrtm/orb.hpp"
-#include "bindings/openrtm/orb/name_service.hpp"
+#include "bindings/openrtm/orb/name_servers.hpp"
 #include "engine/base/mutex.hpp"
 
 namespace nezumi::openrtm {
 
 class Asker {
 public:
-    Asker(CORBA::ORB_ptr orb, const std::string& nameserver);
+    Asker(CORBA::ORB_ptr orb, const std::vector<std::string>& nameservers);
     /// Answers waiting questions: the run ends.
     ~Asker();
     Asker(const Asker&) = delete;
     Asker& operator=(const Asker&) = delete;
 
-    std::future<Expected<std::string>> ask(PeerQuestion question, TellPeers* tell);
+    void ask(PeerQuestion question, TakeAnswer take);
 
 private:
     struct Asked {
         PeerQuestion question{};
-        TellPeers* tell = nullptr;
-        std::promise<Expected<std::string>> promise{};
+        TakeAnswer take{};
     };
 
     void run();
     PeerAnswer answer(const PeerQuestion& question);
+    PeerAnswer unknown(const std::string& name, const Error& error);
+    PeerAnswer of_connection(const RtcRequest& request);
     PeerAnswer look_at_all();
 
-    NameService names_;  // used only by the thread
+    NameServers names_;  // used only by the thread
     std::atomic<bool> ends_ = false;
     Mutex mutex_;  // for the next two
     std::condition_variable changed_;

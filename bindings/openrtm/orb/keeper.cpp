@@ -31,7 +31,7 @@ std::string about(const RtcLink& link) { return link.path + " rtm:" + link.compo
 
 }  // namespace
 
-Keeper::Keeper(const Home& home, const OrbOptions& options) : home_(home), names_(home.orb, options.nameserver) {
+Keeper::Keeper(const Home& home, const OrbOptions& options) : home_(home), names_(home.orb, options.nameservers) {
     thread_ = start_thread([this] { run(); });
 }
 
@@ -186,51 +186,72 @@ void Keeper::withdraw(const std::vector<Rtc>& gone) {
     for (const Rtc& rtc : gone) rtc->stop();
     const auto deadline = Clock::now() + PortObject::longest_settling;
     for (const Rtc& rtc : gone) {
-        try {
-            names_.unbind(rtc->instance() + ".rtc", rtc->reference());
-        } catch (const CORBA::Exception&) {
-            // The name service is away: it keeps a stale entry, as after a crash.
-            told_.clear();
-        }
+        unbind(rtc->instance() + ".rtc", rtc->reference());
         rtc->withdraw(deadline);
     }
 }
 
-// The first instance name not used by a living RTC on this computer.
-std::string Keeper::free_instance(const std::string& component) {
-    try {
-        for (int i = 0; i < most_instances; ++i) {
-            std::string instance = component + std::to_string(i);
-            if (names_.bound(instance + ".rtc", CORBA::Object::_nil()) != NameService::Bound::other) return instance;
+void Keeper::unbind(const std::string& name, CORBA::Object_ptr object) {
+    for (NameServers::Server& server : names_.each()) {
+        if (server.is_resting()) continue;
+        try {
+            server.names.unbind(name, object);
+        } catch (const CORBA::Exception&) {
+            // The name service is away: it keeps a stale entry, as after a crash.
+            server.let_rest();
+            told_.clear();
         }
-    } catch (const CORBA::Exception&) {
-        // It is checked again at registration.
-        return component + "0";
+    }
+}
+
+// The first instance name not used by a living RTC on this computer, in any name service.
+std::string Keeper::free_instance(const std::string& component) {
+    const auto is_used = [&](const std::string& instance) {
+        return std::any_of(names_.each().begin(), names_.each().end(), [&](NameServers::Server& server) {
+            try {
+                return !server.is_resting() &&
+                       server.names.bound(instance + ".rtc", CORBA::Object::_nil()) == NameService::Bound::other;
+            } catch (const CORBA::Exception&) {
+                return false;  // it is checked again at registration
+            }
+        });
+    };
+    for (int i = 0; i < most_instances; ++i) {
+        std::string instance = component + std::to_string(i);
+        if (!is_used(instance)) return instance;
     }
     return component + "0";
 }
 
+// Each name service is told for itself: one that is away does not matter to the others.
 void Keeper::register_all() {
-    const std::string about = "the name service";
-    try {
-        for (const Rtc& rtc : rtcs_) {
-            const std::string name = rtc->instance() + ".rtc";
-            const auto bound = names_.bound(name, rtc->reference());
-            if (bound == NameService::Bound::ours) continue;
-            if (bound == NameService::Bound::other) {
-                tell_once(name, true, "rtm: " + name + " now belongs to another program: our RTC can't be found");
-                continue;
-            }
-            names_.rebind(name, rtc->reference());
-            tell_once(name, false, "rtm: " + rtc->profile().component + " is " + names_.own_context() + "/" + name);
+    for (NameServers::Server& server : names_.each()) {
+        if (is_ending()) return;
+        if (server.is_resting()) continue;
+        const std::string about = "the name service at " + server.names.address();
+        try {
+            for (const Rtc& rtc : rtcs_) register_at(server.names, *rtc);
+            told_.erase(about);
+        } catch (const CORBA::Exception&) {
+            server.let_rest();
+            tell_once(about, true,
+                      "rtm: no name service answers at " + server.names.address() +
+                          ": start one, as omniNames; our RTCs can't be found "
+                          "until then");
         }
-        told_.erase(about);
-    } catch (const CORBA::Exception&) {
-        tell_once(about, true,
-                  "rtm: no name service answers at " + names_.address() +
-                      ": start one, as omniNames; our RTCs can't be found "
-                      "until then");
     }
+}
+
+void Keeper::register_at(NameService& names, const RtcObject& rtc) {
+    const std::string name = rtc.instance() + ".rtc";
+    const auto bound = names.bound(name, rtc.reference());
+    if (bound == NameService::Bound::ours) return;
+    if (bound == NameService::Bound::other) {
+        tell_once(name, true, "rtm: " + name + " now belongs to another program: our RTC can't be found");
+        return;
+    }
+    names.rebind(name, rtc.reference());
+    tell_once(name, false, "rtm: " + rtc.profile().component + " is " + names.own_context() + "/" + name);
 }
 
 void Keeper::look_after_connections() {

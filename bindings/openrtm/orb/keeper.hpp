@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bindings/openrtm/orb.hpp"
-#include "bindings/openrtm/orb/name_service.hpp"
+#include "bindings/openrtm/orb/name_servers.hpp"
 #include "bindings/openrtm/orb/rtc_object.hpp"
 #include "engine/base/mutex.hpp"
 
@@ -62,6 +62,8 @@ private:
     void withdraw(const std::vector<Rtc>& gone);
     std::string free_instance(const std::string& component);
     void register_all();
+    void register_at(NameService& names, const RtcObject& rtc);
+    void unbind(const std::string& name, CORBA::Object_ptr object);
     void look_after_connections();
     void make_links();
     void look_for_joined();
@@ -73,7 +75,7 @@ private:
     PortObject* find_port(std::string_view path);
 
     const Home home_;
-    NameService names_;
+    NameServers names_;
     std::vector<Link> links_;                  // used only by the thread, as the next three
     std::vector<Joined> joined_;               // that are reported and not yet requested by the system
     std::map<std::string, std::string> told_;  // the last messages, by subject

@@ -1,29 +1,12 @@
 // Finds a port by the name of its RTC and checks that it fits.
 #include "bindings/openrtm/orb/linker.hpp"
 
+#include "bindings/openrtm/orb/peer_calls.hpp"
 #include "bindings/openrtm/orb/properties.hpp"
 #include "bindings/openrtm/orb/terms.hpp"
 
 namespace nezumi::openrtm {
 namespace {
-
-// Ports of an RTC are named "ConsoleOut0.out".
-bool is_called(std::string_view name, std::string_view port) {
-    return name == port ||
-           (name.size() > port.size() && name.ends_with(port) && name[name.size() - port.size() - 1] == '.');
-}
-
-std::string_view reason_for(RTC::ReturnCode_t code) {
-    switch (code) {
-        case RTC::RTC_OK: return "";
-        case RTC::BAD_PARAMETER: return "it does not take the connection's type or properties (BAD_PARAMETER)";
-        case RTC::UNSUPPORTED: return "it does not support that (UNSUPPORTED)";
-        case RTC::OUT_OF_RESOURCES: return "it has too many connections (OUT_OF_RESOURCES)";
-        case RTC::PRECONDITION_NOT_MET: return "it says that they are connected already (PRECONDITION_NOT_MET)";
-        case RTC::RTC_ERROR: break;
-    }
-    return "it refuses the connection (RTC_ERROR)";
-}
 
 // Returns why a port with this profile can't be connected to ours, or "".
 std::string misfit(const PortObject& ours, const RTC::PortProfile& theirs) {
@@ -46,11 +29,11 @@ std::string connect(PortObject& ours, const RtcLink& wanted, RTC::PortService_pt
     profile.ports[0] = RTC::PortService::_duplicate(self);
     profile.ports[1] = RTC::PortService::_duplicate(theirs);
     add_own_terms(profile.properties, ours.port().type_id());
-    return std::string(reason_for(ours.connect(profile)));
+    return std::string(connection_problem(ours.connect(profile)));
 }
 
 // The name that leads to an RTC, short if that is enough; the one that it gives itself if none does.
-std::string name_of(NameService& names, RTC::RTObject_ptr rtc, const std::string& instance, std::string registered) {
+std::string name_of(NameServers& names, RTC::RTObject_ptr rtc, const std::string& instance, std::string registered) {
     registered = registered.substr(0, registered.find(','));  // it may have several
     if (const std::string_view kind = ".rtc"; registered.ends_with(kind))
         registered.resize(registered.size() - kind.size());
@@ -63,7 +46,7 @@ std::string name_of(NameService& names, RTC::RTObject_ptr rtc, const std::string
 
 }  // namespace
 
-std::optional<RtcLink> link_with(NameService& names, const std::string& path, RTC::PortService_ptr theirs) {
+std::optional<RtcLink> link_with(NameServers& names, const std::string& path, RTC::PortService_ptr theirs) {
     try {
         const RTC::PortProfile_var port = theirs->get_port_profile();
         if (CORBA::is_nil(port->owner)) return std::nullopt;
@@ -77,30 +60,27 @@ std::optional<RtcLink> link_with(NameService& names, const std::string& path, RT
     }
 }
 
-std::string link(NameService& names, PortObject& ours, const RtcLink& wanted, RTC::PortService_var& theirs) {
+std::string link(NameServers& names, PortObject& ours, const RtcLink& wanted, RTC::PortService_var& theirs) {
     Expected<NameService::Named> found;
     try {
         found = names.find(wanted.component);
     } catch (const CORBA::Exception&) {
-        return "no name service answers at " + names.address();
+        return "no name service answers at " + names.addresses();
     }
     if (!found) return found.error().message;
     try {
-        RTC::PortServiceList_var ports = found->rtc->get_ports();
-        for (CORBA::ULong i = 0; i < ports->length(); ++i) {
-            const RTC::PortProfile_var profile = ports[i]->get_port_profile();
-            if (!is_called(profile->name.in(), wanted.port)) continue;
-            std::string problem = misfit(ours, profile.in());
-            if (problem.empty()) problem = connect(ours, wanted, ports[i]);
-            if (problem.empty()) theirs = RTC::PortService::_duplicate(ports[i]);
-            return problem;
-        }
+        const RTC::PortService_var port = find_port(found->rtc, wanted.port);
+        if (CORBA::is_nil(port)) return "the RTC has no port '" + wanted.port + "'";
+        const RTC::PortProfile_var profile = port->get_port_profile();
+        std::string problem = misfit(ours, profile.in());
+        if (problem.empty()) problem = connect(ours, wanted, port);
+        if (problem.empty()) theirs = port;
+        return problem;
     } catch (const CORBA::TIMEOUT&) {
         return "the RTC does not answer";
     } catch (const CORBA::Exception&) {
         return "its entry in the name service is stale: the RTC is not there";
     }
-    return "the RTC has no port '" + wanted.port + "'";
 }
 
 }  // namespace nezumi::openrtm

@@ -32,7 +32,7 @@ class OmniOrb final : public Orb {
 public:
     OmniOrb(CORBA::ORB_ptr orb, RtcSite& site, const OrbOptions& options)
         : orb_(CORBA::ORB::_duplicate(orb)),
-          asker_(std::make_unique<Asker>(orb_.in(), options.nameserver)),
+          asker_(std::make_unique<Asker>(orb_.in(), options.nameservers)),
           keeper_(std::make_unique<Keeper>(Home{orb_.in(), site}, options)),
           gate_(own_port()) {}
     ~OmniOrb() override {
@@ -51,9 +51,7 @@ public:
         keeper_->show(std::move(profiles), std::move(links));
     }
     void show_inside(std::vector<RtcInside> connections) override { keeper_->show_inside(std::move(connections)); }
-    std::future<Expected<std::string>> ask(PeerQuestion question, TellPeers* tell) override {
-        return asker_->ask(std::move(question), tell);
-    }
+    void ask(PeerQuestion question, TakeAnswer take) override { asker_->ask(std::move(question), std::move(take)); }
     WantedOrders wanted(std::string_view path) override { return keeper_->wanted(path); }
     bool is_made(const RtcLink& link) override { return keeper_->is_made(link); }
     void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order) override {

@@ -1,29 +1,21 @@
 // Names are contexts and, at the end, an object of the kind "rtc".
 #include "bindings/openrtm/orb/name_service.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
 #include <utility>
 
+#include "bindings/openrtm/host_context.hpp"
 #include "bindings/openrtm/orb/properties.hpp"
 
 namespace nezumi::openrtm {
 namespace {
 
-constexpr const char* kind_of_hosts = "host_cxt";
 constexpr const char* kind_of_rtcs = "rtc";
 // Largest number of computers' contexts that are searched.
 constexpr CORBA::ULong most_contexts = 256;
 // Largest numbers of listed names, and of nested contexts that are searched.
 constexpr CORBA::ULong most_listed = 1000;
 constexpr int deepest = 4;
-
-std::string host_name() {
-    std::array<char, 256> name{};
-    return gethostname(name.data(), name.size() - 1) == 0 && name[0] != '\0' ? name.data() : "localhost";
-}
 
 // "pc.host_cxt": the part after the last dot is the kind. The last component without a kind is an RTC.
 void append(CosNaming::Name& name, std::string_view part, bool is_last) {
@@ -62,9 +54,7 @@ CosNaming::Name with(const CosNaming::NameComponent& context, const CosNaming::N
 }  // namespace
 
 NameService::NameService(CORBA::ORB_ptr orb, std::string address)
-    : orb_(CORBA::ORB::_duplicate(orb)),
-      address_(std::move(address)),
-      own_context_(host_name() + "." + kind_of_hosts) {}
+    : orb_(CORBA::ORB::_duplicate(orb)), address_(std::move(address)), own_context_(openrtm::own_context()) {}
 
 CosNaming::NamingContext_ptr NameService::root() {
     if (CORBA::is_nil(root_)) {
@@ -114,6 +104,12 @@ void NameService::rebind(const std::string& name, CORBA::Object_ptr object) {
 
 void NameService::unbind(const std::string& name, CORBA::Object_ptr object) {
     if (bound(name, object) == Bound::ours) root()->unbind(name_of(own_context_ + "/" + name));
+}
+
+void NameService::unbind_whole(const Named& named) {
+    const CosNaming::Name name = name_of(named.name);
+    const CORBA::Object_var object = resolve(root(), name);
+    if (!CORBA::is_nil(object) && object->_is_equivalent(named.rtc)) root()->unbind(name);
 }
 
 Expected<NameService::Named> NameService::find(const std::string& component) {

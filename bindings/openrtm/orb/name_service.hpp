@@ -38,6 +38,8 @@ public:
     /// Finds the RTC of a name, with or without its contexts: "pc.host_cxt/ConsoleOut0", "ConsoleOut0". Fails if there
     /// is none or more than one.
     Expected<Named> find(const std::string& component);
+    /// Unbinds a name of any computer if it is bound to this object.
+    void unbind_whole(const Named& named);
     /// All RTCs in the order of the name service, at most a thousand.
     std::vector<Named> all();
 

@@ -70,6 +70,7 @@ std::string problem_of(RTC::ReturnCode_t code) {
 }
 
 std::string change_state(RTC::RTObject_ptr rtc, RtcRequest::What what) {
+    if (what == RtcRequest::What::exit) return problem_of(rtc->exit());
     const RTC::ExecutionContext_var context = context_of(rtc);
     if (CORBA::is_nil(context)) return "it has no execution context";
     if (what == RtcRequest::What::activate) return problem_of(context->activate_component(rtc));
@@ -113,6 +114,22 @@ PeerAnswer configure(RTC::RTObject_ptr rtc, const RtcRequest& request) {
     return {};
 }
 
+// The id of a connection of these two ports; "" if there is none.
+std::string connection_between(RTC::PortService_ptr one, RTC::PortService_ptr other) {
+    RTC::ConnectorProfileList_var all = one->get_connector_profiles();
+    for (CORBA::ULong i = 0; i < all->length(); ++i) {
+        const RTC::PortServiceList& ports = all[i].ports;
+        for (CORBA::ULong j = 0; j < ports.length(); ++j) {
+            if (ports[j]->_is_equivalent(other)) return all[i].connector_id.in();
+        }
+    }
+    return "";
+}
+
+std::string prefixed(const std::string& at, std::string_view problem) {
+    return problem.empty() ? "" : at + ": " + std::string(problem);
+}
+
 }  // namespace
 
 PeerSnapshot look_at(const NameService::Named& named, bool whole) {
@@ -148,8 +165,63 @@ PeerAnswer perform(const NameService::Named& named, const RtcRequest& request) {
     } catch (const CORBA::UserException& error) {
         answer.problem = std::string("it refuses that (") + error._name() + ")";
     }
-    if (answer.problem.empty()) answer.peers.push_back(look_at(named, false));
+    const bool is_there = request.what != RtcRequest::What::exit;
+    if (answer.problem.empty() && is_there) answer.peers.push_back(look_at(named, false));
     return answer;
+}
+
+// Ports of an RTC are named "ConsoleOut0.out".
+RTC::PortService_ptr find_port(RTC::RTObject_ptr rtc, std::string_view port) {
+    RTC::PortServiceList_var ports = rtc->get_ports();
+    for (CORBA::ULong i = 0; i < ports->length(); ++i) {
+        const RTC::PortProfile_var profile = ports[i]->get_port_profile();
+        std::string_view name = profile->name.in();
+        if (name == port ||
+            (name.size() > port.size() && name.ends_with(port) && name[name.size() - port.size() - 1] == '.'))
+            return RTC::PortService::_duplicate(ports[i]);
+    }
+    return RTC::PortService::_nil();
+}
+
+std::string_view connection_problem(RTC::ReturnCode_t code) {
+    switch (code) {
+        case RTC::RTC_OK: return "";
+        case RTC::BAD_PARAMETER: return "it does not take the connection's type or properties (BAD_PARAMETER)";
+        case RTC::UNSUPPORTED: return "it does not support that (UNSUPPORTED)";
+        case RTC::OUT_OF_RESOURCES: return "it has too many connections (OUT_OF_RESOURCES)";
+        case RTC::PRECONDITION_NOT_MET: return "it says that they are connected already (PRECONDITION_NOT_MET)";
+        case RTC::RTC_ERROR: break;
+    }
+    return "it refuses the connection (RTC_ERROR)";
+}
+
+PeerAnswer connect_peers(const std::array<PeerPort, 2>& ends, const RtcRequest& request) {
+    const bool connects = request.what == RtcRequest::What::connect;
+    RTC::ConnectorProfile profile;
+    profile.name = corba_text(request.component);
+    profile.connector_id = corba_text(request.id);
+    profile.ports.length(2);
+    std::string at;
+    try {
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            at = "rtm:" + ends[i].rtc.name;
+            const RTC::PortService_var port = find_port(ends[i].rtc.rtc, ends[i].port);
+            if (CORBA::is_nil(port)) return {.problem = at + ": it has no port '" + ends[i].port + "'"};
+            profile.ports[static_cast<CORBA::ULong>(i)] = port;
+        }
+        at = "rtm:" + ends[0].rtc.name;
+        std::string made = connection_between(profile.ports[0], profile.ports[1]);
+        if (made.empty() != connects) {
+            return connects ? PeerAnswer{.was_so = true} : PeerAnswer{.problem = at + ": they are not connected"};
+        }
+        if (!connects) return {.problem = prefixed(at, connection_problem(profile.ports[0]->disconnect(made.c_str())))};
+        for (const auto& [name, value] : request.values) add_text(profile.properties, name, value);
+        return {.problem = prefixed(at, connection_problem(profile.ports[0]->connect(profile)))};
+    } catch (const CORBA::TIMEOUT&) {
+        return {.problem = at + " does not answer"};
+    } catch (const CORBA::Exception&) {
+        return {.problem = at + " is not there: its entry in the name service is stale"};
+    }
 }
 
 double execution_rate(RTC::PortService_ptr port) {

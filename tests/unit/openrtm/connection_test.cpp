@@ -26,6 +26,7 @@ class SlowSite final : public RtcSite {
 public:
     RtcSnapshot snapshot(std::string_view /*component*/) override { return {}; }
     RtcAnswer perform(const RtcRequest& /*request*/) override { return RtcAnswer::refused; }
+    std::vector<RtcModule> modules() override { return {}; }
     PutAnswer put(std::string_view /*path*/, std::string_view /*from*/, std::span<const std::uint8_t> /*bytes*/,
                   std::endian /*order*/) override {
         takes = true;
@@ -70,7 +71,7 @@ bool soon(const std::function<bool()>& condition) {
 TEST_CASE("no message of a connection arrives after its end", "[openrtm][connection][wallclock]") {
     const Names names;
     SlowSite site;
-    const auto orb = open_orb({.nameserver = names.address()}, site);
+    const auto orb = open_orb({.nameservers = {names.address()}}, site);
     REQUIRE(orb);
     const RtcPort in{.path = "mouse.in", .name = "in", .type = "TimedVelocity2D", .is_in = true};
     (*orb)->show({{.component = "mouse", .type = "Mouse", .rate = 100, .ports = {in}}}, {});

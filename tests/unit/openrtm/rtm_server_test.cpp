@@ -10,7 +10,7 @@ TEST_CASE("a system is shown with its connections", "[openrtm][server]") {
     CHECK(rig.told.profiles[0].component == "mouse");
     CHECK(rig.told.profiles[1].component == "controller");
     CHECK(rig.told.links == std::vector<RtcLink>{{"controller.out", "Mouse0", "target_velocity_in"}});
-    CHECK(rig.told.options.nameserver == "localhost:2809");
+    CHECK(rig.told.options.nameservers == std::vector<std::string>{"localhost:2809"});
     CHECK(rig.told.options.interface == "127.0.0.1");
 }
 

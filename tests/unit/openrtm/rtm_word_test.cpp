@@ -20,7 +20,7 @@ TEST_CASE("rtm lists the exported components, and connections lead to RTCs", "[o
         "connect('c.out', 'rtm:pc.host_cxt/RaspberryPiMouse0.target_velocity_in')");
     const RtmSpec* rtm = RtmWord::find(spec);
     REQUIRE(rtm != nullptr);
-    CHECK(rtm->nameserver == "pc:2809");
+    CHECK(rtm->nameservers == std::vector<std::string>{"pc:2809"});
     CHECK(rtm->exported == std::vector<std::string>{"c"});
     CHECK(rtm->interface == "192.168.1.10");
     CHECK(rtm->rename == ParameterValues{{"c.in", std::string("ir")}});
@@ -31,7 +31,7 @@ TEST_CASE("rtm lists the exported components, and connections lead to RTCs", "[o
     const auto plain = system_of("behavior 'c' { script = 'robot_controller' }");
     CHECK(plain.peers.empty());
     const auto alone = system_of("behavior 'c' { script = 'robot_controller' } rtm { export = 'c' }");
-    CHECK(RtmWord::find(alone)->nameserver == "localhost:2809");
+    CHECK(RtmWord::find(alone)->nameservers == std::vector<std::string>{"localhost:2809"});
     CHECK(RtmWord::find(alone)->interface == "127.0.0.1");
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("rtm is written and read back", "[openrtm][system_text][rtm]") {
         "rtm { export = 'c', nameserver = 'pc', rename = { ['c.in'] = 'ir' } }\n"
         "connect('rtm:Out0.out', 'c.in')");
     const std::string text = write_system_text(spec, "Exported");
-    CHECK(text.find("rtm { export = { \"c\" }, nameserver = \"pc:2809\", rename = { [\"c.in\"] = \"ir\" } }\n") !=
+    CHECK(text.find("rtm { export = { \"c\" }, nameserver = { \"pc:2809\" }, rename = { [\"c.in\"] = \"ir\" } }\n") !=
           std::string::npos);
     CHECK(text.find("connect(\"rtm:Out0.out\", \"c.in\")\n") != std::string::npos);
     CHECK(write_system_text(system_of(text), "Exported") == text);

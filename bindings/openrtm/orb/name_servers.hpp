@@ -1,0 +1,53 @@
+// The name services of a system together: each one that does not answer is left alone for a while, so that it delays no
+// search in the others.
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "bindings/openrtm/orb.hpp"
+#include "bindings/openrtm/orb/name_service.hpp"
+
+namespace nezumi::openrtm {
+
+class NameServers {
+public:
+    /// The time during which a name service that did not answer is not asked again.
+    static constexpr std::chrono::seconds rest{3};
+
+    struct Server {
+        NameService names;
+        bool may_rest = false;  ///< there are others
+        std::chrono::steady_clock::time_point rests_until{};
+        bool is_resting() const { return std::chrono::steady_clock::now() < rests_until; }
+        void let_rest() {
+            if (may_rest) rests_until = std::chrono::steady_clock::now() + rest;
+        }
+    };
+
+    /// `addresses`: "HOST:PORT", not empty. Makes no call yet.
+    NameServers(CORBA::ORB_ptr orb, const std::vector<std::string>& addresses);
+
+    std::deque<Server>& each() { return servers_; }
+    /// "localhost:2809, pc:2809"
+    std::string addresses() const;
+    const std::string& own_context() const { return servers_.front().names.own_context(); }
+
+    // These throw CORBA's exception of the last one if no name service answers.
+    /// Finds an RTC in the first name service that has it, as `NameService::find`.
+    Expected<NameService::Named> find(const std::string& component);
+    /// The RTCs of all name services; an RTC that two have is there once.
+    std::vector<NameService::Named> all();
+    /// Removes the name of an RTC that is gone, wherever it is. A problem if it lives.
+    PeerAnswer forget(const NameService::Named& named);
+
+private:
+    template <class Call>
+    void ask_each(const Call& call);
+
+    std::deque<Server> servers_;
+};
+
+}  // namespace nezumi::openrtm
