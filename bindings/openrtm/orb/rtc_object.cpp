@@ -14,7 +14,7 @@ constexpr const char* vendor = "nezumi";
 constexpr const char* version = "1.0";
 constexpr const char* category = "nezumi";
 // The only execution context.
-constexpr RTC::ExecutionContextHandle_t own_context = 0;
+constexpr RTC::ExecutionContextHandle_t own_handle = 0;
 
 }  // namespace
 
@@ -126,7 +126,7 @@ CORBA::Boolean RtcObject::is_alive(RTC::ExecutionContext_ptr executor) {
 }
 
 RTC::ExecutionContext_ptr RtcObject::get_context(RTC::ExecutionContextHandle_t handle) {
-    if (handle != own_context) return RTC::ExecutionContext::_nil();
+    if (handle != own_handle) return RTC::ExecutionContext::_nil();
     return RTC::ExecutionContext::_duplicate(context_reference_);
 }
 
@@ -138,7 +138,7 @@ RTC::ExecutionContextList* RtcObject::get_owned_contexts() {
 }
 
 RTC::ExecutionContextHandle_t RtcObject::get_context_handle(RTC::ExecutionContext_ptr executor) {
-    return is_alive(executor) ? own_context : -1;
+    return is_alive(executor) ? own_handle : -1;
 }
 
 SDOPackage::DeviceProfile* RtcObject::get_device_profile() {
