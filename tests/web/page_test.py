@@ -261,6 +261,75 @@ class Past(rig.PageCase):
         page.until(clock + " === %r" % end, "the end of main is there")
 
 
+class Troubles(rig.PageCase):
+    """What goes wrong is seen from every view."""
+
+    SCRIPT = 'local out = output("out", "TimedVelocity2D")\nparam("fails", false)\nfunction on_execute()\n' \
+             '  if config.fails then error("no way") end\n  out:write { vx = 0 }\nend\n'
+    SYSTEM = 'robot "mouse" { model = "raspimouse" }\nbehavior "guide" { script = "guide" }\nconnect("guide.out", "mouse.target_velocity_in")\n'
+
+    def test_an_error_is_in_the_bar_at_the_tabs_in_a_notice_and_at_its_robot(self):
+        self.open(text=self.SYSTEM, scripts={"guide": self.SCRIPT})
+        page = self.page
+        page.view("world")
+        self.assertFalse(page.find("button.troubles").is_displayed())
+        time.sleep(1.1)  # lines of the log in the first second make no notices
+        page.find(".console textarea").send_keys("guide.config.fails = true\n")
+        page.until("document.querySelector('button.troubles').offsetParent !== null", "the bar counts it")
+        self.assertEqual(page.find("button.troubles").text, "1 error")
+        self.assertIn("guide.lua:4", page.find("button.troubles").get_attribute("title"))
+        page.until("[...document.querySelectorAll('.notice.error')].some((each) => each.textContent.includes('guide.lua:4'))", "a notice")
+        for tab in ("diagram", "log"):
+            self.assertEqual(page.js("return document.querySelector(`.group .tab[data-view=${arguments[0]}] .badge`).textContent", tab), "1")
+        page.until("[...document.querySelectorAll('.labels .name.bad')].some((each) => each.textContent === 'mouse !')", "the robot has a sign")
+        page.find("button.troubles").click()
+        page.until("document.querySelector('#view-log').offsetParent !== null", "the log is shown")
+        self.assertIsNone(page.js("return document.querySelector('.group .tab[data-view=log] .badge')"))
+
+    def test_a_version_that_runs_is_said(self):
+        system = self.open(text=self.SYSTEM, scripts={"guide": self.SCRIPT})
+        with open(os.path.join(system.folder, "behaviors", "guide.lua"), "a") as out:
+            out.write("-- the same\n")
+        self.page.until("[...document.querySelectorAll('.notice.good')].some((each) => each.textContent.includes('Version 2 runs: guide.'))",
+                        "the new version is said")
+
+
+class Space(rig.PageCase):
+    def test_the_console_has_one_line_until_it_is_used_and_borders_are_dragged(self):
+        from selenium.webdriver.common.action_chains import ActionChains
+
+        self.open(WALL)
+        page = self.page
+        height = "return document.querySelector('.group.dock').offsetHeight"
+        small = page.js(height)
+        self.assertLess(small, 120)
+        page.find(".console textarea").click()
+        page.until("document.querySelector('.group.dock').offsetHeight > 150", "it grows when it is used")
+        used = page.js(height)
+        border = page.find(".split.dock")
+        ActionChains(page.driver).drag_and_drop_by_offset(border, 0, -100).perform()
+        self.assertAlmostEqual(page.js(height), used + 100, delta=12)
+        border.send_keys("\ue015")
+        self.assertAlmostEqual(page.js(height), used + 76, delta=12)
+        ActionChains(page.driver).double_click(border).perform()
+        self.assertAlmostEqual(page.js(height), used, delta=2)
+
+    def test_the_picture_keeps_its_size_when_the_pointer_is_over_a_robot(self):
+        from selenium.webdriver.common.action_chains import ActionChains
+
+        self.open(text=APART)  # its robot stands
+        page = self.page
+        size = "const box = document.querySelector('.world canvas').getBoundingClientRect(); return [box.width, box.height]"
+        before = page.js(size)
+        page.choose(".world select", "robot 0")
+        pixel = page.until("document.querySelector('.world canvas').dataset.chosen", "the robot is chosen")
+        x, y = (float(each) for each in pixel.split(","))
+        canvas = page.find(".world canvas")
+        ActionChains(page.driver).move_to_element_with_offset(canvas, x - before[0] / 2, y - before[1] / 2).perform()
+        page.until("document.querySelector('.world canvas.pointing') !== null", "the pointer is over the robot")
+        self.assertEqual(page.js(size), before)
+
+
 class Connection(rig.PageCase):
     """Reloading, losing, coming back; looking only."""
 

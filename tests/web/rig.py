@@ -161,7 +161,9 @@ class Page:
         return wait_until(lambda: self.js("return " + script), what, within)
 
     def view(self, name):
-        self.js("[...document.querySelectorAll(`[data-view=${arguments[0]}]`)].find((each) => each.offsetParent).click()", name)
+        self.js("""const tab = () => [...document.querySelectorAll(`[data-view=${arguments[0]}]`)].find((each) => each.offsetParent);
+                   if (!tab()) document.querySelector(".more > summary").click();
+                   tab().click()""", name)
         self.drawn()
 
     def press(self, name):

@@ -3,7 +3,9 @@ import { ask } from "./ask.js";
 import { at_most_every, el, is_typing, svg } from "./dom.js";
 import { T } from "./texts.js";
 import { make_timeline } from "./timeline.js";
+import { make_troubles } from "./troubles.js";
 
+const LASTS = 2000;  // ms: a shorter lateness is not red
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, "max"];
 
 function make_theme_button() {
@@ -40,13 +42,16 @@ function make_time({ model, acts }) {
   ...SPEEDS.map((each) => el("option", { value: String(each), text: each === "max" ? T.time.max : `${each}×` })));
   const restart = el("button", { class: "acts not-real wide", text: T.time.restart,
     onclick: async () => (await ask(T.time.restart_sure, T.time.restart)) && acts.time("restart") });
+  let late_since = Infinity;
   run.onclick = () => acts.time(model.frame.running ? "pause" : "resume");
 
   const show = at_most_every(100, () => {
     const { time, running, late: ms, speed: now } = model.frame;
     clock.textContent = T.time.seconds(time.toFixed(time < 1000 ? 2 : 1));
     late.textContent = !running ? T.time.paused : ms >= 1 ? T.time.late(ms.toFixed(ms < 10 ? 1 : 0)) : T.time.on_time;
-    late.classList.toggle("bad", running && ms >= 5);
+    if (!running || ms < 5) late_since = Infinity;
+    else late_since = Math.min(late_since, performance.now());
+    late.classList.toggle("bad", performance.now() - late_since > LASTS);
     run.textContent = running ? T.time.pause : T.time.resume;
     run.setAttribute("aria-pressed", !running);
     const chosen = SPEEDS.includes(now) ? String(now) : "max";
@@ -135,6 +140,6 @@ export function make_header(parts) {
     const words = [model.hello.real ? T.real : T.simulated, model.hello.view_only && T.view_only];
     kind.textContent = words.filter(Boolean).join(" · ");
   });
-  return el("header", {}, el("div", { class: "title" }, dot, systems, kind), make_time(parts),
+  return el("header", {}, el("div", { class: "title" }, dot, systems, kind, make_troubles(parts)), make_time(parts),
     make_share(parts), make_theme_button(), make_stop(parts), make_timeline(parts));
 }

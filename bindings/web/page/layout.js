@@ -1,5 +1,7 @@
 // The arrangement of the views: three groups side by side on wide screens, one view at a time on a phone.
 import { el } from "./dom.js";
+import { Emitter } from "./emitter.js";
+import { make_splits } from "./splits.js";
 import { T } from "./texts.js";
 
 const GROUPS = {
@@ -7,6 +9,7 @@ const GROUPS = {
   side: ["drive", "parameters", "cameras", "explain"],
   dock: ["console", "log"],
 };
+const PHONE = ["world", "drive", "parameters", "console"];  // at hand on a phone; the others are behind "More"
 const ICONS = { world: "◎", diagram: "⇄", plots: "∿", drive: "✛", parameters: "≡", cameras: "▣", console: "❯", explain: "?", log: "☰" };
 
 /// Tabs as in ARIA: one has the focus, arrow keys change it.
@@ -29,11 +32,17 @@ function make_tabs(label, names, chosen, choose) {
       tab.tabIndex = name === chosen() ? 0 : -1;
     }
   };
-  return { node, update };
+  const badge = (name, count) => {
+    const tab = tabs.get(name);
+    tab?.querySelector(".badge")?.remove();
+    if (tab && count > 0) tab.append(el("span", { class: "badge", text: count }));
+  };
+  return { node, update, badge };
 }
 
-/// `views`: name to { node, shown?(whether) }.
+/// `views`: name to { node, shown?(whether) }. Emits `shown` with the name of a view when it comes into sight.
 export function make_layout(views) {
+  const layout = new Emitter();
   const chosen = { stage: "world", side: "drive", dock: "console", ...JSON.parse(localStorage.getItem("nezumi.views") ?? "{}") };
   let current = chosen.current ?? "world";
   const narrow = matchMedia("(max-width: 899px)");
@@ -52,22 +61,29 @@ export function make_layout(views) {
         view.node.dataset.placed = "yes";
         view.node.hidden = !shown;
         view.shown?.(shown);
+        if (shown) layout.emit("shown", name);
       }
     }
   };
   const choose = (name) => {
     current = name;
+    if (GROUPS.dock.includes(name)) use_dock();
+    more.open = false;
     chosen[group_of(name)] = name;
     localStorage.setItem("nezumi.views", JSON.stringify({ ...chosen, current }));
     update();
   };
 
+  /// The console has one line until somebody uses it or the log.
+  const use_dock = () => layout.node.classList.remove("dock-unused");
+  const more = el("details", { class: "more" });
   const all_tabs = [];
   const make = (label, names, which) => {
     const tabs = make_tabs(label, names, which, choose);
     all_tabs.push(tabs);
     return tabs.node;
   };
+  Object.assign(layout, { choose, is_shown, badge: (name, count) => all_tabs.forEach((tabs) => tabs.badge(name, count)) });
   const groups = Object.entries(GROUPS).map(([group, names]) => {
     const sections = names.map((name) => {
       Object.assign(views[name].node, { id: `view-${name}` });
@@ -78,8 +94,14 @@ export function make_layout(views) {
     });
     return el("section", { class: `group ${group}` }, make(T.parts[group], names, () => chosen[group]), ...sections);
   });
-  const bottom = el("nav", { class: "bottom" }, make(T.parts.all, Object.keys(ICONS), () => current));
+  const others = Object.keys(ICONS).filter((name) => !PHONE.includes(name));
+  more.append(el("summary", { class: "tab" }, el("span", { class: "icon", "aria-hidden": "true", text: "⋯" }), el("span", { text: T.parts.more })),
+    make(T.parts.more, others, () => current));
+  const bottom = el("nav", { class: "bottom" }, make(T.parts.all, PHONE, () => current), more);
   narrow.addEventListener("change", update);
   update();
-  return el("main", {}, ...groups, bottom);
+  layout.node = el("main", { class: "dock-unused" }, ...groups, bottom);
+  make_splits(layout.node, (name) => name === "dock" && use_dock());
+  layout.node.querySelector(".dock").addEventListener("focusin", ({ target }) => target.matches("textarea, input") && use_dock());
+  return layout;
 }

@@ -49,7 +49,8 @@ async function start() {
     world: make_world(parts), diagram: make_diagram(parts), plots: make_plots(parts), explain: make_explain(parts), drive: make_drive(parts),
     parameters: make_parameters(parts), cameras: make_cameras(parts), console: make_console(parts), log: make_log(parts),
   };
-  document.body.append(make_header(parts), make_layout(views), notices.node);
+  parts.layout = make_layout(views);
+  document.body.append(make_header(parts), parts.layout.node, notices.node);
 
   model.on("hello", () => {
     document.body.classList.toggle("view-only", model.hello.view_only);

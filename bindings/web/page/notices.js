@@ -9,8 +9,14 @@ export class Notices {
   node = el("div", { class: "notices", role: "status", "aria-live": "polite" });
   #lasting = new Map();
 
-  say(text, kind = "info") {
+  /// `more`: a button beside the text, { text, press }.
+  say(text, kind = "info", more = null) {
     const node = this.#show(text, kind);
+    const press = () => {
+      node.remove();
+      more.press();
+    };
+    if (more) node.append(el("button", { text: more.text, onclick: press }));
     node.append(el("button", { class: "quiet", "aria-label": T.close, text: "×", onclick: () => node.remove() }));
     setTimeout(() => node.remove(), SHOWN_FOR);
     const passing = this.node.querySelectorAll(".notice:not(.lasting)");

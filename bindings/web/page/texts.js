@@ -3,7 +3,7 @@
 const EN = {
   views: { world: "World", diagram: "System", plots: "Plots", drive: "Drive", parameters: "Parameters",
     cameras: "Cameras", console: "Console", explain: "Explain", log: "Log" },
-  parts: { stage: "System", side: "Controls", dock: "Console and log", all: "Views" },
+  parts: { stage: "System", side: "Controls", dock: "Console and log", all: "Views", more: "More" },
   real: "real robots",
   simulated: "simulated",
   view_only: "view only",
@@ -32,6 +32,11 @@ const EN = {
     restart_sure: "Restart the system? Every component starts again; components that were added are lost.",
     speed: "Speed", max: "max", late: (ms) => `${ms} ms late`, on_time: "on time", paused: "paused",
     running: "running", seconds: (s) => `${s} s` },
+
+  splits: { dock: "Height of the console", side: "Width of the controls", hint: "Drag, or move by arrow keys; a double click puts it back" },
+
+  troubles: { count: (n) => (n === 1 ? "1 error" : `${n} errors`), show: "Show",
+    runs: (version, names, more) => `Version ${version} runs: ${names}${more > 0 ? ` and ${more} more` : ""}.` },
 
   past: { label: "Time line", time: "Go to this time", branch: "Branch", now: "Now", now_hint: "To the end of this branch",
     of: (time, end) => `${time} of ${end}`, is_past: "past", hint: "What followed happens again when time runs. Every change begins a new branch." },

@@ -2,6 +2,7 @@
 import * as THREE from "/lib/three/three.module.js";
 import { at_most_every, el } from "./dom.js";
 import { T } from "./texts.js";
+import { stranded_robots } from "./troubles.js";
 import { number_text } from "./value_text.js";
 import { Eye } from "./world_camera.js";
 import { put_hands_on } from "./world_hand.js";
@@ -257,12 +258,15 @@ class World {
   #label(model) {
     const { labels, eye, chosen } = this;
     const robots = model.system.robots;
+    const stranded = stranded_robots(model);
     labels.begin(this.width);
     robots.forEach(({ name }, i) => {
       const pose = model.robots[i];
       const is_chosen = chosen?.kind === "robot" && chosen.index === i;
-      if (!pose || !(is_chosen || (this.shows.names && robots.length <= MOST_NAMES))) return;
-      labels.put(`name${is_chosen ? " chosen" : ""}${pose.collided ? " bad" : ""}`, pose.collided ? `${name} ⚠` : name,
+      const is_stranded = stranded.has(name);
+      if (!pose || !(is_chosen || is_stranded || (this.shows.names && robots.length <= MOST_NAMES))) return;
+      const signs = (is_stranded ? " !" : "") + (pose.collided ? " ⚠" : "");
+      labels.put(`name${is_chosen ? " chosen" : ""}${signs ? " bad" : ""}`, name + signs,
         eye.pixel(pose.x, pose.y, 0.12));
       if (!this.shows.rays || !(is_chosen || robots.length === 1)) return;
       if ((model.rays[i]?.length ?? 0) > MOST_VALUES) return;

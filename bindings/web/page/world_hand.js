@@ -80,7 +80,7 @@ export function put_hands_on(canvas, asks) {
     const [x, y] = place(event);
     const before = pointers.get(event.pointerId);
     if (!before) {
-      canvas.classList.toggle("over", pick(x, y) !== null);
+      canvas.classList.toggle("pointing", pick(x, y) !== null);
       return;
     }
     const [dx, dy] = [x - before.x, y - before.y];

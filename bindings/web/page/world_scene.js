@@ -4,6 +4,7 @@ import { marker_atlas, matrix_of, merge, painted_lines, robot_geometry, solids_o
 import { Trails } from "./world_trails.js";
 
 const MOST_RAYS = 8192;
+const MOST_WITH_RAYS = 8;  // with more robots, only the chosen one shows its rays
 const MOST_CONTACTS = 1024;
 /// The engine's name of the walls around an arena, which can't be moved.
 export const BORDER = "wall";
@@ -222,7 +223,8 @@ export class Scene {
     if (this.#discs.touching.visible) lay(this.#discs.touching, 1.25, (_, pose) => pose.collided);
     this.#move_solids(things, carried);
     this.#update_markers(markers, carried);
-    this.#update_rays(shows_rays ? rays.flat() : []);
+    const seen = robots.length > MOST_WITH_RAYS ? rays[chosen] ?? [] : rays.flat();
+    this.#update_rays(shows_rays ? seen : []);
     this.#update_contacts(robots.flatMap((each) => each?.contacts ?? []));
   }
 
