@@ -122,6 +122,9 @@ int list(const TestPlan& plan, const Shard& shard) {
 Expected<void> check_options(const TestOptions& command) {
     const GivenOptions parts{{"--shard", !command.shard.empty()}, {"--resume", command.resume}};
     auto ok = refuse_given({{"--quiet", command.tap && command.quiet}}, "--tap reports every run");
+    if (ok && command.search)
+        ok = refuse_given({{"--hw", command.hw}, {"--update-goldens", command.update_goldens}},
+                          "--search: simulated runs are chosen by their results");
     if (ok && command.hw)
         ok = refuse_given({{"--coverage", !command.coverage.empty()}}, "--hw: only simulated time waits for marks");
     if (ok && command.update_goldens) ok = refuse_given(parts, "--update-goldens: every run has to be made");
@@ -133,6 +136,7 @@ Expected<void> check_options(const TestOptions& command) {
                            {"--seed", command.seed.has_value()},
                            {"--seeds", !command.seeds.empty()},
                            {"--paired", !command.paired.empty()},
+                           {"--search", command.search.has_value()},
                            {"--repeat", command.repeat.has_value()},
                            {"--jobs", command.jobs.has_value()},
                            {"-o", command.folder != TestOptions{}.folder},
@@ -256,6 +260,7 @@ int test(TestOptions command) {
                                 .installed = options.installed,
                                 .peer_words = options.peer_words,
                                 .seeds = *seeds,
+                                .search = static_cast<std::size_t>(command.search.value_or(0)),
                                 .paired = command.paired});
         if (!plan) return refuse(plan.error());
         if (command.list) return list(*plan, options.shard);
