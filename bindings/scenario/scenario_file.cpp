@@ -125,6 +125,7 @@ Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem
                                                            const ScenarioFileOptions& options,
                                                            std::vector<Error>* errors) {
     Project project = Project::of(path, options.installed);
+    if (options.project_files != nullptr) project = project.through(*options.project_files);
     std::string shown = project.shown(path);
     std::unique_ptr<ScenarioFile> file(new ScenarioFile(std::move(project), options.peer_words, std::move(shown)));
     const auto give_up = [&](Error error) {

@@ -50,6 +50,7 @@ struct ScenarioFileOptions {
     std::function<void(std::string_view)> print;   ///< gets the output of the file, a line at a time; may be empty
     std::optional<std::string> text{};             ///< replaces the content of the file, which need not exist
     Coverage* coverage = nullptr;                  ///< of required modules; may be null, must outlive the file
+    const ProjectFiles* project_files = nullptr;   ///< of the project, in place of the disk; may be null
 };
 
 class ScenarioFile {

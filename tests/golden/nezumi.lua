@@ -2,7 +2,7 @@
 --- What behaviours, systems and scenarios of nezumi are made of, for the Lua language server.
 --- Written by `nezumi types --lua`; do not edit.
 
----@alias MessageType "TimedBoolean"|"TimedShort"|"TimedLong"|"TimedFloat"|"TimedDouble"|"TimedString"|"TimedBooleanSeq"|"TimedShortSeq"|"TimedLongSeq"|"TimedFloatSeq"|"TimedDoubleSeq"|"TimedStringSeq"|"TimedVelocity2D"|"TimedPose2D"|"TimedPose3D"|"RangeData"|"CameraImage"|"CameraIntrinsics"|"SeenMarkerSeq"
+---@alias MessageType "TimedBoolean"|"TimedShort"|"TimedLong"|"TimedFloat"|"TimedDouble"|"TimedString"|"TimedBooleanSeq"|"TimedShortSeq"|"TimedLongSeq"|"TimedFloatSeq"|"TimedDoubleSeq"|"TimedStringSeq"|"TimedVelocity2D"|"TimedPose2D"|"TimedPose3D"|"RangeData"|"CameraImage"|"CameraIntrinsics"|"SeenMarkerSeq"|"builtin_interfaces/Duration"|"builtin_interfaces/Time"|"geometry_msgs/Accel"|"geometry_msgs/AccelStamped"|"geometry_msgs/AccelWithCovariance"|"geometry_msgs/AccelWithCovarianceStamped"|"geometry_msgs/Inertia"|"geometry_msgs/InertiaStamped"|"geometry_msgs/Point"|"geometry_msgs/Point32"|"geometry_msgs/PointStamped"|"geometry_msgs/Polygon"|"geometry_msgs/PolygonStamped"|"geometry_msgs/Pose"|"geometry_msgs/Pose2D"|"geometry_msgs/PoseArray"|"geometry_msgs/PoseStamped"|"geometry_msgs/PoseWithCovariance"|"geometry_msgs/PoseWithCovarianceStamped"|"geometry_msgs/Quaternion"|"geometry_msgs/QuaternionStamped"|"geometry_msgs/Transform"|"geometry_msgs/TransformStamped"|"geometry_msgs/Twist"|"geometry_msgs/TwistStamped"|"geometry_msgs/TwistWithCovariance"|"geometry_msgs/TwistWithCovarianceStamped"|"geometry_msgs/Vector3"|"geometry_msgs/Vector3Stamped"|"geometry_msgs/Wrench"|"geometry_msgs/WrenchStamped"|"nav_msgs/GridCells"|"nav_msgs/MapMetaData"|"nav_msgs/OccupancyGrid"|"nav_msgs/Odometry"|"nav_msgs/Path"|"raspimouse_msgs/Leds"|"raspimouse_msgs/LightSensors"|"raspimouse_msgs/Switches"|"sensor_msgs/BatteryState"|"sensor_msgs/CameraInfo"|"sensor_msgs/ChannelFloat32"|"sensor_msgs/CompressedImage"|"sensor_msgs/FluidPressure"|"sensor_msgs/Illuminance"|"sensor_msgs/Image"|"sensor_msgs/Imu"|"sensor_msgs/JointState"|"sensor_msgs/Joy"|"sensor_msgs/JoyFeedback"|"sensor_msgs/JoyFeedbackArray"|"sensor_msgs/LaserEcho"|"sensor_msgs/LaserScan"|"sensor_msgs/MagneticField"|"sensor_msgs/MultiDOFJointState"|"sensor_msgs/MultiEchoLaserScan"|"sensor_msgs/NavSatFix"|"sensor_msgs/NavSatStatus"|"sensor_msgs/PointCloud"|"sensor_msgs/PointCloud2"|"sensor_msgs/PointField"|"sensor_msgs/Range"|"sensor_msgs/RegionOfInterest"|"sensor_msgs/RelativeHumidity"|"sensor_msgs/Temperature"|"sensor_msgs/TimeReference"|"std_msgs/Bool"|"std_msgs/Byte"|"std_msgs/ByteMultiArray"|"std_msgs/Char"|"std_msgs/ColorRGBA"|"std_msgs/Empty"|"std_msgs/Float32"|"std_msgs/Float32MultiArray"|"std_msgs/Float64"|"std_msgs/Float64MultiArray"|"std_msgs/Header"|"std_msgs/Int16"|"std_msgs/Int16MultiArray"|"std_msgs/Int32"|"std_msgs/Int32MultiArray"|"std_msgs/Int64"|"std_msgs/Int64MultiArray"|"std_msgs/Int8"|"std_msgs/Int8MultiArray"|"std_msgs/MultiArrayDimension"|"std_msgs/MultiArrayLayout"|"std_msgs/String"|"std_msgs/UInt16"|"std_msgs/UInt16MultiArray"|"std_msgs/UInt32"|"std_msgs/UInt32MultiArray"|"std_msgs/UInt64"|"std_msgs/UInt64MultiArray"|"std_msgs/UInt8"|"std_msgs/UInt8MultiArray"
 
 ---@class (exact) Velocity2D
 ---@field vx number [m/s] speed along the robot's x axis (forward)
@@ -169,6 +169,968 @@
 ---@class (exact) SeenMarker.Written
 ---@field id? integer its number -2147483648..2147483647
 ---@field pose? Pose3D.Written from the camera: x forward, y left, z up
+
+---@class (exact) builtin_interfaces.Duration
+---@field sec integer [s] whole seconds -2147483648..2147483647
+---@field nanosec integer [ns] the rest 0..4294967295
+
+---@class (exact) builtin_interfaces.Duration.Written
+---@field sec? integer [s] whole seconds -2147483648..2147483647
+---@field nanosec? integer [ns] the rest 0..4294967295
+
+---@class (exact) builtin_interfaces.Time
+---@field sec integer [s] whole seconds -2147483648..2147483647
+---@field nanosec integer [ns] the rest 0..4294967295
+
+---@class (exact) builtin_interfaces.Time.Written
+---@field sec? integer [s] whole seconds -2147483648..2147483647
+---@field nanosec? integer [ns] the rest 0..4294967295
+
+---@class (exact) geometry_msgs.Vector3
+---@field x number
+---@field y number
+---@field z number
+
+---@class (exact) geometry_msgs.Vector3.Written
+---@field x? number
+---@field y? number
+---@field z? number
+
+---@class (exact) geometry_msgs.Accel
+---@field linear geometry_msgs.Vector3 [m/s^2]
+---@field angular geometry_msgs.Vector3 [rad/s^2] about each axis
+
+---@class (exact) geometry_msgs.Accel.Written
+---@field linear? geometry_msgs.Vector3.Written [m/s^2]
+---@field angular? geometry_msgs.Vector3.Written [rad/s^2] about each axis
+
+---@class (exact) std_msgs.Header
+---@field stamp builtin_interfaces.Time of the measurement
+---@field frame_id string name of the frame
+
+---@class (exact) std_msgs.Header.Written
+---@field stamp? builtin_interfaces.Time.Written of the measurement
+---@field frame_id? string name of the frame
+
+---@class (exact) geometry_msgs.AccelStamped
+---@field header std_msgs.Header when and in which frame
+---@field accel geometry_msgs.Accel in that frame
+
+---@class (exact) geometry_msgs.AccelStamped.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field accel? geometry_msgs.Accel.Written in that frame
+
+---@class (exact) geometry_msgs.AccelWithCovariance
+---@field accel geometry_msgs.Accel the estimate
+---@field covariance number[] 6 x 6, row by row: x, y, z, and the turns about them
+
+---@class (exact) geometry_msgs.AccelWithCovariance.Written
+---@field accel? geometry_msgs.Accel.Written the estimate
+---@field covariance? number[] 6 x 6, row by row: x, y, z, and the turns about them
+
+---@class (exact) geometry_msgs.AccelWithCovarianceStamped
+---@field header std_msgs.Header when and in which frame
+---@field accel geometry_msgs.AccelWithCovariance in that frame
+
+---@class (exact) geometry_msgs.AccelWithCovarianceStamped.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field accel? geometry_msgs.AccelWithCovariance.Written in that frame
+
+---@class (exact) geometry_msgs.Inertia
+---@field m number [kg]
+---@field com geometry_msgs.Vector3 [m] the centre of mass
+---@field ixx number [kg m^2] moments of inertia
+---@field ixy number
+---@field ixz number
+---@field iyy number
+---@field iyz number
+---@field izz number
+
+---@class (exact) geometry_msgs.Inertia.Written
+---@field m? number [kg]
+---@field com? geometry_msgs.Vector3.Written [m] the centre of mass
+---@field ixx? number [kg m^2] moments of inertia
+---@field ixy? number
+---@field ixz? number
+---@field iyy? number
+---@field iyz? number
+---@field izz? number
+
+---@class (exact) geometry_msgs.InertiaStamped
+---@field header std_msgs.Header when and in which frame
+---@field inertia geometry_msgs.Inertia in that frame
+
+---@class (exact) geometry_msgs.InertiaStamped.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field inertia? geometry_msgs.Inertia.Written in that frame
+
+---@class (exact) geometry_msgs.Point
+---@field x number [m]
+---@field y number [m]
+---@field z number [m]
+
+---@class (exact) geometry_msgs.Point.Written
+---@field x? number [m]
+---@field y? number [m]
+---@field z? number [m]
+
+---@class (exact) geometry_msgs.Point32
+---@field x number [m]
+---@field y number [m]
+---@field z number [m]
+
+---@class (exact) geometry_msgs.Point32.Written
+---@field x? number [m]
+---@field y? number [m]
+---@field z? number [m]
+
+---@class (exact) geometry_msgs.PointStamped
+---@field header std_msgs.Header when and in which frame
+---@field point geometry_msgs.Point in that frame
+
+---@class (exact) geometry_msgs.PointStamped.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field point? geometry_msgs.Point.Written in that frame
+
+---@class (exact) geometry_msgs.Polygon
+---@field points geometry_msgs.Point32[] its corners
+
+---@class (exact) geometry_msgs.Polygon.Written
+---@field points? geometry_msgs.Point32.Written[] its corners
+
+---@class (exact) geometry_msgs.PolygonStamped
+---@field header std_msgs.Header when and in which frame
+---@field polygon geometry_msgs.Polygon in that frame
+
+---@class (exact) geometry_msgs.PolygonStamped.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field polygon? geometry_msgs.Polygon.Written in that frame
+
+---@class (exact) geometry_msgs.Quaternion
+---@field x number
+---@field y number
+---@field z number
+---@field w number
+
+---@class (exact) geometry_msgs.Quaternion.Written
+---@field x? number
+---@field y? number
+---@field z? number
+---@field w? number
+
+---@class (exact) geometry_msgs.Pose
+---@field position geometry_msgs.Point where
+---@field orientation geometry_msgs.Quaternion which way
+
+---@class (exact) geometry_msgs.Pose.Written
+---@field position? geometry_msgs.Point.Written where
+---@field orientation? geometry_msgs.Quaternion.Written which way
+
+---@class (exact) geometry_msgs.Pose2D
+---@field x number [m]
+---@field y number [m]
+---@field theta number [rad] counter-clockwise from the x axis
+
+---@class (exact) geometry_msgs.Pose2D.Written
+---@field x? number [m]
+---@field y? number [m]
+---@field theta? number [rad] counter-clockwise from the x axis
+
+---@class (exact) geometry_msgs.PoseArray
+---@field header std_msgs.Header when and in which frame
+---@field poses geometry_msgs.Pose[] all of them
+
+---@class (exact) geometry_msgs.PoseArray.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field poses? geometry_msgs.Pose.Written[] all of them
+
+---@class (exact) geometry_msgs.PoseStamped
+---@field header std_msgs.Header when and in which frame
+---@field pose geometry_msgs.Pose in that frame
+
+---@class (exact) geometry_msgs.PoseStamped.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field pose? geometry_msgs.Pose.Written in that frame
+
+---@class (exact) geometry_msgs.PoseWithCovariance
+---@field pose geometry_msgs.Pose the estimate
+---@field covariance number[] 6 x 6, row by row: x, y, z, and the turns about them
+
+---@class (exact) geometry_msgs.PoseWithCovariance.Written
+---@field pose? geometry_msgs.Pose.Written the estimate
+---@field covariance? number[] 6 x 6, row by row: x, y, z, and the turns about them
+
+---@class (exact) geometry_msgs.PoseWithCovarianceStamped
+---@field header std_msgs.Header when and in which frame
+---@field pose geometry_msgs.PoseWithCovariance in that frame
+
+---@class (exact) geometry_msgs.PoseWithCovarianceStamped.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field pose? geometry_msgs.PoseWithCovariance.Written in that frame
+
+---@class (exact) geometry_msgs.QuaternionStamped
+---@field header std_msgs.Header when and in which frame
+---@field quaternion geometry_msgs.Quaternion in that frame
+
+---@class (exact) geometry_msgs.QuaternionStamped.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field quaternion? geometry_msgs.Quaternion.Written in that frame
+
+---@class (exact) geometry_msgs.Transform
+---@field translation geometry_msgs.Vector3 [m]
+---@field rotation geometry_msgs.Quaternion which way
+
+---@class (exact) geometry_msgs.Transform.Written
+---@field translation? geometry_msgs.Vector3.Written [m]
+---@field rotation? geometry_msgs.Quaternion.Written which way
+
+---@class (exact) geometry_msgs.TransformStamped
+---@field header std_msgs.Header when and in which frame
+---@field child_frame_id string the frame that is placed
+---@field transform geometry_msgs.Transform from the frame of the header to it
+
+---@class (exact) geometry_msgs.TransformStamped.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field child_frame_id? string the frame that is placed
+---@field transform? geometry_msgs.Transform.Written from the frame of the header to it
+
+---@class (exact) geometry_msgs.Twist
+---@field linear geometry_msgs.Vector3 [m/s]
+---@field angular geometry_msgs.Vector3 [rad/s] about each axis
+
+---@class (exact) geometry_msgs.Twist.Written
+---@field linear? geometry_msgs.Vector3.Written [m/s]
+---@field angular? geometry_msgs.Vector3.Written [rad/s] about each axis
+
+---@class (exact) geometry_msgs.TwistStamped
+---@field header std_msgs.Header when and in which frame
+---@field twist geometry_msgs.Twist in that frame
+
+---@class (exact) geometry_msgs.TwistStamped.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field twist? geometry_msgs.Twist.Written in that frame
+
+---@class (exact) geometry_msgs.TwistWithCovariance
+---@field twist geometry_msgs.Twist the estimate
+---@field covariance number[] 6 x 6, row by row: x, y, z, and the turns about them
+
+---@class (exact) geometry_msgs.TwistWithCovariance.Written
+---@field twist? geometry_msgs.Twist.Written the estimate
+---@field covariance? number[] 6 x 6, row by row: x, y, z, and the turns about them
+
+---@class (exact) geometry_msgs.TwistWithCovarianceStamped
+---@field header std_msgs.Header when and in which frame
+---@field twist geometry_msgs.TwistWithCovariance in that frame
+
+---@class (exact) geometry_msgs.TwistWithCovarianceStamped.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field twist? geometry_msgs.TwistWithCovariance.Written in that frame
+
+---@class (exact) geometry_msgs.Vector3Stamped
+---@field header std_msgs.Header when and in which frame
+---@field vector geometry_msgs.Vector3 in that frame
+
+---@class (exact) geometry_msgs.Vector3Stamped.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field vector? geometry_msgs.Vector3.Written in that frame
+
+---@class (exact) geometry_msgs.Wrench
+---@field force geometry_msgs.Vector3 [N]
+---@field torque geometry_msgs.Vector3 [Nm]
+
+---@class (exact) geometry_msgs.Wrench.Written
+---@field force? geometry_msgs.Vector3.Written [N]
+---@field torque? geometry_msgs.Vector3.Written [Nm]
+
+---@class (exact) geometry_msgs.WrenchStamped
+---@field header std_msgs.Header when and in which frame
+---@field wrench geometry_msgs.Wrench in that frame
+
+---@class (exact) geometry_msgs.WrenchStamped.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field wrench? geometry_msgs.Wrench.Written in that frame
+
+---@class (exact) nav_msgs.GridCells
+---@field header std_msgs.Header when and in which frame
+---@field cell_width number [m]
+---@field cell_height number [m]
+---@field cells geometry_msgs.Point[] their middles
+
+---@class (exact) nav_msgs.GridCells.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field cell_width? number [m]
+---@field cell_height? number [m]
+---@field cells? geometry_msgs.Point.Written[] their middles
+
+---@class (exact) nav_msgs.MapMetaData
+---@field map_load_time builtin_interfaces.Time when it was loaded
+---@field resolution number [m] side of a cell
+---@field width integer cells along x 0..4294967295
+---@field height integer cells along y 0..4294967295
+---@field origin geometry_msgs.Pose of the corner of cell (0, 0)
+
+---@class (exact) nav_msgs.MapMetaData.Written
+---@field map_load_time? builtin_interfaces.Time.Written when it was loaded
+---@field resolution? number [m] side of a cell
+---@field width? integer cells along x 0..4294967295
+---@field height? integer cells along y 0..4294967295
+---@field origin? geometry_msgs.Pose.Written of the corner of cell (0, 0)
+
+---@class (exact) nav_msgs.OccupancyGrid
+---@field header std_msgs.Header when and in which frame
+---@field info nav_msgs.MapMetaData what it covers
+---@field data integer[] [%] row by row: 0 free, 100 occupied, -1 not known -128..127
+
+---@class (exact) nav_msgs.OccupancyGrid.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field info? nav_msgs.MapMetaData.Written what it covers
+---@field data? integer[] [%] row by row: 0 free, 100 occupied, -1 not known -128..127
+
+---@class (exact) nav_msgs.Odometry
+---@field header std_msgs.Header when and in which frame
+---@field child_frame_id string frame of the velocity
+---@field pose geometry_msgs.PoseWithCovariance in the frame of the header
+---@field twist geometry_msgs.TwistWithCovariance in the frame of the robot
+
+---@class (exact) nav_msgs.Odometry.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field child_frame_id? string frame of the velocity
+---@field pose? geometry_msgs.PoseWithCovariance.Written in the frame of the header
+---@field twist? geometry_msgs.TwistWithCovariance.Written in the frame of the robot
+
+---@class (exact) nav_msgs.Path
+---@field header std_msgs.Header when and in which frame
+---@field poses geometry_msgs.PoseStamped[] in order
+
+---@class (exact) nav_msgs.Path.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field poses? geometry_msgs.PoseStamped.Written[] in order
+
+---@class (exact) raspimouse_msgs.Leds
+---@field led0 boolean lit
+---@field led1 boolean lit
+---@field led2 boolean lit
+---@field led3 boolean lit
+
+---@class (exact) raspimouse_msgs.Leds.Written
+---@field led0? boolean lit
+---@field led1? boolean lit
+---@field led2? boolean lit
+---@field led3? boolean lit
+
+---@class (exact) raspimouse_msgs.LightSensors
+---@field forward_r integer right front -32768..32767
+---@field forward_l integer left front -32768..32767
+---@field left integer left side -32768..32767
+---@field right integer right side -32768..32767
+
+---@class (exact) raspimouse_msgs.LightSensors.Written
+---@field forward_r? integer right front -32768..32767
+---@field forward_l? integer left front -32768..32767
+---@field left? integer left side -32768..32767
+---@field right? integer right side -32768..32767
+
+---@class (exact) raspimouse_msgs.Switches
+---@field switch0 boolean pressed
+---@field switch1 boolean pressed
+---@field switch2 boolean pressed
+
+---@class (exact) raspimouse_msgs.Switches.Written
+---@field switch0? boolean pressed
+---@field switch1? boolean pressed
+---@field switch2? boolean pressed
+
+---@class (exact) sensor_msgs.BatteryState
+---@field header std_msgs.Header when and in which frame
+---@field voltage number [V]
+---@field temperature number [degC]
+---@field current number [A] below 0 while it is discharged
+---@field charge number [Ah] what is in it
+---@field capacity number [Ah] what it held when it was full last
+---@field design_capacity number [Ah] what it was made for
+---@field percentage number from 0 to 1
+---@field power_supply_status integer one of POWER_SUPPLY_STATUS_ 0..255
+---@field power_supply_health integer one of POWER_SUPPLY_HEALTH_ 0..255
+---@field power_supply_technology integer one of POWER_SUPPLY_TECHNOLOGY_ 0..255
+---@field present boolean whether there is a battery
+---@field cell_voltage number[] [V] of each cell
+---@field cell_temperature number[] [degC] of each cell
+---@field location string where it is put in
+---@field serial_number string of the battery
+
+---@class (exact) sensor_msgs.BatteryState.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field voltage? number [V]
+---@field temperature? number [degC]
+---@field current? number [A] below 0 while it is discharged
+---@field charge? number [Ah] what is in it
+---@field capacity? number [Ah] what it held when it was full last
+---@field design_capacity? number [Ah] what it was made for
+---@field percentage? number from 0 to 1
+---@field power_supply_status? integer one of POWER_SUPPLY_STATUS_ 0..255
+---@field power_supply_health? integer one of POWER_SUPPLY_HEALTH_ 0..255
+---@field power_supply_technology? integer one of POWER_SUPPLY_TECHNOLOGY_ 0..255
+---@field present? boolean whether there is a battery
+---@field cell_voltage? number[] [V] of each cell
+---@field cell_temperature? number[] [degC] of each cell
+---@field location? string where it is put in
+---@field serial_number? string of the battery
+
+---@class (exact) sensor_msgs.RegionOfInterest
+---@field x_offset integer [px] of its left edge 0..4294967295
+---@field y_offset integer [px] of its upper edge 0..4294967295
+---@field height integer [px] 0: the whole picture 0..4294967295
+---@field width integer [px] 0: the whole picture 0..4294967295
+---@field do_rectify boolean whether it is to be rectified
+
+---@class (exact) sensor_msgs.RegionOfInterest.Written
+---@field x_offset? integer [px] of its left edge 0..4294967295
+---@field y_offset? integer [px] of its upper edge 0..4294967295
+---@field height? integer [px] 0: the whole picture 0..4294967295
+---@field width? integer [px] 0: the whole picture 0..4294967295
+---@field do_rectify? boolean whether it is to be rectified
+
+---@class (exact) sensor_msgs.CameraInfo
+---@field header std_msgs.Header when and in which frame
+---@field height integer [px] of the pictures 0..4294967295
+---@field width integer [px] of the pictures 0..4294967295
+---@field distortion_model string "plumb_bob", "rational_polynomial", ...
+---@field d number[] distortion, as the model counts it
+---@field k number[] 3 x 3, row by row: focal lengths and optical axis [px]
+---@field r number[] 3 x 3: turns the camera for stereo
+---@field p number[] 3 x 4: projection of the rectified picture
+---@field binning_x integer camera pixels in a pixel, along a row 0..4294967295
+---@field binning_y integer the same along a column 0..4294967295
+---@field roi sensor_msgs.RegionOfInterest of the whole picture of the camera
+
+---@class (exact) sensor_msgs.CameraInfo.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field height? integer [px] of the pictures 0..4294967295
+---@field width? integer [px] of the pictures 0..4294967295
+---@field distortion_model? string "plumb_bob", "rational_polynomial", ...
+---@field d? number[] distortion, as the model counts it
+---@field k? number[] 3 x 3, row by row: focal lengths and optical axis [px]
+---@field r? number[] 3 x 3: turns the camera for stereo
+---@field p? number[] 3 x 4: projection of the rectified picture
+---@field binning_x? integer camera pixels in a pixel, along a row 0..4294967295
+---@field binning_y? integer the same along a column 0..4294967295
+---@field roi? sensor_msgs.RegionOfInterest.Written of the whole picture of the camera
+
+---@class (exact) sensor_msgs.ChannelFloat32
+---@field name string what it is
+---@field values number[] one for each point
+
+---@class (exact) sensor_msgs.ChannelFloat32.Written
+---@field name? string what it is
+---@field values? number[] one for each point
+
+---@class (exact) sensor_msgs.CompressedImage
+---@field header std_msgs.Header when and in which frame
+---@field format string "jpeg", "png", ...
+---@field data string the bytes of the file
+
+---@class (exact) sensor_msgs.CompressedImage.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field format? string "jpeg", "png", ...
+---@field data? string the bytes of the file
+
+---@class (exact) sensor_msgs.FluidPressure
+---@field header std_msgs.Header when and in which frame
+---@field fluid_pressure number [Pa]
+---@field variance number 0: not known
+
+---@class (exact) sensor_msgs.FluidPressure.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field fluid_pressure? number [Pa]
+---@field variance? number 0: not known
+
+---@class (exact) sensor_msgs.Illuminance
+---@field header std_msgs.Header when and in which frame
+---@field illuminance number [lx]
+---@field variance number 0: not known
+
+---@class (exact) sensor_msgs.Illuminance.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field illuminance? number [lx]
+---@field variance? number 0: not known
+
+---@class (exact) sensor_msgs.Image
+---@field header std_msgs.Header when and in which frame
+---@field height integer [px] 0..4294967295
+---@field width integer [px] 0..4294967295
+---@field encoding string "rgb8", "mono8", ...
+---@field is_bigendian integer of numbers of several bytes: 1 if the highest comes first 0..255
+---@field step integer [bytes] of a row 0..4294967295
+---@field data string row by row from the top left
+
+---@class (exact) sensor_msgs.Image.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field height? integer [px] 0..4294967295
+---@field width? integer [px] 0..4294967295
+---@field encoding? string "rgb8", "mono8", ...
+---@field is_bigendian? integer of numbers of several bytes: 1 if the highest comes first 0..255
+---@field step? integer [bytes] of a row 0..4294967295
+---@field data? string row by row from the top left
+
+---@class (exact) sensor_msgs.Imu
+---@field header std_msgs.Header when and in which frame
+---@field orientation geometry_msgs.Quaternion
+---@field orientation_covariance number[] 3 x 3, row by row
+---@field angular_velocity geometry_msgs.Vector3 [rad/s]
+---@field angular_velocity_covariance number[] 3 x 3, row by row
+---@field linear_acceleration geometry_msgs.Vector3 [m/s^2]
+---@field linear_acceleration_covariance number[] 3 x 3, row by row
+
+---@class (exact) sensor_msgs.Imu.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field orientation? geometry_msgs.Quaternion.Written
+---@field orientation_covariance? number[] 3 x 3, row by row
+---@field angular_velocity? geometry_msgs.Vector3.Written [rad/s]
+---@field angular_velocity_covariance? number[] 3 x 3, row by row
+---@field linear_acceleration? geometry_msgs.Vector3.Written [m/s^2]
+---@field linear_acceleration_covariance? number[] 3 x 3, row by row
+
+---@class (exact) sensor_msgs.JointState
+---@field header std_msgs.Header when and in which frame
+---@field name string[] of each joint
+---@field position number[] [rad] or [m]
+---@field velocity number[] [rad/s] or [m/s]
+---@field effort number[] [Nm] or [N]
+
+---@class (exact) sensor_msgs.JointState.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field name? string[] of each joint
+---@field position? number[] [rad] or [m]
+---@field velocity? number[] [rad/s] or [m/s]
+---@field effort? number[] [Nm] or [N]
+
+---@class (exact) sensor_msgs.Joy
+---@field header std_msgs.Header when and in which frame
+---@field axes number[] from -1 to 1
+---@field buttons integer[] 1 while pressed -2147483648..2147483647
+
+---@class (exact) sensor_msgs.Joy.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field axes? number[] from -1 to 1
+---@field buttons? integer[] 1 while pressed -2147483648..2147483647
+
+---@class (exact) sensor_msgs.JoyFeedback
+---@field type integer one of TYPE_ 0..255
+---@field id integer which of its kind 0..255
+---@field intensity number from 0 to 1
+
+---@class (exact) sensor_msgs.JoyFeedback.Written
+---@field type? integer one of TYPE_ 0..255
+---@field id? integer which of its kind 0..255
+---@field intensity? number from 0 to 1
+
+---@class (exact) sensor_msgs.JoyFeedbackArray
+---@field array sensor_msgs.JoyFeedback[] all of them
+
+---@class (exact) sensor_msgs.JoyFeedbackArray.Written
+---@field array? sensor_msgs.JoyFeedback.Written[] all of them
+
+---@class (exact) sensor_msgs.LaserEcho
+---@field echoes number[] [m] or intensities
+
+---@class (exact) sensor_msgs.LaserEcho.Written
+---@field echoes? number[] [m] or intensities
+
+---@class (exact) sensor_msgs.LaserScan
+---@field header std_msgs.Header when and in which frame
+---@field angle_min number [rad] of the first ray
+---@field angle_max number [rad] of the last ray
+---@field angle_increment number [rad] from ray to ray
+---@field time_increment number [s] from ray to ray
+---@field scan_time number [s] from scan to scan
+---@field range_min number [m] nearer is not measured
+---@field range_max number [m] farther is not measured
+---@field ranges number[] [m] one for each ray
+---@field intensities number[] one for each ray, or none
+
+---@class (exact) sensor_msgs.LaserScan.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field angle_min? number [rad] of the first ray
+---@field angle_max? number [rad] of the last ray
+---@field angle_increment? number [rad] from ray to ray
+---@field time_increment? number [s] from ray to ray
+---@field scan_time? number [s] from scan to scan
+---@field range_min? number [m] nearer is not measured
+---@field range_max? number [m] farther is not measured
+---@field ranges? number[] [m] one for each ray
+---@field intensities? number[] one for each ray, or none
+
+---@class (exact) sensor_msgs.MagneticField
+---@field header std_msgs.Header when and in which frame
+---@field magnetic_field geometry_msgs.Vector3 [T]
+---@field magnetic_field_covariance number[] 3 x 3, row by row; 0: not known
+
+---@class (exact) sensor_msgs.MagneticField.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field magnetic_field? geometry_msgs.Vector3.Written [T]
+---@field magnetic_field_covariance? number[] 3 x 3, row by row; 0: not known
+
+---@class (exact) sensor_msgs.MultiDOFJointState
+---@field header std_msgs.Header when and in which frame
+---@field joint_names string[] of each joint
+---@field transforms geometry_msgs.Transform[] where it is
+---@field twist geometry_msgs.Twist[] how fast it moves
+---@field wrench geometry_msgs.Wrench[] what acts on it
+
+---@class (exact) sensor_msgs.MultiDOFJointState.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field joint_names? string[] of each joint
+---@field transforms? geometry_msgs.Transform.Written[] where it is
+---@field twist? geometry_msgs.Twist.Written[] how fast it moves
+---@field wrench? geometry_msgs.Wrench.Written[] what acts on it
+
+---@class (exact) sensor_msgs.MultiEchoLaserScan
+---@field header std_msgs.Header when and in which frame
+---@field angle_min number [rad] of the first ray
+---@field angle_max number [rad] of the last ray
+---@field angle_increment number [rad] from ray to ray
+---@field time_increment number [s] from ray to ray
+---@field scan_time number [s] from scan to scan
+---@field range_min number [m] nearer is not measured
+---@field range_max number [m] farther is not measured
+---@field ranges sensor_msgs.LaserEcho[] [m] of each ray
+---@field intensities sensor_msgs.LaserEcho[] of each ray, or none
+
+---@class (exact) sensor_msgs.MultiEchoLaserScan.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field angle_min? number [rad] of the first ray
+---@field angle_max? number [rad] of the last ray
+---@field angle_increment? number [rad] from ray to ray
+---@field time_increment? number [s] from ray to ray
+---@field scan_time? number [s] from scan to scan
+---@field range_min? number [m] nearer is not measured
+---@field range_max? number [m] farther is not measured
+---@field ranges? sensor_msgs.LaserEcho.Written[] [m] of each ray
+---@field intensities? sensor_msgs.LaserEcho.Written[] of each ray, or none
+
+---@class (exact) sensor_msgs.NavSatStatus
+---@field status integer one of STATUS_ -128..127
+---@field service integer a sum of SERVICE_ 0..65535
+
+---@class (exact) sensor_msgs.NavSatStatus.Written
+---@field status? integer one of STATUS_ -128..127
+---@field service? integer a sum of SERVICE_ 0..65535
+
+---@class (exact) sensor_msgs.NavSatFix
+---@field header std_msgs.Header when and in which frame
+---@field status sensor_msgs.NavSatStatus
+---@field latitude number [deg] north of the equator
+---@field longitude number [deg] east of Greenwich
+---@field altitude number [m] above the ellipsoid
+---@field position_covariance number[] [m^2] 3 x 3, row by row: east, north, up
+---@field position_covariance_type integer one of COVARIANCE_TYPE_ 0..255
+
+---@class (exact) sensor_msgs.NavSatFix.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field status? sensor_msgs.NavSatStatus.Written
+---@field latitude? number [deg] north of the equator
+---@field longitude? number [deg] east of Greenwich
+---@field altitude? number [m] above the ellipsoid
+---@field position_covariance? number[] [m^2] 3 x 3, row by row: east, north, up
+---@field position_covariance_type? integer one of COVARIANCE_TYPE_ 0..255
+
+---@class (exact) sensor_msgs.PointCloud
+---@field header std_msgs.Header when and in which frame
+---@field points geometry_msgs.Point32[] all of them
+---@field channels sensor_msgs.ChannelFloat32[] what else is known of each
+
+---@class (exact) sensor_msgs.PointCloud.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field points? geometry_msgs.Point32.Written[] all of them
+---@field channels? sensor_msgs.ChannelFloat32.Written[] what else is known of each
+
+---@class (exact) sensor_msgs.PointField
+---@field name string "x", "y", "z", "rgb", ...
+---@field offset integer [bytes] from the begin of the point 0..4294967295
+---@field datatype integer one of the constants 0..255
+---@field count integer how many numbers 0..4294967295
+
+---@class (exact) sensor_msgs.PointField.Written
+---@field name? string "x", "y", "z", "rgb", ...
+---@field offset? integer [bytes] from the begin of the point 0..4294967295
+---@field datatype? integer one of the constants 0..255
+---@field count? integer how many numbers 0..4294967295
+
+---@class (exact) sensor_msgs.PointCloud2
+---@field header std_msgs.Header when and in which frame
+---@field height integer rows; 1: in no order 0..4294967295
+---@field width integer points in a row 0..4294967295
+---@field fields sensor_msgs.PointField[] of a point
+---@field is_bigendian boolean
+---@field point_step integer [bytes] of a point 0..4294967295
+---@field row_step integer [bytes] of a row 0..4294967295
+---@field data string all points
+---@field is_dense boolean whether none is invalid
+
+---@class (exact) sensor_msgs.PointCloud2.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field height? integer rows; 1: in no order 0..4294967295
+---@field width? integer points in a row 0..4294967295
+---@field fields? sensor_msgs.PointField.Written[] of a point
+---@field is_bigendian? boolean
+---@field point_step? integer [bytes] of a point 0..4294967295
+---@field row_step? integer [bytes] of a row 0..4294967295
+---@field data? string all points
+---@field is_dense? boolean whether none is invalid
+
+---@class (exact) sensor_msgs.Range
+---@field header std_msgs.Header when and in which frame
+---@field radiation_type integer ULTRASOUND or INFRARED 0..255
+---@field field_of_view number [rad] the angle of the cone
+---@field min_range number [m] nearer is not measured
+---@field max_range number [m] farther is not measured
+---@field range number [m]
+---@field variance number [m^2] 0: not known
+
+---@class (exact) sensor_msgs.Range.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field radiation_type? integer ULTRASOUND or INFRARED 0..255
+---@field field_of_view? number [rad] the angle of the cone
+---@field min_range? number [m] nearer is not measured
+---@field max_range? number [m] farther is not measured
+---@field range? number [m]
+---@field variance? number [m^2] 0: not known
+
+---@class (exact) sensor_msgs.RelativeHumidity
+---@field header std_msgs.Header when and in which frame
+---@field relative_humidity number from 0 to 1
+---@field variance number 0: not known
+
+---@class (exact) sensor_msgs.RelativeHumidity.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field relative_humidity? number from 0 to 1
+---@field variance? number 0: not known
+
+---@class (exact) sensor_msgs.Temperature
+---@field header std_msgs.Header when and in which frame
+---@field temperature number [degC]
+---@field variance number 0: not known
+
+---@class (exact) sensor_msgs.Temperature.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field temperature? number [degC]
+---@field variance? number 0: not known
+
+---@class (exact) sensor_msgs.TimeReference
+---@field header std_msgs.Header when and in which frame
+---@field time_ref builtin_interfaces.Time what that clock says
+---@field source string its name
+
+---@class (exact) sensor_msgs.TimeReference.Written
+---@field header? std_msgs.Header.Written when and in which frame
+---@field time_ref? builtin_interfaces.Time.Written what that clock says
+---@field source? string its name
+
+---@class (exact) std_msgs.Bool
+---@field data boolean
+
+---@class (exact) std_msgs.Bool.Written
+---@field data? boolean
+
+---@class (exact) std_msgs.Byte
+---@field data integer 0..255
+
+---@class (exact) std_msgs.Byte.Written
+---@field data? integer 0..255
+
+---@class (exact) std_msgs.MultiArrayDimension
+---@field label string its name
+---@field size integer elements along it 0..4294967295
+---@field stride integer elements from one step along it to the next, times its size 0..4294967295
+
+---@class (exact) std_msgs.MultiArrayDimension.Written
+---@field label? string its name
+---@field size? integer elements along it 0..4294967295
+---@field stride? integer elements from one step along it to the next, times its size 0..4294967295
+
+---@class (exact) std_msgs.MultiArrayLayout
+---@field dim std_msgs.MultiArrayDimension[] from the outermost inwards
+---@field data_offset integer elements before the first 0..4294967295
+
+---@class (exact) std_msgs.MultiArrayLayout.Written
+---@field dim? std_msgs.MultiArrayDimension.Written[] from the outermost inwards
+---@field data_offset? integer elements before the first 0..4294967295
+
+---@class (exact) std_msgs.ByteMultiArray
+---@field layout std_msgs.MultiArrayLayout how the elements are ordered
+---@field data string all elements
+
+---@class (exact) std_msgs.ByteMultiArray.Written
+---@field layout? std_msgs.MultiArrayLayout.Written how the elements are ordered
+---@field data? string all elements
+
+---@class (exact) std_msgs.Char
+---@field data integer 0..255
+
+---@class (exact) std_msgs.Char.Written
+---@field data? integer 0..255
+
+---@class (exact) std_msgs.ColorRGBA
+---@field r number red
+---@field g number green
+---@field b number blue
+---@field a number opacity
+
+---@class (exact) std_msgs.ColorRGBA.Written
+---@field r? number red
+---@field g? number green
+---@field b? number blue
+---@field a? number opacity
+
+---@class (exact) std_msgs.Empty
+
+---@class (exact) std_msgs.Empty.Written
+
+---@class (exact) std_msgs.Float32
+---@field data number
+
+---@class (exact) std_msgs.Float32.Written
+---@field data? number
+
+---@class (exact) std_msgs.Float32MultiArray
+---@field layout std_msgs.MultiArrayLayout how the elements are ordered
+---@field data number[] all elements
+
+---@class (exact) std_msgs.Float32MultiArray.Written
+---@field layout? std_msgs.MultiArrayLayout.Written how the elements are ordered
+---@field data? number[] all elements
+
+---@class (exact) std_msgs.Float64
+---@field data number
+
+---@class (exact) std_msgs.Float64.Written
+---@field data? number
+
+---@class (exact) std_msgs.Float64MultiArray
+---@field layout std_msgs.MultiArrayLayout how the elements are ordered
+---@field data number[] all elements
+
+---@class (exact) std_msgs.Float64MultiArray.Written
+---@field layout? std_msgs.MultiArrayLayout.Written how the elements are ordered
+---@field data? number[] all elements
+
+---@class (exact) std_msgs.Int16
+---@field data integer -32768..32767
+
+---@class (exact) std_msgs.Int16.Written
+---@field data? integer -32768..32767
+
+---@class (exact) std_msgs.Int16MultiArray
+---@field layout std_msgs.MultiArrayLayout how the elements are ordered
+---@field data integer[] all elements -32768..32767
+
+---@class (exact) std_msgs.Int16MultiArray.Written
+---@field layout? std_msgs.MultiArrayLayout.Written how the elements are ordered
+---@field data? integer[] all elements -32768..32767
+
+---@class (exact) std_msgs.Int32
+---@field data integer -2147483648..2147483647
+
+---@class (exact) std_msgs.Int32.Written
+---@field data? integer -2147483648..2147483647
+
+---@class (exact) std_msgs.Int32MultiArray
+---@field layout std_msgs.MultiArrayLayout how the elements are ordered
+---@field data integer[] all elements -2147483648..2147483647
+
+---@class (exact) std_msgs.Int32MultiArray.Written
+---@field layout? std_msgs.MultiArrayLayout.Written how the elements are ordered
+---@field data? integer[] all elements -2147483648..2147483647
+
+---@class (exact) std_msgs.Int64
+---@field data integer -9223372036854775808..9223372036854775807
+
+---@class (exact) std_msgs.Int64.Written
+---@field data? integer -9223372036854775808..9223372036854775807
+
+---@class (exact) std_msgs.Int64MultiArray
+---@field layout std_msgs.MultiArrayLayout how the elements are ordered
+---@field data integer[] all elements -9223372036854775808..9223372036854775807
+
+---@class (exact) std_msgs.Int64MultiArray.Written
+---@field layout? std_msgs.MultiArrayLayout.Written how the elements are ordered
+---@field data? integer[] all elements -9223372036854775808..9223372036854775807
+
+---@class (exact) std_msgs.Int8
+---@field data integer -128..127
+
+---@class (exact) std_msgs.Int8.Written
+---@field data? integer -128..127
+
+---@class (exact) std_msgs.Int8MultiArray
+---@field layout std_msgs.MultiArrayLayout how the elements are ordered
+---@field data integer[] all elements -128..127
+
+---@class (exact) std_msgs.Int8MultiArray.Written
+---@field layout? std_msgs.MultiArrayLayout.Written how the elements are ordered
+---@field data? integer[] all elements -128..127
+
+---@class (exact) std_msgs.String
+---@field data string
+
+---@class (exact) std_msgs.String.Written
+---@field data? string
+
+---@class (exact) std_msgs.UInt16
+---@field data integer 0..65535
+
+---@class (exact) std_msgs.UInt16.Written
+---@field data? integer 0..65535
+
+---@class (exact) std_msgs.UInt16MultiArray
+---@field layout std_msgs.MultiArrayLayout how the elements are ordered
+---@field data integer[] all elements 0..65535
+
+---@class (exact) std_msgs.UInt16MultiArray.Written
+---@field layout? std_msgs.MultiArrayLayout.Written how the elements are ordered
+---@field data? integer[] all elements 0..65535
+
+---@class (exact) std_msgs.UInt32
+---@field data integer 0..4294967295
+
+---@class (exact) std_msgs.UInt32.Written
+---@field data? integer 0..4294967295
+
+---@class (exact) std_msgs.UInt32MultiArray
+---@field layout std_msgs.MultiArrayLayout how the elements are ordered
+---@field data integer[] all elements 0..4294967295
+
+---@class (exact) std_msgs.UInt32MultiArray.Written
+---@field layout? std_msgs.MultiArrayLayout.Written how the elements are ordered
+---@field data? integer[] all elements 0..4294967295
+
+---@class (exact) std_msgs.UInt64
+---@field data integer 0..9223372036854775807
+
+---@class (exact) std_msgs.UInt64.Written
+---@field data? integer 0..9223372036854775807
+
+---@class (exact) std_msgs.UInt64MultiArray
+---@field layout std_msgs.MultiArrayLayout how the elements are ordered
+---@field data integer[] all elements 0..9223372036854775807
+
+---@class (exact) std_msgs.UInt64MultiArray.Written
+---@field layout? std_msgs.MultiArrayLayout.Written how the elements are ordered
+---@field data? integer[] all elements 0..9223372036854775807
+
+---@class (exact) std_msgs.UInt8
+---@field data integer 0..255
+
+---@class (exact) std_msgs.UInt8.Written
+---@field data? integer 0..255
+
+---@class (exact) std_msgs.UInt8MultiArray
+---@field layout std_msgs.MultiArrayLayout how the elements are ordered
+---@field data string all elements
+
+---@class (exact) std_msgs.UInt8MultiArray.Written
+---@field layout? std_msgs.MultiArrayLayout.Written how the elements are ordered
+---@field data? string all elements
 
 ---@class InPort
 ---@field is_new boolean there is an unread message
@@ -445,6 +1407,1350 @@
 ---@class (exact) SeenMarkerSeq.OutOptions
 ---@field safe? SeenMarker.Written[] written when the component stops
 
+---An in-port of builtin_interfaces.Duration: A span of time..
+---@class builtin_interfaces.Duration.In : InPort
+---@field read fun(self: builtin_interfaces.Duration.In): builtin_interfaces.Duration
+
+---An out-port of builtin_interfaces.Duration: A span of time..
+---@class builtin_interfaces.Duration.Out : OutPort
+---@field write fun(self: builtin_interfaces.Duration.Out, value: builtin_interfaces.Duration.Written)
+
+---@class (exact) builtin_interfaces.Duration.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) builtin_interfaces.Duration.OutOptions
+---@field safe? builtin_interfaces.Duration.Written written when the component stops
+
+---An in-port of builtin_interfaces.Time: A point in time, from the epoch of the clock..
+---@class builtin_interfaces.Time.In : InPort
+---@field read fun(self: builtin_interfaces.Time.In): builtin_interfaces.Time
+
+---An out-port of builtin_interfaces.Time: A point in time, from the epoch of the clock..
+---@class builtin_interfaces.Time.Out : OutPort
+---@field write fun(self: builtin_interfaces.Time.Out, value: builtin_interfaces.Time.Written)
+
+---@class (exact) builtin_interfaces.Time.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) builtin_interfaces.Time.OutOptions
+---@field safe? builtin_interfaces.Time.Written written when the component stops
+
+---An in-port of geometry_msgs.Accel: An acceleration and a change of the rate of turn..
+---@class geometry_msgs.Accel.In : InPort
+---@field read fun(self: geometry_msgs.Accel.In): geometry_msgs.Accel
+
+---An out-port of geometry_msgs.Accel: An acceleration and a change of the rate of turn..
+---@class geometry_msgs.Accel.Out : OutPort
+---@field write fun(self: geometry_msgs.Accel.Out, value: geometry_msgs.Accel.Written)
+
+---@class (exact) geometry_msgs.Accel.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.Accel.OutOptions
+---@field safe? geometry_msgs.Accel.Written written when the component stops
+
+---An in-port of geometry_msgs.AccelStamped: A Accel with its time and frame..
+---@class geometry_msgs.AccelStamped.In : InPort
+---@field read fun(self: geometry_msgs.AccelStamped.In): geometry_msgs.AccelStamped
+
+---An out-port of geometry_msgs.AccelStamped: A Accel with its time and frame..
+---@class geometry_msgs.AccelStamped.Out : OutPort
+---@field write fun(self: geometry_msgs.AccelStamped.Out, value: geometry_msgs.AccelStamped.Written)
+
+---@class (exact) geometry_msgs.AccelStamped.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.AccelStamped.OutOptions
+---@field safe? geometry_msgs.AccelStamped.Written written when the component stops
+
+---An in-port of geometry_msgs.AccelWithCovariance: A Accel and how sure it is..
+---@class geometry_msgs.AccelWithCovariance.In : InPort
+---@field read fun(self: geometry_msgs.AccelWithCovariance.In): geometry_msgs.AccelWithCovariance
+
+---An out-port of geometry_msgs.AccelWithCovariance: A Accel and how sure it is..
+---@class geometry_msgs.AccelWithCovariance.Out : OutPort
+---@field write fun(self: geometry_msgs.AccelWithCovariance.Out, value: geometry_msgs.AccelWithCovariance.Written)
+
+---@class (exact) geometry_msgs.AccelWithCovariance.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.AccelWithCovariance.OutOptions
+---@field safe? geometry_msgs.AccelWithCovariance.Written written when the component stops
+
+---An in-port of geometry_msgs.AccelWithCovarianceStamped: A AccelWithCovariance with its time and frame..
+---@class geometry_msgs.AccelWithCovarianceStamped.In : InPort
+---@field read fun(self: geometry_msgs.AccelWithCovarianceStamped.In): geometry_msgs.AccelWithCovarianceStamped
+
+---An out-port of geometry_msgs.AccelWithCovarianceStamped: A AccelWithCovariance with its time and frame..
+---@class geometry_msgs.AccelWithCovarianceStamped.Out : OutPort
+---@field write fun(self: geometry_msgs.AccelWithCovarianceStamped.Out, value: geometry_msgs.AccelWithCovarianceStamped.Written)
+
+---@class (exact) geometry_msgs.AccelWithCovarianceStamped.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.AccelWithCovarianceStamped.OutOptions
+---@field safe? geometry_msgs.AccelWithCovarianceStamped.Written written when the component stops
+
+---An in-port of geometry_msgs.Inertia: The mass of a body and how it is spread..
+---@class geometry_msgs.Inertia.In : InPort
+---@field read fun(self: geometry_msgs.Inertia.In): geometry_msgs.Inertia
+
+---An out-port of geometry_msgs.Inertia: The mass of a body and how it is spread..
+---@class geometry_msgs.Inertia.Out : OutPort
+---@field write fun(self: geometry_msgs.Inertia.Out, value: geometry_msgs.Inertia.Written)
+
+---@class (exact) geometry_msgs.Inertia.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.Inertia.OutOptions
+---@field safe? geometry_msgs.Inertia.Written written when the component stops
+
+---An in-port of geometry_msgs.InertiaStamped: A Inertia with its time and frame..
+---@class geometry_msgs.InertiaStamped.In : InPort
+---@field read fun(self: geometry_msgs.InertiaStamped.In): geometry_msgs.InertiaStamped
+
+---An out-port of geometry_msgs.InertiaStamped: A Inertia with its time and frame..
+---@class geometry_msgs.InertiaStamped.Out : OutPort
+---@field write fun(self: geometry_msgs.InertiaStamped.Out, value: geometry_msgs.InertiaStamped.Written)
+
+---@class (exact) geometry_msgs.InertiaStamped.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.InertiaStamped.OutOptions
+---@field safe? geometry_msgs.InertiaStamped.Written written when the component stops
+
+---An in-port of geometry_msgs.Point: A place in space..
+---@class geometry_msgs.Point.In : InPort
+---@field read fun(self: geometry_msgs.Point.In): geometry_msgs.Point
+
+---An out-port of geometry_msgs.Point: A place in space..
+---@class geometry_msgs.Point.Out : OutPort
+---@field write fun(self: geometry_msgs.Point.Out, value: geometry_msgs.Point.Written)
+
+---@class (exact) geometry_msgs.Point.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.Point.OutOptions
+---@field safe? geometry_msgs.Point.Written written when the component stops
+
+---An in-port of geometry_msgs.Point32: A place in space, as smaller numbers..
+---@class geometry_msgs.Point32.In : InPort
+---@field read fun(self: geometry_msgs.Point32.In): geometry_msgs.Point32
+
+---An out-port of geometry_msgs.Point32: A place in space, as smaller numbers..
+---@class geometry_msgs.Point32.Out : OutPort
+---@field write fun(self: geometry_msgs.Point32.Out, value: geometry_msgs.Point32.Written)
+
+---@class (exact) geometry_msgs.Point32.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.Point32.OutOptions
+---@field safe? geometry_msgs.Point32.Written written when the component stops
+
+---An in-port of geometry_msgs.PointStamped: A Point with its time and frame..
+---@class geometry_msgs.PointStamped.In : InPort
+---@field read fun(self: geometry_msgs.PointStamped.In): geometry_msgs.PointStamped
+
+---An out-port of geometry_msgs.PointStamped: A Point with its time and frame..
+---@class geometry_msgs.PointStamped.Out : OutPort
+---@field write fun(self: geometry_msgs.PointStamped.Out, value: geometry_msgs.PointStamped.Written)
+
+---@class (exact) geometry_msgs.PointStamped.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.PointStamped.OutOptions
+---@field safe? geometry_msgs.PointStamped.Written written when the component stops
+
+---An in-port of geometry_msgs.Polygon: A closed line; the last point is joined to the first..
+---@class geometry_msgs.Polygon.In : InPort
+---@field read fun(self: geometry_msgs.Polygon.In): geometry_msgs.Polygon
+
+---An out-port of geometry_msgs.Polygon: A closed line; the last point is joined to the first..
+---@class geometry_msgs.Polygon.Out : OutPort
+---@field write fun(self: geometry_msgs.Polygon.Out, value: geometry_msgs.Polygon.Written)
+
+---@class (exact) geometry_msgs.Polygon.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.Polygon.OutOptions
+---@field safe? geometry_msgs.Polygon.Written written when the component stops
+
+---An in-port of geometry_msgs.PolygonStamped: A Polygon with its time and frame..
+---@class geometry_msgs.PolygonStamped.In : InPort
+---@field read fun(self: geometry_msgs.PolygonStamped.In): geometry_msgs.PolygonStamped
+
+---An out-port of geometry_msgs.PolygonStamped: A Polygon with its time and frame..
+---@class geometry_msgs.PolygonStamped.Out : OutPort
+---@field write fun(self: geometry_msgs.PolygonStamped.Out, value: geometry_msgs.PolygonStamped.Written)
+
+---@class (exact) geometry_msgs.PolygonStamped.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.PolygonStamped.OutOptions
+---@field safe? geometry_msgs.PolygonStamped.Written written when the component stops
+
+---An in-port of geometry_msgs.Pose: A place and an orientation in space..
+---@class geometry_msgs.Pose.In : InPort
+---@field read fun(self: geometry_msgs.Pose.In): geometry_msgs.Pose
+
+---An out-port of geometry_msgs.Pose: A place and an orientation in space..
+---@class geometry_msgs.Pose.Out : OutPort
+---@field write fun(self: geometry_msgs.Pose.Out, value: geometry_msgs.Pose.Written)
+
+---@class (exact) geometry_msgs.Pose.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.Pose.OutOptions
+---@field safe? geometry_msgs.Pose.Written written when the component stops
+
+---An in-port of geometry_msgs.Pose2D: A place and a heading on the floor..
+---@class geometry_msgs.Pose2D.In : InPort
+---@field read fun(self: geometry_msgs.Pose2D.In): geometry_msgs.Pose2D
+
+---An out-port of geometry_msgs.Pose2D: A place and a heading on the floor..
+---@class geometry_msgs.Pose2D.Out : OutPort
+---@field write fun(self: geometry_msgs.Pose2D.Out, value: geometry_msgs.Pose2D.Written)
+
+---@class (exact) geometry_msgs.Pose2D.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.Pose2D.OutOptions
+---@field safe? geometry_msgs.Pose2D.Written written when the component stops
+
+---An in-port of geometry_msgs.PoseArray: Several poses in one frame..
+---@class geometry_msgs.PoseArray.In : InPort
+---@field read fun(self: geometry_msgs.PoseArray.In): geometry_msgs.PoseArray
+
+---An out-port of geometry_msgs.PoseArray: Several poses in one frame..
+---@class geometry_msgs.PoseArray.Out : OutPort
+---@field write fun(self: geometry_msgs.PoseArray.Out, value: geometry_msgs.PoseArray.Written)
+
+---@class (exact) geometry_msgs.PoseArray.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.PoseArray.OutOptions
+---@field safe? geometry_msgs.PoseArray.Written written when the component stops
+
+---An in-port of geometry_msgs.PoseStamped: A Pose with its time and frame..
+---@class geometry_msgs.PoseStamped.In : InPort
+---@field read fun(self: geometry_msgs.PoseStamped.In): geometry_msgs.PoseStamped
+
+---An out-port of geometry_msgs.PoseStamped: A Pose with its time and frame..
+---@class geometry_msgs.PoseStamped.Out : OutPort
+---@field write fun(self: geometry_msgs.PoseStamped.Out, value: geometry_msgs.PoseStamped.Written)
+
+---@class (exact) geometry_msgs.PoseStamped.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.PoseStamped.OutOptions
+---@field safe? geometry_msgs.PoseStamped.Written written when the component stops
+
+---An in-port of geometry_msgs.PoseWithCovariance: A Pose and how sure it is..
+---@class geometry_msgs.PoseWithCovariance.In : InPort
+---@field read fun(self: geometry_msgs.PoseWithCovariance.In): geometry_msgs.PoseWithCovariance
+
+---An out-port of geometry_msgs.PoseWithCovariance: A Pose and how sure it is..
+---@class geometry_msgs.PoseWithCovariance.Out : OutPort
+---@field write fun(self: geometry_msgs.PoseWithCovariance.Out, value: geometry_msgs.PoseWithCovariance.Written)
+
+---@class (exact) geometry_msgs.PoseWithCovariance.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.PoseWithCovariance.OutOptions
+---@field safe? geometry_msgs.PoseWithCovariance.Written written when the component stops
+
+---An in-port of geometry_msgs.PoseWithCovarianceStamped: A PoseWithCovariance with its time and frame..
+---@class geometry_msgs.PoseWithCovarianceStamped.In : InPort
+---@field read fun(self: geometry_msgs.PoseWithCovarianceStamped.In): geometry_msgs.PoseWithCovarianceStamped
+
+---An out-port of geometry_msgs.PoseWithCovarianceStamped: A PoseWithCovariance with its time and frame..
+---@class geometry_msgs.PoseWithCovarianceStamped.Out : OutPort
+---@field write fun(self: geometry_msgs.PoseWithCovarianceStamped.Out, value: geometry_msgs.PoseWithCovarianceStamped.Written)
+
+---@class (exact) geometry_msgs.PoseWithCovarianceStamped.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.PoseWithCovarianceStamped.OutOptions
+---@field safe? geometry_msgs.PoseWithCovarianceStamped.Written written when the component stops
+
+---An in-port of geometry_msgs.Quaternion: An orientation in space; by itself no turn..
+---@class geometry_msgs.Quaternion.In : InPort
+---@field read fun(self: geometry_msgs.Quaternion.In): geometry_msgs.Quaternion
+
+---An out-port of geometry_msgs.Quaternion: An orientation in space; by itself no turn..
+---@class geometry_msgs.Quaternion.Out : OutPort
+---@field write fun(self: geometry_msgs.Quaternion.Out, value: geometry_msgs.Quaternion.Written)
+
+---@class (exact) geometry_msgs.Quaternion.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.Quaternion.OutOptions
+---@field safe? geometry_msgs.Quaternion.Written written when the component stops
+
+---An in-port of geometry_msgs.QuaternionStamped: A Quaternion with its time and frame..
+---@class geometry_msgs.QuaternionStamped.In : InPort
+---@field read fun(self: geometry_msgs.QuaternionStamped.In): geometry_msgs.QuaternionStamped
+
+---An out-port of geometry_msgs.QuaternionStamped: A Quaternion with its time and frame..
+---@class geometry_msgs.QuaternionStamped.Out : OutPort
+---@field write fun(self: geometry_msgs.QuaternionStamped.Out, value: geometry_msgs.QuaternionStamped.Written)
+
+---@class (exact) geometry_msgs.QuaternionStamped.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.QuaternionStamped.OutOptions
+---@field safe? geometry_msgs.QuaternionStamped.Written written when the component stops
+
+---An in-port of geometry_msgs.Transform: From one frame to another..
+---@class geometry_msgs.Transform.In : InPort
+---@field read fun(self: geometry_msgs.Transform.In): geometry_msgs.Transform
+
+---An out-port of geometry_msgs.Transform: From one frame to another..
+---@class geometry_msgs.Transform.Out : OutPort
+---@field write fun(self: geometry_msgs.Transform.Out, value: geometry_msgs.Transform.Written)
+
+---@class (exact) geometry_msgs.Transform.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.Transform.OutOptions
+---@field safe? geometry_msgs.Transform.Written written when the component stops
+
+---An in-port of geometry_msgs.TransformStamped: Where one frame is in another..
+---@class geometry_msgs.TransformStamped.In : InPort
+---@field read fun(self: geometry_msgs.TransformStamped.In): geometry_msgs.TransformStamped
+
+---An out-port of geometry_msgs.TransformStamped: Where one frame is in another..
+---@class geometry_msgs.TransformStamped.Out : OutPort
+---@field write fun(self: geometry_msgs.TransformStamped.Out, value: geometry_msgs.TransformStamped.Written)
+
+---@class (exact) geometry_msgs.TransformStamped.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.TransformStamped.OutOptions
+---@field safe? geometry_msgs.TransformStamped.Written written when the component stops
+
+---An in-port of geometry_msgs.Twist: A velocity and a rate of turn..
+---@class geometry_msgs.Twist.In : InPort
+---@field read fun(self: geometry_msgs.Twist.In): geometry_msgs.Twist
+
+---An out-port of geometry_msgs.Twist: A velocity and a rate of turn..
+---@class geometry_msgs.Twist.Out : OutPort
+---@field write fun(self: geometry_msgs.Twist.Out, value: geometry_msgs.Twist.Written)
+
+---@class (exact) geometry_msgs.Twist.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.Twist.OutOptions
+---@field safe? geometry_msgs.Twist.Written written when the component stops
+
+---An in-port of geometry_msgs.TwistStamped: A Twist with its time and frame..
+---@class geometry_msgs.TwistStamped.In : InPort
+---@field read fun(self: geometry_msgs.TwistStamped.In): geometry_msgs.TwistStamped
+
+---An out-port of geometry_msgs.TwistStamped: A Twist with its time and frame..
+---@class geometry_msgs.TwistStamped.Out : OutPort
+---@field write fun(self: geometry_msgs.TwistStamped.Out, value: geometry_msgs.TwistStamped.Written)
+
+---@class (exact) geometry_msgs.TwistStamped.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.TwistStamped.OutOptions
+---@field safe? geometry_msgs.TwistStamped.Written written when the component stops
+
+---An in-port of geometry_msgs.TwistWithCovariance: A Twist and how sure it is..
+---@class geometry_msgs.TwistWithCovariance.In : InPort
+---@field read fun(self: geometry_msgs.TwistWithCovariance.In): geometry_msgs.TwistWithCovariance
+
+---An out-port of geometry_msgs.TwistWithCovariance: A Twist and how sure it is..
+---@class geometry_msgs.TwistWithCovariance.Out : OutPort
+---@field write fun(self: geometry_msgs.TwistWithCovariance.Out, value: geometry_msgs.TwistWithCovariance.Written)
+
+---@class (exact) geometry_msgs.TwistWithCovariance.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.TwistWithCovariance.OutOptions
+---@field safe? geometry_msgs.TwistWithCovariance.Written written when the component stops
+
+---An in-port of geometry_msgs.TwistWithCovarianceStamped: A TwistWithCovariance with its time and frame..
+---@class geometry_msgs.TwistWithCovarianceStamped.In : InPort
+---@field read fun(self: geometry_msgs.TwistWithCovarianceStamped.In): geometry_msgs.TwistWithCovarianceStamped
+
+---An out-port of geometry_msgs.TwistWithCovarianceStamped: A TwistWithCovariance with its time and frame..
+---@class geometry_msgs.TwistWithCovarianceStamped.Out : OutPort
+---@field write fun(self: geometry_msgs.TwistWithCovarianceStamped.Out, value: geometry_msgs.TwistWithCovarianceStamped.Written)
+
+---@class (exact) geometry_msgs.TwistWithCovarianceStamped.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.TwistWithCovarianceStamped.OutOptions
+---@field safe? geometry_msgs.TwistWithCovarianceStamped.Written written when the component stops
+
+---An in-port of geometry_msgs.Vector3: A direction and a size in space..
+---@class geometry_msgs.Vector3.In : InPort
+---@field read fun(self: geometry_msgs.Vector3.In): geometry_msgs.Vector3
+
+---An out-port of geometry_msgs.Vector3: A direction and a size in space..
+---@class geometry_msgs.Vector3.Out : OutPort
+---@field write fun(self: geometry_msgs.Vector3.Out, value: geometry_msgs.Vector3.Written)
+
+---@class (exact) geometry_msgs.Vector3.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.Vector3.OutOptions
+---@field safe? geometry_msgs.Vector3.Written written when the component stops
+
+---An in-port of geometry_msgs.Vector3Stamped: A Vector3 with its time and frame..
+---@class geometry_msgs.Vector3Stamped.In : InPort
+---@field read fun(self: geometry_msgs.Vector3Stamped.In): geometry_msgs.Vector3Stamped
+
+---An out-port of geometry_msgs.Vector3Stamped: A Vector3 with its time and frame..
+---@class geometry_msgs.Vector3Stamped.Out : OutPort
+---@field write fun(self: geometry_msgs.Vector3Stamped.Out, value: geometry_msgs.Vector3Stamped.Written)
+
+---@class (exact) geometry_msgs.Vector3Stamped.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.Vector3Stamped.OutOptions
+---@field safe? geometry_msgs.Vector3Stamped.Written written when the component stops
+
+---An in-port of geometry_msgs.Wrench: A force and a torque..
+---@class geometry_msgs.Wrench.In : InPort
+---@field read fun(self: geometry_msgs.Wrench.In): geometry_msgs.Wrench
+
+---An out-port of geometry_msgs.Wrench: A force and a torque..
+---@class geometry_msgs.Wrench.Out : OutPort
+---@field write fun(self: geometry_msgs.Wrench.Out, value: geometry_msgs.Wrench.Written)
+
+---@class (exact) geometry_msgs.Wrench.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.Wrench.OutOptions
+---@field safe? geometry_msgs.Wrench.Written written when the component stops
+
+---An in-port of geometry_msgs.WrenchStamped: A Wrench with its time and frame..
+---@class geometry_msgs.WrenchStamped.In : InPort
+---@field read fun(self: geometry_msgs.WrenchStamped.In): geometry_msgs.WrenchStamped
+
+---An out-port of geometry_msgs.WrenchStamped: A Wrench with its time and frame..
+---@class geometry_msgs.WrenchStamped.Out : OutPort
+---@field write fun(self: geometry_msgs.WrenchStamped.Out, value: geometry_msgs.WrenchStamped.Written)
+
+---@class (exact) geometry_msgs.WrenchStamped.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) geometry_msgs.WrenchStamped.OutOptions
+---@field safe? geometry_msgs.WrenchStamped.Written written when the component stops
+
+---An in-port of nav_msgs.GridCells: Cells of a grid, each by its middle..
+---@class nav_msgs.GridCells.In : InPort
+---@field read fun(self: nav_msgs.GridCells.In): nav_msgs.GridCells
+
+---An out-port of nav_msgs.GridCells: Cells of a grid, each by its middle..
+---@class nav_msgs.GridCells.Out : OutPort
+---@field write fun(self: nav_msgs.GridCells.Out, value: nav_msgs.GridCells.Written)
+
+---@class (exact) nav_msgs.GridCells.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) nav_msgs.GridCells.OutOptions
+---@field safe? nav_msgs.GridCells.Written written when the component stops
+
+---An in-port of nav_msgs.MapMetaData: What a map covers..
+---@class nav_msgs.MapMetaData.In : InPort
+---@field read fun(self: nav_msgs.MapMetaData.In): nav_msgs.MapMetaData
+
+---An out-port of nav_msgs.MapMetaData: What a map covers..
+---@class nav_msgs.MapMetaData.Out : OutPort
+---@field write fun(self: nav_msgs.MapMetaData.Out, value: nav_msgs.MapMetaData.Written)
+
+---@class (exact) nav_msgs.MapMetaData.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) nav_msgs.MapMetaData.OutOptions
+---@field safe? nav_msgs.MapMetaData.Written written when the component stops
+
+---An in-port of nav_msgs.OccupancyGrid: A map of cells that are free or not..
+---@class nav_msgs.OccupancyGrid.In : InPort
+---@field read fun(self: nav_msgs.OccupancyGrid.In): nav_msgs.OccupancyGrid
+
+---An out-port of nav_msgs.OccupancyGrid: A map of cells that are free or not..
+---@class nav_msgs.OccupancyGrid.Out : OutPort
+---@field write fun(self: nav_msgs.OccupancyGrid.Out, value: nav_msgs.OccupancyGrid.Written)
+
+---@class (exact) nav_msgs.OccupancyGrid.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) nav_msgs.OccupancyGrid.OutOptions
+---@field safe? nav_msgs.OccupancyGrid.Written written when the component stops
+
+---An in-port of nav_msgs.Odometry: Where a robot believes to be, and how fast it moves..
+---@class nav_msgs.Odometry.In : InPort
+---@field read fun(self: nav_msgs.Odometry.In): nav_msgs.Odometry
+
+---An out-port of nav_msgs.Odometry: Where a robot believes to be, and how fast it moves..
+---@class nav_msgs.Odometry.Out : OutPort
+---@field write fun(self: nav_msgs.Odometry.Out, value: nav_msgs.Odometry.Written)
+
+---@class (exact) nav_msgs.Odometry.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) nav_msgs.Odometry.OutOptions
+---@field safe? nav_msgs.Odometry.Written written when the component stops
+
+---An in-port of nav_msgs.Path: A way to go, pose by pose..
+---@class nav_msgs.Path.In : InPort
+---@field read fun(self: nav_msgs.Path.In): nav_msgs.Path
+
+---An out-port of nav_msgs.Path: A way to go, pose by pose..
+---@class nav_msgs.Path.Out : OutPort
+---@field write fun(self: nav_msgs.Path.Out, value: nav_msgs.Path.Written)
+
+---@class (exact) nav_msgs.Path.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) nav_msgs.Path.OutOptions
+---@field safe? nav_msgs.Path.Written written when the component stops
+
+---An in-port of raspimouse_msgs.Leds: The four LEDs of a Raspberry Pi Mouse..
+---@class raspimouse_msgs.Leds.In : InPort
+---@field read fun(self: raspimouse_msgs.Leds.In): raspimouse_msgs.Leds
+
+---An out-port of raspimouse_msgs.Leds: The four LEDs of a Raspberry Pi Mouse..
+---@class raspimouse_msgs.Leds.Out : OutPort
+---@field write fun(self: raspimouse_msgs.Leds.Out, value: raspimouse_msgs.Leds.Written)
+
+---@class (exact) raspimouse_msgs.Leds.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) raspimouse_msgs.Leds.OutOptions
+---@field safe? raspimouse_msgs.Leds.Written written when the component stops
+
+---An in-port of raspimouse_msgs.LightSensors: The four light sensors of a Raspberry Pi Mouse; a larger value is nearer..
+---@class raspimouse_msgs.LightSensors.In : InPort
+---@field read fun(self: raspimouse_msgs.LightSensors.In): raspimouse_msgs.LightSensors
+
+---An out-port of raspimouse_msgs.LightSensors: The four light sensors of a Raspberry Pi Mouse; a larger value is nearer..
+---@class raspimouse_msgs.LightSensors.Out : OutPort
+---@field write fun(self: raspimouse_msgs.LightSensors.Out, value: raspimouse_msgs.LightSensors.Written)
+
+---@class (exact) raspimouse_msgs.LightSensors.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) raspimouse_msgs.LightSensors.OutOptions
+---@field safe? raspimouse_msgs.LightSensors.Written written when the component stops
+
+---An in-port of raspimouse_msgs.Switches: The three switches of a Raspberry Pi Mouse..
+---@class raspimouse_msgs.Switches.In : InPort
+---@field read fun(self: raspimouse_msgs.Switches.In): raspimouse_msgs.Switches
+
+---An out-port of raspimouse_msgs.Switches: The three switches of a Raspberry Pi Mouse..
+---@class raspimouse_msgs.Switches.Out : OutPort
+---@field write fun(self: raspimouse_msgs.Switches.Out, value: raspimouse_msgs.Switches.Written)
+
+---@class (exact) raspimouse_msgs.Switches.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) raspimouse_msgs.Switches.OutOptions
+---@field safe? raspimouse_msgs.Switches.Written written when the component stops
+
+---An in-port of sensor_msgs.BatteryState: How a battery is. A number that is not measured is NaN..
+---@class sensor_msgs.BatteryState.In : InPort
+---@field read fun(self: sensor_msgs.BatteryState.In): sensor_msgs.BatteryState
+
+---An out-port of sensor_msgs.BatteryState: How a battery is. A number that is not measured is NaN..
+---@class sensor_msgs.BatteryState.Out : OutPort
+---@field write fun(self: sensor_msgs.BatteryState.Out, value: sensor_msgs.BatteryState.Written)
+
+---@class (exact) sensor_msgs.BatteryState.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.BatteryState.OutOptions
+---@field safe? sensor_msgs.BatteryState.Written written when the component stops
+
+---An in-port of sensor_msgs.CameraInfo: How a camera maps space to its pictures..
+---@class sensor_msgs.CameraInfo.In : InPort
+---@field read fun(self: sensor_msgs.CameraInfo.In): sensor_msgs.CameraInfo
+
+---An out-port of sensor_msgs.CameraInfo: How a camera maps space to its pictures..
+---@class sensor_msgs.CameraInfo.Out : OutPort
+---@field write fun(self: sensor_msgs.CameraInfo.Out, value: sensor_msgs.CameraInfo.Written)
+
+---@class (exact) sensor_msgs.CameraInfo.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.CameraInfo.OutOptions
+---@field safe? sensor_msgs.CameraInfo.Written written when the component stops
+
+---An in-port of sensor_msgs.ChannelFloat32: One more number for each point of a cloud..
+---@class sensor_msgs.ChannelFloat32.In : InPort
+---@field read fun(self: sensor_msgs.ChannelFloat32.In): sensor_msgs.ChannelFloat32
+
+---An out-port of sensor_msgs.ChannelFloat32: One more number for each point of a cloud..
+---@class sensor_msgs.ChannelFloat32.Out : OutPort
+---@field write fun(self: sensor_msgs.ChannelFloat32.Out, value: sensor_msgs.ChannelFloat32.Written)
+
+---@class (exact) sensor_msgs.ChannelFloat32.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.ChannelFloat32.OutOptions
+---@field safe? sensor_msgs.ChannelFloat32.Written written when the component stops
+
+---An in-port of sensor_msgs.CompressedImage: A picture in a file format..
+---@class sensor_msgs.CompressedImage.In : InPort
+---@field read fun(self: sensor_msgs.CompressedImage.In): sensor_msgs.CompressedImage
+
+---An out-port of sensor_msgs.CompressedImage: A picture in a file format..
+---@class sensor_msgs.CompressedImage.Out : OutPort
+---@field write fun(self: sensor_msgs.CompressedImage.Out, value: sensor_msgs.CompressedImage.Written)
+
+---@class (exact) sensor_msgs.CompressedImage.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.CompressedImage.OutOptions
+---@field safe? sensor_msgs.CompressedImage.Written written when the component stops
+
+---An in-port of sensor_msgs.FluidPressure: A pressure of air or water..
+---@class sensor_msgs.FluidPressure.In : InPort
+---@field read fun(self: sensor_msgs.FluidPressure.In): sensor_msgs.FluidPressure
+
+---An out-port of sensor_msgs.FluidPressure: A pressure of air or water..
+---@class sensor_msgs.FluidPressure.Out : OutPort
+---@field write fun(self: sensor_msgs.FluidPressure.Out, value: sensor_msgs.FluidPressure.Written)
+
+---@class (exact) sensor_msgs.FluidPressure.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.FluidPressure.OutOptions
+---@field safe? sensor_msgs.FluidPressure.Written written when the component stops
+
+---An in-port of sensor_msgs.Illuminance: How much light falls on a sensor..
+---@class sensor_msgs.Illuminance.In : InPort
+---@field read fun(self: sensor_msgs.Illuminance.In): sensor_msgs.Illuminance
+
+---An out-port of sensor_msgs.Illuminance: How much light falls on a sensor..
+---@class sensor_msgs.Illuminance.Out : OutPort
+---@field write fun(self: sensor_msgs.Illuminance.Out, value: sensor_msgs.Illuminance.Written)
+
+---@class (exact) sensor_msgs.Illuminance.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.Illuminance.OutOptions
+---@field safe? sensor_msgs.Illuminance.Written written when the component stops
+
+---An in-port of sensor_msgs.Image: A picture, pixel by pixel..
+---@class sensor_msgs.Image.In : InPort
+---@field read fun(self: sensor_msgs.Image.In): sensor_msgs.Image
+
+---An out-port of sensor_msgs.Image: A picture, pixel by pixel..
+---@class sensor_msgs.Image.Out : OutPort
+---@field write fun(self: sensor_msgs.Image.Out, value: sensor_msgs.Image.Written)
+
+---@class (exact) sensor_msgs.Image.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.Image.OutOptions
+---@field safe? sensor_msgs.Image.Written written when the component stops
+
+---An in-port of sensor_msgs.Imu: What an inertial sensor measures. A covariance that begins with -1: that is not measured..
+---@class sensor_msgs.Imu.In : InPort
+---@field read fun(self: sensor_msgs.Imu.In): sensor_msgs.Imu
+
+---An out-port of sensor_msgs.Imu: What an inertial sensor measures. A covariance that begins with -1: that is not measured..
+---@class sensor_msgs.Imu.Out : OutPort
+---@field write fun(self: sensor_msgs.Imu.Out, value: sensor_msgs.Imu.Written)
+
+---@class (exact) sensor_msgs.Imu.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.Imu.OutOptions
+---@field safe? sensor_msgs.Imu.Written written when the component stops
+
+---An in-port of sensor_msgs.JointState: The joints of a robot, in one order..
+---@class sensor_msgs.JointState.In : InPort
+---@field read fun(self: sensor_msgs.JointState.In): sensor_msgs.JointState
+
+---An out-port of sensor_msgs.JointState: The joints of a robot, in one order..
+---@class sensor_msgs.JointState.Out : OutPort
+---@field write fun(self: sensor_msgs.JointState.Out, value: sensor_msgs.JointState.Written)
+
+---@class (exact) sensor_msgs.JointState.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.JointState.OutOptions
+---@field safe? sensor_msgs.JointState.Written written when the component stops
+
+---An in-port of sensor_msgs.Joy: The axes and buttons of a gamepad..
+---@class sensor_msgs.Joy.In : InPort
+---@field read fun(self: sensor_msgs.Joy.In): sensor_msgs.Joy
+
+---An out-port of sensor_msgs.Joy: The axes and buttons of a gamepad..
+---@class sensor_msgs.Joy.Out : OutPort
+---@field write fun(self: sensor_msgs.Joy.Out, value: sensor_msgs.Joy.Written)
+
+---@class (exact) sensor_msgs.Joy.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.Joy.OutOptions
+---@field safe? sensor_msgs.Joy.Written written when the component stops
+
+---An in-port of sensor_msgs.JoyFeedback: What a gamepad is to do..
+---@class sensor_msgs.JoyFeedback.In : InPort
+---@field read fun(self: sensor_msgs.JoyFeedback.In): sensor_msgs.JoyFeedback
+
+---An out-port of sensor_msgs.JoyFeedback: What a gamepad is to do..
+---@class sensor_msgs.JoyFeedback.Out : OutPort
+---@field write fun(self: sensor_msgs.JoyFeedback.Out, value: sensor_msgs.JoyFeedback.Written)
+
+---@class (exact) sensor_msgs.JoyFeedback.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.JoyFeedback.OutOptions
+---@field safe? sensor_msgs.JoyFeedback.Written written when the component stops
+
+---An in-port of sensor_msgs.JoyFeedbackArray: Several things that a gamepad is to do..
+---@class sensor_msgs.JoyFeedbackArray.In : InPort
+---@field read fun(self: sensor_msgs.JoyFeedbackArray.In): sensor_msgs.JoyFeedbackArray
+
+---An out-port of sensor_msgs.JoyFeedbackArray: Several things that a gamepad is to do..
+---@class sensor_msgs.JoyFeedbackArray.Out : OutPort
+---@field write fun(self: sensor_msgs.JoyFeedbackArray.Out, value: sensor_msgs.JoyFeedbackArray.Written)
+
+---@class (exact) sensor_msgs.JoyFeedbackArray.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.JoyFeedbackArray.OutOptions
+---@field safe? sensor_msgs.JoyFeedbackArray.Written written when the component stops
+
+---An in-port of sensor_msgs.LaserEcho: All echoes of one ray..
+---@class sensor_msgs.LaserEcho.In : InPort
+---@field read fun(self: sensor_msgs.LaserEcho.In): sensor_msgs.LaserEcho
+
+---An out-port of sensor_msgs.LaserEcho: All echoes of one ray..
+---@class sensor_msgs.LaserEcho.Out : OutPort
+---@field write fun(self: sensor_msgs.LaserEcho.Out, value: sensor_msgs.LaserEcho.Written)
+
+---@class (exact) sensor_msgs.LaserEcho.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.LaserEcho.OutOptions
+---@field safe? sensor_msgs.LaserEcho.Written written when the component stops
+
+---An in-port of sensor_msgs.LaserScan: Distances that a scanner measured, from one angle to another..
+---@class sensor_msgs.LaserScan.In : InPort
+---@field read fun(self: sensor_msgs.LaserScan.In): sensor_msgs.LaserScan
+
+---An out-port of sensor_msgs.LaserScan: Distances that a scanner measured, from one angle to another..
+---@class sensor_msgs.LaserScan.Out : OutPort
+---@field write fun(self: sensor_msgs.LaserScan.Out, value: sensor_msgs.LaserScan.Written)
+
+---@class (exact) sensor_msgs.LaserScan.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.LaserScan.OutOptions
+---@field safe? sensor_msgs.LaserScan.Written written when the component stops
+
+---An in-port of sensor_msgs.MagneticField: A magnetic field..
+---@class sensor_msgs.MagneticField.In : InPort
+---@field read fun(self: sensor_msgs.MagneticField.In): sensor_msgs.MagneticField
+
+---An out-port of sensor_msgs.MagneticField: A magnetic field..
+---@class sensor_msgs.MagneticField.Out : OutPort
+---@field write fun(self: sensor_msgs.MagneticField.Out, value: sensor_msgs.MagneticField.Written)
+
+---@class (exact) sensor_msgs.MagneticField.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.MagneticField.OutOptions
+---@field safe? sensor_msgs.MagneticField.Written written when the component stops
+
+---An in-port of sensor_msgs.MultiDOFJointState: Joints that move in several ways at once, in one order..
+---@class sensor_msgs.MultiDOFJointState.In : InPort
+---@field read fun(self: sensor_msgs.MultiDOFJointState.In): sensor_msgs.MultiDOFJointState
+
+---An out-port of sensor_msgs.MultiDOFJointState: Joints that move in several ways at once, in one order..
+---@class sensor_msgs.MultiDOFJointState.Out : OutPort
+---@field write fun(self: sensor_msgs.MultiDOFJointState.Out, value: sensor_msgs.MultiDOFJointState.Written)
+
+---@class (exact) sensor_msgs.MultiDOFJointState.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.MultiDOFJointState.OutOptions
+---@field safe? sensor_msgs.MultiDOFJointState.Written written when the component stops
+
+---An in-port of sensor_msgs.MultiEchoLaserScan: A scan with several echoes of each ray..
+---@class sensor_msgs.MultiEchoLaserScan.In : InPort
+---@field read fun(self: sensor_msgs.MultiEchoLaserScan.In): sensor_msgs.MultiEchoLaserScan
+
+---An out-port of sensor_msgs.MultiEchoLaserScan: A scan with several echoes of each ray..
+---@class sensor_msgs.MultiEchoLaserScan.Out : OutPort
+---@field write fun(self: sensor_msgs.MultiEchoLaserScan.Out, value: sensor_msgs.MultiEchoLaserScan.Written)
+
+---@class (exact) sensor_msgs.MultiEchoLaserScan.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.MultiEchoLaserScan.OutOptions
+---@field safe? sensor_msgs.MultiEchoLaserScan.Written written when the component stops
+
+---An in-port of sensor_msgs.NavSatFix: Where on earth satellites place a receiver..
+---@class sensor_msgs.NavSatFix.In : InPort
+---@field read fun(self: sensor_msgs.NavSatFix.In): sensor_msgs.NavSatFix
+
+---An out-port of sensor_msgs.NavSatFix: Where on earth satellites place a receiver..
+---@class sensor_msgs.NavSatFix.Out : OutPort
+---@field write fun(self: sensor_msgs.NavSatFix.Out, value: sensor_msgs.NavSatFix.Written)
+
+---@class (exact) sensor_msgs.NavSatFix.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.NavSatFix.OutOptions
+---@field safe? sensor_msgs.NavSatFix.Written written when the component stops
+
+---An in-port of sensor_msgs.NavSatStatus: What a receiver of satellites has found..
+---@class sensor_msgs.NavSatStatus.In : InPort
+---@field read fun(self: sensor_msgs.NavSatStatus.In): sensor_msgs.NavSatStatus
+
+---An out-port of sensor_msgs.NavSatStatus: What a receiver of satellites has found..
+---@class sensor_msgs.NavSatStatus.Out : OutPort
+---@field write fun(self: sensor_msgs.NavSatStatus.Out, value: sensor_msgs.NavSatStatus.Written)
+
+---@class (exact) sensor_msgs.NavSatStatus.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.NavSatStatus.OutOptions
+---@field safe? sensor_msgs.NavSatStatus.Written written when the component stops
+
+---An in-port of sensor_msgs.PointCloud: Points in space, with more numbers of each..
+---@class sensor_msgs.PointCloud.In : InPort
+---@field read fun(self: sensor_msgs.PointCloud.In): sensor_msgs.PointCloud
+
+---An out-port of sensor_msgs.PointCloud: Points in space, with more numbers of each..
+---@class sensor_msgs.PointCloud.Out : OutPort
+---@field write fun(self: sensor_msgs.PointCloud.Out, value: sensor_msgs.PointCloud.Written)
+
+---@class (exact) sensor_msgs.PointCloud.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.PointCloud.OutOptions
+---@field safe? sensor_msgs.PointCloud.Written written when the component stops
+
+---An in-port of sensor_msgs.PointCloud2: Points in space as bytes that fields describe..
+---@class sensor_msgs.PointCloud2.In : InPort
+---@field read fun(self: sensor_msgs.PointCloud2.In): sensor_msgs.PointCloud2
+
+---An out-port of sensor_msgs.PointCloud2: Points in space as bytes that fields describe..
+---@class sensor_msgs.PointCloud2.Out : OutPort
+---@field write fun(self: sensor_msgs.PointCloud2.Out, value: sensor_msgs.PointCloud2.Written)
+
+---@class (exact) sensor_msgs.PointCloud2.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.PointCloud2.OutOptions
+---@field safe? sensor_msgs.PointCloud2.Written written when the component stops
+
+---An in-port of sensor_msgs.PointField: One number of each point of a cloud of bytes..
+---@class sensor_msgs.PointField.In : InPort
+---@field read fun(self: sensor_msgs.PointField.In): sensor_msgs.PointField
+
+---An out-port of sensor_msgs.PointField: One number of each point of a cloud of bytes..
+---@class sensor_msgs.PointField.Out : OutPort
+---@field write fun(self: sensor_msgs.PointField.Out, value: sensor_msgs.PointField.Written)
+
+---@class (exact) sensor_msgs.PointField.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.PointField.OutOptions
+---@field safe? sensor_msgs.PointField.Written written when the component stops
+
+---An in-port of sensor_msgs.Range: A distance that one sensor measured. Minus infinity: too near; infinity: nothing within reach..
+---@class sensor_msgs.Range.In : InPort
+---@field read fun(self: sensor_msgs.Range.In): sensor_msgs.Range
+
+---An out-port of sensor_msgs.Range: A distance that one sensor measured. Minus infinity: too near; infinity: nothing within reach..
+---@class sensor_msgs.Range.Out : OutPort
+---@field write fun(self: sensor_msgs.Range.Out, value: sensor_msgs.Range.Written)
+
+---@class (exact) sensor_msgs.Range.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.Range.OutOptions
+---@field safe? sensor_msgs.Range.Written written when the component stops
+
+---An in-port of sensor_msgs.RegionOfInterest: A part of a picture..
+---@class sensor_msgs.RegionOfInterest.In : InPort
+---@field read fun(self: sensor_msgs.RegionOfInterest.In): sensor_msgs.RegionOfInterest
+
+---An out-port of sensor_msgs.RegionOfInterest: A part of a picture..
+---@class sensor_msgs.RegionOfInterest.Out : OutPort
+---@field write fun(self: sensor_msgs.RegionOfInterest.Out, value: sensor_msgs.RegionOfInterest.Written)
+
+---@class (exact) sensor_msgs.RegionOfInterest.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.RegionOfInterest.OutOptions
+---@field safe? sensor_msgs.RegionOfInterest.Written written when the component stops
+
+---An in-port of sensor_msgs.RelativeHumidity: How much water is in the air..
+---@class sensor_msgs.RelativeHumidity.In : InPort
+---@field read fun(self: sensor_msgs.RelativeHumidity.In): sensor_msgs.RelativeHumidity
+
+---An out-port of sensor_msgs.RelativeHumidity: How much water is in the air..
+---@class sensor_msgs.RelativeHumidity.Out : OutPort
+---@field write fun(self: sensor_msgs.RelativeHumidity.Out, value: sensor_msgs.RelativeHumidity.Written)
+
+---@class (exact) sensor_msgs.RelativeHumidity.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.RelativeHumidity.OutOptions
+---@field safe? sensor_msgs.RelativeHumidity.Written written when the component stops
+
+---An in-port of sensor_msgs.Temperature: A temperature..
+---@class sensor_msgs.Temperature.In : InPort
+---@field read fun(self: sensor_msgs.Temperature.In): sensor_msgs.Temperature
+
+---An out-port of sensor_msgs.Temperature: A temperature..
+---@class sensor_msgs.Temperature.Out : OutPort
+---@field write fun(self: sensor_msgs.Temperature.Out, value: sensor_msgs.Temperature.Written)
+
+---@class (exact) sensor_msgs.Temperature.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.Temperature.OutOptions
+---@field safe? sensor_msgs.Temperature.Written written when the component stops
+
+---An in-port of sensor_msgs.TimeReference: The time of another clock..
+---@class sensor_msgs.TimeReference.In : InPort
+---@field read fun(self: sensor_msgs.TimeReference.In): sensor_msgs.TimeReference
+
+---An out-port of sensor_msgs.TimeReference: The time of another clock..
+---@class sensor_msgs.TimeReference.Out : OutPort
+---@field write fun(self: sensor_msgs.TimeReference.Out, value: sensor_msgs.TimeReference.Written)
+
+---@class (exact) sensor_msgs.TimeReference.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) sensor_msgs.TimeReference.OutOptions
+---@field safe? sensor_msgs.TimeReference.Written written when the component stops
+
+---An in-port of std_msgs.Bool: One bool..
+---@class std_msgs.Bool.In : InPort
+---@field read fun(self: std_msgs.Bool.In): std_msgs.Bool
+
+---An out-port of std_msgs.Bool: One bool..
+---@class std_msgs.Bool.Out : OutPort
+---@field write fun(self: std_msgs.Bool.Out, value: std_msgs.Bool.Written)
+
+---@class (exact) std_msgs.Bool.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Bool.OutOptions
+---@field safe? std_msgs.Bool.Written written when the component stops
+
+---An in-port of std_msgs.Byte: One byte..
+---@class std_msgs.Byte.In : InPort
+---@field read fun(self: std_msgs.Byte.In): std_msgs.Byte
+
+---An out-port of std_msgs.Byte: One byte..
+---@class std_msgs.Byte.Out : OutPort
+---@field write fun(self: std_msgs.Byte.Out, value: std_msgs.Byte.Written)
+
+---@class (exact) std_msgs.Byte.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Byte.OutOptions
+---@field safe? std_msgs.Byte.Written written when the component stops
+
+---An in-port of std_msgs.ByteMultiArray: An array of byte in any number of dimensions..
+---@class std_msgs.ByteMultiArray.In : InPort
+---@field read fun(self: std_msgs.ByteMultiArray.In): std_msgs.ByteMultiArray
+
+---An out-port of std_msgs.ByteMultiArray: An array of byte in any number of dimensions..
+---@class std_msgs.ByteMultiArray.Out : OutPort
+---@field write fun(self: std_msgs.ByteMultiArray.Out, value: std_msgs.ByteMultiArray.Written)
+
+---@class (exact) std_msgs.ByteMultiArray.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.ByteMultiArray.OutOptions
+---@field safe? std_msgs.ByteMultiArray.Written written when the component stops
+
+---An in-port of std_msgs.Char: One char..
+---@class std_msgs.Char.In : InPort
+---@field read fun(self: std_msgs.Char.In): std_msgs.Char
+
+---An out-port of std_msgs.Char: One char..
+---@class std_msgs.Char.Out : OutPort
+---@field write fun(self: std_msgs.Char.Out, value: std_msgs.Char.Written)
+
+---@class (exact) std_msgs.Char.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Char.OutOptions
+---@field safe? std_msgs.Char.Written written when the component stops
+
+---An in-port of std_msgs.ColorRGBA: A colour; each part from 0 to 1..
+---@class std_msgs.ColorRGBA.In : InPort
+---@field read fun(self: std_msgs.ColorRGBA.In): std_msgs.ColorRGBA
+
+---An out-port of std_msgs.ColorRGBA: A colour; each part from 0 to 1..
+---@class std_msgs.ColorRGBA.Out : OutPort
+---@field write fun(self: std_msgs.ColorRGBA.Out, value: std_msgs.ColorRGBA.Written)
+
+---@class (exact) std_msgs.ColorRGBA.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.ColorRGBA.OutOptions
+---@field safe? std_msgs.ColorRGBA.Written written when the component stops
+
+---An in-port of std_msgs.Empty: Nothing: that it comes says all..
+---@class std_msgs.Empty.In : InPort
+---@field read fun(self: std_msgs.Empty.In): std_msgs.Empty
+
+---An out-port of std_msgs.Empty: Nothing: that it comes says all..
+---@class std_msgs.Empty.Out : OutPort
+---@field write fun(self: std_msgs.Empty.Out, value: std_msgs.Empty.Written)
+
+---@class (exact) std_msgs.Empty.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Empty.OutOptions
+---@field safe? std_msgs.Empty.Written written when the component stops
+
+---An in-port of std_msgs.Float32: One float32..
+---@class std_msgs.Float32.In : InPort
+---@field read fun(self: std_msgs.Float32.In): std_msgs.Float32
+
+---An out-port of std_msgs.Float32: One float32..
+---@class std_msgs.Float32.Out : OutPort
+---@field write fun(self: std_msgs.Float32.Out, value: std_msgs.Float32.Written)
+
+---@class (exact) std_msgs.Float32.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Float32.OutOptions
+---@field safe? std_msgs.Float32.Written written when the component stops
+
+---An in-port of std_msgs.Float32MultiArray: An array of float32 in any number of dimensions..
+---@class std_msgs.Float32MultiArray.In : InPort
+---@field read fun(self: std_msgs.Float32MultiArray.In): std_msgs.Float32MultiArray
+
+---An out-port of std_msgs.Float32MultiArray: An array of float32 in any number of dimensions..
+---@class std_msgs.Float32MultiArray.Out : OutPort
+---@field write fun(self: std_msgs.Float32MultiArray.Out, value: std_msgs.Float32MultiArray.Written)
+
+---@class (exact) std_msgs.Float32MultiArray.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Float32MultiArray.OutOptions
+---@field safe? std_msgs.Float32MultiArray.Written written when the component stops
+
+---An in-port of std_msgs.Float64: One float64..
+---@class std_msgs.Float64.In : InPort
+---@field read fun(self: std_msgs.Float64.In): std_msgs.Float64
+
+---An out-port of std_msgs.Float64: One float64..
+---@class std_msgs.Float64.Out : OutPort
+---@field write fun(self: std_msgs.Float64.Out, value: std_msgs.Float64.Written)
+
+---@class (exact) std_msgs.Float64.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Float64.OutOptions
+---@field safe? std_msgs.Float64.Written written when the component stops
+
+---An in-port of std_msgs.Float64MultiArray: An array of float64 in any number of dimensions..
+---@class std_msgs.Float64MultiArray.In : InPort
+---@field read fun(self: std_msgs.Float64MultiArray.In): std_msgs.Float64MultiArray
+
+---An out-port of std_msgs.Float64MultiArray: An array of float64 in any number of dimensions..
+---@class std_msgs.Float64MultiArray.Out : OutPort
+---@field write fun(self: std_msgs.Float64MultiArray.Out, value: std_msgs.Float64MultiArray.Written)
+
+---@class (exact) std_msgs.Float64MultiArray.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Float64MultiArray.OutOptions
+---@field safe? std_msgs.Float64MultiArray.Written written when the component stops
+
+---An in-port of std_msgs.Header: When a measurement was made, and in which frame its coordinates are..
+---@class std_msgs.Header.In : InPort
+---@field read fun(self: std_msgs.Header.In): std_msgs.Header
+
+---An out-port of std_msgs.Header: When a measurement was made, and in which frame its coordinates are..
+---@class std_msgs.Header.Out : OutPort
+---@field write fun(self: std_msgs.Header.Out, value: std_msgs.Header.Written)
+
+---@class (exact) std_msgs.Header.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Header.OutOptions
+---@field safe? std_msgs.Header.Written written when the component stops
+
+---An in-port of std_msgs.Int16: One int16..
+---@class std_msgs.Int16.In : InPort
+---@field read fun(self: std_msgs.Int16.In): std_msgs.Int16
+
+---An out-port of std_msgs.Int16: One int16..
+---@class std_msgs.Int16.Out : OutPort
+---@field write fun(self: std_msgs.Int16.Out, value: std_msgs.Int16.Written)
+
+---@class (exact) std_msgs.Int16.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Int16.OutOptions
+---@field safe? std_msgs.Int16.Written written when the component stops
+
+---An in-port of std_msgs.Int16MultiArray: An array of int16 in any number of dimensions..
+---@class std_msgs.Int16MultiArray.In : InPort
+---@field read fun(self: std_msgs.Int16MultiArray.In): std_msgs.Int16MultiArray
+
+---An out-port of std_msgs.Int16MultiArray: An array of int16 in any number of dimensions..
+---@class std_msgs.Int16MultiArray.Out : OutPort
+---@field write fun(self: std_msgs.Int16MultiArray.Out, value: std_msgs.Int16MultiArray.Written)
+
+---@class (exact) std_msgs.Int16MultiArray.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Int16MultiArray.OutOptions
+---@field safe? std_msgs.Int16MultiArray.Written written when the component stops
+
+---An in-port of std_msgs.Int32: One int32..
+---@class std_msgs.Int32.In : InPort
+---@field read fun(self: std_msgs.Int32.In): std_msgs.Int32
+
+---An out-port of std_msgs.Int32: One int32..
+---@class std_msgs.Int32.Out : OutPort
+---@field write fun(self: std_msgs.Int32.Out, value: std_msgs.Int32.Written)
+
+---@class (exact) std_msgs.Int32.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Int32.OutOptions
+---@field safe? std_msgs.Int32.Written written when the component stops
+
+---An in-port of std_msgs.Int32MultiArray: An array of int32 in any number of dimensions..
+---@class std_msgs.Int32MultiArray.In : InPort
+---@field read fun(self: std_msgs.Int32MultiArray.In): std_msgs.Int32MultiArray
+
+---An out-port of std_msgs.Int32MultiArray: An array of int32 in any number of dimensions..
+---@class std_msgs.Int32MultiArray.Out : OutPort
+---@field write fun(self: std_msgs.Int32MultiArray.Out, value: std_msgs.Int32MultiArray.Written)
+
+---@class (exact) std_msgs.Int32MultiArray.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Int32MultiArray.OutOptions
+---@field safe? std_msgs.Int32MultiArray.Written written when the component stops
+
+---An in-port of std_msgs.Int64: One int64..
+---@class std_msgs.Int64.In : InPort
+---@field read fun(self: std_msgs.Int64.In): std_msgs.Int64
+
+---An out-port of std_msgs.Int64: One int64..
+---@class std_msgs.Int64.Out : OutPort
+---@field write fun(self: std_msgs.Int64.Out, value: std_msgs.Int64.Written)
+
+---@class (exact) std_msgs.Int64.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Int64.OutOptions
+---@field safe? std_msgs.Int64.Written written when the component stops
+
+---An in-port of std_msgs.Int64MultiArray: An array of int64 in any number of dimensions..
+---@class std_msgs.Int64MultiArray.In : InPort
+---@field read fun(self: std_msgs.Int64MultiArray.In): std_msgs.Int64MultiArray
+
+---An out-port of std_msgs.Int64MultiArray: An array of int64 in any number of dimensions..
+---@class std_msgs.Int64MultiArray.Out : OutPort
+---@field write fun(self: std_msgs.Int64MultiArray.Out, value: std_msgs.Int64MultiArray.Written)
+
+---@class (exact) std_msgs.Int64MultiArray.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Int64MultiArray.OutOptions
+---@field safe? std_msgs.Int64MultiArray.Written written when the component stops
+
+---An in-port of std_msgs.Int8: One int8..
+---@class std_msgs.Int8.In : InPort
+---@field read fun(self: std_msgs.Int8.In): std_msgs.Int8
+
+---An out-port of std_msgs.Int8: One int8..
+---@class std_msgs.Int8.Out : OutPort
+---@field write fun(self: std_msgs.Int8.Out, value: std_msgs.Int8.Written)
+
+---@class (exact) std_msgs.Int8.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Int8.OutOptions
+---@field safe? std_msgs.Int8.Written written when the component stops
+
+---An in-port of std_msgs.Int8MultiArray: An array of int8 in any number of dimensions..
+---@class std_msgs.Int8MultiArray.In : InPort
+---@field read fun(self: std_msgs.Int8MultiArray.In): std_msgs.Int8MultiArray
+
+---An out-port of std_msgs.Int8MultiArray: An array of int8 in any number of dimensions..
+---@class std_msgs.Int8MultiArray.Out : OutPort
+---@field write fun(self: std_msgs.Int8MultiArray.Out, value: std_msgs.Int8MultiArray.Written)
+
+---@class (exact) std_msgs.Int8MultiArray.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.Int8MultiArray.OutOptions
+---@field safe? std_msgs.Int8MultiArray.Written written when the component stops
+
+---An in-port of std_msgs.MultiArrayDimension: One dimension of an array..
+---@class std_msgs.MultiArrayDimension.In : InPort
+---@field read fun(self: std_msgs.MultiArrayDimension.In): std_msgs.MultiArrayDimension
+
+---An out-port of std_msgs.MultiArrayDimension: One dimension of an array..
+---@class std_msgs.MultiArrayDimension.Out : OutPort
+---@field write fun(self: std_msgs.MultiArrayDimension.Out, value: std_msgs.MultiArrayDimension.Written)
+
+---@class (exact) std_msgs.MultiArrayDimension.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.MultiArrayDimension.OutOptions
+---@field safe? std_msgs.MultiArrayDimension.Written written when the component stops
+
+---An in-port of std_msgs.MultiArrayLayout: How the elements of an array are ordered..
+---@class std_msgs.MultiArrayLayout.In : InPort
+---@field read fun(self: std_msgs.MultiArrayLayout.In): std_msgs.MultiArrayLayout
+
+---An out-port of std_msgs.MultiArrayLayout: How the elements of an array are ordered..
+---@class std_msgs.MultiArrayLayout.Out : OutPort
+---@field write fun(self: std_msgs.MultiArrayLayout.Out, value: std_msgs.MultiArrayLayout.Written)
+
+---@class (exact) std_msgs.MultiArrayLayout.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.MultiArrayLayout.OutOptions
+---@field safe? std_msgs.MultiArrayLayout.Written written when the component stops
+
+---An in-port of std_msgs.String: One string..
+---@class std_msgs.String.In : InPort
+---@field read fun(self: std_msgs.String.In): std_msgs.String
+
+---An out-port of std_msgs.String: One string..
+---@class std_msgs.String.Out : OutPort
+---@field write fun(self: std_msgs.String.Out, value: std_msgs.String.Written)
+
+---@class (exact) std_msgs.String.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.String.OutOptions
+---@field safe? std_msgs.String.Written written when the component stops
+
+---An in-port of std_msgs.UInt16: One uint16..
+---@class std_msgs.UInt16.In : InPort
+---@field read fun(self: std_msgs.UInt16.In): std_msgs.UInt16
+
+---An out-port of std_msgs.UInt16: One uint16..
+---@class std_msgs.UInt16.Out : OutPort
+---@field write fun(self: std_msgs.UInt16.Out, value: std_msgs.UInt16.Written)
+
+---@class (exact) std_msgs.UInt16.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.UInt16.OutOptions
+---@field safe? std_msgs.UInt16.Written written when the component stops
+
+---An in-port of std_msgs.UInt16MultiArray: An array of uint16 in any number of dimensions..
+---@class std_msgs.UInt16MultiArray.In : InPort
+---@field read fun(self: std_msgs.UInt16MultiArray.In): std_msgs.UInt16MultiArray
+
+---An out-port of std_msgs.UInt16MultiArray: An array of uint16 in any number of dimensions..
+---@class std_msgs.UInt16MultiArray.Out : OutPort
+---@field write fun(self: std_msgs.UInt16MultiArray.Out, value: std_msgs.UInt16MultiArray.Written)
+
+---@class (exact) std_msgs.UInt16MultiArray.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.UInt16MultiArray.OutOptions
+---@field safe? std_msgs.UInt16MultiArray.Written written when the component stops
+
+---An in-port of std_msgs.UInt32: One uint32..
+---@class std_msgs.UInt32.In : InPort
+---@field read fun(self: std_msgs.UInt32.In): std_msgs.UInt32
+
+---An out-port of std_msgs.UInt32: One uint32..
+---@class std_msgs.UInt32.Out : OutPort
+---@field write fun(self: std_msgs.UInt32.Out, value: std_msgs.UInt32.Written)
+
+---@class (exact) std_msgs.UInt32.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.UInt32.OutOptions
+---@field safe? std_msgs.UInt32.Written written when the component stops
+
+---An in-port of std_msgs.UInt32MultiArray: An array of uint32 in any number of dimensions..
+---@class std_msgs.UInt32MultiArray.In : InPort
+---@field read fun(self: std_msgs.UInt32MultiArray.In): std_msgs.UInt32MultiArray
+
+---An out-port of std_msgs.UInt32MultiArray: An array of uint32 in any number of dimensions..
+---@class std_msgs.UInt32MultiArray.Out : OutPort
+---@field write fun(self: std_msgs.UInt32MultiArray.Out, value: std_msgs.UInt32MultiArray.Written)
+
+---@class (exact) std_msgs.UInt32MultiArray.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.UInt32MultiArray.OutOptions
+---@field safe? std_msgs.UInt32MultiArray.Written written when the component stops
+
+---An in-port of std_msgs.UInt64: One uint64..
+---@class std_msgs.UInt64.In : InPort
+---@field read fun(self: std_msgs.UInt64.In): std_msgs.UInt64
+
+---An out-port of std_msgs.UInt64: One uint64..
+---@class std_msgs.UInt64.Out : OutPort
+---@field write fun(self: std_msgs.UInt64.Out, value: std_msgs.UInt64.Written)
+
+---@class (exact) std_msgs.UInt64.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.UInt64.OutOptions
+---@field safe? std_msgs.UInt64.Written written when the component stops
+
+---An in-port of std_msgs.UInt64MultiArray: An array of uint64 in any number of dimensions..
+---@class std_msgs.UInt64MultiArray.In : InPort
+---@field read fun(self: std_msgs.UInt64MultiArray.In): std_msgs.UInt64MultiArray
+
+---An out-port of std_msgs.UInt64MultiArray: An array of uint64 in any number of dimensions..
+---@class std_msgs.UInt64MultiArray.Out : OutPort
+---@field write fun(self: std_msgs.UInt64MultiArray.Out, value: std_msgs.UInt64MultiArray.Written)
+
+---@class (exact) std_msgs.UInt64MultiArray.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.UInt64MultiArray.OutOptions
+---@field safe? std_msgs.UInt64MultiArray.Written written when the component stops
+
+---An in-port of std_msgs.UInt8: One uint8..
+---@class std_msgs.UInt8.In : InPort
+---@field read fun(self: std_msgs.UInt8.In): std_msgs.UInt8
+
+---An out-port of std_msgs.UInt8: One uint8..
+---@class std_msgs.UInt8.Out : OutPort
+---@field write fun(self: std_msgs.UInt8.Out, value: std_msgs.UInt8.Written)
+
+---@class (exact) std_msgs.UInt8.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.UInt8.OutOptions
+---@field safe? std_msgs.UInt8.Written written when the component stops
+
+---An in-port of std_msgs.UInt8MultiArray: An array of uint8 in any number of dimensions..
+---@class std_msgs.UInt8MultiArray.In : InPort
+---@field read fun(self: std_msgs.UInt8MultiArray.In): std_msgs.UInt8MultiArray
+
+---An out-port of std_msgs.UInt8MultiArray: An array of uint8 in any number of dimensions..
+---@class std_msgs.UInt8MultiArray.Out : OutPort
+---@field write fun(self: std_msgs.UInt8MultiArray.Out, value: std_msgs.UInt8MultiArray.Written)
+
+---@class (exact) std_msgs.UInt8MultiArray.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) std_msgs.UInt8MultiArray.OutOptions
+---@field safe? std_msgs.UInt8MultiArray.Written written when the component stops
+
 ---Declares an in-port: `local range = input("range", "TimedShortSeq", "what it is")`.
 ---@overload fun(name: string, type: "TimedBoolean", doc?: string, options?: TimedBoolean.InOptions): TimedBoolean.In
 ---@overload fun(name: string, type: "TimedShort", doc?: string, options?: TimedShort.InOptions): TimedShort.In
@@ -465,6 +2771,102 @@
 ---@overload fun(name: string, type: "CameraImage", doc?: string, options?: CameraImage.InOptions): CameraImage.In
 ---@overload fun(name: string, type: "CameraIntrinsics", doc?: string, options?: CameraIntrinsics.InOptions): CameraIntrinsics.In
 ---@overload fun(name: string, type: "SeenMarkerSeq", doc?: string, options?: SeenMarkerSeq.InOptions): SeenMarkerSeq.In
+---@overload fun(name: string, type: "builtin_interfaces/Duration", doc?: string, options?: builtin_interfaces.Duration.InOptions): builtin_interfaces.Duration.In
+---@overload fun(name: string, type: "builtin_interfaces/Time", doc?: string, options?: builtin_interfaces.Time.InOptions): builtin_interfaces.Time.In
+---@overload fun(name: string, type: "geometry_msgs/Accel", doc?: string, options?: geometry_msgs.Accel.InOptions): geometry_msgs.Accel.In
+---@overload fun(name: string, type: "geometry_msgs/AccelStamped", doc?: string, options?: geometry_msgs.AccelStamped.InOptions): geometry_msgs.AccelStamped.In
+---@overload fun(name: string, type: "geometry_msgs/AccelWithCovariance", doc?: string, options?: geometry_msgs.AccelWithCovariance.InOptions): geometry_msgs.AccelWithCovariance.In
+---@overload fun(name: string, type: "geometry_msgs/AccelWithCovarianceStamped", doc?: string, options?: geometry_msgs.AccelWithCovarianceStamped.InOptions): geometry_msgs.AccelWithCovarianceStamped.In
+---@overload fun(name: string, type: "geometry_msgs/Inertia", doc?: string, options?: geometry_msgs.Inertia.InOptions): geometry_msgs.Inertia.In
+---@overload fun(name: string, type: "geometry_msgs/InertiaStamped", doc?: string, options?: geometry_msgs.InertiaStamped.InOptions): geometry_msgs.InertiaStamped.In
+---@overload fun(name: string, type: "geometry_msgs/Point", doc?: string, options?: geometry_msgs.Point.InOptions): geometry_msgs.Point.In
+---@overload fun(name: string, type: "geometry_msgs/Point32", doc?: string, options?: geometry_msgs.Point32.InOptions): geometry_msgs.Point32.In
+---@overload fun(name: string, type: "geometry_msgs/PointStamped", doc?: string, options?: geometry_msgs.PointStamped.InOptions): geometry_msgs.PointStamped.In
+---@overload fun(name: string, type: "geometry_msgs/Polygon", doc?: string, options?: geometry_msgs.Polygon.InOptions): geometry_msgs.Polygon.In
+---@overload fun(name: string, type: "geometry_msgs/PolygonStamped", doc?: string, options?: geometry_msgs.PolygonStamped.InOptions): geometry_msgs.PolygonStamped.In
+---@overload fun(name: string, type: "geometry_msgs/Pose", doc?: string, options?: geometry_msgs.Pose.InOptions): geometry_msgs.Pose.In
+---@overload fun(name: string, type: "geometry_msgs/Pose2D", doc?: string, options?: geometry_msgs.Pose2D.InOptions): geometry_msgs.Pose2D.In
+---@overload fun(name: string, type: "geometry_msgs/PoseArray", doc?: string, options?: geometry_msgs.PoseArray.InOptions): geometry_msgs.PoseArray.In
+---@overload fun(name: string, type: "geometry_msgs/PoseStamped", doc?: string, options?: geometry_msgs.PoseStamped.InOptions): geometry_msgs.PoseStamped.In
+---@overload fun(name: string, type: "geometry_msgs/PoseWithCovariance", doc?: string, options?: geometry_msgs.PoseWithCovariance.InOptions): geometry_msgs.PoseWithCovariance.In
+---@overload fun(name: string, type: "geometry_msgs/PoseWithCovarianceStamped", doc?: string, options?: geometry_msgs.PoseWithCovarianceStamped.InOptions): geometry_msgs.PoseWithCovarianceStamped.In
+---@overload fun(name: string, type: "geometry_msgs/Quaternion", doc?: string, options?: geometry_msgs.Quaternion.InOptions): geometry_msgs.Quaternion.In
+---@overload fun(name: string, type: "geometry_msgs/QuaternionStamped", doc?: string, options?: geometry_msgs.QuaternionStamped.InOptions): geometry_msgs.QuaternionStamped.In
+---@overload fun(name: string, type: "geometry_msgs/Transform", doc?: string, options?: geometry_msgs.Transform.InOptions): geometry_msgs.Transform.In
+---@overload fun(name: string, type: "geometry_msgs/TransformStamped", doc?: string, options?: geometry_msgs.TransformStamped.InOptions): geometry_msgs.TransformStamped.In
+---@overload fun(name: string, type: "geometry_msgs/Twist", doc?: string, options?: geometry_msgs.Twist.InOptions): geometry_msgs.Twist.In
+---@overload fun(name: string, type: "geometry_msgs/TwistStamped", doc?: string, options?: geometry_msgs.TwistStamped.InOptions): geometry_msgs.TwistStamped.In
+---@overload fun(name: string, type: "geometry_msgs/TwistWithCovariance", doc?: string, options?: geometry_msgs.TwistWithCovariance.InOptions): geometry_msgs.TwistWithCovariance.In
+---@overload fun(name: string, type: "geometry_msgs/TwistWithCovarianceStamped", doc?: string, options?: geometry_msgs.TwistWithCovarianceStamped.InOptions): geometry_msgs.TwistWithCovarianceStamped.In
+---@overload fun(name: string, type: "geometry_msgs/Vector3", doc?: string, options?: geometry_msgs.Vector3.InOptions): geometry_msgs.Vector3.In
+---@overload fun(name: string, type: "geometry_msgs/Vector3Stamped", doc?: string, options?: geometry_msgs.Vector3Stamped.InOptions): geometry_msgs.Vector3Stamped.In
+---@overload fun(name: string, type: "geometry_msgs/Wrench", doc?: string, options?: geometry_msgs.Wrench.InOptions): geometry_msgs.Wrench.In
+---@overload fun(name: string, type: "geometry_msgs/WrenchStamped", doc?: string, options?: geometry_msgs.WrenchStamped.InOptions): geometry_msgs.WrenchStamped.In
+---@overload fun(name: string, type: "nav_msgs/GridCells", doc?: string, options?: nav_msgs.GridCells.InOptions): nav_msgs.GridCells.In
+---@overload fun(name: string, type: "nav_msgs/MapMetaData", doc?: string, options?: nav_msgs.MapMetaData.InOptions): nav_msgs.MapMetaData.In
+---@overload fun(name: string, type: "nav_msgs/OccupancyGrid", doc?: string, options?: nav_msgs.OccupancyGrid.InOptions): nav_msgs.OccupancyGrid.In
+---@overload fun(name: string, type: "nav_msgs/Odometry", doc?: string, options?: nav_msgs.Odometry.InOptions): nav_msgs.Odometry.In
+---@overload fun(name: string, type: "nav_msgs/Path", doc?: string, options?: nav_msgs.Path.InOptions): nav_msgs.Path.In
+---@overload fun(name: string, type: "raspimouse_msgs/Leds", doc?: string, options?: raspimouse_msgs.Leds.InOptions): raspimouse_msgs.Leds.In
+---@overload fun(name: string, type: "raspimouse_msgs/LightSensors", doc?: string, options?: raspimouse_msgs.LightSensors.InOptions): raspimouse_msgs.LightSensors.In
+---@overload fun(name: string, type: "raspimouse_msgs/Switches", doc?: string, options?: raspimouse_msgs.Switches.InOptions): raspimouse_msgs.Switches.In
+---@overload fun(name: string, type: "sensor_msgs/BatteryState", doc?: string, options?: sensor_msgs.BatteryState.InOptions): sensor_msgs.BatteryState.In
+---@overload fun(name: string, type: "sensor_msgs/CameraInfo", doc?: string, options?: sensor_msgs.CameraInfo.InOptions): sensor_msgs.CameraInfo.In
+---@overload fun(name: string, type: "sensor_msgs/ChannelFloat32", doc?: string, options?: sensor_msgs.ChannelFloat32.InOptions): sensor_msgs.ChannelFloat32.In
+---@overload fun(name: string, type: "sensor_msgs/CompressedImage", doc?: string, options?: sensor_msgs.CompressedImage.InOptions): sensor_msgs.CompressedImage.In
+---@overload fun(name: string, type: "sensor_msgs/FluidPressure", doc?: string, options?: sensor_msgs.FluidPressure.InOptions): sensor_msgs.FluidPressure.In
+---@overload fun(name: string, type: "sensor_msgs/Illuminance", doc?: string, options?: sensor_msgs.Illuminance.InOptions): sensor_msgs.Illuminance.In
+---@overload fun(name: string, type: "sensor_msgs/Image", doc?: string, options?: sensor_msgs.Image.InOptions): sensor_msgs.Image.In
+---@overload fun(name: string, type: "sensor_msgs/Imu", doc?: string, options?: sensor_msgs.Imu.InOptions): sensor_msgs.Imu.In
+---@overload fun(name: string, type: "sensor_msgs/JointState", doc?: string, options?: sensor_msgs.JointState.InOptions): sensor_msgs.JointState.In
+---@overload fun(name: string, type: "sensor_msgs/Joy", doc?: string, options?: sensor_msgs.Joy.InOptions): sensor_msgs.Joy.In
+---@overload fun(name: string, type: "sensor_msgs/JoyFeedback", doc?: string, options?: sensor_msgs.JoyFeedback.InOptions): sensor_msgs.JoyFeedback.In
+---@overload fun(name: string, type: "sensor_msgs/JoyFeedbackArray", doc?: string, options?: sensor_msgs.JoyFeedbackArray.InOptions): sensor_msgs.JoyFeedbackArray.In
+---@overload fun(name: string, type: "sensor_msgs/LaserEcho", doc?: string, options?: sensor_msgs.LaserEcho.InOptions): sensor_msgs.LaserEcho.In
+---@overload fun(name: string, type: "sensor_msgs/LaserScan", doc?: string, options?: sensor_msgs.LaserScan.InOptions): sensor_msgs.LaserScan.In
+---@overload fun(name: string, type: "sensor_msgs/MagneticField", doc?: string, options?: sensor_msgs.MagneticField.InOptions): sensor_msgs.MagneticField.In
+---@overload fun(name: string, type: "sensor_msgs/MultiDOFJointState", doc?: string, options?: sensor_msgs.MultiDOFJointState.InOptions): sensor_msgs.MultiDOFJointState.In
+---@overload fun(name: string, type: "sensor_msgs/MultiEchoLaserScan", doc?: string, options?: sensor_msgs.MultiEchoLaserScan.InOptions): sensor_msgs.MultiEchoLaserScan.In
+---@overload fun(name: string, type: "sensor_msgs/NavSatFix", doc?: string, options?: sensor_msgs.NavSatFix.InOptions): sensor_msgs.NavSatFix.In
+---@overload fun(name: string, type: "sensor_msgs/NavSatStatus", doc?: string, options?: sensor_msgs.NavSatStatus.InOptions): sensor_msgs.NavSatStatus.In
+---@overload fun(name: string, type: "sensor_msgs/PointCloud", doc?: string, options?: sensor_msgs.PointCloud.InOptions): sensor_msgs.PointCloud.In
+---@overload fun(name: string, type: "sensor_msgs/PointCloud2", doc?: string, options?: sensor_msgs.PointCloud2.InOptions): sensor_msgs.PointCloud2.In
+---@overload fun(name: string, type: "sensor_msgs/PointField", doc?: string, options?: sensor_msgs.PointField.InOptions): sensor_msgs.PointField.In
+---@overload fun(name: string, type: "sensor_msgs/Range", doc?: string, options?: sensor_msgs.Range.InOptions): sensor_msgs.Range.In
+---@overload fun(name: string, type: "sensor_msgs/RegionOfInterest", doc?: string, options?: sensor_msgs.RegionOfInterest.InOptions): sensor_msgs.RegionOfInterest.In
+---@overload fun(name: string, type: "sensor_msgs/RelativeHumidity", doc?: string, options?: sensor_msgs.RelativeHumidity.InOptions): sensor_msgs.RelativeHumidity.In
+---@overload fun(name: string, type: "sensor_msgs/Temperature", doc?: string, options?: sensor_msgs.Temperature.InOptions): sensor_msgs.Temperature.In
+---@overload fun(name: string, type: "sensor_msgs/TimeReference", doc?: string, options?: sensor_msgs.TimeReference.InOptions): sensor_msgs.TimeReference.In
+---@overload fun(name: string, type: "std_msgs/Bool", doc?: string, options?: std_msgs.Bool.InOptions): std_msgs.Bool.In
+---@overload fun(name: string, type: "std_msgs/Byte", doc?: string, options?: std_msgs.Byte.InOptions): std_msgs.Byte.In
+---@overload fun(name: string, type: "std_msgs/ByteMultiArray", doc?: string, options?: std_msgs.ByteMultiArray.InOptions): std_msgs.ByteMultiArray.In
+---@overload fun(name: string, type: "std_msgs/Char", doc?: string, options?: std_msgs.Char.InOptions): std_msgs.Char.In
+---@overload fun(name: string, type: "std_msgs/ColorRGBA", doc?: string, options?: std_msgs.ColorRGBA.InOptions): std_msgs.ColorRGBA.In
+---@overload fun(name: string, type: "std_msgs/Empty", doc?: string, options?: std_msgs.Empty.InOptions): std_msgs.Empty.In
+---@overload fun(name: string, type: "std_msgs/Float32", doc?: string, options?: std_msgs.Float32.InOptions): std_msgs.Float32.In
+---@overload fun(name: string, type: "std_msgs/Float32MultiArray", doc?: string, options?: std_msgs.Float32MultiArray.InOptions): std_msgs.Float32MultiArray.In
+---@overload fun(name: string, type: "std_msgs/Float64", doc?: string, options?: std_msgs.Float64.InOptions): std_msgs.Float64.In
+---@overload fun(name: string, type: "std_msgs/Float64MultiArray", doc?: string, options?: std_msgs.Float64MultiArray.InOptions): std_msgs.Float64MultiArray.In
+---@overload fun(name: string, type: "std_msgs/Header", doc?: string, options?: std_msgs.Header.InOptions): std_msgs.Header.In
+---@overload fun(name: string, type: "std_msgs/Int16", doc?: string, options?: std_msgs.Int16.InOptions): std_msgs.Int16.In
+---@overload fun(name: string, type: "std_msgs/Int16MultiArray", doc?: string, options?: std_msgs.Int16MultiArray.InOptions): std_msgs.Int16MultiArray.In
+---@overload fun(name: string, type: "std_msgs/Int32", doc?: string, options?: std_msgs.Int32.InOptions): std_msgs.Int32.In
+---@overload fun(name: string, type: "std_msgs/Int32MultiArray", doc?: string, options?: std_msgs.Int32MultiArray.InOptions): std_msgs.Int32MultiArray.In
+---@overload fun(name: string, type: "std_msgs/Int64", doc?: string, options?: std_msgs.Int64.InOptions): std_msgs.Int64.In
+---@overload fun(name: string, type: "std_msgs/Int64MultiArray", doc?: string, options?: std_msgs.Int64MultiArray.InOptions): std_msgs.Int64MultiArray.In
+---@overload fun(name: string, type: "std_msgs/Int8", doc?: string, options?: std_msgs.Int8.InOptions): std_msgs.Int8.In
+---@overload fun(name: string, type: "std_msgs/Int8MultiArray", doc?: string, options?: std_msgs.Int8MultiArray.InOptions): std_msgs.Int8MultiArray.In
+---@overload fun(name: string, type: "std_msgs/MultiArrayDimension", doc?: string, options?: std_msgs.MultiArrayDimension.InOptions): std_msgs.MultiArrayDimension.In
+---@overload fun(name: string, type: "std_msgs/MultiArrayLayout", doc?: string, options?: std_msgs.MultiArrayLayout.InOptions): std_msgs.MultiArrayLayout.In
+---@overload fun(name: string, type: "std_msgs/String", doc?: string, options?: std_msgs.String.InOptions): std_msgs.String.In
+---@overload fun(name: string, type: "std_msgs/UInt16", doc?: string, options?: std_msgs.UInt16.InOptions): std_msgs.UInt16.In
+---@overload fun(name: string, type: "std_msgs/UInt16MultiArray", doc?: string, options?: std_msgs.UInt16MultiArray.InOptions): std_msgs.UInt16MultiArray.In
+---@overload fun(name: string, type: "std_msgs/UInt32", doc?: string, options?: std_msgs.UInt32.InOptions): std_msgs.UInt32.In
+---@overload fun(name: string, type: "std_msgs/UInt32MultiArray", doc?: string, options?: std_msgs.UInt32MultiArray.InOptions): std_msgs.UInt32MultiArray.In
+---@overload fun(name: string, type: "std_msgs/UInt64", doc?: string, options?: std_msgs.UInt64.InOptions): std_msgs.UInt64.In
+---@overload fun(name: string, type: "std_msgs/UInt64MultiArray", doc?: string, options?: std_msgs.UInt64MultiArray.InOptions): std_msgs.UInt64MultiArray.In
+---@overload fun(name: string, type: "std_msgs/UInt8", doc?: string, options?: std_msgs.UInt8.InOptions): std_msgs.UInt8.In
+---@overload fun(name: string, type: "std_msgs/UInt8MultiArray", doc?: string, options?: std_msgs.UInt8MultiArray.InOptions): std_msgs.UInt8MultiArray.In
 function input(name, type, doc, options) end
 
 ---Declares an out-port: `local target = output("target", "TimedVelocity2D", "what it is")`.
@@ -487,6 +2889,102 @@ function input(name, type, doc, options) end
 ---@overload fun(name: string, type: "CameraImage", doc?: string, options?: CameraImage.OutOptions): CameraImage.Out
 ---@overload fun(name: string, type: "CameraIntrinsics", doc?: string, options?: CameraIntrinsics.OutOptions): CameraIntrinsics.Out
 ---@overload fun(name: string, type: "SeenMarkerSeq", doc?: string, options?: SeenMarkerSeq.OutOptions): SeenMarkerSeq.Out
+---@overload fun(name: string, type: "builtin_interfaces/Duration", doc?: string, options?: builtin_interfaces.Duration.OutOptions): builtin_interfaces.Duration.Out
+---@overload fun(name: string, type: "builtin_interfaces/Time", doc?: string, options?: builtin_interfaces.Time.OutOptions): builtin_interfaces.Time.Out
+---@overload fun(name: string, type: "geometry_msgs/Accel", doc?: string, options?: geometry_msgs.Accel.OutOptions): geometry_msgs.Accel.Out
+---@overload fun(name: string, type: "geometry_msgs/AccelStamped", doc?: string, options?: geometry_msgs.AccelStamped.OutOptions): geometry_msgs.AccelStamped.Out
+---@overload fun(name: string, type: "geometry_msgs/AccelWithCovariance", doc?: string, options?: geometry_msgs.AccelWithCovariance.OutOptions): geometry_msgs.AccelWithCovariance.Out
+---@overload fun(name: string, type: "geometry_msgs/AccelWithCovarianceStamped", doc?: string, options?: geometry_msgs.AccelWithCovarianceStamped.OutOptions): geometry_msgs.AccelWithCovarianceStamped.Out
+---@overload fun(name: string, type: "geometry_msgs/Inertia", doc?: string, options?: geometry_msgs.Inertia.OutOptions): geometry_msgs.Inertia.Out
+---@overload fun(name: string, type: "geometry_msgs/InertiaStamped", doc?: string, options?: geometry_msgs.InertiaStamped.OutOptions): geometry_msgs.InertiaStamped.Out
+---@overload fun(name: string, type: "geometry_msgs/Point", doc?: string, options?: geometry_msgs.Point.OutOptions): geometry_msgs.Point.Out
+---@overload fun(name: string, type: "geometry_msgs/Point32", doc?: string, options?: geometry_msgs.Point32.OutOptions): geometry_msgs.Point32.Out
+---@overload fun(name: string, type: "geometry_msgs/PointStamped", doc?: string, options?: geometry_msgs.PointStamped.OutOptions): geometry_msgs.PointStamped.Out
+---@overload fun(name: string, type: "geometry_msgs/Polygon", doc?: string, options?: geometry_msgs.Polygon.OutOptions): geometry_msgs.Polygon.Out
+---@overload fun(name: string, type: "geometry_msgs/PolygonStamped", doc?: string, options?: geometry_msgs.PolygonStamped.OutOptions): geometry_msgs.PolygonStamped.Out
+---@overload fun(name: string, type: "geometry_msgs/Pose", doc?: string, options?: geometry_msgs.Pose.OutOptions): geometry_msgs.Pose.Out
+---@overload fun(name: string, type: "geometry_msgs/Pose2D", doc?: string, options?: geometry_msgs.Pose2D.OutOptions): geometry_msgs.Pose2D.Out
+---@overload fun(name: string, type: "geometry_msgs/PoseArray", doc?: string, options?: geometry_msgs.PoseArray.OutOptions): geometry_msgs.PoseArray.Out
+---@overload fun(name: string, type: "geometry_msgs/PoseStamped", doc?: string, options?: geometry_msgs.PoseStamped.OutOptions): geometry_msgs.PoseStamped.Out
+---@overload fun(name: string, type: "geometry_msgs/PoseWithCovariance", doc?: string, options?: geometry_msgs.PoseWithCovariance.OutOptions): geometry_msgs.PoseWithCovariance.Out
+---@overload fun(name: string, type: "geometry_msgs/PoseWithCovarianceStamped", doc?: string, options?: geometry_msgs.PoseWithCovarianceStamped.OutOptions): geometry_msgs.PoseWithCovarianceStamped.Out
+---@overload fun(name: string, type: "geometry_msgs/Quaternion", doc?: string, options?: geometry_msgs.Quaternion.OutOptions): geometry_msgs.Quaternion.Out
+---@overload fun(name: string, type: "geometry_msgs/QuaternionStamped", doc?: string, options?: geometry_msgs.QuaternionStamped.OutOptions): geometry_msgs.QuaternionStamped.Out
+---@overload fun(name: string, type: "geometry_msgs/Transform", doc?: string, options?: geometry_msgs.Transform.OutOptions): geometry_msgs.Transform.Out
+---@overload fun(name: string, type: "geometry_msgs/TransformStamped", doc?: string, options?: geometry_msgs.TransformStamped.OutOptions): geometry_msgs.TransformStamped.Out
+---@overload fun(name: string, type: "geometry_msgs/Twist", doc?: string, options?: geometry_msgs.Twist.OutOptions): geometry_msgs.Twist.Out
+---@overload fun(name: string, type: "geometry_msgs/TwistStamped", doc?: string, options?: geometry_msgs.TwistStamped.OutOptions): geometry_msgs.TwistStamped.Out
+---@overload fun(name: string, type: "geometry_msgs/TwistWithCovariance", doc?: string, options?: geometry_msgs.TwistWithCovariance.OutOptions): geometry_msgs.TwistWithCovariance.Out
+---@overload fun(name: string, type: "geometry_msgs/TwistWithCovarianceStamped", doc?: string, options?: geometry_msgs.TwistWithCovarianceStamped.OutOptions): geometry_msgs.TwistWithCovarianceStamped.Out
+---@overload fun(name: string, type: "geometry_msgs/Vector3", doc?: string, options?: geometry_msgs.Vector3.OutOptions): geometry_msgs.Vector3.Out
+---@overload fun(name: string, type: "geometry_msgs/Vector3Stamped", doc?: string, options?: geometry_msgs.Vector3Stamped.OutOptions): geometry_msgs.Vector3Stamped.Out
+---@overload fun(name: string, type: "geometry_msgs/Wrench", doc?: string, options?: geometry_msgs.Wrench.OutOptions): geometry_msgs.Wrench.Out
+---@overload fun(name: string, type: "geometry_msgs/WrenchStamped", doc?: string, options?: geometry_msgs.WrenchStamped.OutOptions): geometry_msgs.WrenchStamped.Out
+---@overload fun(name: string, type: "nav_msgs/GridCells", doc?: string, options?: nav_msgs.GridCells.OutOptions): nav_msgs.GridCells.Out
+---@overload fun(name: string, type: "nav_msgs/MapMetaData", doc?: string, options?: nav_msgs.MapMetaData.OutOptions): nav_msgs.MapMetaData.Out
+---@overload fun(name: string, type: "nav_msgs/OccupancyGrid", doc?: string, options?: nav_msgs.OccupancyGrid.OutOptions): nav_msgs.OccupancyGrid.Out
+---@overload fun(name: string, type: "nav_msgs/Odometry", doc?: string, options?: nav_msgs.Odometry.OutOptions): nav_msgs.Odometry.Out
+---@overload fun(name: string, type: "nav_msgs/Path", doc?: string, options?: nav_msgs.Path.OutOptions): nav_msgs.Path.Out
+---@overload fun(name: string, type: "raspimouse_msgs/Leds", doc?: string, options?: raspimouse_msgs.Leds.OutOptions): raspimouse_msgs.Leds.Out
+---@overload fun(name: string, type: "raspimouse_msgs/LightSensors", doc?: string, options?: raspimouse_msgs.LightSensors.OutOptions): raspimouse_msgs.LightSensors.Out
+---@overload fun(name: string, type: "raspimouse_msgs/Switches", doc?: string, options?: raspimouse_msgs.Switches.OutOptions): raspimouse_msgs.Switches.Out
+---@overload fun(name: string, type: "sensor_msgs/BatteryState", doc?: string, options?: sensor_msgs.BatteryState.OutOptions): sensor_msgs.BatteryState.Out
+---@overload fun(name: string, type: "sensor_msgs/CameraInfo", doc?: string, options?: sensor_msgs.CameraInfo.OutOptions): sensor_msgs.CameraInfo.Out
+---@overload fun(name: string, type: "sensor_msgs/ChannelFloat32", doc?: string, options?: sensor_msgs.ChannelFloat32.OutOptions): sensor_msgs.ChannelFloat32.Out
+---@overload fun(name: string, type: "sensor_msgs/CompressedImage", doc?: string, options?: sensor_msgs.CompressedImage.OutOptions): sensor_msgs.CompressedImage.Out
+---@overload fun(name: string, type: "sensor_msgs/FluidPressure", doc?: string, options?: sensor_msgs.FluidPressure.OutOptions): sensor_msgs.FluidPressure.Out
+---@overload fun(name: string, type: "sensor_msgs/Illuminance", doc?: string, options?: sensor_msgs.Illuminance.OutOptions): sensor_msgs.Illuminance.Out
+---@overload fun(name: string, type: "sensor_msgs/Image", doc?: string, options?: sensor_msgs.Image.OutOptions): sensor_msgs.Image.Out
+---@overload fun(name: string, type: "sensor_msgs/Imu", doc?: string, options?: sensor_msgs.Imu.OutOptions): sensor_msgs.Imu.Out
+---@overload fun(name: string, type: "sensor_msgs/JointState", doc?: string, options?: sensor_msgs.JointState.OutOptions): sensor_msgs.JointState.Out
+---@overload fun(name: string, type: "sensor_msgs/Joy", doc?: string, options?: sensor_msgs.Joy.OutOptions): sensor_msgs.Joy.Out
+---@overload fun(name: string, type: "sensor_msgs/JoyFeedback", doc?: string, options?: sensor_msgs.JoyFeedback.OutOptions): sensor_msgs.JoyFeedback.Out
+---@overload fun(name: string, type: "sensor_msgs/JoyFeedbackArray", doc?: string, options?: sensor_msgs.JoyFeedbackArray.OutOptions): sensor_msgs.JoyFeedbackArray.Out
+---@overload fun(name: string, type: "sensor_msgs/LaserEcho", doc?: string, options?: sensor_msgs.LaserEcho.OutOptions): sensor_msgs.LaserEcho.Out
+---@overload fun(name: string, type: "sensor_msgs/LaserScan", doc?: string, options?: sensor_msgs.LaserScan.OutOptions): sensor_msgs.LaserScan.Out
+---@overload fun(name: string, type: "sensor_msgs/MagneticField", doc?: string, options?: sensor_msgs.MagneticField.OutOptions): sensor_msgs.MagneticField.Out
+---@overload fun(name: string, type: "sensor_msgs/MultiDOFJointState", doc?: string, options?: sensor_msgs.MultiDOFJointState.OutOptions): sensor_msgs.MultiDOFJointState.Out
+---@overload fun(name: string, type: "sensor_msgs/MultiEchoLaserScan", doc?: string, options?: sensor_msgs.MultiEchoLaserScan.OutOptions): sensor_msgs.MultiEchoLaserScan.Out
+---@overload fun(name: string, type: "sensor_msgs/NavSatFix", doc?: string, options?: sensor_msgs.NavSatFix.OutOptions): sensor_msgs.NavSatFix.Out
+---@overload fun(name: string, type: "sensor_msgs/NavSatStatus", doc?: string, options?: sensor_msgs.NavSatStatus.OutOptions): sensor_msgs.NavSatStatus.Out
+---@overload fun(name: string, type: "sensor_msgs/PointCloud", doc?: string, options?: sensor_msgs.PointCloud.OutOptions): sensor_msgs.PointCloud.Out
+---@overload fun(name: string, type: "sensor_msgs/PointCloud2", doc?: string, options?: sensor_msgs.PointCloud2.OutOptions): sensor_msgs.PointCloud2.Out
+---@overload fun(name: string, type: "sensor_msgs/PointField", doc?: string, options?: sensor_msgs.PointField.OutOptions): sensor_msgs.PointField.Out
+---@overload fun(name: string, type: "sensor_msgs/Range", doc?: string, options?: sensor_msgs.Range.OutOptions): sensor_msgs.Range.Out
+---@overload fun(name: string, type: "sensor_msgs/RegionOfInterest", doc?: string, options?: sensor_msgs.RegionOfInterest.OutOptions): sensor_msgs.RegionOfInterest.Out
+---@overload fun(name: string, type: "sensor_msgs/RelativeHumidity", doc?: string, options?: sensor_msgs.RelativeHumidity.OutOptions): sensor_msgs.RelativeHumidity.Out
+---@overload fun(name: string, type: "sensor_msgs/Temperature", doc?: string, options?: sensor_msgs.Temperature.OutOptions): sensor_msgs.Temperature.Out
+---@overload fun(name: string, type: "sensor_msgs/TimeReference", doc?: string, options?: sensor_msgs.TimeReference.OutOptions): sensor_msgs.TimeReference.Out
+---@overload fun(name: string, type: "std_msgs/Bool", doc?: string, options?: std_msgs.Bool.OutOptions): std_msgs.Bool.Out
+---@overload fun(name: string, type: "std_msgs/Byte", doc?: string, options?: std_msgs.Byte.OutOptions): std_msgs.Byte.Out
+---@overload fun(name: string, type: "std_msgs/ByteMultiArray", doc?: string, options?: std_msgs.ByteMultiArray.OutOptions): std_msgs.ByteMultiArray.Out
+---@overload fun(name: string, type: "std_msgs/Char", doc?: string, options?: std_msgs.Char.OutOptions): std_msgs.Char.Out
+---@overload fun(name: string, type: "std_msgs/ColorRGBA", doc?: string, options?: std_msgs.ColorRGBA.OutOptions): std_msgs.ColorRGBA.Out
+---@overload fun(name: string, type: "std_msgs/Empty", doc?: string, options?: std_msgs.Empty.OutOptions): std_msgs.Empty.Out
+---@overload fun(name: string, type: "std_msgs/Float32", doc?: string, options?: std_msgs.Float32.OutOptions): std_msgs.Float32.Out
+---@overload fun(name: string, type: "std_msgs/Float32MultiArray", doc?: string, options?: std_msgs.Float32MultiArray.OutOptions): std_msgs.Float32MultiArray.Out
+---@overload fun(name: string, type: "std_msgs/Float64", doc?: string, options?: std_msgs.Float64.OutOptions): std_msgs.Float64.Out
+---@overload fun(name: string, type: "std_msgs/Float64MultiArray", doc?: string, options?: std_msgs.Float64MultiArray.OutOptions): std_msgs.Float64MultiArray.Out
+---@overload fun(name: string, type: "std_msgs/Header", doc?: string, options?: std_msgs.Header.OutOptions): std_msgs.Header.Out
+---@overload fun(name: string, type: "std_msgs/Int16", doc?: string, options?: std_msgs.Int16.OutOptions): std_msgs.Int16.Out
+---@overload fun(name: string, type: "std_msgs/Int16MultiArray", doc?: string, options?: std_msgs.Int16MultiArray.OutOptions): std_msgs.Int16MultiArray.Out
+---@overload fun(name: string, type: "std_msgs/Int32", doc?: string, options?: std_msgs.Int32.OutOptions): std_msgs.Int32.Out
+---@overload fun(name: string, type: "std_msgs/Int32MultiArray", doc?: string, options?: std_msgs.Int32MultiArray.OutOptions): std_msgs.Int32MultiArray.Out
+---@overload fun(name: string, type: "std_msgs/Int64", doc?: string, options?: std_msgs.Int64.OutOptions): std_msgs.Int64.Out
+---@overload fun(name: string, type: "std_msgs/Int64MultiArray", doc?: string, options?: std_msgs.Int64MultiArray.OutOptions): std_msgs.Int64MultiArray.Out
+---@overload fun(name: string, type: "std_msgs/Int8", doc?: string, options?: std_msgs.Int8.OutOptions): std_msgs.Int8.Out
+---@overload fun(name: string, type: "std_msgs/Int8MultiArray", doc?: string, options?: std_msgs.Int8MultiArray.OutOptions): std_msgs.Int8MultiArray.Out
+---@overload fun(name: string, type: "std_msgs/MultiArrayDimension", doc?: string, options?: std_msgs.MultiArrayDimension.OutOptions): std_msgs.MultiArrayDimension.Out
+---@overload fun(name: string, type: "std_msgs/MultiArrayLayout", doc?: string, options?: std_msgs.MultiArrayLayout.OutOptions): std_msgs.MultiArrayLayout.Out
+---@overload fun(name: string, type: "std_msgs/String", doc?: string, options?: std_msgs.String.OutOptions): std_msgs.String.Out
+---@overload fun(name: string, type: "std_msgs/UInt16", doc?: string, options?: std_msgs.UInt16.OutOptions): std_msgs.UInt16.Out
+---@overload fun(name: string, type: "std_msgs/UInt16MultiArray", doc?: string, options?: std_msgs.UInt16MultiArray.OutOptions): std_msgs.UInt16MultiArray.Out
+---@overload fun(name: string, type: "std_msgs/UInt32", doc?: string, options?: std_msgs.UInt32.OutOptions): std_msgs.UInt32.Out
+---@overload fun(name: string, type: "std_msgs/UInt32MultiArray", doc?: string, options?: std_msgs.UInt32MultiArray.OutOptions): std_msgs.UInt32MultiArray.Out
+---@overload fun(name: string, type: "std_msgs/UInt64", doc?: string, options?: std_msgs.UInt64.OutOptions): std_msgs.UInt64.Out
+---@overload fun(name: string, type: "std_msgs/UInt64MultiArray", doc?: string, options?: std_msgs.UInt64MultiArray.OutOptions): std_msgs.UInt64MultiArray.Out
+---@overload fun(name: string, type: "std_msgs/UInt8", doc?: string, options?: std_msgs.UInt8.OutOptions): std_msgs.UInt8.Out
+---@overload fun(name: string, type: "std_msgs/UInt8MultiArray", doc?: string, options?: std_msgs.UInt8MultiArray.OutOptions): std_msgs.UInt8MultiArray.Out
 function output(name, type, doc, options) end
 
 ---@alias ParameterValue boolean|integer|number|string|boolean[]|integer[]|number[]|string[]
@@ -777,6 +3275,7 @@ function output(name, type, doc, options) end
 ---@field samples? integer number of random draws. A failing draw is simplified: to numbers nearer to 0 and with fewer digits, and to earlier values in their list
 ---@field seeds? integer how many runs are made of each combination, each with its own seed
 ---@field seed? integer the seed of every run, as `nezumi run --seed` takes it
+---@field search? integer number of runs that are chosen one after the other, from the sweep and from `s:any`, where margins are small and lines run for the first time. The search ends with the round of a failure, which is simplified
 ---@field paired? string a list of the sweep: runs that differ only in its value have the same seed, and the summary shows the differences of their measures
 
 ---@class (exact) ExpectationOptions
@@ -1183,6 +3682,12 @@ function s:equal(actual, expected, message) end
 ---From here on this component may go to ERROR; else that fails the scenario.
 ---@param component Component|string
 function s:allow_error(component) end
+
+---Draws values for this run, each from a range or a list, from its seed. A search chooses them; a failing run is simplified.
+---@param name string
+---@param values table<string, any[]|Range>
+---@return table<string, any>
+function s:any(name, values) end
 
 ---Keeps one number of this run under a name: `nezumi test --measures FILE.csv` has a row for each run.
 ---@param name string

@@ -79,6 +79,12 @@ SubCommand test_command() {
               "this "
               "folder",
               "DIR"},
+             {"--mutate",
+              &options->mutate,
+              "change one place of this behaviour or module at a time, and show the changes that no scenario notices",
+              "FILE.lua",
+              {},
+              FileUse::source},
              {"--tap", &options->tap, "print the results as TAP"},
              {"--quiet", &options->quiet, "report only runs that do not pass, and the summary"},
              {"--update-goldens", &options->update_goldens, "write the traces of s:golden instead of comparing"},

@@ -18,7 +18,7 @@ struct TestOptions {
     std::string junit;
     std::string seeds, paired;
     std::string measures, margins;
-    std::string plots, coverage;
+    std::string plots, coverage, mutate;
     bool tap = false;
     bool quiet = false;
     std::string shard;
