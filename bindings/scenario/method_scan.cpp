@@ -120,6 +120,18 @@ std::string unknown_method(std::string_view object, std::string_view name,
     return text + did_you_mean(name, methods);
 }
 
+bool calls_any(std::string_view text, int line) {
+    const SyntaxTree tree(without_preamble(text));
+    for (const SyntaxNode& node : tree.nodes()) {
+        if (!node.is(Kind::method_call) || node.word_text() != "any") continue;
+        const SyntaxNode* call = node.parent;
+        while (call != nullptr && !(call->is(Kind::call) && call->child->is_global("scenario"))) call = call->parent;
+        // A function outside of all scenarios may be called by any of them.
+        if (call == nullptr || call->first->line == line) return true;
+    }
+    return false;
+}
+
 std::vector<Error> unknown_methods(std::string_view text, const std::string& shown,
                                    const std::vector<std::string_view>& methods) {
     return Scan(text, shown, methods).run();

@@ -20,4 +20,7 @@ std::string unknown_method(std::string_view object, std::string_view name,
 std::vector<Error> unknown_methods(std::string_view text, const std::string& shown,
                                    const std::vector<std::string_view>& methods);
 
+/// Whether the call `scenario(...)` of this line calls `s:any`, or a method of this name of anything else.
+bool calls_any(std::string_view text, int line);
+
 }  // namespace nezumi

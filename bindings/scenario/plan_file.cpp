@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view magic = "nezumi plan 2\n";
+constexpr std::string_view magic = "nezumi plan 3\n";
 constexpr std::string_view prefix = "plan-";
 constexpr std::size_t largest_plan = std::size_t{1} << 30;
 
@@ -69,6 +69,7 @@ void write_run(ArchiveWriter& writer, const PlannedRun& run) {
     writer(static_cast<std::uint64_t>(run.scenario));
     writer(run.name);
     writer(run.drawn);
+    writer(run.searched);
     writer(run.seed);
     writer(run.repetition.name);
     writer(run.repetition.seed.has_value());
@@ -81,8 +82,9 @@ bool read_run(ArchiveReader& reader, const TestPlan& plan, PlannedRun& run) {
     std::uint64_t file = 0, scenario = 0;
     TextPoint point;
     bool has_given_seed = false;
-    if (!reader(file) || !reader(scenario) || !reader(run.name) || !reader(run.drawn) || !reader(run.seed) ||
-        !reader(run.repetition.name) || !reader(has_given_seed) || !reader(point.names) || !reader(point.values))
+    if (!reader(file) || !reader(scenario) || !reader(run.name) || !reader(run.drawn) || !reader(run.searched) ||
+        !reader(run.seed) || !reader(run.repetition.name) || !reader(has_given_seed) || !reader(point.names) ||
+        !reader(point.values))
         return false;
     if (has_given_seed) run.repetition.seed = run.seed;
     if (file >= plan.files.size() || scenario >= plan.files[static_cast<std::size_t>(file)].scenarios.size())

@@ -21,9 +21,11 @@ RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSes
     std::optional<Coverage> coverage;
     if (options.coverage) coverage.emplace(Project::of(file.path, options.installed).root());
     Coverage* const covered = coverage ? &*coverage : nullptr;
-    auto read = ScenarioFile::read(
-        file.path,
-        {.installed = options.installed, .peer_words = options.peer_words, .seed = options.seed, .coverage = covered});
+    auto read = ScenarioFile::read(file.path, {.installed = options.installed,
+                                               .peer_words = options.peer_words,
+                                               .seed = options.seed,
+                                               .coverage = covered,
+                                               .project_files = options.project_files});
     if (!read) return {.outcome = RunOutcome::could_not_run, .error = read.error()};
     if (run.scenario >= (*read)->scenarios().size())
         return {.outcome = RunOutcome::could_not_run, .error = {"the file has changed meanwhile", {file.shown}}};

@@ -28,8 +28,9 @@ struct TestSessionOptions {
     std::function<LiveOptions()> systems;    ///< makes systems
     const Recordings* recordings = nullptr;  ///< as in `RunSettings`
     std::string words;                       ///< options that are needed to repeat a run, besides its name and seed
-    Shard shard;                             ///< only these runs are made
-    bool resume = false;                     ///< does not repeat runs whose results exist
+    const ProjectFiles* project_files = nullptr;  ///< in place of the disk; null: the disk. Not for scenario files
+    Shard shard;                                  ///< only these runs are made
+    bool resume = false;                          ///< does not repeat runs whose results exist
     bool keep = false;  ///< keeps the results for resuming or merging; without its result a run counts as not made
     std::uint64_t made_with = 0;  ///< `fingerprint` of the plan
     bool is_real = false;         ///< systems have real robots: no run is repeated automatically

@@ -16,9 +16,9 @@ bool all_fields(Archive& archive, Result& result) {
     return archive(result.outcome) && archive(result.error.message) && archive(result.error.place.file) &&
            archive(result.error.place.line) && archive(result.error.place.column) && archive(result.error.kind) &&
            archive(result.component_failed) && archive(result.facts) && archive(result.margins) &&
-           archive(result.printed) && archive(result.measures) && archive(result.goldens) && archive(result.coverage) &&
-           archive(result.folder) && archive(result.files) && archive(result.seconds) && archive(result.wall_seconds) &&
-           archive(result.hash);
+           archive(result.printed) && archive(result.measures) && archive(result.drawn) && archive(result.goldens) &&
+           archive(result.coverage) && archive(result.folder) && archive(result.files) && archive(result.seconds) &&
+           archive(result.wall_seconds) && archive(result.hash);
 }
 
 // Bytes of another machine may contain anything.
@@ -54,6 +54,13 @@ requires std::is_same_v<std::remove_const_t<AnyUse>, GoldenUse>
 bool each_field(Archive& archive, AnyUse& use) {
     return archive(use.file) && archive(use.place.file) && archive(use.place.line) && archive(use.place.column) &&
            archive(use.written);
+}
+
+template <class Archive, class AnyValue>
+requires std::is_same_v<std::remove_const_t<AnyValue>, DrawnValue>
+bool each_field(Archive& archive, AnyValue& value) {
+    return archive(value.name) && archive(value.text) && archive(value.number) && archive(value.range.lo) &&
+           archive(value.range.hi) && archive(value.range.step) && archive(value.range.whole) && archive(value.choices);
 }
 
 template <class Archive, class AnyLine>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bindings/lua/sandbox/coverage.hpp"
+#include "bindings/scenario/sweep.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi {
@@ -42,6 +43,17 @@ struct ConditionMargin {
     bool operator==(const ConditionMargin&) const = default;
 };
 
+/// A value that a run drew with `s:any`, or that a search chose, and what it was drawn from.
+struct DrawnValue {
+    std::string name;   ///< "gust.at", or the key of the sweep
+    std::string text;   ///< as in the names of runs
+    double number = 0;  ///< of a range
+    SweepRange range{};
+    std::vector<std::string> choices{};  ///< texts of a list; empty for a range
+
+    bool operator==(const DrawnValue&) const = default;
+};
+
 /// A golden that a run compared with, or wrote.
 struct GoldenUse {
     std::string file;           ///< its path
@@ -59,6 +71,7 @@ struct RunResult {
     std::vector<ConditionMargin> margins{};  ///< of its conditions, `always` and `never` first, in their order
     std::vector<std::string> printed;        ///< the output of the scenario, and warnings
     std::vector<Measure> measures{};         ///< in the order of `s:measure`, each name once
+    std::vector<DrawnValue> drawn{};         ///< in the order of `s:any`; of a search, all values of the run
     std::vector<GoldenUse> goldens{};        ///< each file once
     std::vector<FileCoverage> coverage{};    ///< of the files that it loaded, if it was asked for
     std::string folder;                      ///< the folder of a failure's files; empty: there are none

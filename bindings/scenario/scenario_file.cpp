@@ -49,6 +49,45 @@ Expected<std::vector<std::string>> names_of(lua_State* lua, int index, std::stri
     return names;
 }
 
+// A range, or a list of plain data, at `values` on top of the stack.
+Expected<SweepKey> read_values(lua_State* lua, int values, const std::string& name, const std::string& what,
+                               const Budget& budget) {
+    SweepKey key{name, {}};
+    if (const SweepRange* range = to_range(lua, values)) {
+        key.values = *range;
+        return key;
+    }
+    if (lua_type(lua, values) != LUA_TTABLE)
+        return failure(
+            fmt::format("{} expected a list of values or range(lo, hi), got {}", what, Arguments{lua}.kind(values)));
+    Mismatch why;
+    const std::ptrdiff_t size = read_array_size(lua, values, &why);
+    if (size < 1)
+        return failure(fmt::format("{} expected a list of values, got {}", what,
+                                   size == 0 ? "an empty one" : "a table with other keys than 1, 2, ..."));
+    std::vector<SweepValue> list;
+    for (std::ptrdiff_t i = 1; i <= size; ++i) {
+        lua_rawgeti(lua, values, i);
+        std::vector<Dropped> dropped;
+        auto data = take_plain(lua, 1, budget, {"it"}, dropped);
+        lua_pop(lua, 1);
+        if (!data) return Unexpected(data.error());
+        if (!dropped.empty())
+            return failure(fmt::format("{}: value {} is not plain data: {}", what, i, dropped.front().what));
+        SweepValue value = to_sweep_value(std::move(*data));
+        if (!is_finite(value.data)) return failure(fmt::format("{} expected finite numbers, got {}", what, value.text));
+        const auto called_so = [&value](const SweepValue& other) { return other.text == value.text; };
+        if (const auto other = std::find_if(list.begin(), list.end(), called_so); other != list.end()) {
+            if (*other == value) return failure(fmt::format("{} has the value {} twice", what, value.text));
+            return failure(
+                fmt::format("{} has two values that are both {} in the names of their runs", what, value.text));
+        }
+        list.push_back(std::move(value));
+    }
+    key.values = std::move(list);
+    return key;
+}
+
 // Whether a run of the swept scenario `swept` has the same name as the scenario `other` without a sweep: "drives
 // [speed=0.1]".
 bool has_run_called(const Scenario& swept, const Scenario& other) {
@@ -86,6 +125,7 @@ Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem
                                                            const ScenarioFileOptions& options,
                                                            std::vector<Error>* errors) {
     Project project = Project::of(path, options.installed);
+    if (options.project_files != nullptr) project = project.through(*options.project_files);
     std::string shown = project.shown(path);
     std::unique_ptr<ScenarioFile> file(new ScenarioFile(std::move(project), options.peer_words, std::move(shown)));
     const auto give_up = [&](Error error) {
@@ -126,6 +166,15 @@ Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem
         !diagnostics.empty()) {
         if (errors != nullptr) *errors = diagnostics;
         return give_up(diagnostics.front());
+    }
+    for (Scenario& scenario : file->scenarios_) {
+        scenario.draws = calls_any(file->text_, scenario.place.line);
+        if (scenario.search > 0 && scenario.sweep.keys.empty() && !scenario.draws)
+            return give_up(
+                {fmt::format("scenario '{}': option 'search': there is nothing to search: expected a sweep, or "
+                             "s:any",
+                             nezumi::shown(scenario.name)),
+                 scenario.place});
     }
     lua_settop(file->file_->lua(), 0);
     file->is_read_ = true;
@@ -239,7 +288,7 @@ Expected<Scenario> ScenarioFile::read_call(lua_State* lua, const Place& place) {
 }
 
 Expected<void> ScenarioFile::read_options(lua_State* lua, int index, Scenario& scenario) {
-    std::int64_t samples = 0, seeds = 0, seed = 0;
+    std::int64_t samples = 0, seeds = 0, seed = 0, search = 0;
     const auto by_hand = [&](Fields& options) {
         const bool has_samples = options.whole("samples", samples, 1, static_cast<std::int64_t>(most_runs));
         const bool has_seeds = options.whole("seeds", seeds, 1, static_cast<std::int64_t>(most_runs));
@@ -247,6 +296,12 @@ Expected<void> ScenarioFile::read_options(lua_State* lua, int index, Scenario& s
             scenario.seed = static_cast<std::uint64_t>(seed);
             if (has_seeds)
                 options.check().explain({"seeds"}, "'seed' gives all runs the same one: leave one of them out");
+        }
+        if (options.whole("search", search, 1, static_cast<std::int64_t>(most_runs))) {
+            const std::string_view why = "'search' chooses the runs: leave one of them out";
+            if (has_samples) options.check().explain({"samples"}, std::string(why));
+            if (has_seeds) options.check().explain({"seeds"}, std::string(why));
+            if (options.gives("paired")) options.check().explain({"paired"}, std::string(why));
         }
         if (!options.gives("sweep")) {
             if (has_samples) options.check().explain({"samples"}, "there is no sweep to draw from");
@@ -263,6 +318,7 @@ Expected<void> ScenarioFile::read_options(lua_State* lua, int index, Scenario& s
     if (auto ok = nezumi::read_options(lua, index, std::move(check), scenario, {}, by_hand); !ok) return ok;
     if (samples > 0) scenario.sweep.samples = static_cast<std::size_t>(samples);
     scenario.seeds = static_cast<std::size_t>(seeds);
+    scenario.search = static_cast<std::size_t>(search);
     if (!scenario.paired.empty()) {
         if (auto ok = check_paired(scenario, scenario.paired); !ok)
             return failure(
@@ -271,57 +327,35 @@ Expected<void> ScenarioFile::read_options(lua_State* lua, int index, Scenario& s
     return {};
 }
 
+Expected<std::vector<SweepKey>> read_sweep_keys(lua_State* lua, int index, const std::string& what,
+                                                const Budget& budget) {
+    const auto names = names_of(lua, index, what);
+    if (!names) return Unexpected(names.error());
+    std::vector<SweepKey> keys;
+    for (const std::string& name : *names) {
+        detail::push_raw_field(lua, index, name);
+        auto key = read_values(lua, lua_gettop(lua), name, fmt::format("{}: '{}'", what, nezumi::shown(name)), budget);
+        if (!key) return Unexpected(key.error());
+        lua_pop(lua, 1);
+        keys.push_back(std::move(*key));
+    }
+    return keys;
+}
+
 Expected<void> ScenarioFile::read_sweep(lua_State* lua, int index, Scenario& scenario) {
     if (lua_type(lua, index) != LUA_TTABLE)
         return failure(fmt::format("option 'sweep' expected a table, as in {{ speed = {{ 0.1, 0.2 }} }}, got {}",
                                    Arguments{lua}.kind(index)));
-    const auto names = names_of(lua, index, "option 'sweep'");
-    if (!names) return Unexpected(names.error());
+    auto keys = read_sweep_keys(lua, index, "option 'sweep'", file_->budget());
+    if (!keys) return Unexpected(keys.error());
     bool drawn = false;
     double runs = 1;
-    for (const std::string& name : *names) {
-        const std::string what = fmt::format("option 'sweep': '{}'", nezumi::shown(name));
-        SweepKey key{name, {}};
-        detail::push_raw_field(lua, index, name);
-        const int values = lua_gettop(lua);
-        if (const SweepRange* range = to_range(lua, values)) {
-            key.values = *range;
-            drawn = true;
-        } else if (lua_type(lua, values) == LUA_TTABLE) {
-            Mismatch why;
-            const std::ptrdiff_t size = read_array_size(lua, values, &why);
-            if (size < 1)
-                return failure(fmt::format("{} expected a list of values, got {}", what,
-                                           size == 0 ? "an empty one" : "a table with other keys than 1, 2, ..."));
-            std::vector<SweepValue> list;
-            for (std::ptrdiff_t i = 1; i <= size; ++i) {
-                lua_rawgeti(lua, values, i);
-                std::vector<Dropped> dropped;
-                auto data = take_plain(lua, 1, file_->budget(), {"it"}, dropped);
-                lua_pop(lua, 1);
-                if (!data) return Unexpected(data.error());
-                if (!dropped.empty())
-                    return failure(fmt::format("{}: value {} is not plain data: {}", what, i, dropped.front().what));
-                SweepValue value = to_sweep_value(std::move(*data));
-                if (!is_finite(value.data))
-                    return failure(fmt::format("{} expected finite numbers, got {}", what, value.text));
-                const auto called_so = [&value](const SweepValue& other) { return other.text == value.text; };
-                if (const auto other = std::find_if(list.begin(), list.end(), called_so); other != list.end()) {
-                    if (*other == value) return failure(fmt::format("{} has the value {} twice", what, value.text));
-                    return failure(
-                        fmt::format("{} has two values that are both {} in the names of their runs", what, value.text));
-                }
-                list.push_back(std::move(value));
-            }
-            runs *= static_cast<double>(size);
-            key.values = std::move(list);
-        } else {
-            return failure(fmt::format("{} expected a list of values or range(lo, hi), got {}", what,
-                                       Arguments{lua}.kind(values)));
-        }
-        lua_pop(lua, 1);
-        scenario.sweep.keys.push_back(std::move(key));
+    for (const SweepKey& key : *keys) {
+        const auto* list = std::get_if<std::vector<SweepValue>>(&key.values);
+        drawn = drawn || list == nullptr;
+        if (list != nullptr) runs *= static_cast<double>(list->size());
     }
+    scenario.sweep.keys = std::move(*keys);
     if (drawn) {
         scenario.sweep.samples = default_samples;
     } else if (runs > static_cast<double>(most_runs)) {

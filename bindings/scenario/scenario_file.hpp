@@ -31,11 +31,17 @@ struct Scenario {
     Sweep sweep;
     std::size_t seeds = 0;                ///< each combination is made so often, with different seeds; 0: once
     std::optional<std::uint64_t> seed{};  ///< of every run; nothing: each run has its own
+    std::size_t search = 0;               ///< number of runs that a search chooses; 0: all runs are planned
+    bool draws = false;                   ///< its text calls `s:any`
     std::string paired{};                 ///< runs that differ in this key alone have the same seed; "": none have
 };
 
 /// Checks that the runs of a scenario can be compared in pairs by this key: the sweep has a list of its values.
 Expected<void> check_paired(const Scenario& scenario, const std::string& name);
+
+/// Reads the values of a sweep, or of `s:any`, from a table: lists and ranges. `what` is the table's name in errors.
+Expected<std::vector<SweepKey>> read_sweep_keys(lua_State* lua, int index, const std::string& what,
+                                                const Budget& budget);
 
 struct ScenarioFileOptions {
     std::vector<std::filesystem::path> installed;  ///< folders of the installed files (`Project::of`)
@@ -44,6 +50,7 @@ struct ScenarioFileOptions {
     std::function<void(std::string_view)> print;   ///< gets the output of the file, a line at a time; may be empty
     std::optional<std::string> text{};             ///< replaces the content of the file, which need not exist
     Coverage* coverage = nullptr;                  ///< of required modules; may be null, must outlive the file
+    const ProjectFiles* project_files = nullptr;   ///< of the project, in place of the disk; may be null
 };
 
 class ScenarioFile {

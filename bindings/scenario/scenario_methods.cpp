@@ -33,7 +33,8 @@ bool is_object(lua_State* lua, int index) {
 
 // Methods that need no world.
 bool is_early(const std::vector<SystemWord>& words, std::string_view name) {
-    constexpr std::string_view others[] = {"check", "near", "equal", "measure", "now", "load", "recorded", "judge"};
+    constexpr std::string_view others[] = {"check", "near",     "equal", "measure", "now",
+                                           "load",  "recorded", "judge", "any"};
     return std::find(std::begin(others), std::end(others), name) != std::end(others) ||
            std::any_of(words.begin(), words.end(), [&](const SystemWord& word) { return word.name == name; });
 }
@@ -380,6 +381,7 @@ const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_time()
         {"equal", equal, 3, "(actual, expected, message)"},
         {"measure", measure, 3, "(name, value, unit)"},
         {"now", now, 0, "()"},
+        {"any", any, 2, "(name, { at = range(0, 10), ... })"},
     };
     return methods;
 }

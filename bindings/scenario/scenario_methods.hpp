@@ -61,6 +61,7 @@ private:
     static int measure(ScenarioRun& run, lua_State* lua);
     static int now(ScenarioRun& run, lua_State* lua);
 
+    static int any(ScenarioRun& run, lua_State* lua);
     static int golden(ScenarioRun& run, lua_State* lua);
     static int load(ScenarioRun& run, lua_State* lua);
     static int recorded(ScenarioRun& run, lua_State* lua);

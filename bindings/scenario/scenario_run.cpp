@@ -104,6 +104,9 @@ RunResult ScenarioRun::run() {
             Methods::push_object(inside, *this);
             lua_createtable(inside, 0, static_cast<int>(settings_.point.size()));
             for (const auto& [name, value] : settings_.point) {
+                const auto is_its = [&name = name](const SweepKey& key) { return key.name == name; };
+                if (std::none_of(scenario_.sweep.keys.begin(), scenario_.sweep.keys.end(), is_its))
+                    continue;  // of s:any
                 lua_pushlstring(inside, name.data(), name.size());
                 push_plain(inside, value.data);
                 lua_rawset(inside, -3);
@@ -162,6 +165,12 @@ void ScenarioRun::finish() {
     };
     for (const auto& watched : watches_) tell(*watched);
     for (const auto& watched : waits_) tell(*watched);
+    if (result_.outcome == RunOutcome::failed && !result_.drawn.empty()) {
+        std::string values;
+        for (const DrawnValue& value : result_.drawn)
+            values += fmt::format("{}{}={}", values.empty() ? "" : ", ", value.name, value.text);
+        result_.facts.push_back("s:any drew " + values);
+    }
     worlds_.stop_robots();
     result_.seconds = worlds_.now();
     result_.hash = worlds_.trace_hash();

@@ -212,7 +212,7 @@ Expected<void> ScenarioRun::load(const std::string& name, const Expected<Value>&
     const auto path = file_.project().find(FileKind::system, name, place.file);
     if (!path) return failure("load: " + path.error().message, place);
     // A system of another project is read as part of that project; additions of the scenario belong to its own.
-    const Project theirs = Project::of(*path, file_.project().installed());
+    const Project theirs = Project::of(*path, file_.project().installed(), file_.project().files());
     auto spec = read_system_file(*path, theirs,
                                  {.seed = settings_.seed,
                                   .print = [this](std::string_view line) { print(line); },

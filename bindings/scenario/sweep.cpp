@@ -45,21 +45,6 @@ std::string text_of(const PlainData& data, const Value& value, int depth) {
     return out + "}";
 }
 
-SweepValue number_value(const SweepRange& range, double number) {
-    PlainData data;
-    if (range.whole) {
-        data.values.emplace_back(static_cast<std::int64_t>(std::llround(number)));
-    } else {
-        data.values.emplace_back(number);
-    }
-    return to_sweep_value(std::move(data));
-}
-
-double number_of(const SweepValue& value) {
-    const Value& held = value.data.values.front();
-    return held.is<std::int64_t>() ? static_cast<double>(held.get<std::int64_t>()) : held.get<double>();
-}
-
 // The number of steps from lo to hi.
 double steps_of(const SweepRange& range) { return std::floor((range.hi - range.lo) / range.step + 1e-9); }
 
@@ -100,9 +85,23 @@ SweepPoint point_at(const Sweep& sweep, std::uint64_t index) {
     return point;
 }
 
+// A number at this share of a range, with so few digits that names stay short: steps of at most a 10 000th of the
+// range.
+double short_number(const SweepRange& range, double share) {
+    const double width = range.hi - range.lo;
+    const double number = range.lo + width * share;
+    if (!(width > 0) || !std::isfinite(width)) return range.lo;
+    const double digits = 4 - std::ceil(std::log10(width));
+    if (std::abs(digits) > 300) return number;
+    // Division by a power of ten gives the double that is nearest to the decimal number.
+    const double scale = std::pow(10.0, std::abs(digits));
+    const double rounded = digits >= 0 ? std::round(number * scale) / scale : std::round(number / scale) * scale;
+    return std::clamp(std::isfinite(rounded) ? rounded : number, range.lo, range.hi);
+}
+
 SweepValue draw_value(const SweepRange& range, Random& random) {
     if (range.step > 0) return value_at(range, random.next_up_to(static_cast<std::uint64_t>(steps_of(range))));
-    return number_value(range, range.lo + (range.hi - range.lo) * random.next_fraction());
+    return number_value(range, short_number(range, random.next_fraction()));
 }
 
 // Simplest first.
@@ -162,7 +161,105 @@ bool find_from(const Sweep& sweep, std::size_t at, std::string_view text, SweepP
     return false;
 }
 
+// The end of the value of `s:any` at the begin of a text: where ", name.field=" follows, or the text ends.
+std::size_t end_of_value(std::string_view text) {
+    for (std::size_t comma = text.find(", "); comma != text.npos; comma = text.find(", ", comma + 1)) {
+        const std::string_view rest = text.substr(comma + 2);
+        const std::string_view name = rest.substr(0, std::min(rest.find('='), rest.size()));
+        const std::size_t dot = name.find('.');
+        if (name.size() < rest.size() && dot != name.npos && is_identifier(std::string(name.substr(0, dot))) &&
+            is_identifier(std::string(name.substr(dot + 1))))
+            return comma;
+    }
+    return text.size();
+}
+
 }  // namespace
+
+SweepValue number_value(const SweepRange& range, double number) {
+    PlainData data;
+    if (range.whole) {
+        data.values.emplace_back(static_cast<std::int64_t>(std::llround(number)));
+    } else {
+        data.values.emplace_back(number);
+    }
+    return to_sweep_value(std::move(data));
+}
+
+double number_in(const SweepValue& value) {
+    const Value& held = value.data.values.front();
+    return held.is<std::int64_t>() ? static_cast<double>(held.get<std::int64_t>()) : held.get<double>();
+}
+
+SweepValue text_value(std::string text) {
+    PlainData data;
+    data.values.emplace_back(text);
+    return {std::move(data), std::move(text)};
+}
+
+SweepPoint point_in(const Sweep& sweep, const std::vector<double>& shares) {
+    SweepPoint point;
+    for (std::size_t i = 0; i < sweep.keys.size(); ++i) {
+        const SweepKey& key = sweep.keys[i];
+        const double share = i < shares.size() ? std::clamp(shares[i], 0.0, 1.0) : 0.5;
+        if (const auto* range = std::get_if<SweepRange>(&key.values)) {
+            const double number = range->step > 0 ? within(*range, range->lo + (range->hi - range->lo) * share)
+                                                  : short_number(*range, share);
+            point.emplace_back(key.name, number_value(*range, number));
+        } else {
+            const auto& values = std::get<std::vector<SweepValue>>(key.values);
+            const auto at = static_cast<std::size_t>(share * static_cast<double>(values.size()));
+            point.emplace_back(key.name, values[std::min(at, values.size() - 1)]);
+        }
+    }
+    return point;
+}
+
+std::vector<double> shares_of(const Sweep& sweep, const SweepPoint& point) {
+    std::vector<double> shares;
+    for (const SweepKey& key : sweep.keys) {
+        const auto same = [&](const auto& value) { return value.first == key.name; };
+        const auto found = std::find_if(point.begin(), point.end(), same);
+        double share = 0.5;
+        if (found != point.end()) {
+            if (const auto* range = std::get_if<SweepRange>(&key.values)) {
+                const double width = range->hi - range->lo;
+                if (width > 0) share = (number_in(found->second) - range->lo) / width;
+            } else {
+                const auto& values = std::get<std::vector<SweepValue>>(key.values);
+                const auto* value = find_value(values, found->second.text);
+                if (value != nullptr)
+                    share = (static_cast<double>(value - values.data()) + 0.5) / static_cast<double>(values.size());
+            }
+        }
+        shares.push_back(share);
+    }
+    return shares;
+}
+
+std::optional<SweepPoint> find_drawn_point(const Sweep& sweep, std::string_view text) {
+    if (!text.starts_with('[') || !text.ends_with(']')) return std::nullopt;
+    text = text.substr(1, text.size() - 2);
+    // Values of the sweep are before those of `s:any`.
+    for (std::size_t end = 0;; end += 2) {
+        const std::size_t next = end == 0 && sweep.keys.empty() ? 0 : end + end_of_value(text.substr(end));
+        SweepPoint point;
+        if (find_from(sweep, 0, text.substr(0, next), point)) {
+            std::string_view rest = text.substr(next);
+            while (!rest.empty()) {
+                if (rest.starts_with(", ")) rest.remove_prefix(2);
+                const std::size_t equals = rest.find('=');
+                if (equals == rest.npos || rest.substr(0, equals).find('.') == rest.npos) return std::nullopt;
+                const std::string_view value = rest.substr(equals + 1, end_of_value(rest.substr(equals + 1)));
+                point.emplace_back(rest.substr(0, equals), text_value(std::string(value)));
+                rest.remove_prefix(equals + 1 + value.size());
+            }
+            return point;
+        }
+        if (next >= text.size()) return std::nullopt;
+        end = next;
+    }
+}
 
 SweepValue to_sweep_value(PlainData data) {
     std::string text = text_of(data, data.values.front(), 0);
@@ -262,7 +359,7 @@ std::vector<SweepPoint> simpler(const Sweep& sweep, const SweepPoint& point) {
             all.back()[i].second = value;
         };
         if (const auto* range = std::get_if<SweepRange>(&sweep.keys[i].values)) {
-            for (const double number : simpler_numbers(*range, number_of(point[i].second)))
+            for (const double number : simpler_numbers(*range, number_in(point[i].second)))
                 add(number_value(*range, number));
         } else {
             const auto& values = std::get<std::vector<SweepValue>>(sweep.keys[i].values);

@@ -26,6 +26,9 @@ struct SweepValue {
 /// A sweep value from plain data that holds one value.
 SweepValue to_sweep_value(PlainData data);
 
+/// A value that only its text is known of.
+SweepValue text_value(std::string text);
+
 /// The text of a value in a table: a Lua string without quotes and escapes.
 std::string plain_text(const SweepValue& value);
 
@@ -38,6 +41,12 @@ struct SweepRange {
 
     bool operator==(const SweepRange&) const = default;
 };
+
+/// The number of a value of a range.
+double number_in(const SweepValue& value);
+
+/// The nearest value of a range.
+SweepValue number_value(const SweepRange& range, double number);
 
 struct SweepKey {
     std::string name;
@@ -75,6 +84,15 @@ SweepPoint draw_point(const Sweep& sweep, std::uint64_t seed, std::size_t index)
 /// point comes twice: all points in the order of `combinations` if there are at most as many as samples, otherwise a
 /// random choice. If not, each sample is drawn independently.
 std::vector<SweepPoint> draws(const Sweep& sweep, std::uint64_t seed);
+
+/// The point at a place in the unit cube: a share from 0 to 1 of each range, and of each list.
+SweepPoint point_in(const Sweep& sweep, const std::vector<double>& shares);
+/// The place of a point; 0.5 for values that it lacks. Values of a list are in the middle of their parts.
+std::vector<double> shares_of(const Sweep& sweep, const SweepPoint& point);
+
+/// A point with these values; nothing if it is not one of the sweep's, followed by values of `s:any` such as
+/// "gust.at=3".
+std::optional<SweepPoint> find_drawn_point(const Sweep& sweep, std::string_view text);
 
 /// The point with this text (`text_of`); nothing if the sweep has no such point. Values of ranges may be any number in
 /// the range.

@@ -70,6 +70,14 @@ std::vector<SweepPoint> drawn_points(const Scenario& scenario, std::uint64_t see
 std::vector<PlannedRun> runs_of(const TestPlan& plan, std::size_t file, std::size_t index,
                                 const std::vector<Repetition>& repeated) {
     const Scenario& scenario = plan.files[file].scenarios[index];
+    std::vector<PlannedRun> searched;
+    for (std::size_t i = 1; i <= scenario.search; ++i) {
+        PlannedRun run{.file = file, .scenario = index, .drawn = true, .searched = true};
+        run.name = fmt::format("{} [search {}]", scenario.name, i);
+        run.seed = scenario.seed.value_or(seed_of_run(plan.seed, run.name));
+        searched.push_back(std::move(run));
+    }
+    if (!searched.empty()) return searched;
     const bool drawn = scenario.sweep.is_random();
     const auto points = drawn ? drawn_points(scenario, plan.seed) : combinations(scenario.sweep);
     std::vector<PlannedRun> runs;
@@ -95,12 +103,17 @@ std::vector<PlannedRun> named_runs(const std::string& filter, const TestPlan& pl
     const Scenario& scenario = plan.files[file].scenarios[index];
     const std::string prefix = scenario.name + " ";
     std::vector<PlannedRun> named;
-    if (!scenario.sweep.is_random() || !filter.starts_with(prefix)) return named;
+    if ((!scenario.sweep.is_random() && !scenario.draws && scenario.search == 0) || !filter.starts_with(prefix))
+        return named;
     const std::string_view values = std::string_view(filter).substr(prefix.size());
     for (const Repetition& repetition : repeated) {
-        auto point = find_point(scenario.sweep, values);
+        const auto find = [&scenario](std::string_view text) {
+            auto found = find_point(scenario.sweep, text);
+            return found || !scenario.draws ? found : find_drawn_point(scenario.sweep, text);
+        };
+        auto point = find(values);
         if (!point && values.ends_with(repetition.name))
-            point = find_point(scenario.sweep, values.substr(0, values.size() - repetition.name.size()));
+            point = find(values.substr(0, values.size() - repetition.name.size()));
         if (point) named.push_back(planned_run(plan, file, index, std::move(*point), repetition));
     }
     return named;
@@ -134,6 +147,26 @@ Expected<void> pair(TestPlan& plan, const std::string& name) {
     }
     if (paired || !why) return {};
     return failure("--paired: " + why->message);
+}
+
+// Lets a search choose the runs of every scenario that draws values.
+Expected<void> search(TestPlan& plan, const PlanOptions& options) {
+    bool can_search = false, searches = false;
+    for (PlannedFile& file : plan.files) {
+        for (Scenario& scenario : file.scenarios) {
+            const bool draws = scenario.sweep.is_random() || scenario.draws;
+            if (options.search > 0 && draws && scenario.paired.empty()) {
+                scenario.search = options.search;
+                can_search = true;
+            }
+            searches = searches || scenario.search > 0;
+        }
+    }
+    if (options.search > 0 && !can_search)
+        return failure("--search: there is nothing to search: no scenario has a sweep with a range, or s:any");
+    if (searches && options.seeds)
+        return failure("--seeds: a search chooses the runs: choose other scenarios by --filter");
+    return {};
 }
 
 // The folder of scenarios if no path is given.
@@ -242,6 +275,7 @@ Expected<TestPlan> plan_tests(const PlanOptions& options) {
         plan.files.push_back(std::move(planned));
     }
     if (auto ok = pair(plan, options.paired); !ok) return Unexpected(ok.error());
+    if (auto ok = search(plan, options); !ok) return Unexpected(ok.error());
     for (PlannedFile& file : plan.files) {
         const auto called_so = [&](const PlannedFile& other) { return other.path.stem() == file.path.stem(); };
         file.has_own_stem = std::count_if(plan.files.begin(), plan.files.end(), called_so) == 1;

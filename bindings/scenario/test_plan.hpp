@@ -39,8 +39,9 @@ struct PlannedRun {
     std::size_t file = 0;      ///< index in the plan
     std::size_t scenario = 0;  ///< index in the file
     SweepPoint point{};
-    std::string name;    ///< "stops in front of the wall [speed=0.1]", with its repetition
-    bool drawn = false;  ///< by random draws
+    std::string name;       ///< "stops in front of the wall [speed=0.1]", with its repetition
+    bool drawn = false;     ///< by random draws
+    bool searched = false;  ///< a search chooses its values: the name is only a number, until it has been made
     Repetition repetition{};
     std::uint64_t seed = 0;  ///< for all random draws of the run: below 2^53, unless a person gave it
 };
@@ -66,6 +67,7 @@ struct PlanOptions {
     std::vector<std::filesystem::path> installed;
     PeerWords peer_words{};            ///< as in `LiveOptions`
     std::optional<SeedRange> seeds{};  ///< each combination is run with each, instead of the scenario's seeds
+    std::size_t search = 0;            ///< of scenarios with a range or `s:any`, a search chooses so many runs
     std::string paired;                ///< of all scenarios whose sweep has a list of this name; "": as they say
 };
 

@@ -15,6 +15,8 @@
 
 #include "bindings/scenario/golden.hpp"
 #include "bindings/scenario/process_pool.hpp"
+#include "bindings/scenario/search.hpp"
+#include "engine/ports/payload.hpp"
 
 namespace nezumi {
 namespace {
@@ -37,6 +39,8 @@ public:
         for (std::size_t run = 0; run < plan.runs.size(); ++run) {
             if (options.shard.has(run)) mine_.push_back(run);
         }
+        // A search begins when all planned runs are made.
+        std::stable_partition(mine_.begin(), mine_.end(), [&](std::size_t run) { return !plan.runs[run].searched; });
     }
 
     // Makes the runs.
@@ -47,6 +51,7 @@ public:
         begin();
         take_kept();
         make_rest();
+        search_all();
         if (!end_.interrupted) simplify_failures();
         end();
         tidy_up();
@@ -58,6 +63,7 @@ public:
     SessionEnd merge(const std::vector<fs::path>& folders, std::size_t shards) {
         for (const fs::path& folder : folders) merged_.emplace_back(folder, options_.made_with);
         begin();
+        std::erase_if(mine_, [this](std::size_t run) { return plan_.runs[run].searched && merge_searched(run); });
         for (const std::size_t run : mine_) {
             for (std::size_t i = 0; i < options_.repeat; ++i) results_[run].push_back(find_merged(run, i, shards));
         }
@@ -105,6 +111,12 @@ private:
         }
     }
 
+    // A run of a search, as it was made.
+    const PlannedRun& run_of(std::size_t run) const {
+        const auto made = searched_.find(run);
+        return made != searched_.end() ? made->second : plan_.runs[run];
+    }
+
     const Scenario& scenario_of(const PlannedRun& run) const { return plan_.files[run.file].scenarios[run.scenario]; }
 
     ResultKey key_of(std::size_t run, std::size_t repetition, bool simplest = false) const {
@@ -118,6 +130,7 @@ private:
 
     void take_kept() {
         for (const std::size_t run : mine_) {
+            if (plan_.runs[run].searched) continue;
             for (std::size_t i = 0; i < options_.repeat; ++i) {
                 auto kept = options_.resume ? keep_->find(key_of(run, i)) : std::nullopt;
                 if (kept) {
@@ -147,7 +160,7 @@ private:
     // Runs in a process of its own, which stores the result, so that it survives the session.
     std::string make_one(const Made& made) const {
         const auto& [run, repetition] = made;
-        const PlannedRun& planned = plan_.runs[run];
+        const PlannedRun& planned = run_of(run);
         RunResult result = run_planned(plan_, planned, options_, planned.drawn || repetition > 0);
         if (keeps()) {
             const auto kept = keep_->keep(key_of(run, repetition), {planned.name, result, planned.seed});
@@ -172,6 +185,132 @@ private:
             if (results.size() < options_.repeat) break;
         }
         tell_finished(false);
+    }
+
+    void search_all() {
+        for (auto first = std::find_if(mine_.begin(), mine_.end(), [&](auto run) { return plan_.runs[run].searched; });
+             first != mine_.end() && !end_.interrupted;) {
+            const PlannedRun& run = plan_.runs[*first];
+            const auto is_other = [&](std::size_t other) {
+                return plan_.runs[other].file != run.file || plan_.runs[other].scenario != run.scenario;
+            };
+            const auto last = std::find_if(first, mine_.end(), is_other);
+            const std::vector<std::size_t> places(first, last);
+            const auto left = static_cast<std::size_t>(mine_.end() - last);
+            const std::size_t made = search(places);
+            // The places that it did not need.
+            mine_.erase(mine_.end() - static_cast<std::ptrdiff_t>(left + places.size() - made),
+                        mine_.end() - static_cast<std::ptrdiff_t>(left));
+            first = mine_.end() - static_cast<std::ptrdiff_t>(left);
+        }
+        if (!end_.interrupted) tell_finished(false);
+    }
+
+    // Makes runs of one scenario, in rounds, until one has failed. Returns how many of the places were needed.
+    std::size_t search(const std::vector<std::size_t>& places) {
+        const PlannedRun& first = plan_.runs[places.front()];
+        const Scenario& scenario = scenario_of(first);
+        Sweep sweep = scenario.sweep;
+        if (scenario.draws) {
+            // A run that is not reported shows what it draws.
+            const auto shown = run_all({planned_run(plan_, first.file, first.scenario, {}, {})}, true);
+            if (end_.interrupted) return 0;
+            sweep = with_drawn(std::move(sweep), shown.front().drawn);
+        }
+        Search search(sweep, mix(seed_of(plan_.seed, scenario.name), options_.shard.index));
+        std::size_t made = 0;
+        bool has_failed = false;
+        while (made < places.size() && !has_failed && !end_.interrupted) {
+            const auto points = search.next(places.size() - made);
+            std::vector<std::size_t> round;
+            for (const SweepPoint& point : points) {
+                round.push_back(places[made++]);
+                PlannedRun run = planned_run(plan_, first.file, first.scenario, point, {});
+                run.drawn = true;
+                searched_.insert_or_assign(round.back(), std::move(run));
+            }
+            make_round(round, sweep);
+            for (std::size_t i = 0; i < round.size() && !end_.interrupted; ++i) {
+                const RunResult& result = results_[round[i]].front();
+                search.add(points[i], result);
+                has_failed = has_failed || result.outcome != RunOutcome::passed;
+            }
+            if (options_.progress) options_.progress(made, places.size());
+        }
+        if (end_.interrupted || !keeps()) return made;
+        for (std::size_t i = made; i < places.size() && options_.keep; ++i)
+            static_cast<void>(keep_->keep(key_of(places[i], 0), {}));
+        return made;
+    }
+
+    void make_round(const std::vector<std::size_t>& round, const Sweep& sweep) {
+        std::vector<Made> missing;
+        for (const std::size_t run : round) {
+            for (std::size_t i = 0; i < options_.repeat; ++i) {
+                auto kept = options_.resume ? keep_->find(key_of(run, i)) : std::nullopt;
+                if (kept && kept->name == run_of(run).name) {
+                    ++kept_[run];
+                    results_[run].push_back(std::move(kept->result));
+                } else {
+                    results_[run].emplace_back();
+                    missing.emplace_back(run, i);
+                }
+            }
+        }
+        TestSessionOptions options = options_;
+        options.coverage = true;
+        std::set<std::size_t> done;
+        PoolTasks tasks;
+        tasks.count = missing.size();
+        tasks.run = [&](std::size_t task) { return make_searched(missing[task], sweep, options); };
+        tasks.take = [&](std::size_t task, const Expected<std::string>& answer) {
+            results_[missing[task].first][missing[task].second] = result_of(answer);
+            done.insert(missing[task].first);
+        };
+        end_.interrupted = run_in_processes(tasks, options_.jobs) == PoolEnd::interrupted;
+        if (!end_.interrupted) return;
+        for (const auto& [run, repetition] : missing) {
+            if (!done.contains(run)) results_[run].clear();
+        }
+    }
+
+    // In a process of its own, as make_one.
+    std::string make_searched(const Made& made, const Sweep& sweep, const TestSessionOptions& options) const {
+        const auto& [run, repetition] = made;
+        const PlannedRun& planned = run_of(run);
+        RunResult result = run_planned(plan_, planned, options, true);
+        // All values, for whoever merges: the plan has only the number of the run.
+        std::vector<DrawnValue> values = drawn_values(sweep, planned.point);
+        for (DrawnValue& value : result.drawn) {
+            const auto same = [&](const DrawnValue& other) { return other.name == value.name; };
+            if (std::none_of(values.begin(), values.end(), same)) values.push_back(std::move(value));
+        }
+        result.drawn = std::move(values);
+        if (keeps()) {
+            const auto kept = keep_->keep(key_of(run, repetition), {planned.name, result, planned.seed});
+            if (!kept && options_.keep) {
+                result.outcome = RunOutcome::could_not_run;
+                result.error = {"the result of this run can't be kept: " + describe(kept.error())};
+            }
+        }
+        return to_bytes(result);
+    }
+
+    // Takes the name and the values of a run of a search from its result. Returns whether the search ended before it.
+    bool merge_searched(std::size_t run) {
+        for (const ResultStore& store : merged_) {
+            const auto kept = store.find(key_of(run, 0));
+            if (!kept) continue;
+            if (kept->name.empty()) return true;
+            PlannedRun made = plan_.runs[run];
+            made.name = kept->name;
+            made.seed = kept->seed;
+            for (const DrawnValue& value : kept->result.drawn)
+                made.point.emplace_back(value.name, SweepValue{{}, value.text});
+            searched_.insert_or_assign(run, std::move(made));
+            return false;
+        }
+        return false;
     }
 
     // Runs before them are missing, so they would never be reported in order.
@@ -207,7 +346,7 @@ private:
                 if (end_.interrupted) continue;
                 return;
             }
-            const PlannedRun& run = plan_.runs[index];
+            const PlannedRun& run = run_of(index);
             const bool is_kept = kept_[index] == options_.repeat;
             const auto simpler = simplified_.find(index);
             if (simpler != simplified_.end()) {
@@ -216,7 +355,7 @@ private:
                 continue;
             }
             RunResult result = agree(results_[index], scenario_of(run).place);
-            if (!all && run.drawn && result.outcome == RunOutcome::failed) return;
+            if (!all && is_drawn(index) && result.outcome == RunOutcome::failed) return;
             told_.push_back(index);
             if (auto own = goldens_.add(result.goldens, run.name); !own) {
                 result.outcome = RunOutcome::could_not_run;
@@ -224,7 +363,7 @@ private:
                 result.facts.clear();
                 results_[index].assign(1, result);
             }
-            if (run.drawn && result.outcome == RunOutcome::failed) shorten(run, result);
+            if (is_drawn(index) && result.outcome == RunOutcome::failed) shorten(run, result);
             tell(report_of(plan_, run, std::move(result), options_), is_kept);
         }
     }
@@ -232,7 +371,7 @@ private:
     // The runs as they were planned; the simplest failure of a random sweep is an additional run.
     void measure() {
         for (const std::size_t index : told_) {
-            const PlannedRun& run = plan_.runs[index];
+            const PlannedRun& run = run_of(index);
             const RunResult result = agree(results_[index], scenario_of(run).place);
             end_.coverage.add(scenario_of(run).name, result.coverage);
             end_.measured.push_back(
@@ -252,10 +391,15 @@ private:
         end_.summary.margins = summarize_margins(end_.measured);
     }
 
+    // Whether a failure of the run can be simplified.
+    bool is_drawn(std::size_t run) const {
+        return run_of(run).drawn || (!results_[run].empty() && !results_[run].front().drawn.empty());
+    }
+
     // Omits facts that are also in the report of the simplest failure.
     void shorten(const PlannedRun& run, RunResult& result) const {
         for (const auto& [index, simplest] : simplified_) {
-            const PlannedRun& found = plan_.runs[index];
+            const PlannedRun& found = run_of(index);
             if (found.file != run.file || found.scenario != run.scenario) continue;
             if (simplest.result.error.place != result.error.place) continue;
             result.facts = {"fails in the same line as the simplest failure: " + simplest.name};
@@ -284,8 +428,8 @@ private:
         std::vector<std::size_t> failures;
         std::set<std::tuple<std::size_t, std::size_t, std::string, int>> seen;
         for (const std::size_t i : mine_) {
-            const PlannedRun& run = plan_.runs[i];
-            if (!run.drawn || results_[i].empty() || results_[i].front().outcome != RunOutcome::failed) continue;
+            const PlannedRun& run = run_of(i);
+            if (!is_drawn(i) || results_[i].empty() || results_[i].front().outcome != RunOutcome::failed) continue;
             const Place& place = results_[i].front().error.place;
             if (seen.emplace(run.file, run.scenario, place.file, place.line).second) failures.push_back(i);
         }
@@ -314,13 +458,16 @@ private:
     }
 
     void simplify(std::size_t index) {
-        const PlannedRun& found = plan_.runs[index];
+        const PlannedRun& found = run_of(index);
         const Scenario& scenario = scenario_of(found);
         const Error error = results_[index].front().error;
+        const std::vector<DrawnValue> drawn = results_[index].front().drawn;
+        const Sweep sweep = with_drawn(scenario.sweep, drawn);
         PlannedRun simplest = found;
+        simplest.point = with_drawn(found.point, drawn);
         for (int step = 0; step < most_simplifications && !end_.interrupted; ++step) {
             std::vector<PlannedRun> candidates;
-            for (SweepPoint& point : simpler(scenario.sweep, simplest.point)) {
+            for (SweepPoint& point : simpler(sweep, simplest.point)) {
                 candidates.push_back(
                     planned_run(plan_, found.file, found.scenario, std::move(point), found.repetition));
             }
@@ -334,6 +481,8 @@ private:
             simplest = candidates[next];
         }
         if (end_.interrupted) return;
+        // Values of s:any that came from the seed of the run are not in its name.
+        if (simplest.point == with_drawn(found.point, drawn)) simplest = found;
         RunResult result = run_all({simplest}, false).front();
         if (end_.interrupted) return;
         // When results are merged, this is found by the planned run; without it, the planned run is reported.
@@ -343,11 +492,11 @@ private:
 
     void take_simplest(std::size_t index, KeptResult kept) {
         RunResult& result = kept.result;
-        PlannedRun simplest = plan_.runs[index];
+        PlannedRun simplest = run_of(index);
         std::size_t samples = 0;
         std::size_t failed = 0;
         for (const std::size_t i : mine_) {
-            const PlannedRun& run = plan_.runs[i];
+            const PlannedRun& run = run_of(i);
             if (run.file != simplest.file || run.scenario != simplest.scenario) continue;
             ++samples;
             if (!results_[i].empty() && results_[i].front().outcome == RunOutcome::failed &&
@@ -355,7 +504,9 @@ private:
                 ++failed;
         }
         if (kept.name != simplest.name)
-            result.facts.insert(result.facts.begin(), fmt::format("first seen with {}", text_of(simplest.point)));
+            result.facts.insert(
+                result.facts.begin(),
+                fmt::format("first seen with {}", text_of(with_drawn(simplest.point, results_[index].front().drawn))));
         result.facts.insert(
             result.facts.begin(),
             fmt::format("{} of {} samples failed; this is the simplest failure found", failed, samples));
@@ -383,7 +534,8 @@ private:
     bool had_folder_ = false;
     std::vector<ResultStore> merged_;
     std::chrono::steady_clock::time_point began_;
-    std::vector<std::size_t> mine_;  // runs of this part, in order
+    std::vector<std::size_t> mine_;               // runs of this part, in order
+    std::map<std::size_t, PlannedRun> searched_;  // runs of searches, with their values
     std::vector<RunReport> unread_;
     std::vector<Made> to_make_;
     std::map<Made, RunResult> known_;              // results that are not reported yet

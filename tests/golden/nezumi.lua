@@ -777,6 +777,7 @@ function output(name, type, doc, options) end
 ---@field samples? integer number of random draws. A failing draw is simplified: to numbers nearer to 0 and with fewer digits, and to earlier values in their list
 ---@field seeds? integer how many runs are made of each combination, each with its own seed
 ---@field seed? integer the seed of every run, as `nezumi run --seed` takes it
+---@field search? integer number of runs that are chosen one after the other, from the sweep and from `s:any`, where margins are small and lines run for the first time. The search ends with the round of a failure, which is simplified
 ---@field paired? string a list of the sweep: runs that differ only in its value have the same seed, and the summary shows the differences of their measures
 
 ---@class (exact) ExpectationOptions
@@ -1183,6 +1184,12 @@ function s:equal(actual, expected, message) end
 ---From here on this component may go to ERROR; else that fails the scenario.
 ---@param component Component|string
 function s:allow_error(component) end
+
+---Draws values for this run, each from a range or a list, from its seed. A search chooses them; a failing run is simplified.
+---@param name string
+---@param values table<string, any[]|Range>
+---@return table<string, any>
+function s:any(name, values) end
 
 ---Keeps one number of this run under a name: `nezumi test --measures FILE.csv` has a row for each run.
 ---@param name string

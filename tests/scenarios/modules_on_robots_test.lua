@@ -19,6 +19,26 @@ scenario("a PID controller leads the mouse along the wall", { timeout = 120, swe
     end)
   end)
 
+scenario("the wall follower turns away at its rate from what is ahead", { timeout = 5 }, function(s)
+  local follower = s:behavior "follower" { script = "wall_follower" }
+  local config = follower.config
+  s:equal({ config.speed, config.distance, config.turn_at, config.kp, config.kd }, { 0.15, 0.12, 0.12, 12.0, 1.5 })
+  s:inject(follower.ranges, { 0.2, 0.3, 0.12, 0.2 })
+  s:run(0.05)
+  s:equal(follower.target.value, { vx = 0.15, vy = 0, va = 0 })
+  for _, ahead in ipairs { { 0.11, 0.3, 0.12, 0.2 }, { 0.2, 0.3, 0.12, 0.11 } } do
+    s:inject(follower.ranges, ahead)
+    s:run(0.05)
+    s:equal(follower.target.value, { vx = 0, vy = 0, va = -2.0 })
+  end
+  s:inject(follower.ranges, { 0.5, 0.3, 0.2, 0.5 })
+  s:run(1)
+  s:near(follower.target.value.va, 0.15 / 0.25, 1e-9, "round the end of a wall")
+  s:inject(follower.ranges, { 0.5, 0.3, 0.1, 0.5 })
+  s:run(1)
+  s:near(follower.target.value.va, -12 * 0.02, 0.01, "nearer than asked: to the right")
+end)
+
 scenario("a behaviour shows its inside by probes", { timeout = 10 }, function(s)
   local world = s:load "systems/wall_follower.lua"
   s:run(2)
@@ -57,6 +77,31 @@ scenario("the mouse drives where it is told", { timeout = 60, sweep = { x = { 0.
   s:near(world.mouse.truth.pose.position.x, p.x, 0.02)
   s:near(world.mouse.truth.pose.position.y, p.y, 0.02)
   s:near(world.mouse.truth.pose.heading, 2.5, 0.03)
+end)
+
+scenario("the mouse keeps its limits on the way, and stands when it is there", { timeout = 40 }, function(s)
+  local world = s:load "systems/go_to_goal.lua"
+  local driver = world.driver
+  s:equal({ driver.config.speed, driver.config.near }, { 0.2, 0.01 })
+  s:run(0.1)
+  s:equal(driver.state.goal, { x = 0, y = 0, heading = 0 })
+  s:never("drives faster than asked", function() return driver.target.value.vx > 0.2 end)
+  s:never("turns faster than it may", function() return math.abs(driver.target.value.va) > 3 end)
+  -- Behind it and to the right: a heading that jumps from -pi to pi on the way.
+  driver:go(-0.5, -0.01)
+  s:run(0.05)
+  s:equal(driver.state.goal, { x = -0.5, y = -0.01, heading = 0 })
+  s:near(driver.target.value.va, -3, 1e-6)
+  s:eventually("drives at full speed", { within = 3 }, function() return driver.target.value.vx > 0.199 end)
+  s:eventually("slows down", { within = 4 }, function()
+    return driver.state.mode.current == "drive" and driver.target.value.vx < 0.1
+  end)
+  local left = world.mouse.truth.pose.position.x + 0.5
+  s:near(driver.target.value.vx, 2 * left, 0.01)
+  s:eventually("is there", { within = 10 }, function() return driver.state.mode.current == "rest" end)
+  s:run(0.1)
+  s:equal(driver.target.value, { vx = 0, vy = 0, va = 0 })
+  s:near(world.mouse.truth.pose.heading, 0, 0.03)
 end)
 
 scenario("a reload on the way goes on with the goal and the state", { timeout = 60 }, function(s)
@@ -105,6 +150,31 @@ scenario("the EV3 follows a line once round", { timeout = 90, sweep = { speed = 
   s:wait_until("round", { within = 20 }, function()
     return world.ev3.truth.pose.position.y < -0.3 and world.ev3.truth.pose.position.x > 0
   end)
+end)
+
+scenario("the line follower steers by the light, within limits, and waits for it", { timeout = 5 }, function(s)
+  local follower = s:behavior "follower" { script = "line_follower" }
+  local config = follower.config
+  s:equal({ config.speed, config.edge, config.kp, config.kd }, { 0.15, 50.0, 0.03, 0.001 })
+  s:run(0.1)
+  s:equal(follower.target.value, { vx = 0, vy = 0, va = 0 }, "no light yet")
+  s:inject(follower.light, 40)
+  s:run(0.05)
+  s:near(follower.target.value.vx, 0.15, 1e-9)
+  s:near(follower.target.value.va, 0.3, 1e-6, "too dark: to the left")
+  s:inject(follower.light, 41)
+  s:run(0.02)
+  s:check(follower.target.value.va < 0.26, "the derivative acts at once")
+  config.kp = 1.0
+  s:inject(follower.light, 0)
+  s:run(0.5)
+  s:near(follower.target.value.va, 2, 1e-9)
+  s:inject(follower.light, 100)
+  s:run(0.5)
+  s:near(follower.target.value.va, -2, 1e-9)
+  local measured = follower.state.keep.measured
+  s:check(s:reload("follower", { file = "line_follower" }))
+  s:equal(follower.state.keep.measured, measured, "a reload keeps what the controller remembers")
 end)
 
 scenario("a Kalman filter tells the mouse's speed from its distance to the wall", { timeout = 30 }, function(s)

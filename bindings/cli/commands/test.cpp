@@ -6,6 +6,7 @@
 
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/cli/test/test.hpp"
+#include "bindings/scenario/sweep.hpp"
 
 namespace nezumi::cli {
 
@@ -29,6 +30,10 @@ SubCommand test_command() {
              {"--paired", &options->paired,
               "runs that differ only in this key of their sweep have the same seed; shows the differences between them",
               "NAME"},
+             {"--search", &options->search,
+              "choose this many runs one after the other, where margins are small and lines are new, of each scenario "
+              "that draws values (a range in its sweep, or s:any)",
+              "N", whole_number(1, most_runs, "100000")},
              {"--repeat", &options->repeat,
               "repeat each run this many times (default 1); all must have the same trace hash", "N",
               whole_number(1, 1'000'000, "1000000")},
@@ -70,9 +75,16 @@ SubCommand test_command() {
              {"--plots", &options->plots,
               "draw each measure over each swept parameter into this folder, as SVG: medians and quartiles", "DIR"},
              {"--coverage", &options->coverage,
-              "note which lines and branches of behaviours and modules run; writes coverage.txt and lcov.info into this "
+              "note which lines and branches of behaviours and modules run; writes coverage.txt and lcov.info into "
+              "this "
               "folder",
               "DIR"},
+             {"--mutate",
+              &options->mutate,
+              "change one place of this behaviour or module at a time, and show the changes that no scenario notices",
+              "FILE.lua",
+              {},
+              FileUse::source},
              {"--tap", &options->tap, "print the results as TAP"},
              {"--quiet", &options->quiet, "report only runs that do not pass, and the summary"},
              {"--update-goldens", &options->update_goldens, "write the traces of s:golden instead of comparing"},

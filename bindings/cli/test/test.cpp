@@ -29,6 +29,7 @@
 #include "bindings/cli/test/sweep_plots.hpp"
 #include "bindings/scenario/margins.hpp"
 #include "bindings/scenario/measures.hpp"
+#include "bindings/scenario/mutate.hpp"
 #include "bindings/scenario/reporter.hpp"
 #include "bindings/scenario/test_session.hpp"
 #include "engine/base/whole_file.hpp"
@@ -118,10 +119,43 @@ int list(const TestPlan& plan, const Shard& shard) {
     return status;
 }
 
+// Shows the changes of a behaviour that no scenario notices.
+int mutate_file(const TestOptions& command, TestPlan plan, TestSessionOptions& options) {
+    // Runs that a search would choose depend on the results of others.
+    std::erase_if(plan.runs, [](const PlannedRun& run) { return run.searched; });
+    SweepProgress progress(write_error, isatty(STDERR_FILENO) == 1);
+    options.progress = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
+    const auto report = mutate(plan, command.mutate, options);
+    progress.clear();
+    if (!report) return refuse(report.error());
+    if (report->interrupted) return refuse("interrupted: not all changes were tried");
+    write_out(report->text());
+    return report->noticed() == report->tried.size() ? exit_done : exit_failed;
+}
+
 // Whether the options go together.
 Expected<void> check_options(const TestOptions& command) {
     const GivenOptions parts{{"--shard", !command.shard.empty()}, {"--resume", command.resume}};
     auto ok = refuse_given({{"--quiet", command.tap && command.quiet}}, "--tap reports every run");
+    if (ok && command.search)
+        ok = refuse_given({{"--hw", command.hw}, {"--update-goldens", command.update_goldens}},
+                          "--search: simulated runs are chosen by their results");
+    if (ok && !command.mutate.empty()) {
+        ok = refuse_given({{"--hw", command.hw},
+                           {"--search", command.search.has_value()},
+                           {"--repeat", command.repeat.has_value()},
+                           {"--shard", !command.shard.empty()},
+                           {"--resume", command.resume},
+                           {"--merge", command.merge},
+                           {"--update-goldens", command.update_goldens},
+                           {"--junit", !command.junit.empty()},
+                           {"--measures", !command.measures.empty()},
+                           {"--margins", !command.margins.empty()},
+                           {"--plots", !command.plots.empty()},
+                           {"--coverage", !command.coverage.empty()},
+                           {"--tap", command.tap}},
+                          "--mutate shows only changes that no scenario notices");
+    }
     if (ok && command.hw)
         ok = refuse_given({{"--coverage", !command.coverage.empty()}}, "--hw: only simulated time waits for marks");
     if (ok && command.update_goldens) ok = refuse_given(parts, "--update-goldens: every run has to be made");
@@ -133,6 +167,7 @@ Expected<void> check_options(const TestOptions& command) {
                            {"--seed", command.seed.has_value()},
                            {"--seeds", !command.seeds.empty()},
                            {"--paired", !command.paired.empty()},
+                           {"--search", command.search.has_value()},
                            {"--repeat", command.repeat.has_value()},
                            {"--jobs", command.jobs.has_value()},
                            {"-o", command.folder != TestOptions{}.folder},
@@ -256,9 +291,11 @@ int test(TestOptions command) {
                                 .installed = options.installed,
                                 .peer_words = options.peer_words,
                                 .seeds = *seeds,
+                                .search = static_cast<std::size_t>(command.search.value_or(0)),
                                 .paired = command.paired});
         if (!plan) return refuse(plan.error());
         if (command.list) return list(*plan, options.shard);
+        if (!command.mutate.empty()) return mutate_file(command, *plan, options);
         if (auto one = check_is_one(command, *plan); !one) return refuse(one.error());
         session = [&, plan = std::move(*plan)](Reporter& reporter) {
             return run_plan(command, plan, options, reporter);

@@ -14,11 +14,11 @@ struct TestOptions {
     std::string project;  ///< the folder of the project to be tested; "": that of the working directory
     std::string filter;
     bool list = false;
-    std::optional<std::uint64_t> seed, repeat, jobs;
+    std::optional<std::uint64_t> seed, repeat, jobs, search;
     std::string junit;
     std::string seeds, paired;
     std::string measures, margins;
-    std::string plots, coverage;
+    std::string plots, coverage, mutate;
     bool tap = false;
     bool quiet = false;
     std::string shard;

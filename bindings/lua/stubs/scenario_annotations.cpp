@@ -111,6 +111,12 @@ function s:equal(actual, expected, message) end
 ---@param component Component|string
 function s:allow_error(component) end
 
+---Draws values for this run, each from a range or a list, from its seed. A search chooses them; a failing run is simplified.
+---@param name string
+---@param values table<string, any[]|Range>
+---@return table<string, any>
+function s:any(name, values) end
+
 ---Keeps one number of this run under a name: `nezumi test --measures FILE.csv` has a row for each run.
 ---@param name string
 ---@param value number finite
