@@ -19,10 +19,12 @@ struct Verb {
     std::string_view name;
     PeerRequest::What what;
 };
-constexpr std::array<Verb, 4> verbs{{{"activate", PeerRequest::What::activate},
+constexpr std::array<Verb, 6> verbs{{{"activate", PeerRequest::What::activate},
                                      {"deactivate", PeerRequest::What::deactivate},
                                      {"reset", PeerRequest::What::reset},
-                                     {"use", PeerRequest::What::use}}};
+                                     {"use", PeerRequest::What::use},
+                                     {"exit", PeerRequest::What::exit},
+                                     {"forget", PeerRequest::What::forget}}};
 
 Expected<void> read_verb(PeerRequest& request, const std::string& text, const Arguments& arguments) {
     const auto* verb = std::find_if(verbs.begin(), verbs.end(), [&](const Verb& each) { return each.name == text; });

@@ -19,6 +19,8 @@ struct PeerRequest {
         reset,
         use,        ///< selects a configuration set
         configure,  ///< sets values of the configuration set in use
+        exit,       ///< ends the component
+        forget,     ///< removes the name of a component that is gone
     };
     What what = What::look;
     std::string name{};  ///< without "rtm:"; "": all

@@ -74,7 +74,13 @@ struct RtcRequest {
     std::string script{};      ///< for `create`: the behaviour's name
 };
 
-enum class RtcAnswer { done, refused, unknown, busy };
+enum class RtcAnswer {
+    done,
+    refused,
+    unknown,
+    busy,
+    taken,  ///< another component has this name
+};
 enum class PutAnswer { taken, malformed, unknown };
 
 /// A requested connection: made as soon as the other RTC is there, and again after it was away.

@@ -96,7 +96,7 @@ Expected<std::string> told_of_peers(const PeerQuestion& question, const PeerAnsw
         text += (text.empty() ? "" : "\n") + title(peer);
         if (!question.request) text += port_lines(peer) + set_lines(peer);
     }
-    return text.empty() ? "the name service has no RTCs" : text;
+    return text.empty() && !question.request ? "the name service has no RTCs" : text;
 }
 
 }  // namespace nezumi::openrtm

@@ -244,6 +244,7 @@ RtcAnswer RtmServer::done(const Act& wanted) { return act(wanted) ? RtcAnswer::d
 
 RtcAnswer RtmServer::create(const RtcRequest& request) {
     if (!host_.create) return RtcAnswer::refused;
+    if (host_.system().find(request.component) != nullptr) return RtcAnswer::taken;
     if (const auto made = host_.create(request); !made) {
         host_.say(true, fmt::format("rtm: a tool can't add '{}': {}", shown(request.script), describe(made.error())));
         return RtcAnswer::refused;

@@ -647,10 +647,11 @@ function output(name, type, doc, options) end
 ---@field frame? string of the message's header
 
 ---@class (exact) RtmFields
----@field nameserver? string "HOST:PORT" of the CORBA name service
+---@field nameserver? string|string[] "HOST:PORT" of the CORBA name service, or of several
 ---@field export? string|string[] the components that appear there
 ---@field interface? string this computer's address, at which others reach them; by default only this computer reaches them
 ---@field rename? table<string, ParameterValue> what a port is called there, by `"name.port"`
+---@field manager? boolean tools such as RTSystemEditor may add and remove behaviours, and end the run
 
 ---@class (exact) BodyFields
 ---@field shape? "box"|"cylinder"

@@ -9,7 +9,32 @@
 #include <cstring>
 #include <utility>
 
+#include "bindings/lua/files/file_value.hpp"
+#include "bindings/lua/files/system_words.hpp"
+#include "engine/project/script_source.hpp"
+
 namespace nezumi::cli {
+namespace {
+
+// As `behavior` at the console does; it waits to be activated.
+Expected<void> add(RunningSystem& live, const openrtm::RtcRequest& request) {
+    SystemWords words(live.project(), live.options().peer_words, live.spec());
+    FileTable fields;
+    fields.fields.push_back({"script", Value(request.script)});
+    fields.fields.push_back({"active", Value(false)});
+    auto read = words.entry({"behavior", {live.spec().file}, nullptr}, request.component, Value(std::move(fields)));
+    if (read) read = words.finish();
+    if (!read) return read;
+    return live.act(Add{words.spec().entries.back()}, {Actor::Kind::network, "rtm"}).map([](const ActResult&) {});
+}
+
+std::vector<openrtm::RtcModule> modules_of(const Project& project, const std::string& file) {
+    std::vector<openrtm::RtcModule> all;
+    for (const std::string& name : project.names(FileKind::script, file)) all.push_back({name, type_of_file(name)});
+    return all;
+}
+
+}  // namespace
 
 Expected<std::unique_ptr<RunRtm>> RunRtm::open(RunLoop& loop, std::function<void(const LogLine&)> log) {
     Descriptor bell(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC));
@@ -17,24 +42,27 @@ Expected<std::unique_ptr<RunRtm>> RunRtm::open(RunLoop& loop, std::function<void
     const int rings = bell.get();
     std::unique_ptr<RunRtm> rtm(new RunRtm(std::move(bell)));
     RunningSystem& live = loop.live();
-    auto server =
-        openrtm::RtmServer::open({.system = [&live]() -> const System& { return live.system(); },
-                                  .spec = [&live]() -> const SystemSpec& { return live.spec(); },
-                                  .starts = [&live] { return live.generation(); },
-                                  .act = [&live](const Act& act, const Actor& who) { return live.act(act, who); },
-                                  .deliver = [&live](const Port& port, const Act& act,
-                                                     const Actor& who) { return live.deliver(port, act, who); },
-                                  .say =
-                                      [&live, log = std::move(log)](bool is_problem, const std::string& text) {
-                                          const LogLevel level = is_problem ? LogLevel::warn : LogLevel::info;
-                                          log({level, live.system().now().seconds, "", text, live.starts()});
-                                      },
-                                  .wake =
-                                      [rings] {
-                                          const std::uint64_t one = 1;
-                                          // If the counter is full, the file is readable too.
-                                          if (write(rings, &one, sizeof one) < 0) return;
-                                      }});
+    auto server = openrtm::RtmServer::open(
+        {.system = [&live]() -> const System& { return live.system(); },
+         .spec = [&live]() -> const SystemSpec& { return live.spec(); },
+         .starts = [&live] { return live.generation(); },
+         .act = [&live](const Act& act, const Actor& who) { return live.act(act, who); },
+         .deliver = [&live](const Port& port, const Act& act,
+                            const Actor& who) { return live.deliver(port, act, who); },
+         .say =
+             [&live, log = std::move(log)](bool is_problem, const std::string& text) {
+                 const LogLevel level = is_problem ? LogLevel::warn : LogLevel::info;
+                 log({level, live.system().now().seconds, "", text, live.starts()});
+             },
+         .wake =
+             [rings] {
+                 const std::uint64_t one = 1;
+                 // If the counter is full, the file is readable too.
+                 if (write(rings, &one, sizeof one) < 0) return;
+             },
+         .create = [&live](const openrtm::RtcRequest& request) { return add(live, request); },
+         .modules = [project = live.project(), file = live.spec().file] { return modules_of(project, file); },
+         .end = [&loop] { loop.quit(); }});
     if (!server) return Unexpected(server.error());
     rtm->server_ = std::move(*server);
     loop.before_tick([its = rtm.get()] { its->server_->before_tick(); });
@@ -52,6 +80,8 @@ std::future<Expected<std::string>> RunRtm::ask(const PeerRequest& request) {
             case PeerRequest::What::reset: return What::reset;
             case PeerRequest::What::use: return What::use;
             case PeerRequest::What::configure: return What::set;
+            case PeerRequest::What::exit: return What::exit;
+            case PeerRequest::What::forget: return What::forget;
         }
         return std::nullopt;
     };

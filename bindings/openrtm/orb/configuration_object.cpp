@@ -38,6 +38,7 @@ bool ConfigurationObject::perform(RtcRequest request) {
     request.component = component_;
     switch (site_.perform(request)) {
         case RtcAnswer::done: return true;
+        case RtcAnswer::taken:
         case RtcAnswer::refused: return false;
         case RtcAnswer::unknown: throw SDOPackage::InvalidParameter(no_parameter);
         case RtcAnswer::busy: break;

@@ -8,6 +8,7 @@
 #include "bindings/openrtm/orb/call_deadline.hpp"
 #include "bindings/openrtm/orb/life.hpp"
 #include "bindings/openrtm/orb/linker.hpp"
+#include "bindings/openrtm/orb/servants.hpp"
 #include "engine/base/thread.hpp"
 
 namespace nezumi::openrtm {
@@ -25,13 +26,17 @@ constexpr std::chrono::seconds longest_request{10};
 constexpr std::chrono::milliseconds longest_end{1500};
 // Instances with one name on a computer.
 constexpr int most_instances = 100;
+// Kinds of names.
+constexpr const char* rtc_kind = ".rtc";
+constexpr const char* manager_kind = ".mgr";
 
 // The key of the connection in `told_`.
 std::string about(const RtcLink& link) { return link.path + " rtm:" + link.component + "." + link.port; }
 
 }  // namespace
 
-Keeper::Keeper(const Home& home, const OrbOptions& options) : home_(home), names_(home.orb, options.nameservers) {
+Keeper::Keeper(const Home& home, const OrbOptions& options)
+    : home_(home), names_(home.orb, options.nameservers), has_manager_(options.manager) {
     thread_ = start_thread([this] { run(); });
 }
 
@@ -44,7 +49,21 @@ Keeper::~Keeper() {
     changed_.notify_all();
     thread_.join();
     const CallDeadline deadline(longest_end);
+    if (manager_.in() != nullptr) {
+        unbind(manager_->instance() + manager_kind, manager_->reference());
+        manager_->end();
+        deactivate(*manager_.in());
+    }
     withdraw(rtcs_);
+}
+
+// Components are only listed: the lock is not held while they answer.
+void Keeper::begin_manager() {
+    manager_ = new ManagerObject(home_.site, free_instance("nezumi", manager_kind), [this] {
+        const std::lock_guard lock(mutex_);
+        return rtcs_;
+    });
+    manager_->begin();
 }
 
 void Keeper::show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links) {
@@ -91,6 +110,7 @@ bool Keeper::is_ending() {
 }
 
 void Keeper::run() {
+    if (has_manager_) begin_manager();
     for (;;) {
         Exports wanted;
         bool is_new = false;
@@ -148,7 +168,7 @@ void Keeper::take_wanted(const Exports& wanted) {
         }
     }
     for (const RtcProfile& profile : fresh) {
-        const Rtc rtc(new RtcObject(home_, profile, free_instance(profile.component), names_.own_context()));
+        const Rtc rtc(new RtcObject(home_, profile, free_instance(profile.component, rtc_kind), names_.own_context()));
         rtc->begin();
         const std::lock_guard lock(mutex_);
         rtcs_.push_back(rtc);
@@ -186,7 +206,7 @@ void Keeper::withdraw(const std::vector<Rtc>& gone) {
     for (const Rtc& rtc : gone) rtc->stop();
     const auto deadline = Clock::now() + PortObject::longest_settling;
     for (const Rtc& rtc : gone) {
-        unbind(rtc->instance() + ".rtc", rtc->reference());
+        unbind(rtc->instance() + rtc_kind, rtc->reference());
         rtc->withdraw(deadline);
     }
 }
@@ -205,22 +225,22 @@ void Keeper::unbind(const std::string& name, CORBA::Object_ptr object) {
 }
 
 // The first instance name not used by a living RTC on this computer, in any name service.
-std::string Keeper::free_instance(const std::string& component) {
+std::string Keeper::free_instance(const std::string& name, const std::string& kind) {
     const auto is_used = [&](const std::string& instance) {
         return std::any_of(names_.each().begin(), names_.each().end(), [&](NameServers::Server& server) {
             try {
                 return !server.is_resting() &&
-                       server.names.bound(instance + ".rtc", CORBA::Object::_nil()) == NameService::Bound::other;
+                       server.names.bound(instance + kind, CORBA::Object::_nil()) == NameService::Bound::other;
             } catch (const CORBA::Exception&) {
                 return false;  // it is checked again at registration
             }
         });
     };
     for (int i = 0; i < most_instances; ++i) {
-        std::string instance = component + std::to_string(i);
+        std::string instance = name + std::to_string(i);
         if (!is_used(instance)) return instance;
     }
-    return component + "0";
+    return name + "0";
 }
 
 // Each name service is told for itself: one that is away does not matter to the others.
@@ -230,7 +250,10 @@ void Keeper::register_all() {
         if (server.is_resting()) continue;
         const std::string about = "the name service at " + server.names.address();
         try {
-            for (const Rtc& rtc : rtcs_) register_at(server.names, *rtc);
+            for (const Rtc& rtc : rtcs_)
+                register_at(server.names, rtc->profile().component, rtc->instance() + rtc_kind, rtc->reference());
+            if (manager_.in() != nullptr)
+                register_at(server.names, "the manager", manager_->instance() + manager_kind, manager_->reference());
             told_.erase(about);
         } catch (const CORBA::Exception&) {
             server.let_rest();
@@ -242,16 +265,16 @@ void Keeper::register_all() {
     }
 }
 
-void Keeper::register_at(NameService& names, const RtcObject& rtc) {
-    const std::string name = rtc.instance() + ".rtc";
-    const auto bound = names.bound(name, rtc.reference());
+void Keeper::register_at(NameService& names, const std::string& shown, const std::string& name,
+                         CORBA::Object_ptr object) {
+    const auto bound = names.bound(name, object);
     if (bound == NameService::Bound::ours) return;
     if (bound == NameService::Bound::other) {
         tell_once(name, true, "rtm: " + name + " now belongs to another program: our RTC can't be found");
         return;
     }
-    names.rebind(name, rtc.reference());
-    tell_once(name, false, "rtm: " + rtc.profile().component + " is " + names.own_context() + "/" + name);
+    names.rebind(name, object);
+    tell_once(name, false, "rtm: " + shown + " is " + names.own_context() + "/" + name);
 }
 
 void Keeper::look_after_connections() {

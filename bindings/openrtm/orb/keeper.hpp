@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bindings/openrtm/orb.hpp"
+#include "bindings/openrtm/orb/manager_object.hpp"
 #include "bindings/openrtm/orb/name_servers.hpp"
 #include "bindings/openrtm/orb/rtc_object.hpp"
 #include "engine/base/mutex.hpp"
@@ -60,9 +61,10 @@ private:
     void take_wanted(const Exports& wanted);
     void take_links(const std::vector<RtcLink>& wanted);
     void withdraw(const std::vector<Rtc>& gone);
-    std::string free_instance(const std::string& component);
+    std::string free_instance(const std::string& name, const std::string& kind);
+    void begin_manager();
     void register_all();
-    void register_at(NameService& names, const RtcObject& rtc);
+    void register_at(NameService& names, const std::string& shown, const std::string& name, CORBA::Object_ptr object);
     void unbind(const std::string& name, CORBA::Object_ptr object);
     void look_after_connections();
     void make_links();
@@ -76,6 +78,8 @@ private:
 
     const Home home_;
     NameServers names_;
+    const bool has_manager_;
+    PortableServer::Servant_var<ManagerObject> manager_;
     std::vector<Link> links_;                  // used only by the thread, as the next three
     std::vector<Joined> joined_;               // that are reported and not yet requested by the system
     std::map<std::string, std::string> told_;  // the last messages, by subject

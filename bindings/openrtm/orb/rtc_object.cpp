@@ -121,6 +121,10 @@ RTC::ComponentProfile* RtcObject::get_component_profile() {
 
 RTC::PortServiceList* RtcObject::get_ports() { return new RTC::PortServiceList(port_references_); }
 
+RTC::ReturnCode_t RtcObject::exit() {
+    return code_of(site_.perform({.what = RtcRequest::What::exit, .component = profile_.component}));
+}
+
 CORBA::Boolean RtcObject::is_alive(RTC::ExecutionContext_ptr executor) {
     return !CORBA::is_nil(executor) && context_reference_->_is_equivalent(executor);
 }

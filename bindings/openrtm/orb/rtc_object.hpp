@@ -87,7 +87,8 @@ public:
     // Only the system runs it.
     RTC::ReturnCode_t initialize() override { return RTC::PRECONDITION_NOT_MET; }
     RTC::ReturnCode_t finalize() override { return RTC::PRECONDITION_NOT_MET; }
-    RTC::ReturnCode_t exit() override { return RTC::UNSUPPORTED; }
+    /// Removes the component from the system.
+    RTC::ReturnCode_t exit() override;
     RTC::ExecutionContextHandle_t attach_context(RTC::ExecutionContext_ptr /*executor*/) override { return -1; }
     RTC::ReturnCode_t detach_context(RTC::ExecutionContextHandle_t /*handle*/) override { return RTC::UNSUPPORTED; }
     RTC::ReturnCode_t on_initialize() override { return RTC::UNSUPPORTED; }

@@ -11,6 +11,7 @@ namespace nezumi::openrtm {
 inline RTC::ReturnCode_t code_of(RtcAnswer answer) {
     switch (answer) {
         case RtcAnswer::done: return RTC::RTC_OK;
+        case RtcAnswer::taken:
         case RtcAnswer::refused: return RTC::PRECONDITION_NOT_MET;
         case RtcAnswer::unknown: return RTC::BAD_PARAMETER;
         case RtcAnswer::busy: break;

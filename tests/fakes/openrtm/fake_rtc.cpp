@@ -7,6 +7,8 @@
 //   connects so many letters about RTC, ports RTC, state RTC, activate RTC, deactivate RTC, reset RTC, sets RTC, set
 //   RTC SET NAME VALUE, use RTC SET link RTC PORT RTC PORT, profiles RTC PORT, unlink RTC PORT: what tools do with
 //   connections flood COUNT HEX: sends so often, prints how long it took in all, and one of them
+//   names: all of this computer in the name service, as rtls lists them; exit RTC; manager NAME create TEXT | delete
+//   INSTANCE | load TEXT | modules | components | profile | shutdown: what rtmgr and RTSystemEditor do
 #include <omniORB4/Naming.hh>
 #include <unistd.h>
 
@@ -58,7 +60,10 @@ public:
     RTC::ReturnCode_t detach_context(RTC::ExecutionContextHandle_t) override { return RTC::UNSUPPORTED; }
     RTC::ReturnCode_t initialize() override { return RTC::UNSUPPORTED; }
     RTC::ReturnCode_t finalize() override { return RTC::UNSUPPORTED; }
-    RTC::ReturnCode_t exit() override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t exit() override {
+        print("exits");
+        return RTC::RTC_OK;
+    }
     RTC::ReturnCode_t on_initialize() override { return RTC::UNSUPPORTED; }
     RTC::ReturnCode_t on_finalize() override { return RTC::UNSUPPORTED; }
     RTC::ReturnCode_t on_startup(RTC::ExecutionContextHandle_t) override { return RTC::UNSUPPORTED; }
@@ -161,6 +166,10 @@ public:
             port_.boast(count);
         } else if (command == "fail") {
             self_.fail();
+        } else if (command == "names") {
+            list_names();
+        } else if (command == "manager") {
+            of_manager(words);
         } else if (command == "disconnect") {
             print("disconnected " + std::to_string(port_.disconnect_first()));
         } else if (words >> rtc) {
@@ -172,6 +181,63 @@ private:
     RTC::RTObject_ptr find(const std::string& rtc) {
         const CORBA::Object_var object = root_->resolve(name_of(rtc));
         return RTC::RTObject::_narrow(object);
+    }
+    void list_names() {
+        CosNaming::Name name = name_of("");
+        name.length(1);
+        const CORBA::Object_var object = root_->resolve(name);
+        const CosNaming::NamingContext_var context = CosNaming::NamingContext::_narrow(object);
+        CosNaming::BindingList_var list;
+        CosNaming::BindingIterator_var more;
+        context->list(100, list.out(), more.out());
+        std::vector<std::string> names;
+        for (CORBA::ULong i = 0; i < list->length(); ++i)
+            names.push_back(list[i].binding_name[0].id.in() + std::string(".") + list[i].binding_name[0].kind.in());
+        std::sort(names.begin(), names.end());
+        std::string line = "names";
+        for (const std::string& each : names) line += " " + each;
+        print(line);
+    }
+    void of_manager(std::istringstream& words) {
+        std::string instance, command, text;
+        words >> instance >> command >> text;
+        CosNaming::Name name = name_of(instance);
+        name[1].kind = "mgr";
+        const CORBA::Object_var object = root_->resolve(name);
+        const RTM::Manager_var manager = RTM::Manager::_narrow(object);
+        if (CORBA::is_nil(manager)) return print("no manager");
+        if (command == "create") {
+            const RTC::RTObject_var made = manager->create_component(text.c_str());
+            if (CORBA::is_nil(made)) return print("created nothing");
+            const RTC::ComponentProfile_var profile = made->get_component_profile();
+            print("created " + std::string(profile->instance_name.in()));
+        } else if (command == "delete") {
+            print("deleted " + std::to_string(manager->delete_component(text.c_str())));
+        } else if (command == "load") {
+            print("loaded " + std::to_string(manager->load_module(text.c_str(), "init")));
+        } else if (command == "modules") {
+            RTM::ModuleProfileList_var list = manager->get_factory_profiles();
+            const RTM::ModuleProfileList_var loaded = manager->get_loaded_modules();
+            const RTM::ModuleProfileList_var loadable = manager->get_loadable_modules();
+            std::string line = "modules";
+            if (loaded->length() != list->length() || loadable->length() != list->length()) line += " differ";
+            for (CORBA::ULong i = 0; i < list->length(); ++i)
+                line += " " + property(list[i].properties, "implementation_id");
+            print(line + " ");
+        } else if (command == "components") {
+            RTC::ComponentProfileList_var list = manager->get_component_profiles();
+            const RTC::RTCList_var all = manager->get_components();
+            std::string line = "components " + std::to_string(all->length());
+            for (CORBA::ULong i = 0; i < list->length(); ++i) line += " " + std::string(list[i].instance_name.in());
+            print(line);
+        } else if (command == "profile") {
+            const RTM::ManagerProfile_var profile = manager->get_profile();
+            const SDOPackage::NVList_var configuration = manager->get_configuration();
+            print("profile " + property(profile->properties, "instance_name") + " " +
+                  property(configuration, "manager.language") + (manager->is_master() ? " master" : ""));
+        } else if (command == "shutdown") {
+            print("shut down " + std::to_string(manager->shutdown()));
+        }
     }
     void flood(int count, const Bytes& bytes) {
         std::vector<double> times = port_.time_sends(count, bytes);
@@ -187,6 +253,7 @@ private:
         if (command == "race") return race(rtc, words);
         if (command == "link") return link(rtc, words);
         if (command == "profiles" || command == "unlink") return of_connections(command, rtc, words);
+        if (command == "exit") return print("exited " + std::to_string(rtc->exit()));
         if (command == "ports") return ports(rtc);
         if (command == "about") return about(rtc);
         if (command == "sets") return sets(rtc);

@@ -133,7 +133,7 @@ const std::map<std::string, std::string> values{
     {"ros_topic.port", "\"m.target_velocity_in\""},
     {"ros_topic.type", "\"geometry_msgs/msg/TwistStamped\""},
     {"ros_topic.frame", "\"body\""},
-    {"rtm.nameserver", "\"pc:2810\""},
+    {"rtm.nameserver", "{ \"pc:2810\" }"},
     {"rtm.export", "{ \"c\" }"},
     {"rtm.interface", "\"10.0.0.1\""},
     {"rtm.rename", "{ [\"c.in\"] = \"ir\" }"},

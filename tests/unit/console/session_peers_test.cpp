@@ -60,7 +60,8 @@ TEST_CASE("a wrong request to an RTC is refused", "[console][rtm]") {
     SessionRig it(counter_system, behaviors, asked.options());
     CHECK(it.type("rtm(5)") == "! rtm: expected an RTC's name, as in rtm \"ConsoleOut0\", got number");
     CHECK(it.type("rtm('Out0', 'activat')") == "! rtm: there is no 'activat' (did you mean 'activate'?)");
-    CHECK(it.type("rtm('Out0', 'dance')") == "! rtm: there is no 'dance' (there are activate, deactivate, reset, use)");
+    CHECK(it.type("rtm('Out0', 'dance')") ==
+          "! rtm: there is no 'dance' (there are activate, deactivate, reset, use, exit, forget)");
     CHECK(it.type("rtm('rtm:', 'reset')") == "! rtm: which RTC? rtm() lists them");
     CHECK(it.type("rtm('Out0', 5)") ==
           "! rtm: expected an action, as in rtm(\"ConsoleOut0\", \"activate\"), or a table of values");

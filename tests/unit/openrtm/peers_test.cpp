@@ -86,6 +86,42 @@ TEST_CASE("a console reads and sets the configuration of an RTC", "[openrtm][pee
     CHECK(done(rig, "Peer0", {.what = What::set, .values = {{"speed", "-1"}}}) == fault + "it refuses these values");
 }
 
+TEST_CASE("a console ends an RTC, and removes the name of one that is gone", "[openrtm][peers][wallclock]") {
+    WireRig rig;
+    const auto peer = rig.rtc("Peer0", "out", "TimedLong", "out");
+    const auto killed = rig.rtc("Killed0", "out", "TimedLong", "out");
+    CHECK(done(rig, "Peer0", {.what = What::exit}).empty());
+    CHECK(rig.hears(*peer, "exits") == "exits");
+    CHECK(done(rig, "Peer0", {.what = What::forget}) ==
+          "! rtm:" + host() +
+              ".host_cxt/Peer0: it is there, or hangs: only names of RTCs that are gone can be removed");
+    killed->kill();
+    CHECK(done(rig, "Killed0", {.what = What::forget}).empty());
+    CHECK(done(rig, "Killed0", {.what = What::forget}).starts_with("! there is no RTC 'Killed0' in the name service"));
+}
+
+TEST_CASE("ports of two other RTCs are connected and disconnected", "[openrtm][peers][wallclock]") {
+    WireRig rig;
+    const auto out = rig.rtc("Out0", "out", "TimedLong", "out");
+    const auto in = rig.rtc("In0", "in", "TimedLong", "in");
+    const auto ask = [&](What what, const std::string& to) {
+        return asked(rig, {.request = RtcRequest{.what = what,
+                                                 .component = "Out0_In0",
+                                                 .values = {{"dataport.dataflow_type", "push"}},
+                                                 .from = "Out0.out",
+                                                 .to = to}});
+    };
+    CHECK(ask(What::connect, "In0.in").empty());
+    CHECK(rig.answer(*out, "profiles In0 in", "profiles") == "profiles Out0_In0");
+    CHECK(ask(What::connect, "In0.in").empty());  // it is so
+    CHECK(rig.answer(*out, "profiles In0 in", "profiles") == "profiles Out0_In0");
+    CHECK(ask(What::disconnect, "In0.in").empty());
+    CHECK(rig.answer(*out, "profiles In0 in", "profiles") == "profiles");
+    CHECK(ask(What::disconnect, "In0.in") == "! rtm:" + host() + ".host_cxt/Out0: they are not connected");
+    CHECK(ask(What::connect, "In0.input") == "! rtm:" + host() + ".host_cxt/In0: it has no port 'input'");
+    CHECK(ask(What::connect, "Inn0.in") == "! there is no RTC 'Inn0' in the name service (did you mean 'In0'?)");
+}
+
 TEST_CASE("a console shows that an RTC hangs or is gone, or that the name service is away",
           "[openrtm][peers][wallclock]") {
     WireRig rig;
