@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view magic = "nezumi plan 3\n";
+constexpr std::string_view plan_magic = "nezumi plan 3\n";
 constexpr std::string_view prefix = "plan-";
 constexpr std::size_t largest_plan = std::size_t{1} << 30;
 
@@ -113,7 +113,7 @@ std::vector<fs::path> plans_in(const fs::path& folder) {
 }  // namespace
 
 std::string to_bytes(const KeptPlan& kept) {
-    ArchiveWriter writer{std::string(magic)};
+    ArchiveWriter writer{std::string(plan_magic)};
     writer(kept.made_with);
     writer(kept.seed);
     writer(kept.repeat);
@@ -126,8 +126,8 @@ std::string to_bytes(const KeptPlan& kept) {
 }
 
 std::optional<KeptPlan> plan_from_bytes(std::string_view bytes) {
-    if (!bytes.starts_with(magic)) return std::nullopt;
-    ArchiveReader reader{bytes.substr(magic.size())};
+    if (!bytes.starts_with(plan_magic)) return std::nullopt;
+    ArchiveReader reader{bytes.substr(plan_magic.size())};
     KeptPlan kept;
     std::uint64_t runs = 0;
     if (!reader(kept.made_with) || !reader(kept.seed) || !reader(kept.repeat) || !reader(kept.shards) ||

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t largest_picture = std::size_t{256} << 20;  // [bytes] of a file that a run reads
-constexpr std::string_view magic = "nezumi result 4\n";
+constexpr std::string_view result_magic = "nezumi result 4\n";
 
 std::string text_of(const ResultKey& key) {
     return fmt::format("{}\n{}\n{}\n{}\n{}", key.file, key.run, key.repetition, key.simplest ? "simplest" : "run",
@@ -114,7 +114,7 @@ Expected<void> ResultStore::keep(const ResultKey& key, const KeptResult& result)
     if (problem) {
         return failure(fmt::format("can't be made: {}", problem.message()), {.file = folder_in(folder_).string()});
     }
-    ArchiveWriter writer{std::string(magic)};
+    ArchiveWriter writer{std::string(result_magic)};
     writer(made_with_);
     writer(text_of(key));
     writer(result.name);
@@ -125,8 +125,8 @@ Expected<void> ResultStore::keep(const ResultKey& key, const KeptResult& result)
 std::optional<KeptResult> ResultStore::find(const ResultKey& key) const {
     const fs::path path = path_of(key);
     const auto bytes = read_whole(path, path.string());
-    if (!bytes || !bytes->starts_with(magic)) return std::nullopt;
-    ArchiveReader reader{std::string_view(*bytes).substr(magic.size())};
+    if (!bytes || !bytes->starts_with(result_magic)) return std::nullopt;
+    ArchiveReader reader{std::string_view(*bytes).substr(result_magic.size())};
     std::uint64_t made_with = 0;
     std::string whose;
     KeptResult kept;
