@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "bindings/console/console_commands.hpp"
 #include "bindings/lua/live/hosts_object.hpp"
@@ -35,7 +37,21 @@ Expected<CommandEnd> command_unwatch(Session::Parts& parts, const Arguments& arg
     if (!arguments.has(1)) {
         parts.watches.clear();
         parts.plots.clear();
+        parts.changes.clear();
+        parts.breaks.clear();
+        watch_lines(parts);
         return CommandEnd::done;
+    }
+    if (arguments.kind(1) == "string") {
+        const auto name = *arguments.text(1, "a port");
+        const auto is_it = [&](const LineBreak& each) {
+            return name == fmt::format("{}:{}", each.place.file, each.place.line);
+        };
+        if (std::erase_if(parts.breaks, is_it) > 0) return watch_lines(parts), CommandEnd::done;
+    }
+    if (const auto value = name_of_value(parts, arguments, 1)) {
+        if (std::erase_if(parts.changes, [&](const ChangeWatch& each) { return each.name == *value; }) > 0)
+            return CommandEnd::done;
     }
     // A port that is gone can be named by its text.
     auto port = path(parts, arguments);
@@ -52,11 +68,20 @@ Expected<CommandEnd> command_explain(Session::Parts& parts, const Arguments& arg
     const auto at = parts.objects->to_component(arguments.lua, 1);
     if (!at) return Unexpected(at.error());
     const std::string name = at->component->name();
-    const auto trace = parts.live.explain_next(name);
-    if (!trace) return Unexpected(trace.error());
-    parts.explained.push_back({name, *trace, parts.live.generation()});
-    if (parts.clock.is_paused()) parts.show("time is paused: step() lets it execute");
-    return CommandEnd::done;
+    bool has_failed = false;
+    const auto asked = parts.at_system([&]() -> std::optional<Expected<void>> {
+        const Component* const component = std::as_const(parts.live).system().find(name);
+        has_failed = component != nullptr && component->state() == LifeState::error && !parts.is_hardware;
+        if (has_failed) return Expected<void>();
+        const auto trace = parts.live.explain_next(name);
+        if (!trace) return Unexpected(trace.error());
+        parts.explained.push_back({name, *trace, parts.live.generation()});
+        if (parts.clock.is_paused()) parts.show("time is paused: step() lets it execute");
+        return Expected<void>();
+    });
+    if (!asked) return failure("interrupted");
+    if (!*asked) return Unexpected(asked->error());
+    return has_failed ? explain_failure(parts, name) : CommandEnd::done;
 }
 
 Expected<CommandEnd> command_drive(Session::Parts& parts, const Arguments& arguments) {

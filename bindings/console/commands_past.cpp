@@ -49,22 +49,8 @@ std::string told(const RunningSystem& live) {
                        live.is_past() ? ": resume() repeats what followed, every change begins a new branch" : "");
 }
 
-// Goes to the moment that `find` returns, which is called between two ticks.
-template <class Find>
-Expected<CommandEnd> go_to(Session::Parts& parts, const Find& find) {
-    // The time that this takes is not the time of a script.
-    const CallPause pause;
-    auto past = parts.at_system([&]() -> std::optional<Expected<std::unique_ptr<PastRun>>> {
-        if (parts.clock.is_hardware()) return failure("real robots can't go back in time");
-        const Expected<Seek> where = find();
-        if (!where) return Unexpected(where.error());
-        auto begun = parts.live.begin_seek(*where);
-        if (begun) parts.clock.pause();
-        return begun;
-    });
-    if (!past) return failure("interrupted");
-    if (!*past) return Unexpected(past->error());
-    PastRun& run = ***past;
+// Computes a past moment in slices. Returns whether progress was shown.
+Expected<bool> compute(Session::Parts& parts, PastRun& run) {
     const auto begin = Clock::now();
     int shown_percent = -1;
     Expected<bool> there = false;
@@ -84,6 +70,27 @@ Expected<CommandEnd> go_to(Session::Parts& parts, const Find& find) {
     });
     if (!whole) return failure("interrupted");
     if (!there) return Unexpected(there.error());
+    return shown_percent >= 0;
+}
+
+// Goes to the moment that `find` returns, which is called between two ticks.
+template <class Find>
+Expected<CommandEnd> go_to(Session::Parts& parts, const Find& find) {
+    // The time that this takes is not the time of a script.
+    const CallPause pause;
+    auto past = parts.at_system([&]() -> std::optional<Expected<std::unique_ptr<PastRun>>> {
+        if (parts.clock.is_hardware()) return failure("real robots can't go back in time");
+        const Expected<Seek> where = find();
+        if (!where) return Unexpected(where.error());
+        auto begun = parts.live.begin_seek(*where);
+        if (begun) parts.clock.pause();
+        return begun;
+    });
+    if (!past) return failure("interrupted");
+    if (!*past) return Unexpected(past->error());
+    PastRun& run = ***past;
+    const auto computed = compute(parts, run);
+    if (!computed) return Unexpected(computed.error());
     std::string text;
     const auto done = parts.at_system([&] {
         auto gone = std::make_optional(parts.live.commit(run, parts.options.who));
@@ -92,7 +99,7 @@ Expected<CommandEnd> go_to(Session::Parts& parts, const Find& find) {
     });
     if (!done) return failure("interrupted");
     if (!*done) return Unexpected(done->error());
-    shown_percent < 0 ? parts.show(text) : parts.show_in_place(text);
+    *computed ? parts.show_in_place(text) : parts.show(text);
     return CommandEnd::done;
 }
 
@@ -102,6 +109,35 @@ void give_keys(Session::Parts& parts, bool to_seek) {
     if (!parts.options.output.take_keys || parts.seek_has_keys == to_seek) return;
     parts.seek_has_keys = to_seek;
     parts.options.output.take_keys(to_seek);
+}
+
+Expected<CommandEnd> explain_failure(Session::Parts& parts, const std::string& name) {
+    const CallPause pause;
+    double failed_at = 0;
+    const auto past = parts.at_system([&]() -> std::optional<Expected<std::unique_ptr<PastRun>>> {
+        const Component* const component = std::as_const(parts.live).system().find(name);
+        if (component == nullptr) return failure(fmt::format("{} is gone", name));
+        failed_at = component->failed_at();
+        return parts.live.begin_seek({.tick = tick_at(parts.live, failed_at), .start = parts.live.starts()});
+    });
+    if (!past) return failure("interrupted");
+    if (!*past) return Unexpected(past->error());
+    RunningSystem& then = (**past)->system();
+    if (auto computed = compute(parts, ***past); !computed) return Unexpected(computed.error());
+    // The past system belongs to this command, but its ticks belong to the thread that runs ticks.
+    const auto explained = parts.at_system([&]() -> std::optional<Expected<std::string>> {
+        const auto trace = then.explain_next(name);
+        if (!trace) return failure(fmt::format("{} failed outside an execution: errors() shows where", name));
+        then.tick();
+        const auto seen = then.explanation(name, *trace);
+        if (!seen) return Unexpected(seen.error());
+        if (!*seen) return failure(fmt::format("{} failed outside an execution: errors() shows where", name));
+        return to_text(**seen);
+    });
+    if (!explained) return failure("interrupted");
+    if (!*explained) return Unexpected(explained->error());
+    parts.show(fmt::format("the execution that failed, at {:g} s:\n{}", failed_at, **explained));
+    return CommandEnd::done;
 }
 
 Expected<CommandEnd> command_seek(Session::Parts& parts, const Arguments& arguments) {

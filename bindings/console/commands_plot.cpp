@@ -120,6 +120,16 @@ constexpr std::string_view marks = "*o+x#%@&";
 
 }  // namespace
 
+Expected<std::string> name_of_value(Session::Parts& parts, const Arguments& arguments, int position) {
+    const int index = arguments.index(position);
+    if (is_path(arguments.lua, index)) return read_path(*parts.objects, arguments.lua, index);
+    if (lua_type(arguments.lua, index) == LUA_TSTRING) return arguments.text(position, "a value");
+    if (!arguments.has(position)) return failure("expected a value, as in controller.out.vx, got nothing");
+    const auto port = parts.objects->to_port(arguments.lua, index);
+    if (!port) return Unexpected(port.error());
+    return port->path();
+}
+
 Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot) {
     PlotCurves looked{.plot = plot, .to = live.system().now().seconds};
     double first = looked.to;

@@ -7,6 +7,7 @@
 #include "bindings/console/command_offers.hpp"
 #include "bindings/console/console_commands.hpp"
 #include "bindings/console/cursor_text.hpp"
+#include "bindings/console/input_text.hpp"
 #include "bindings/console/session_parts.hpp"
 #include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/live/object_core.hpp"
@@ -218,7 +219,7 @@ Completion complete(Session::Parts& parts, std::string_view text, std::size_t cu
             const TextAtCursor call = at_cursor.call();
             const auto called = name.separator == ':' ? TreeNode::Called::yes : TreeNode::Called::no;
             completion.candidates =
-                Walk(parts, name.chain).names(called, call.word == "plot" && call.callee.separator == 0);
+                Walk(parts, name.chain).names(called, takes_values(call.word) && call.callee.separator == 0);
         }
     }
     Names& all = completion.candidates;

@@ -85,6 +85,10 @@ Expected<CommandEnd> done(const Expected<Result>& acted) {
 
 /// The name after "rtm:" if the argument is such a text.
 std::optional<std::string> peer_named(const Arguments& arguments, int position);
+/// The name of a value that is given as plot's are: `controller.out.vx`, a port, or a text.
+Expected<std::string> name_of_value(Session::Parts& parts, const Arguments& arguments, int position);
+/// Goes back to the execution in which a behaviour failed, beside the present system, and shows it.
+Expected<CommandEnd> explain_failure(Session::Parts& parts, const std::string& name);
 /// Sends a request to components of other programs, waits for the answer, and shows it. For commands that run beside
 /// the ticks.
 Expected<CommandEnd> ask_peers(Session::Parts& parts, const PeerRequest& request);
@@ -97,7 +101,8 @@ CommandFunction command_activate, command_deactivate, command_log_level;        
 CommandFunction command_ls, command_find, command_help, command_errors, command_now, command_print;  // looking
 CommandFunction command_watch, command_unwatch, command_plot, command_drive, command_explain;        // following
 CommandFunction command_samples;
-CommandFunction command_inject, command_hold, command_release;  // acting
+CommandFunction command_break_at, command_watch_changes, command_profile;  // looking into executions
+CommandFunction command_inject, command_hold, command_release;             // acting
 CommandFunction command_teleport, command_stop, command_rearm;
 CommandFunction command_pause, command_step, command_run, command_speed, command_restart, command_quit;  // time
 CommandFunction command_seek, command_rewind, command_branches;                                          // the past

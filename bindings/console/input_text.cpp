@@ -81,11 +81,15 @@ std::optional<std::string> path_of(const SyntaxNode& expression) {
 
 }  // namespace
 
+bool takes_values(std::string_view command) {
+    return command == "plot" || command == "watch_changes" || command == "unwatch";
+}
+
 std::string with_plotted_names(std::string_view text) {
     const SyntaxTree tree(text, SyntaxTree::Dialect::console);
     Changes changes(text);
     for (const SyntaxNode& node : tree.nodes()) {
-        const bool is_plot = node.is(Kind::call) && node.child->is(Kind::name) && node.child->word->text == "plot";
+        const bool is_plot = node.is(Kind::call) && node.child->is(Kind::name) && takes_values(node.child->word->text);
         if (!is_plot || !node.end[-1].is(")")) continue;
         for (const SyntaxNode& argument : *node.last) {
             const auto path = path_of(argument);

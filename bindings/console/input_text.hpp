@@ -13,6 +13,9 @@ namespace nezumi {
 /// dot, so no other text changes; strings and comments stay as they are. Line numbers stay the same.
 std::string with_keyword_names(std::string_view text);
 
+/// Whether the arguments of a command may be parts of values: `plot(controller.out.vx)`.
+bool takes_values(std::string_view command);
+
 /// Translates `plot(controller.out.vx, 5)` to Lua: an argument of `plot` that consists of names and indices becomes `{
 /// controller, ".out.vx" }` unless it is a port, because a plain value does not tell its source. No other text changes.
 std::string with_plotted_names(std::string_view text);

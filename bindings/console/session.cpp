@@ -164,6 +164,10 @@ void Session::close() {
     Parts& parts = *parts_;
     if (parts.drive.is_on()) parts.drive.end(parts.live);
     static_cast<void>(parts.drive.after_tick(parts.live));  // releases the port
+    const bool looks = !parts.breaks.empty() || parts.profile != nullptr;
+    parts.breaks.clear();
+    parts.profile.reset();
+    if (looks) watch_lines(parts);
     if (parts.quits) parts.clock.quit();
     parts.worker.close([&parts] {
         parts.state.reset();
@@ -261,6 +265,8 @@ void Session::replace_stuck() {
 }
 
 void Session::serve(Worker::Clock::time_point until) {
+    const bool looks = !parts_->breaks.empty() || parts_->profile != nullptr;
+    if (looks && parts_->breaks_of != parts_->live.generation()) watch_lines(*parts_);
     begin_next();
     parts_->worker.serve(until, parts_->options.output.takes_more);
     quit_if_asked();
@@ -303,6 +309,13 @@ void Session::after_tick() {
         return true;
     });
     if (parts.awaits_explanation && !explains_soon()) finish(true);
+    std::erase_if(parts.changes, [&parts](ChangeWatch& watch) {
+        if (show_change(parts, watch)) return false;
+        parts.show(fmt::format("{} is gone: no longer watched", watch.name));
+        return true;
+    });
+    stop_at_breaks(parts);
+    show_profile(parts);
     std::erase_if(parts.plots, [&parts](PlotRequest& plot) { return !draw_again(parts, plot); });
     if (auto driving = parts.drive.after_tick(parts.live); !driving) {
         parts.show(driving.error().message);
@@ -315,6 +328,8 @@ void Session::interrupt() {
     if (parts.drive.is_on()) key(Key::escape);
     give_keys(parts, false);
     parts.watches.clear();
+    parts.changes.clear();
+    if (std::exchange(parts.profile, nullptr) != nullptr) watch_lines(parts);
     parts.explained.clear();
     parts.awaits_explanation = false;
     parts.plots.clear();

@@ -11,10 +11,13 @@
 #include <string_view>
 #include <vector>
 
+#include "bindings/console/break_condition.hpp"
 #include "bindings/console/drive.hpp"
 #include "bindings/console/session.hpp"
 #include "bindings/console/worker.hpp"
 #include "bindings/lua/live/objects.hpp"
+#include "bindings/lua/sandbox/line_profile.hpp"
+#include "bindings/lua/sandbox/line_trace.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "engine/system/questions.hpp"
 #include "engine/trace/recent_curves.hpp"
@@ -43,6 +46,26 @@ struct Explained {
     std::string component;
     std::int64_t trace = 0;  ///< `RunningSystem::explain_next`
     int start = 0;           ///< of the system
+};
+
+/// A breakpoint, of `break_at`.
+struct LineBreak {
+    LineTrace::Watched place;
+    std::unique_ptr<BreakCondition> condition{};  ///< null: it always holds
+    double shown_at = -1e9;                       ///< [s] simulated
+};
+
+/// A value whose changes are shown, of `watch_changes`.
+struct ChangeWatch {
+    std::string name;                   ///< "controller.out.vx"
+    std::optional<std::string> last{};  ///< its text
+};
+
+/// The measurement of `profile`.
+struct ConsoleProfile {
+    std::map<std::string, ExecutionProfile> components{};
+    std::string by_line{};  ///< the behaviour whose lines are measured; "" for none
+    double until = 0;       ///< [s] simulated
 };
 
 /// The arguments of `plot`.
@@ -77,6 +100,14 @@ std::string to_text(PlotCurves looked);
 bool show_news(Session::Parts& parts, PortWatch& watch);
 /// Draws a repeated plot again when it is due.
 bool draw_again(Session::Parts& parts, PlotRequest& plot);
+/// Shows a value that has changed; false if its component is gone.
+bool show_change(Session::Parts& parts, ChangeWatch& watch);
+/// Pauses time if a breakpoint was reached in this tick, and shows the execution.
+void stop_at_breaks(Session::Parts& parts);
+/// Shows the costs if the measurement is over.
+void show_profile(Session::Parts& parts);
+/// Has the behaviours of the present system note the lines of breakpoints, and measure executions, or no longer.
+void watch_lines(Session::Parts& parts);
 
 /// An input, or a request for completions at the cursor.
 struct Job {
@@ -123,6 +154,11 @@ struct Session::Parts {
     std::vector<Explained> explained;
     bool awaits_explanation = false;  // the job has run, and ends when its explanation is shown
     std::vector<PlotRequest> plots;   ///< that are drawn again and again
+    std::vector<LineBreak> breaks;
+    std::map<std::string, std::int64_t> break_traces;  ///< the last execution of each behaviour that was looked at
+    int breaks_of = 0;                                 ///< `generation` of the system that notes the lines
+    std::vector<ChangeWatch> changes;
+    std::unique_ptr<ConsoleProfile> profile;
     Drive drive;
     bool seek_has_keys = false;  ///< Esc gives up a seek
 

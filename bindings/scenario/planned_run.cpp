@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSessionOptions& options, RunFiles* files,
-                   bool keep_history) {
+                   bool keep_history, bool keep_journal) {
     std::optional<Coverage> coverage;
     if (options.coverage) coverage.emplace(Project::of(file.path, options.installed).root());
     Coverage* const covered = coverage ? &*coverage : nullptr;
@@ -36,6 +36,7 @@ RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSes
                           .systems = options.systems,
                           .recordings = options.recordings,
                           .files = files,
+                          .keep_journal = keep_journal,
                           .keep_history = keep_history,
                           .update_goldens = options.update_goldens,
                           .coverage = covered});
@@ -90,12 +91,17 @@ RunReport report_of(const TestPlan& plan, const PlannedRun& run, RunResult resul
 RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const TestSessionOptions& options, bool quick) {
     const PlannedFile& file = plan.files[run.file];
     std::optional<RunResult> first;
-    if (quick || !options.is_real) first = run_once(file, run, options, nullptr, false);
+    if (quick || !options.is_real) first = run_once(file, run, options, nullptr, false, false);
     if (first && (quick || first->outcome != RunOutcome::failed)) return std::move(*first);
     const auto folder = make_failure_folder(options.folder / run_file_name(file.shown, run.name, file.has_own_stem));
     std::unique_ptr<RunFiles> files;
     if (folder && options.files) files = options.files(*folder);
-    RunResult again = run_once(file, run, options, files.get(), true);
+    RunResult again = run_once(file, run, options, files.get(), true, first.has_value());
+    // Without the journal, if a system's text is not the same system.
+    if (first && folder && (again.hash != first->hash || again.outcome != first->outcome)) {
+        if (options.files) files = options.files(*make_failure_folder(*folder));
+        again = run_once(file, run, options, files.get(), true, false);
+    }
     if (first) {
         if (again.outcome != first->outcome || again.hash != first->hash)
             again.facts.push_back("the repeated run differs: " +

@@ -36,7 +36,8 @@ struct JudgeRequest {
 class Recordings {
 public:
     virtual ~Recordings() = default;
-    /// `ports` are names of ports by topics; if there are some, the run is read from its topics. The system is not active yet.
+    /// `ports` are names of ports by topics; if there are some, the run is read from its topics. The system is not
+    /// active yet.
     virtual Expected<std::unique_ptr<RecordedWorld>> open(const std::filesystem::path& file,
                                                           const std::map<std::string, std::string>& ports,
                                                           LiveOptions options) const = 0;

@@ -17,8 +17,8 @@ bool all_fields(Archive& archive, Result& result) {
            archive(result.error.place.line) && archive(result.error.place.column) && archive(result.error.kind) &&
            archive(result.component_failed) && archive(result.facts) && archive(result.margins) &&
            archive(result.printed) && archive(result.measures) && archive(result.drawn) && archive(result.goldens) &&
-           archive(result.coverage) && archive(result.folder) && archive(result.files) && archive(result.seconds) &&
-           archive(result.wall_seconds) && archive(result.hash);
+           archive(result.coverage) && archive(result.folder) && archive(result.files) && archive(result.reads) &&
+           archive(result.seconds) && archive(result.wall_seconds) && archive(result.hash);
 }
 
 // Bytes of another machine may contain anything.

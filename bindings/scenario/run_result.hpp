@@ -76,6 +76,7 @@ struct RunResult {
     std::vector<FileCoverage> coverage{};    ///< of the files that it loaded, if it was asked for
     std::string folder;                      ///< the folder of a failure's files; empty: there are none
     std::vector<std::string> files;          ///< their names
+    std::vector<std::string> reads{};        ///< paths of the files that its worlds have read, sorted
     double seconds = 0;                      ///< simulated
     double wall_seconds = 0;                 ///< real time of the run
     std::uint64_t hash = 0;                  ///< of all published messages

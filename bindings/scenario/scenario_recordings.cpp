@@ -45,6 +45,7 @@ int ScenarioRun::Methods::recorded(ScenarioRun& run, lua_State* lua) {
         !ok)
         return raise(run, ok.error().message);
     LiveOptions systems = run.world_options();
+    run.result_.reads.push_back(find_recording(run.file_, calling_place(lua), name).string());
     if (run.settings_.recordings == nullptr || systems.build.real_time)
         return raise(run, "recordings can be looked at only in simulation");
     const fs::path file = find_recording(run.file_, calling_place(lua), name);
@@ -56,7 +57,7 @@ int ScenarioRun::Methods::recorded(ScenarioRun& run, lua_State* lua) {
     const double length = (*world)->length();
     RunningSystem& live = run.worlds_.add(std::move(*world));
     live.activate();
-    if (run.settings_.files != nullptr) run.settings_.files->begin(run.worlds_.size() - 1, live);
+    if (run.settings_.files != nullptr) run.settings_.files->begin(run.worlds_.size() - 1, live, false);
     const auto pushed = protect(lua, condition_budget, [&](lua_State* inside) {
         run.objects_->push_system(inside, live);
         lua_pushnumber(inside, length);
@@ -79,6 +80,7 @@ int ScenarioRun::Methods::judge(ScenarioRun& run, lua_State* lua) {
     if (!script) return raise(run, script.error().message);
     request.behavior = script->string();
     request.run = find_recording(run.file_, place, request.run).string();
+    run.result_.reads.insert(run.result_.reads.end(), {request.behavior, request.run});
     const auto lines = run.settings_.recordings->judge(request);
     if (!lines) {
         run.setup_error_ = Error{one_line(describe(lines.error())), place};

@@ -19,6 +19,7 @@
 #include "bindings/scenario/condition.hpp"
 #include "bindings/scenario/expectation.hpp"
 #include "bindings/scenario/faults.hpp"
+#include "bindings/scenario/files_with_text.hpp"
 #include "bindings/scenario/golden.hpp"
 #include "bindings/scenario/margin_watch.hpp"
 #include "bindings/scenario/recordings.hpp"
@@ -32,8 +33,10 @@ namespace nezumi {
 class RunFiles {
 public:
     virtual ~RunFiles() = default;
-    /// A world begins; `name` is its name in file names ("" if it is the first).
-    virtual void begin(std::size_t world, RunningSystem& live) = 0;
+    /// A world begins. If `is_journaled`, it is not active yet, and a journal of it can be replayed.
+    virtual void begin(std::size_t world, RunningSystem& live, bool is_journaled) = 0;
+    /// Its journal can't be replayed any more.
+    virtual void drop_journal(std::size_t world) = 0;
     /// A world has made a tick.
     virtual void after_tick(std::size_t world) = 0;
     /// The files that were written completely, and the error if some were not.
@@ -52,6 +55,7 @@ struct RunSettings {
     std::function<LiveOptions()> systems;    ///< makes systems; the run sets seed, log and budget
     const Recordings* recordings = nullptr;  ///< null: `s:recorded` and `s:judge` are refused
     RunFiles* files = nullptr;               ///< null: no files
+    bool keep_journal = false;               ///< builds worlds so that their journals can be replayed
     bool keep_history = false;               ///< for plots; takes memory that grows with the run
     bool update_goldens = false;             ///< writes the goldens instead of comparing with them
     Coverage* coverage = nullptr;            ///< notes which lines of scripts run; null: not needed
@@ -117,6 +121,7 @@ private:
     Expected<void> open();
     void take_outcome(const CallResult& called);
     void finish();
+    void note_reads();
     void print(std::string_view line);
     // The part of the run's name after the name of the scenario.
     std::string_view values() const;
@@ -130,6 +135,7 @@ private:
     Expected<void> add_new(Described& described);
     Expected<void> load(const std::string& name, const Expected<Value>& options, const Place& place);
     LiveOptions world_options();
+    std::unique_ptr<RunningSystem> load_from_text(const Described& described, const LiveOptions& options);
     RunningSystem& current();
     bool has_world() const { return !worlds_.empty(); }
 
@@ -149,6 +155,7 @@ private:
     std::size_t index_;
     RunSettings settings_;
     std::unique_ptr<ScriptHost> covered_scripts_;  // null: no coverage is asked for
+    std::deque<FilesWithText> texts_;              // of systems that journals need; they outlive the worlds
     Worlds worlds_;                                // declared before the members that refer to them
     std::deque<Described> described_;              // a deque, because addresses must not change
     WordHost word_host_;

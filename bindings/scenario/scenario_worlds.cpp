@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "bindings/lua/files/calibration_file.hpp"
@@ -145,16 +146,39 @@ Expected<void> ScenarioRun::build(Described& described) {
     if (options.prepare) {
         if (auto ready = options.prepare(spec); !ready) return ready;
     }
-    auto live = RunningSystem::make(std::move(spec), *described.project, std::move(options));
+    std::unique_ptr<RunningSystem> from_text = load_from_text(described, options);
+    const bool is_journaled = from_text != nullptr;
+    auto live = is_journaled ? Expected<std::unique_ptr<RunningSystem>>(std::move(from_text))
+                             : RunningSystem::make(std::move(spec), *described.project, std::move(options));
     if (!live) return Unexpected(live.error());
-    (*live)->activate();
     const SystemSpec& built = described.words->spec();
     described.entries = built.entries.size();
     described.connections = built.connections.size();
     described.fixed = Described::Fixed::of(built);
     described.live = &worlds_.add(std::move(*live));
-    if (settings_.files != nullptr) settings_.files->begin(worlds_.size() - 1, *described.live);
+    if (settings_.files != nullptr) settings_.files->begin(worlds_.size() - 1, *described.live, is_journaled);
+    described.live->activate();
     return {};
+}
+
+// A journal begins with a system file, so the world is built from its text. Null if this is not possible.
+std::unique_ptr<RunningSystem> ScenarioRun::load_from_text(const Described& described, const LiveOptions& options) {
+    namespace fs = std::filesystem;
+    if (!settings_.keep_journal || options.build.real_time) return nullptr;
+    const SystemSpec& spec = described.words->spec();
+    const fs::path root = described.project->root();
+    const ProjectFiles& files = *options.files;
+    // Its files are found from the folder of the described file, as before.
+    const auto full = [&](const fs::path& path) { return (files.working_folder() / path).lexically_normal(); };
+    fs::path folder = full(fs::path(spec.file).parent_path());
+    const bool is_in_project = root.empty() || folder.string().starts_with(full(root).string());
+    if (!is_in_project) folder = full(fs::path(file_.shown()).parent_path());
+    texts_.emplace_back(files, folder / "scenario's system.lua",
+                        options.scripts->write_system_text(spec, "The system of a scenario."));
+    LiveOptions own = options;
+    own.files = &texts_.back();
+    auto live = RunningSystem::load(texts_.back().path(), std::move(own));
+    return live ? std::move(*live) : nullptr;
 }
 
 Expected<void> ScenarioRun::rebuild(Described& described) {
@@ -172,6 +196,7 @@ Expected<void> ScenarioRun::rebuild(Described& described) {
     if (described.live->options().build.real_time)
         return failure(fmt::format("{}: with --hw, call it before robots are used", word), word_host_.called);
     if (auto ok = described.live->rebuild(spec); !ok) return ok;
+    if (settings_.files != nullptr) settings_.files->drop_journal(world);
     described.entries = spec.entries.size();
     described.connections = spec.connections.size();
     described.fixed = Described::Fixed::of(spec);

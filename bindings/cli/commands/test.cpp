@@ -46,6 +46,10 @@ SubCommand test_command() {
              {"--resume", &options->resume, "resume: runs with results in -o DIR from the same files are not repeated"},
              {"--merge", &options->merge,
               "PATHS are folders with the results of parts: report all of them as one session"},
+             {"--watch", &options->watch,
+              "after each save, run the scenarios that have read the file, those that failed first, until Ctrl-C"},
+             {"--open", &options->open,
+              "open the first failed run in the page and the console, paused where it failed, as nezumi open does"},
              {"--hw", &options->hw,
               "drive the real robots, at real time, one run at a time; scenarios that read the truth, disturb or "
               "teleport need --rig"},

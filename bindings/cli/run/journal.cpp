@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <utility>
+
 #include "bindings/cli/base/version.hpp"
 #include "bindings/cli/files/run_file.hpp"
+#include "bindings/record/mcap_reader.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi::cli {
 
@@ -13,9 +17,15 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
                                                           JournalSink recording) {
     if (!options.replay.empty()) {
         file_ = options.replay;
-        auto text = read_run(options.replay);
+        if (options.opens_replay) {
+            if (auto told = find_failure(); !told) return Unexpected(told.error());
+            auto other = open_recorded(live);
+            if (!other) return Unexpected(other.error());
+            if (*other != nullptr) return other;
+        }
+        auto text = read_run(file_);
         if (!text) return Unexpected(text.error());
-        auto replay = Replay::of_text(*text, options.replay, version());
+        auto replay = Replay::of_text(*text, file_, version());
         if (!replay) return Unexpected(replay.error());
         replay_ = std::move(*replay);
         // The new recording repeats the same run.
@@ -53,9 +63,44 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
     return loaded;
 }
 
+// The folder of a failed scenario has the journal of its run.
+Expected<void> RunJournal::find_failure() {
+    namespace fs = std::filesystem;
+    std::error_code none;
+    if (!fs::is_directory(file_, none)) return {};
+    const fs::path folder = file_;
+    file_ = (folder / failure_journal).string();
+    if (!fs::is_regular_file(file_, none)) {
+        return failure(fmt::format("has no {}: open the folder of a scenario that failed, which the report of nezumi "
+                                   "test names",
+                                   failure_journal),
+                       {folder.string()});
+    }
+    if (auto text = read_whole(folder / "failure.txt", "failure.txt", std::size_t{1} << 20)) {
+        while (text->ends_with('\n')) text->pop_back();
+        notes_.push_back(std::move(*text));
+    }
+    return {};
+}
+
+// A recording that can't be repeated: its messages are played. Null for other files.
+Expected<std::unique_ptr<RunningSystem>> RunJournal::open_recorded(const LiveOptions& live) {
+    const auto bytes = read_whole(file_, file_, Replay::largest);
+    if (!bytes) return Unexpected(bytes.error());
+    if (!record::is_mcap(*bytes)) return std::unique_ptr<RunningSystem>();
+    auto recorded = RecordedSystem::open(file_, {}, live);
+    if (!recorded) return Unexpected(recorded.error());
+    if ((*recorded)->replay() != nullptr) return std::unique_ptr<RunningSystem>();
+    recorded_ = std::move(*recorded);
+    notes_.insert(notes_.end(), recorded_->notes().begin(), recorded_->notes().end());
+    auto loaded = recorded_->take();
+    live_ = loaded.get();
+    return loaded;
+}
+
 Expected<void> RunJournal::go_to_end(const volatile std::sig_atomic_t& end) {
     for (;;) {
-        const auto more = replay_->before_tick(*live_);
+        const auto more = recorded_ ? recorded_->before_tick(*live_) : replay_->before_tick(*live_);
         if (!more) return Unexpected(more.error());
         if (!*more || end != 0) break;
         live_->tick();

@@ -5,14 +5,19 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "bindings/cli/files/recorded_system.hpp"
 #include "bindings/cli/run/options.hpp"
 #include "bindings/journal/journal.hpp"
 #include "bindings/journal/replay.hpp"
 #include "engine/live/run_loop.hpp"
 
 namespace nezumi::cli {
+
+/// The journal in the folder of a failed scenario.
+inline constexpr std::string_view failure_journal = "run.journal";
 
 class RunJournal final : public Attendant {
 public:
@@ -48,12 +53,15 @@ public:
 
 private:
     void before_tick();
+    Expected<void> find_failure();
+    Expected<std::unique_ptr<RunningSystem>> open_recorded(const LiveOptions& live);
 
     RunLoop* loop_ = nullptr;
     RunningSystem* live_ = nullptr;
     std::unique_ptr<Journal> journal_;
     std::unique_ptr<Replay> replay_;
-    std::unique_ptr<Replay> opened_;  // has been performed; its files are those of the system
+    std::unique_ptr<Replay> opened_;            // has been performed; its files are those of the system
+    std::unique_ptr<RecordedSystem> recorded_;  // is opened, and plays its messages
     std::string file_;
     std::vector<std::string> notes_;
     ActTime stopped_;

@@ -145,6 +145,13 @@ std::vector<Option> run_options(RunWords& words) {
         {"--threads", &words.threads, "number of threads for behaviours (default 1); the result is the same", "N"},
         {"--history", &words.history,
          "minutes of values kept for plots (default 1), up to 256 MB; then the oldest are dropped", "MINUTES"},
+        {"--profile",
+         &words.profile,
+         "measure what behaviours cost: a table at the end, and a flame graph of their lines, or JSON for speedscope "
+         "and Perfetto",
+         "FILE.svg|json",
+         {},
+         FileUse::result},
         {"--keep-going", &words.keep_going,
          "leave out a behaviour that can't be loaded, with its connections, and run the others"},
         {"--trace-hash", &words.trace_hash, "print a hash of all published messages: equal runs have equal hashes"},
@@ -202,7 +209,8 @@ std::vector<Option> open_options(RunWords& words) {
     std::vector<Option> options{
         {"RUN",
          &words.replay,
-         "a journal or a recording, which `nezumi run` wrote with --journal OUT or --record OUT.mcap",
+         "a journal or a recording, which `nezumi run` wrote with --journal OUT or --record OUT.mcap; a recording of "
+         "ROS 2 in MCAP; the folder of a failed scenario",
          "",
          {},
          FileUse::source}};
@@ -264,6 +272,9 @@ Expected<RunOptions> read_run_options(const RunWords& typed) {
     if (!words.picture.empty() && !is_picture_name(words.picture))
         return wrong("--picture", "a file name that ends in .png or .svg", words.picture);
     options.picture = words.picture;
+    if (!words.profile.empty() && !words.profile.ends_with(".svg") && !words.profile.ends_with(".json"))
+        return wrong("--profile", "a file name that ends in .svg or .json", words.profile);
+    options.profile = words.profile;
     if (words.record.ends_with(".gz"))
         return wrong("--record", "a file of plain CSV, to be compressed by gzip when the run is over", words.record);
     options.record = words.record;

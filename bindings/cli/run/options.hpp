@@ -22,6 +22,7 @@ struct RunWords {
     std::string params;
     std::string every;
     std::string history;
+    std::string profile;
     std::string port, listen;
     std::vector<std::string> set;
     FlagText hw;
@@ -61,6 +62,7 @@ struct RunOptions {
     bool trace_hash = false;
     bool real_time = false;            ///< ask the kernel for ticks in time; `speed` is a number then
     std::string picture;               ///< "" for none; ends in .png or .svg
+    std::string profile;               ///< "" for none; ends in .svg or .json
     std::string record;                ///< "" for none
     std::vector<std::string> ports;    ///< "name.port"; empty: every out-port
     std::int64_t every = 1;            ///< one tick of so many is recorded

@@ -22,11 +22,13 @@
 #include "bindings/cli/base/stop_signals.hpp"
 #include "bindings/cli/base/version.hpp"
 #include "bindings/cli/files/named_files.hpp"
+#include "bindings/cli/files/output_files.hpp"
 #include "bindings/cli/files/system_error.hpp"
 #include "bindings/cli/run/console.hpp"
 #include "bindings/cli/run/devices.hpp"
 #include "bindings/cli/run/hardware.hpp"
 #include "bindings/cli/run/journal.hpp"
+#include "bindings/cli/run/profile.hpp"
 #include "bindings/cli/run/real_time.hpp"
 #include "bindings/cli/run/results.hpp"
 #include "bindings/cli/run/rtm.hpp"
@@ -143,6 +145,10 @@ private:
             devices_.emplace(std::move(*devices));
         }
         if (auto ready = results_.prepare(options_); !ready) return Unexpected(ready.error());
+        if (!options_.profile.empty()) {
+            if (auto ok = check_can_write(options_.profile); !ok) return Unexpected(ok.error());
+            profile_.emplace(options_.profile);
+        }
         auto live = journal_.load(options_, live_options(), results_.journal_sink());
         if (!live) return Unexpected(explain_system_error(live.error()));
         live_ = std::move(*live);
@@ -179,6 +185,7 @@ private:
             return Unexpected(open.error());
         tell_undriven();
         results_.follow(loop);
+        if (profile_) profile_->follow(loop);
         if (devices_) devices_->follow(loop, [this](const std::string& line) { say(line); });
         if (options_.real_time) {
             real_time_.emplace();
@@ -206,6 +213,11 @@ private:
         real_time_.reset();
         doing_ = "results to be written";
         if (auto told = journal_.finish(of_given_length, results_.hash()); !told) return give_up(told.error());
+        if (profile_) {
+            auto costs = profile_->finish(*live_);
+            if (!costs) return Unexpected(costs.error());
+            costs_ = std::move(*costs);
+        }
         const auto written = results_.write();
         results_are_written_ = true;
         doing_ = "components of other programs";
@@ -347,6 +359,7 @@ private:
     Expected<int> finish(const std::string& how) {
         // What --batch says is the same each time, and how long it took is not.
         if (!options_.batch) screen_.say(how);
+        if (!costs_.empty()) screen_.say(costs_);
         int status = (!console_ || console_->all_well()) && !tell_cut_off() ? exit_done : exit_failed;
         if (devices_ && !devices_->finish()) status = exit_failed;
         for (const auto& component : live_->system().components()) {
@@ -368,6 +381,8 @@ private:
     std::atomic<const char*> doing_ = "a tick";  // what a run that does not end waits for
     std::atomic<bool> results_are_written_ = false;
     RunResults results_;
+    std::optional<RunProfile> profile_;
+    std::string costs_;  // the table that it gives
     std::optional<RunDevices> devices_;
     RunJournal journal_;                  // its files outlive the system
     std::optional<StopSignals> signals_;  // of which another thread makes use of all above

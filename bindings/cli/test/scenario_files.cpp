@@ -3,14 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bindings/cli/base/version.hpp"
+#include "bindings/cli/run/journal.hpp"
 #include "bindings/cli/run/recorder.hpp"
 #include "bindings/draw/picture.hpp"
 #include "bindings/draw/trajectories.hpp"
+#include "bindings/journal/journal.hpp"
 #include "sim/picture.hpp"
 
 namespace nezumi::cli {
@@ -20,10 +24,18 @@ class ScenarioFiles final : public RunFiles {
 public:
     explicit ScenarioFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    void begin(std::size_t world, RunningSystem& live) override {
+    void begin(std::size_t world, RunningSystem& live, bool is_journaled) override {
         const std::string number = world == 0 ? "" : fmt::format("_{}", world + 1);
         worlds_.push_back({"trace" + number + ".csv", "picture" + number + ".png", live});
+        // One journal is enough to look at the failure.
+        if (!is_journaled || world != 0) return;
+        auto journal = Journal::create(folder_ / failure_journal);
+        if (!journal) return;
+        worlds_.back().journal = std::move(*journal);
+        worlds_.back().journal->begin(live, version(), false);
     }
+
+    void drop_journal(std::size_t world) override { drop(worlds_[world]); }
 
     // The trace starts with the first tick: before, words may still add components.
     void after_tick(std::size_t world) override {
@@ -37,6 +49,7 @@ public:
                 problem_ = opened.error();
             }
         }
+        if (kept.journal) kept.journal->serve();
         if (kept.recorder) kept.recorder->add_rows(system);
         kept.trajectories.add(system, kept.live.trace());
     }
@@ -52,6 +65,11 @@ public:
         };
         if (problem_) kept.problems.push_back(*problem_);
         for (World& world : worlds_) {
+            if (world.journal) {
+                world.live.observe_acts(nullptr);
+                world.journal->end(RunEnd::duration, "", world.live.when(), world.live.trace_hash());
+                if (!world.journal->error()) kept.names.emplace_back(failure_journal);
+            }
             if (world.recorder) take(world.trace, world.recorder->finish());
             // Without simulated robots there is nothing to draw.
             const System& system = world.live.system();
@@ -70,7 +88,14 @@ private:
         std::optional<Recorder> recorder{};
         draw::Trajectories trajectories{};
         bool begun = false;  // it has ticked
+        std::unique_ptr<Journal> journal{};
     };
+
+    static void drop(World& world) {
+        if (world.journal == nullptr) return;
+        world.live.observe_acts(nullptr);
+        world.journal.reset();
+    }
 
     std::filesystem::path folder_;
     std::vector<World> worlds_;

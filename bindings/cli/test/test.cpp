@@ -21,12 +21,15 @@
 #include "bindings/cli/base/version.hpp"
 #include "bindings/cli/files/output_files.hpp"
 #include "bindings/cli/run/hardware.hpp"
+#include "bindings/cli/run/options.hpp"
+#include "bindings/cli/run/run.hpp"
 #include "bindings/cli/test/coverage_files.hpp"
 #include "bindings/cli/test/parts.hpp"
 #include "bindings/cli/test/progress.hpp"
 #include "bindings/cli/test/recordings.hpp"
 #include "bindings/cli/test/scenario_files.hpp"
 #include "bindings/cli/test/sweep_plots.hpp"
+#include "bindings/cli/test/watch.hpp"
 #include "bindings/scenario/margins.hpp"
 #include "bindings/scenario/measures.hpp"
 #include "bindings/scenario/mutate.hpp"
@@ -135,7 +138,27 @@ int mutate_file(const TestOptions& command, TestPlan plan, TestSessionOptions& o
 
 // Whether the options go together.
 Expected<void> check_options(const TestOptions& command) {
+    if (command.watch) {
+        auto ok = refuse_given({{"--list", command.list},
+                                {"--merge", command.merge},
+                                {"--open", command.open},
+                                {"--hw", command.hw},
+                                {"--shard", !command.shard.empty()},
+                                {"--resume", command.resume},
+                                {"--update-goldens", command.update_goldens},
+                                {"--junit", !command.junit.empty()},
+                                {"--measures", !command.measures.empty()},
+                                {"--margins", !command.margins.empty()},
+                                {"--plots", !command.plots.empty()}},
+                               "--watch runs again and again, and only what a save touches");
+        if (!ok) return ok;
+    }
     const GivenOptions parts{{"--shard", !command.shard.empty()}, {"--resume", command.resume}};
+    if (command.open) {
+        auto fits = refuse_given({{"--list", command.list}, {"--hw", command.hw}, {"--merge", command.merge}},
+                                 "--open shows a run that was made here");
+        if (!fits) return fits;
+    }
     auto ok = refuse_given({{"--quiet", command.tap && command.quiet}}, "--tap reports every run");
     if (ok && command.search)
         ok = refuse_given({{"--hw", command.hw}, {"--update-goldens", command.update_goldens}},
@@ -236,6 +259,19 @@ int finish(const TestOptions& command, const SessionEnd& end) {
         // TAP allows only comments between its lines.
         fmt::print("{}{}\n", command.tap ? "# " : "", end.coverage.summary());
     }
+    if (command.open && !end.interrupted) {
+        for (const RunReport& report : end.reports) {
+            if (report.result.outcome != RunOutcome::failed || report.result.folder.empty()) continue;
+            RunWords words;
+            words.replay = report.result.folder;
+            words.opens_replay = true;
+            words.batch = isatty(STDIN_FILENO) == 0;
+            auto options = read_run_options(words);
+            if (!options) return refuse(options.error());
+            const int status = run_system(std::move(*options));
+            return status == exit_done ? end.status() : status;
+        }
+    }
     if (end.interrupted)
         return refuse(end.can_resume ? "interrupted: not all scenarios have run; --resume runs the others"
                                      : "interrupted: not all scenarios have run");
@@ -285,14 +321,23 @@ int test(TestOptions command) {
         if (!kept) return refuse(kept.error());
         session = [&paths, kept = std::move(*kept)](Reporter& reporter) { return merge_tests(kept, paths, reporter); };
     } else {
-        auto plan = plan_tests({.paths = paths,
-                                .filter = command.filter,
-                                .seed = options.seed,
-                                .installed = options.installed,
-                                .peer_words = options.peer_words,
-                                .seeds = *seeds,
-                                .search = static_cast<std::size_t>(command.search.value_or(0)),
-                                .paired = command.paired});
+        const auto make_plan = [&] {
+            return plan_tests({.paths = paths,
+                               .filter = command.filter,
+                               .seed = options.seed,
+                               .installed = options.installed,
+                               .peer_words = options.peer_words,
+                               .seeds = *seeds,
+                               .search = static_cast<std::size_t>(command.search.value_or(0)),
+                               .paired = command.paired});
+        };
+        if (command.watch) {
+            const bool has_colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
+            return watch_tests(make_plan, options, [&] {
+                return command.tap ? tap_reporter(write_out) : console_reporter(write_out, has_colour, command.quiet);
+            });
+        }
+        auto plan = make_plan();
         if (!plan) return refuse(plan.error());
         if (command.list) return list(*plan, options.shard);
         if (!command.mutate.empty()) return mutate_file(command, *plan, options);

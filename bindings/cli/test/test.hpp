@@ -24,6 +24,8 @@ struct TestOptions {
     std::string shard;
     bool resume = false;
     bool merge = false;
+    bool watch = false;
+    bool open = false;
     bool update_goldens = false;
     std::string folder = "nezumi-test";
     bool hw = false;

@@ -31,24 +31,30 @@ Value value_of(lua_State* lua) {
     }
 }
 
-// Of two variables with one name, the inner one counts, which comes later.
-void add(std::vector<ErrorFrames::Variable>& locals, ErrorFrames::Variable variable) {
+}  // namespace
+
+void add_variable(std::vector<ErrorFrames::Variable>& variables, lua_State* lua, const char* name) {
+    Value value = value_of(lua);
+    if (*name == '(' || *name == '\0' || value.is_nothing()) return;
+    ErrorFrames::Variable variable{name, traced_text(lua), std::move(value)};
+    // Of two variables with one name, the inner one counts, which comes later.
     const auto same =
-        std::find_if(locals.begin(), locals.end(), [&](const auto& each) { return each.name == variable.name; });
-    if (same != locals.end()) {
+        std::find_if(variables.begin(), variables.end(), [&](const auto& each) { return each.name == variable.name; });
+    if (same != variables.end()) {
         *same = std::move(variable);
-    } else if (locals.size() < static_cast<std::size_t>(most_locals)) {
-        locals.push_back(std::move(variable));
+    } else if (variables.size() < static_cast<std::size_t>(most_locals)) {
+        variables.push_back(std::move(variable));
     }
 }
+
+namespace {
 
 ErrorFrames::Frame frame_of(lua_State* lua, lua_Debug& activation) {
     const char* const file = *activation.source == '@' ? activation.source + 1 : activation.short_src;
     ErrorFrames::Frame frame{
         .file = file, .line = activation.currentline, .name = activation.name != nullptr ? activation.name : ""};
     for (int i = 1; const char* name = lua_getlocal(lua, &activation, i); ++i) {
-        if (Value value = value_of(lua); *name != '(' && !value.is_nothing())
-            add(frame.locals, {name, traced_text(lua), std::move(value)});
+        add_variable(frame.locals, lua, name);
         lua_pop(lua, 1);
     }
     std::sort(frame.locals.begin(), frame.locals.end(), [](const auto& a, const auto& b) { return a.name < b.name; });

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "bindings/lua/sandbox/error_frames.hpp"
+#include "bindings/lua/sandbox/line_profile.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
 
@@ -139,8 +141,14 @@ int depth_of(lua_State* lua) {
 
 std::string traced_text(lua_State* lua) { return text_of(lua); }
 
-LineTrace::LineTrace(std::vector<Table> tables)
-    : outer_(std::exchange(current_trace, this)), tables_(std::move(tables)) {}
+bool is_file(std::string_view source, std::string_view name) {
+    if (!source.ends_with(name)) return false;
+    source.remove_suffix(name.size());
+    return source.empty() || source.back() == '/' || source.back() == '@';
+}
+
+LineTrace::LineTrace(std::vector<Table> tables, std::vector<Watched> watched)
+    : outer_(std::exchange(current_trace, this)), tables_(std::move(tables)), watched_(std::move(watched)) {}
 
 LineTrace::~LineTrace() {
     current_trace = outer_;  // the hooks remove themselves
@@ -149,11 +157,12 @@ LineTrace::~LineTrace() {
 void LineTrace::follow(lua_State* coroutine) {
     if (current_trace != nullptr && lua_gethook(coroutine) == nullptr)
         lua_sethook(coroutine, on_event, LUA_MASKLINE | LUA_MASKRET, 0);
+    LineProfile::follow(coroutine);
 }
 
 void LineTrace::on_event(lua_State* lua, lua_Debug* event) {
     LineTrace* const trace = current_trace;
-    if (trace == nullptr || trace->seen_.is_cut) {
+    if (trace == nullptr || trace->is_over()) {
         // The watchdog may have set its hook meanwhile; that one must stay.
         if (lua_gethook(lua) == on_event) lua_sethook(lua, nullptr, 0, 0);
         return;
@@ -168,11 +177,9 @@ void LineTrace::on_event(lua_State* lua, lua_Debug* event) {
 }
 
 void LineTrace::note(lua_State* lua, lua_Debug* event) {
-    if (++events_ > most_events) {
-        seen_.is_cut = true;
-        return;
-    }
-    if (lua_getinfo(lua, "Slf", event) == 0) return;
+    if (!watched_.empty()) note_hit(lua, event);
+    if (++events_ > most_events) seen_.is_cut = true;
+    if (seen_.is_cut || lua_getinfo(lua, "Slf", event) == 0) return;
     const int depth = depth_of(lua);
     if (*event->what != 'C' && depth <= deepest) {
         const void* const function = lua_topointer(lua, -1);
@@ -189,6 +196,28 @@ void LineTrace::note(lua_State* lua, lua_Debug* event) {
                 seen_.is_cut = true;
             }
         }
+    }
+    lua_pop(lua, 1);  // the function
+}
+
+void LineTrace::note_hit(lua_State* lua, lua_Debug* event) {
+    if (event->event != LUA_HOOKLINE || hits_.size() >= most_hits) return;
+    const auto is_here = [&](const Watched& each) { return each.line == event->currentline; };
+    if (std::none_of(watched_.begin(), watched_.end(), is_here) || lua_getinfo(lua, "Sf", event) == 0) return;
+    const bool is_watched = std::any_of(watched_.begin(), watched_.end(), [&](const Watched& each) {
+        return is_here(each) && is_file(event->source, each.file);
+    });
+    if (is_watched) {
+        Hit hit{.file = *event->source == '@' ? event->source + 1 : event->short_src, .line = event->currentline};
+        for (int i = 1; const char* name = lua_getupvalue(lua, -1, i); ++i) {
+            if (std::string_view(name) != "_ENV") add_variable(hit.variables, lua, name);
+            lua_pop(lua, 1);
+        }
+        for (int i = 1; const char* name = lua_getlocal(lua, event, i); ++i) {
+            add_variable(hit.variables, lua, name);
+            lua_pop(lua, 1);
+        }
+        hits_.push_back(std::move(hit));
     }
     lua_pop(lua, 1);  // the function
 }

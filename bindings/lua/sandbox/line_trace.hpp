@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <lua.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,8 +31,21 @@ public:
         void (*push)(lua_State* lua);
     };
 
+    /// A line whose executions are noted with the values of their variables.
+    struct Watched {
+        std::string file;  ///< its name in messages, or the end of it after a '/'
+        int line = 0;
+    };
+    /// An execution of a watched line, before it: the variables of the function, and those of the file that it uses.
+    struct Hit {
+        std::string file;  ///< as in messages
+        int line = 0;
+        std::vector<ErrorFrames::Variable> variables{};
+    };
+    static constexpr std::size_t most_hits = 1000;
+
     /// Records what this thread executes during its lifetime. The fields of the tables count as variables.
-    explicit LineTrace(std::vector<Table> tables = {});
+    explicit LineTrace(std::vector<Table> tables = {}, std::vector<Watched> watched = {});
     ~LineTrace();
     LineTrace(const LineTrace&) = delete;
     LineTrace& operator=(const LineTrace&) = delete;
@@ -42,6 +56,8 @@ public:
     /// The lines without their texts. Values are those of the visible variables after a line, and of variables that
     /// ended with it.
     TracedLines take() { return std::move(seen_); }
+    /// The executions of watched lines, at most `most_hits`.
+    std::vector<Hit> take_hits() { return std::move(hits_); }
 
 private:
     // A function on the call stack, with its present line.
@@ -54,16 +70,23 @@ private:
 
     static void on_event(lua_State* lua, lua_Debug* event);
     void note(lua_State* lua, lua_Debug* event);
+    void note_hit(lua_State* lua, lua_Debug* event);
+    bool is_over() const { return seen_.is_cut && watched_.empty(); }
     std::vector<Value> values_in_sight(lua_State* lua, lua_Debug* event) const;
     void end_line(lua_State* lua, lua_Debug* event, int depth, const void* function);
     void fold_loop();
 
     LineTrace* outer_;
     std::vector<Table> tables_;
+    std::vector<Watched> watched_;
+    std::vector<Hit> hits_;
     TracedLines seen_;
     std::size_t events_ = 0;
     std::vector<Frame> frames_;
 };
+
+/// Whether a chunk's source, as Lua has it ("@behaviors/keeper.lua"), is this file ("keeper.lua").
+bool is_file(std::string_view source, std::string_view name);
 
 /// The value on top of the stack as it is shown in a trace; "" for values without a text, such as functions. Raises no
 /// error and takes no memory of the state.

@@ -7,6 +7,7 @@
 #include <cassert>
 
 #include "bindings/lua/sandbox/line_trace.hpp"
+#include "bindings/lua/sandbox/watchdog.hpp"
 #include "bindings/lua/script/carry_over.hpp"
 #include "bindings/lua/script/line_texts.hpp"
 #include "bindings/lua/script/script_config.hpp"
@@ -272,12 +273,55 @@ void ScriptComponent::begin_probation() {
 }
 
 Expected<void> ScriptComponent::execute_traced() {
-    LineTrace trace({{"config", push_config_values}, {"state", push_state}});
+    std::vector<LineTrace::Watched> lines;
+    for (const auto& [owner, watched] : watched_) lines.insert(lines.end(), watched.begin(), watched.end());
+    LineTrace trace({{"config", push_config_values}, {"state", push_state}}, std::move(lines));
     auto ok = script_->call(Hook::on_execute);
     latest_trace_ = trace.take();
+    hits_ = trace.take_hits();
     add_texts(latest_trace_, *script_);
     traces_next_ = false;
     ++traces_;
+    return ok;
+}
+
+void ScriptComponent::watch_lines(const void* owner, std::vector<LineTrace::Watched> lines) const {
+    if (lines.empty()) {
+        watched_.erase(owner);
+    } else {
+        watched_[owner] = std::move(lines);
+    }
+}
+
+Expected<void> ScriptComponent::execute_measured() {
+    const std::int64_t began = thread_time();
+    std::int64_t hooks = 0;
+    Expected<void> ok;
+    {
+        std::optional<LineProfile> lines;
+        if (profile_->by_line) lines.emplace(profile_->lines);
+        ok = execute_once();
+        if (lines) hooks = lines->time_of_hooks();
+    }
+    profile_->add(thread_time() - began - hooks);
+    return ok;
+}
+
+// Takes the time of an execution, for a hint.
+Expected<void> ScriptComponent::execute_checked() {
+    if (slow_executions_ < 0 || script_->context().budget.seconds > paced_budget.seconds) return execute_once();
+    const std::int64_t began = thread_time();
+    auto ok = execute_once();
+    const double seconds = static_cast<double>(thread_time() - began) * 1e-9;
+    const double tick = 1 / script_->context().tick_rate;
+    constexpr double much = 0.25;  // of a tick
+    constexpr int enough = 3;
+    slow_executions_ = seconds > much * tick ? slow_executions_ + 1 : 0;
+    if (slow_executions_ < enough) return ok;
+    slow_executions_ = -1;
+    log(LogLevel::info, fmt::format("an execution takes {:.1f} ms, {:.0f} % of a tick: profile(5, {}) at the console "
+                                    "shows its lines",
+                                    seconds * 1e3, 100 * seconds / tick, name()));
     return ok;
 }
 

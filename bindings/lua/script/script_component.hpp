@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/lua/sandbox/line_profile.hpp"
+#include "bindings/lua/sandbox/line_trace.hpp"
 #include "bindings/lua/script/script.hpp"
 #include "engine/components/component.hpp"
 
@@ -49,6 +52,15 @@ public:
     }
     std::int64_t traces() const override { return traces_; }
     TracedLines latest_trace() const override { return latest_trace_; }
+
+    // Looks at executions, which change nothing about them. Each has an owner, who ends it.
+
+    /// Notes the executions of these lines from now on, with a trace of each execution; none: no more for this owner.
+    void watch_lines(const void* owner, std::vector<LineTrace::Watched> lines) const;
+    /// The watched lines in the execution of `latest_trace`.
+    const std::vector<LineTrace::Hit>& hits() const { return hits_; }
+    /// Measures each execution from now on. Null: ends it. It must outlive that.
+    void measure_with(ExecutionProfile* profile) const { profile_ = profile; }
 
     // The steps of a reload. They are only useful together: `Reloader` makes a transaction of them.
 
@@ -128,8 +140,9 @@ protected:
         return script_->call(Hook::on_activated);
     }
     Expected<void> on_execute() override {
-        if (probation_left_ > 0) return execute_on_probation();
-        return traces_next_ ? execute_traced() : script_->call(Hook::on_execute);
+        if (profile_ != nullptr) return execute_measured();
+        if ((++executions_ & (measured_executions - 1)) == 0) return execute_checked();
+        return execute_once();
     }
     Expected<void> on_deactivated() override { return script_->call(Hook::on_deactivated); }
     Expected<void> on_aborting() override { return script_->call(Hook::on_aborting); }
@@ -146,8 +159,17 @@ private:
 
     /// The number of the next version.
     int next_version() const { return newest_ + 1; }
+    // One execution of so many is measured for a hint; a power of 2.
+    static constexpr std::uint32_t measured_executions = 64;
+
+    Expected<void> execute_once() {
+        if (probation_left_ > 0) return execute_on_probation();
+        return traces_next_ || !watched_.empty() ? execute_traced() : script_->call(Hook::on_execute);
+    }
     Expected<void> execute_on_probation();
     Expected<void> execute_traced();
+    Expected<void> execute_measured();
+    Expected<void> execute_checked();
     void tell_early_log();
     void make_ports(Version& next) const;
     void fill_slots(Version& next) const;
@@ -165,6 +187,11 @@ private:
     bool traces_next_ = false;
     std::int64_t traces_ = 0;
     TracedLines latest_trace_{};
+    mutable std::map<const void*, std::vector<LineTrace::Watched>> watched_{};  // by owner
+    std::vector<LineTrace::Hit> hits_{};
+    mutable ExecutionProfile* profile_ = nullptr;
+    std::uint32_t executions_ = 0;
+    int slow_executions_ = 0;  // one after the other, of those that were measured; -1: it was told
 };
 
 }  // namespace nezumi

@@ -1,0 +1,18 @@
+// `nezumi test --watch`: runs what a save touches.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "bindings/scenario/planned_run.hpp"
+#include "bindings/scenario/reporter.hpp"
+#include "bindings/scenario/test_plan.hpp"
+
+namespace nezumi::cli {
+
+/// Makes all runs, and after each save those that have read a saved file: first those that failed last. New scenarios
+/// run too. Returns the exit status of the last session when a signal ends it.
+int watch_tests(const std::function<Expected<TestPlan>()>& make_plan, const TestSessionOptions& options,
+                const std::function<std::unique_ptr<Reporter>()>& make_reporter);
+
+}  // namespace nezumi::cli

@@ -1,0 +1,28 @@
+// The condition of a breakpoint: a function of the console, in a Lua state of its own, so that it can't touch the run.
+#pragma once
+
+#include <lua.hpp>
+#include <memory>
+#include <vector>
+
+#include "bindings/lua/sandbox/state.hpp"
+#include "engine/base/error.hpp"
+#include "engine/components/inside.hpp"
+
+namespace nezumi {
+
+class BreakCondition {
+public:
+    /// Copies the function at `index`. It may use its argument, the library, and local variables of the console whose
+    /// values are numbers, texts or truth values. Raises no error.
+    static Expected<std::unique_ptr<BreakCondition>> of_function(lua_State* lua, int index);
+
+    /// Calls it with a table of variables. An error if it fails.
+    Expected<bool> holds(const std::vector<ErrorFrames::Variable>& variables);
+
+private:
+    explicit BreakCondition(std::unique_ptr<LuaState> state) : state_(std::move(state)) {}
+    std::unique_ptr<LuaState> state_;
+};
+
+}  // namespace nezumi
