@@ -45,9 +45,12 @@ struct Describe<Scenario> {
               "the seed of every run, as `nezumi run --seed` takes it",
               {.fallback = "each run's own, made from the session's and its name"}},
         Extra{
-            "search", "integer", "",
+            "search",
+            "integer",
+            "",
             "number of runs that are chosen one after the other, from the sweep and from `s:any`, where margins are "
-            "small and lines run for the first time. The search ends with the round of a failure, which is simplified"},
+            "small and lines run for the first time. The search ends with the round of a failure, which is simplified",
+            {.fallback = "no search"}},
         Setting{"paired", &Scenario::paired, "",
                 "a list of the sweep: runs that differ only in its value have the same seed, and the summary shows the "
                 "differences of their measures"},

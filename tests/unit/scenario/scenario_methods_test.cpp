@@ -64,6 +64,12 @@ TEST_CASE("every method of a scenario refuses too many arguments and a wrong typ
         {"allow_error",
          {"s:allow_error('mouse', 2)", "expected at most 1 argument, got 2: allow_error(component)",
           "s:allow_error(true)", no_component}},
+        {"any",
+         {"s:any('gust', {}, 3)", "expected at most 2 arguments, got 3: any(name, { at = range(0, 10), ... })", "",
+          ""}},
+        {"recorded", {"s:recorded('a', 2)", "expected at most 1 argument, got 2: recorded(file)", "", ""}},
+        {"judge",
+         {"s:judge({}, 2)", "expected at most 1 argument, got 2: judge({ behavior =, component =, run = })", "", ""}},
         {"restore",
          {"s:restore('mouse', 2)", "expected at most 1 argument, got 2: restore(thing)", "s:restore(true)", no_port}},
     };
