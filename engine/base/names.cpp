@@ -9,25 +9,25 @@ namespace nezumi {
 namespace {
 
 constexpr std::array<std::string_view, 22> keywords{
-    "and", "any",   "break", "do",  "else", "elseif", "end",    "false", "for",  "function", "goto", "if",
-    "in",  "local", "nil",   "not", "or",   "repeat", "return", "then",  "true", "until",    "while"};
+    "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
+    "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
 
-constexpr std::array<std::string_view, 23> words{
-    "_ENV",          "about",    "activate", "allow_error", "always",    "arena",      "argument",    "attach",
-    "batch",         "behavior", "box",      "branches",    "break_at",  "cancel",     "check",       "command",
-    "component",     "config",   "connect",  "constants",   "coroutine", "csv",        "cylinder",    "deactivate",
-    "disconnect",    "disturb",  "drive",    "drop",        "dt",        "equal",      "errors",      "eventually",
-    "exit",          "explain",  "find",     "floor",       "freeze",    "golden",     "graph",       "help",
-    "hold",          "hosts",    "inject",   "input",       "judge",     "line",       "load",        "log",
-    "log_level",     "ls",       "maintain", "map",         "marker",    "math",       "maze",        "measure",
-    "message",       "near",     "network",  "never",       "new",       "now",        "output",      "param",
-    "pause",         "physics",  "picture",  "plot",        "press",     "print",      "probe",       "profile",
-    "quit",          "range",    "rate",     "rearm",       "recorded",  "release",    "reload",      "remove",
-    "require",       "restart",  "restore",  "resume",      "rewind",    "robot",      "robot_model", "rollback",
-    "ros",           "rtm",      "run",      "samples",     "save",      "scenario",   "seed",        "seek",
-    "speed",         "start",    "state",    "step",        "stop",      "string",     "system",      "table",
-    "task",          "teleport", "unwatch",  "utf8",        "wait",      "wait_until", "wall",        "watch",
-    "watch_changes", "world"};
+constexpr std::array<std::string_view, 115> words{
+    "_ENV",       "about",         "activate", "allow_error", "always",    "any",       "arena",      "argument",
+    "attach",     "batch",         "behavior", "box",         "branches",  "break_at",  "cancel",     "check",
+    "command",    "component",     "config",   "connect",     "constants", "coroutine", "csv",        "cylinder",
+    "deactivate", "disconnect",    "disturb",  "drive",       "drop",      "dt",        "equal",      "errors",
+    "eventually", "exit",          "explain",  "find",        "floor",     "freeze",    "golden",     "graph",
+    "help",       "hold",          "hosts",    "inject",      "input",     "judge",     "line",       "load",
+    "log",        "log_level",     "ls",       "maintain",    "map",       "marker",    "math",       "maze",
+    "measure",    "message",       "near",     "network",     "never",     "new",       "now",        "output",
+    "param",      "pause",         "physics",  "picture",     "plot",      "press",     "print",      "probe",
+    "profile",    "quit",          "range",    "rate",        "rearm",     "recorded",  "release",    "reload",
+    "remove",     "require",       "restart",  "restore",     "resume",    "rewind",    "robot",      "robot_model",
+    "rollback",   "ros",           "rtm",      "run",         "samples",   "save",      "scenario",   "seed",
+    "seek",       "speed",         "start",    "state",       "step",      "stop",      "string",     "system",
+    "table",      "task",          "teleport", "unwatch",     "utf8",      "wait",      "wait_until", "wall",
+    "watch",      "watch_changes", "world"};
 
 static_assert(std::is_sorted(keywords.begin(), keywords.end()) && std::is_sorted(words.begin(), words.end()));
 

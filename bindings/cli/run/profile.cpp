@@ -15,7 +15,7 @@ namespace nezumi::cli {
 namespace {
 
 std::string name_of_box(const LineCosts::Node& node) {
-    const std::string place = fmt::format("{}:{}", node.file, node.line);
+    std::string place = fmt::format("{}:{}", node.file, node.line);
     if (node.is_line) return place;
     return node.name.empty() ? place : fmt::format("{} ({})", node.name, place);
 }
