@@ -153,7 +153,7 @@ Expected<void> Replay::read_header(const std::string& line, const std::string& v
 Expected<void> Replay::read_entry(const std::string& line, int number) {
     const Json json = Json::parse(line, nullptr, false);
     if (!json.is_object()) return wrong(number, "expected a JSON object");
-    if (end_) return wrong(number, "nothing may follow the end");
+    if (end_) return wrong(number, "this line is after the end: 'end' must be the last line");
     const auto when = time_of(json);
     if (!when) return wrong(number, "'at' must be the start's number, the tick and the act's number");
     Entry entry{.line = number, .when = *when};

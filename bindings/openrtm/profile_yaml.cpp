@@ -33,7 +33,7 @@ public:
 
     Expected<void> read(const YAML::Node& mapping, pugi::xml_node element, int depth = 0) {
         if (depth > deepest_profile)
-            return failure(fmt::format("has more than {} nested values", deepest_profile), {file_});
+            return failure(fmt::format("is nested more than {} levels deep", deepest_profile), {file_});
         for (const auto& pair : mapping) {
             const YAML::Node &key = pair.first, &value = pair.second;
             if (++values_ > most_values)

@@ -105,7 +105,7 @@ private:
             const auto opcode = static_cast<Opcode>(head.number<std::uint8_t>());
             const auto length = head.number<std::uint64_t>();
             const std::string_view content = head.take(length);
-            if (!head.is_whole()) return wrong("the record ends behind the end");
+            if (!head.is_whole()) return wrong("the record is longer than the file or its chunk");
             at += 9 + length;
             if (chunk == 0 && (opcode == Opcode::data_end || opcode == Opcode::footer)) return {};
             if (auto done = read_record(opcode, content, chunk > 0); !done) return done;
@@ -122,7 +122,7 @@ private:
                 schema.name = content.text();
                 schema.encoding = content.text();
                 schema.text = content.text();
-                if (!content.is_whole()) return wrong("the schema is not whole");
+                if (!content.is_whole()) return wrong("the schema record is incomplete");
                 if (number == 0) return wrong("a schema can't have the number 0");
                 schemas_[number] = std::move(schema);
                 return {};
@@ -149,7 +149,7 @@ private:
             const std::string_view key = entries.text();
             channel.metadata.emplace(key, entries.text());
         }
-        if (!content.is_whole() || !entries.is_whole()) return wrong("the channel is not whole");
+        if (!content.is_whole() || !entries.is_whole()) return wrong("the channel record is incomplete");
         if (schema != 0) {
             const auto known = schemas_.find(schema);
             if (known == schemas_.end())

@@ -74,7 +74,7 @@ private:
     std::unique_ptr<Function> own_;  // null: it is not observed
     std::map<const void*, std::unique_ptr<Function>> helpers_;
     static constexpr std::size_t deepest = 16;
-    std::array<Function*, deepest> calls_{};  // functions that are being called; null: one that is not observed
+    std::array<Function*, deepest> calls_{};  // the call stack; null: a function that is not observed
     std::size_t depth_ = 0;                   // may be more than `deepest`
     Robustness robustness_;
     bool held_ = false;

@@ -83,7 +83,7 @@ bool only_returns(const SyntaxNode& body) {
            body.child->count() == 1 && body.child->child->count() == 1;
 }
 
-// Collects comparisons and decisions, and the texts that replace parts of the source.
+// Finds the comparisons and decisions in a condition. Collects the text replacements for the rewritten source.
 class Rewriter {
 public:
     Rewriter(const SyntaxTree& tree, const SyntaxNode& function, std::string_view hook)

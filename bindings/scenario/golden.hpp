@@ -26,7 +26,7 @@ public:
           place_(std::move(place)),
           table_(channels) {}
 
-    /// Adds the values of the step that led to this time.
+    /// Adds a row with the current values at time `now`.
     void add(double now);
     /// Compares with the file, or writes it. The error names the first cell that differs.
     Expected<void> finish(bool update) const;

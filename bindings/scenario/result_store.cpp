@@ -43,7 +43,7 @@ bool is_read_by_runs(const fs::path& file) {
     return !fs::exists(file.parent_path() / "failure.txt", none);
 }
 
-// The folders whose files count for a scenario file.
+// The folders whose files can change the result of a scenario file.
 struct ReadFolders {
     fs::path behaviors;       // of its project; empty if there is none
     fs::path own;             // the project's folder that contains the scenario, such as tests/; else its own folder

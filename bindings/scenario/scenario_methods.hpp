@@ -10,7 +10,7 @@ namespace nezumi {
 /// The result of the C++ part of a method, for its Lua part.
 enum Answered : int {
     raise_text = -1,  ///< raise the stored text as a Lua error
-    end_run = -2,     ///< the run has ended: no more Lua runs
+    end_run = -2,     ///< the run has ended: Lua code must not run any more
     // 0 and more: the number of results on the stack
 };
 

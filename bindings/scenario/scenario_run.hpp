@@ -93,7 +93,7 @@ private:
             double left;
             double right;
         };
-        std::vector<std::vector<Sample>> history{};  // of each comparison, if the history is kept
+        std::vector<std::vector<Sample>> history{};  // samples of each comparison; empty if the history is not kept
     };
     // A world, and the words that add to it.
     struct Described {

@@ -141,7 +141,7 @@ RunningSystem& ScenarioRun::current() {
 Expected<void> ScenarioRun::build(Described& described) {
     LiveOptions options = world_options();
     if (options.build.real_time && !worlds_.empty())
-        return failure("with --hw there is one world, that of the real robots: this would be another");
+        return failure("with --hw a scenario can have only one world: remove the second world");
     SystemSpec spec = described.words->spec();
     if (options.prepare) {
         if (auto ready = options.prepare(spec); !ready) return ready;

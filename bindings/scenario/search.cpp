@@ -74,7 +74,8 @@ std::vector<SweepPoint> Search::next(std::size_t most) {
     }
     while (points.size() < count) points.push_back(random_point());
     for (SweepPoint& point : points) {
-        // The same run again would tell nothing; a space of few points may have no other.
+        // Does not repeat a point: its result would be the same. A small space may have no new point, so tries are
+        // limited.
         constexpr int most_tries = 20;
         for (int i = 0; i < most_tries && !names_.insert(text_of(point)).second; ++i) point = random_point();
     }

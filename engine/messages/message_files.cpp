@@ -322,7 +322,7 @@ private:
                                        fmt::join(inside, chain_.end(), " contains "), definition.name));
         }
         constexpr std::size_t most = 64;
-        if (chain_.size() > most) return failure(fmt::format("expected at most {} messages in one another", most));
+        if (chain_.size() > most) return failure(fmt::format("messages are nested more than {} levels deep", most));
         chain_.push_back(definition.name);
         auto made = MessageCatalog::shared().define(definition, payloads);
         chain_.pop_back();

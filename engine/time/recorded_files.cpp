@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 fs::path whole_path(const fs::path& folder, const fs::path& path) { return (folder / path).lexically_normal(); }
 
-// A file without a name on a disk, for libraries that read only files.
+// A file in memory (memfd), for libraries that can only read files.
 class MemoryFile {
 public:
     static Expected<MemoryFile> of(const std::string& bytes) {

@@ -112,7 +112,7 @@ public:
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
 
-    /// Returns the exit status. What kept it from running has been told.
+    /// Returns the exit status. If it could not run, the error has already been printed.
     int operator()() {
         const auto ended = run();
         if (ended) return *ended;

@@ -1,4 +1,4 @@
-// The library `string`, without the functions of patterns.
+// The `string` library. Its pattern functions (find, match, gsub) are in library_patterns.cpp.
 #include <cstring>
 
 #include "bindings/lua/sandbox/library.hpp"

@@ -36,7 +36,7 @@ public:
           keeper_(std::make_unique<Keeper>(Home{orb_.in(), site}, options)),
           gate_(own_port()) {}
     ~OmniOrb() override {
-        keeper_.reset();  // first: tells robots to stop
+        keeper_.reset();  // must be the first: it tells robots to stop
         asker_.reset();
         try {
             orb_->destroy();  // waits for running calls, each at most a second

@@ -33,6 +33,15 @@ struct ToolRig {
         return tool.heard(begin);
     }
 
+    // A new component is in the name service soon after its creation.
+    void wait_for_name(const std::string& rtc) {
+        std::string all;
+        for (int i = 0; i < 200 && all.find(" " + rtc + ".rtc") == std::string::npos; ++i) {
+            if (i > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            all = ask("names", "names");
+        }
+    }
+
     Names names;
     Scratch folder;
     Program run;
@@ -88,9 +97,11 @@ TEST_CASE("rtmgr makes and ends behaviours of the project, and ends the run", "[
     CHECK(manage("load robot_controller.lua", "loaded ") == "loaded 0");
     CHECK(manage("load unheard.so", "loaded ") == "loaded 2");  // BAD_PARAMETER
     CHECK(manage("create RobotController", "created ") == "created robot_controller0");
+    rig.wait_for_name("robot_controller0");
     CHECK(rig.ask("state robot_controller0", "state ") == "state 1");  // INACTIVE
     CHECK(manage("create RobotController?instance_name=second0&conf.default.speed_x=0.5", "created ") ==
           "created second0");
+    rig.wait_for_name("second0");
     CHECK(rig.ask("sets second0", "sets ").starts_with("sets default | default speed_x=0.5 "));
     CHECK(manage("create RTC:Lab:Control:RobotController:1.0", "created ") == "created robot_controller_20");
     CHECK(manage("create Unheard", "created ") == "created nothing");

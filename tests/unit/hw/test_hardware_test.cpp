@@ -171,7 +171,7 @@ TEST_CASE("requests impossible for real robots are refused before anything moves
     CHECK(has(golden.out, "'x.csv': two runs of a real robot always differ: leave this to simulation"));
     const Outcome second = fake.test(scenario("s:load 'ahead.lua' s:load 'ahead.lua'"), {});
     CHECK(second.status == 2);
-    CHECK(has(second.out, "with --hw there is one world, that of the real robots: this would be another"));
+    CHECK(has(second.out, "with --hw a scenario can have only one world: remove the second world"));
     const Outcome none = fake.test(scenario("s:behavior('b', { script = 'none' }) s:run(1)"), {});
     CHECK(none.status == 2);
     CHECK(has(none.out, "has no robot that could be real"));

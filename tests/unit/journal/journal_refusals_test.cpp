@@ -60,7 +60,7 @@ TEST_CASE("a journal whose lines are not those of a run is refused at the line",
     CHECK(it.error_with(2, R"({"at":[1,3,0],"out_of_time":{"component":"it","call":1,"message":"m","state":5}})") ==
           "J:2: state: expected values and tables, got 5");
     CHECK(it.error_with(2, R"({"at":[1,3,0],"end":"stopped","hash":"0000000000000000"})") ==
-          "J:3: nothing may follow the end");
+          "J:3: this line is after the end: 'end' must be the last line");
     CHECK(it.error_with(3, R"({"at":[1,6,1],"end":"soon","hash":"0000000000000000"})") ==
           "J:3: 'end' must be duration, stopped or error");
     CHECK(it.error_with(3, R"({"at":[2,0,1],"end":"stopped","hash":"0000000000000000"})") ==

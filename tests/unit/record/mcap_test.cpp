@@ -137,7 +137,8 @@ TEST_CASE("a damaged MCAP file is refused in one line with the byte", "[record]"
     };
     const std::string where = "x.mcap: byte " + std::to_string(chunk) + ": ";
     CHECK(error_of("# a text") == "x.mcap: is not an MCAP file");
-    CHECK(error_of(with(1, "\xff\xff\xff\xff\xff\xff\xff\x7f")) == where + "the record ends behind the end");
+    CHECK(error_of(with(1, "\xff\xff\xff\xff\xff\xff\xff\x7f")) ==
+          where + "the record is longer than the file or its chunk");
     CHECK(error_of(with(9 + 24, "\1\2\3\4")) == where + "the chunk's checksum differs: the file is damaged");
     CHECK(error_of(with(9 + 16, std::string("\0\0\0\x40", 4))) == where + "the chunk has more than 256 MB");
     CHECK(error_of(with(9 + 16, "\1")) == where + "the chunk is no zstd of 1 bytes");
