@@ -157,19 +157,25 @@ private:
         if (end_.interrupted) take_out_of_turn();
     }
 
-    // Runs in a process of its own, which stores the result, so that it survives the session.
-    std::string make_one(const Made& made) const {
-        const auto& [run, repetition] = made;
-        const PlannedRun& planned = run_of(run);
-        RunResult result = run_planned(plan_, planned, options_, planned.drawn || repetition > 0);
+    // The result as bytes, after it was kept.
+    std::string stored(const Made& made, RunResult result) const {
+        const PlannedRun& planned = run_of(made.first);
         if (keeps()) {
-            const auto kept = keep_->keep(key_of(run, repetition), {planned.name, result, planned.seed});
+            const auto kept = keep_->keep(key_of(made.first, made.second), {planned.name, result, planned.seed});
             if (!kept && options_.keep) {
                 result.outcome = RunOutcome::could_not_run;
                 result.error = {"the result of this run can't be kept: " + describe(kept.error())};
             }
         }
         return to_bytes(result);
+    }
+
+    // Runs in a process of its own, which stores the result, so that it survives the session.
+    std::string make_one(const Made& made) const {
+        const auto& [run, repetition] = made;
+        const PlannedRun& planned = run_of(run);
+        RunResult result = run_planned(plan_, planned, options_, planned.drawn || repetition > 0);
+        return stored(made, std::move(result));
     }
 
     // A run is complete when all its repetitions are.
@@ -286,14 +292,7 @@ private:
             if (std::none_of(values.begin(), values.end(), same)) values.push_back(std::move(value));
         }
         result.drawn = std::move(values);
-        if (keeps()) {
-            const auto kept = keep_->keep(key_of(run, repetition), {planned.name, result, planned.seed});
-            if (!kept && options_.keep) {
-                result.outcome = RunOutcome::could_not_run;
-                result.error = {"the result of this run can't be kept: " + describe(kept.error())};
-            }
-        }
-        return to_bytes(result);
+        return stored(made, std::move(result));
     }
 
     // Takes the name and the values of a run of a search from its result. Returns whether the search ended before it.
