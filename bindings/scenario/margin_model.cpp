@@ -1,7 +1,9 @@
 // Values are scaled to their spread, so that units do not matter; outliers are cut.
 #include "bindings/scenario/margin_model.hpp"
 
+#ifndef NEZUMI_STATIC
 #include <nlopt.h>
+#endif
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -100,7 +102,10 @@ MarginModel::MarginModel(std::vector<Shares> places, const std::vector<double>& 
 
 MarginModel::~MarginModel() = default;
 
-Shares MarginModel::least_place(double optimism) const {
+Shares MarginModel::least_place([[maybe_unused]] double optimism) const {
+    const auto dimensions = static_cast<unsigned>(fit_->is_choice.size());
+    Shares place(dimensions, 0.5);
+#ifndef NEZUMI_STATIC
     struct Context {
         const Fit* fit;
         double optimism;
@@ -110,8 +115,6 @@ Shares MarginModel::least_place(double optimism) const {
         const auto& with = *static_cast<const Context*>(data);
         return with.fit->least(Shares(at, at + count), with.optimism);
     };
-    const auto dimensions = static_cast<unsigned>(fit_->is_choice.size());
-    Shares place(dimensions, 0.5);
     double least = 0;
     for (const auto& [algorithm, evaluations] :
          {std::pair{NLOPT_GN_DIRECT_L, most_searches}, std::pair{NLOPT_LN_SBPLX, most_steps}}) {
@@ -125,6 +128,7 @@ Shares MarginModel::least_place(double optimism) const {
         if (nlopt_optimize(optimizer, found.data(), &least) > 0) place = found;
         nlopt_destroy(optimizer);
     }
+#endif
     return place;
 }
 
