@@ -33,6 +33,7 @@ std::vector<double> scaled(const std::vector<double>& values) {
     double spread = (quantile(sorted, 0.75) - quantile(sorted, 0.25)) / 1.35;
     if (spread <= 0) spread = std::max(sorted.back() - sorted.front(), 1e-12);
     std::vector<double> out;
+    out.reserve(values.size());
     for (const double value : values) out.push_back(std::clamp((value - middle) / spread, -4.0, 4.0));
     return out;
 }
