@@ -176,7 +176,7 @@ Expected<void> Replay::read_entry(const std::string& line, int number) {
         entry.files = std::move(*files);
     } else {
         const auto hash = json.contains("hash") ? hash_of(json["hash"]) : std::nullopt;
-        if (!hash) return wrong(number, "expected do, out_of_time, or hash with 16 hexadecimal digits");
+        if (!hash) return wrong(number, "expected one of the fields do, out_of_time, or hash (16 hexadecimal digits)");
         entry.hash = *hash;
         entry.kind = json.contains("end") ? Entry::Kind::end : Entry::Kind::hash;
         if (entry.kind == Entry::Kind::end) {

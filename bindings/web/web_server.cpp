@@ -105,7 +105,7 @@ bool WebServer::serve(Clock::time_point until, double late) {
         waiting_.clear();
         dealt_ = 0;
     }
-    finish_restart();
+    finish_prepared();
     const bool seeks = seeks_.serve(until);
     const auto now = Clock::now();
     drives_.serve(now);
@@ -162,8 +162,7 @@ void WebServer::note(const Browser& browser, const std::string& what) {
 
 Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& browser, const BrowserMessage& message) {
     if (const auto* act = std::get_if<ActMessage>(&message.body)) {
-        // What would be lost is asked for, as with the page's own button.
-        if (std::holds_alternative<Restart>(act->act)) return restart(client, message.id, browser);
+        if (takes_files(act->act)) return prepare(client, message.id, browser, *act);
         note(browser, act->shown);
         if (const auto* where = std::get_if<Seek>(&act->act)) {
             if (auto ok = seeks_.begin(client, message.id, browser.who, *where); !ok) return Unexpected(ok.error());
@@ -191,33 +190,38 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
         return Reply::now;
     }
     if (const auto* time = std::get_if<TimeMessage>(&message.body)) {
-        if (time->what == TimeMessage::What::restart) return restart(client, message.id, browser);
+        if (time->what == TimeMessage::What::restart)
+            return prepare(client, message.id, browser, {.act = Restart{}, .shown = "restarts the system"});
         return replied(set_time(*time, browser), Reply::now);
     }
     return Reply::later;
 }
 
-Expected<WebServer::Reply> WebServer::restart(ClientId client, std::int64_t id, const Browser& browser) {
-    if (clock_.is_hardware()) return failure(std::string(only_real_time));
-    if (!worker_.is_idle()) return failure("a restart is being prepared already");
-    restart_ = {client, id, browser.who};
-    worker_.start(live_.prepare(Restart{}));
+// An act that reads files: it must not hold a tick.
+Expected<WebServer::Reply> WebServer::prepare(ClientId client, std::int64_t id, const Browser& browser,
+                                              const ActMessage& wanted) {
+    if (clock_.is_hardware() && std::holds_alternative<Restart>(wanted.act))
+        return failure(std::string(only_real_time));
+    if (!worker_.is_idle()) return failure("another act is still being prepared: try again when it is done");
+    prepared_ = {client, id, browser.who, wanted};
+    worker_.start(live_.prepare(wanted.act));
     return Reply::later;
 }
 
-void WebServer::finish_restart() {
+void WebServer::finish_prepared() {
     auto prepared = worker_.take();
     if (!prepared) return;
-    if (!live_.fits(*prepared)) return worker_.start(live_.prepare(Restart{}));
+    if (!live_.fits(*prepared)) return worker_.start(live_.prepare(prepared_.wanted.act));
     Expected<void> done;
     if (!prepared->error && !prepared->lost.empty()) {
         done = failure(fmt::format("{} would be lost: save the system first", fmt::join(prepared->lost, ", ")));
     } else {
-        if (!prepared->error) live_.system().log(LogLevel::info, to_text(restart_.who) + ": restarts the system");
-        const auto restarted = live_.commit(std::move(*prepared), restart_.who);
-        if (!restarted) done = Unexpected(restarted.error());
+        if (!prepared->error)
+            live_.system().log(LogLevel::info, to_text(prepared_.who) + ": " + prepared_.wanted.shown);
+        const auto performed = live_.commit(std::move(*prepared), prepared_.who);
+        if (!performed) done = Unexpected(performed.error());
     }
-    answer(restart_.client, restart_.id, done);
+    answer(prepared_.client, prepared_.id, done);
 }
 
 Expected<void> WebServer::set_time(const TimeMessage& time, const Browser& browser) {

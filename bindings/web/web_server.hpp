@@ -76,8 +76,8 @@ private:
     void answer(ClientId client, std::int64_t id, const Expected<void>& done);
     Expected<Reply> perform(ClientId client, const Browser& browser, const BrowserMessage& message);
     Expected<void> set_time(const TimeMessage& time, const Browser& browser);
-    Expected<Reply> restart(ClientId client, std::int64_t id, const Browser& browser);
-    void finish_restart();
+    Expected<Reply> prepare(ClientId client, std::int64_t id, const Browser& browser, const ActMessage& wanted);
+    void finish_prepared();
     void explain();
     void show(double late, Clock::time_point now);
     void describe_system(Clock::time_point now);
@@ -101,12 +101,13 @@ private:
     std::vector<Explained> explained_;  // pending requests
     std::vector<Hub::Incoming> waiting_;
     std::size_t dealt_ = 0;  // of waiting_
-    struct RestartRequest {
+    struct Prepared {
         ClientId client = 0;
         std::int64_t id = 0;
         Actor who;
+        ActMessage wanted;
     };
-    RestartRequest restart_;  // the restart being prepared
+    Prepared prepared_;  // the request whose act worker_ prepares
     ActWorker worker_;
     Seeks seeks_;
     Clock::time_point shown_{};

@@ -63,7 +63,7 @@ private:
     // Definitions
 
     void read_definitions(bool inner) {
-        if (++depth_ > 32) fail("expected at most 32 modules in one another");
+        if (++depth_ > 32) fail("expected at most 32 nested modules");
         while (!error_ && token_.kind != Kind::end && !(inner && is("}"))) read_definition();
         --depth_;
     }
@@ -277,7 +277,7 @@ private:
     }
 
     IdlType read_type() {
-        if (++depth_ > 32) fail("expected at most 32 sequences in one another");
+        if (++depth_ > 32) fail("expected at most 32 nested sequences");
         IdlType type = read_type_here();
         --depth_;
         return type;

@@ -155,7 +155,7 @@ Expected<const MessageType*> MessageCatalog::define(const MessageDefinition& def
         const Extent extent = extent_of(*type, known);
         count += extent.fields + 1;
         if (extent.depth >= most_message_depth)
-            return refuse(field, fmt::format("has messages in one another {} deep, expected at most {}", extent.depth,
+            return refuse(field, fmt::format("has {} levels of nested messages, expected at most {}", extent.depth,
                                              most_message_depth - 1));
         if (count > most_message_fields)
             return refuse(field, fmt::format("makes a message of more than {} fields", most_message_fields));

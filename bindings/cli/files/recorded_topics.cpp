@@ -103,7 +103,7 @@ Expected<bool> TopicReader::read(const std::string& topic, const std::string& wh
         exists = true;
         const auto coding = coding_in(channel, *kept.type);
         if (!coding) {
-            return failure(fmt::format("topic {} has {}, which can't be read into {} ({})", topic,
+            return failure(fmt::format("topic {} has messages of type {}, which can't be converted for {} ({})", topic,
                                        shown(channel.schema.name), what, kept.type->name),
                            {name_});
         }

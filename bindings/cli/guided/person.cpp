@@ -16,7 +16,7 @@ namespace nezumi::cli {
 
 Expected<void> Person::is_there() const {
     if (is_sure_ || isatty(STDIN_FILENO) != 0) return {};
-    return failure("a person has to stand beside the robot: run this on a terminal, or with --yes");
+    return failure("a person must stand beside the robot: run this command in a terminal, or add --yes");
 }
 
 void Person::tell(const std::string& text) const { put_text(stderr, text + "\n"); }

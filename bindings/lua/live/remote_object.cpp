@@ -200,7 +200,7 @@ Expected<PlainData> ask_host(const Objects& objects, const RunningSystem& live, 
     const auto turn = [&]() -> Expected<Answer> {
         const Network* network = live.system().network();
         if (network == nullptr) return Unexpected(find_host(live.system(), question.host).error());
-        if (number && start != live.generation()) return failure("the system was restarted meanwhile");
+        if (number && start != live.generation()) return failure("the system was restarted before the answer came");
         if (number) {
             got = network->answer(*number);
             return Answer{};

@@ -187,7 +187,7 @@ TEST_CASE("a camera that can't be calibrated is refused in one line", "[hw][cali
     CHECK(said({"free.lua", "--sim"}) ==
           "free.lua:2: camera 'eye' is not on a robot, so it has no calibration file: add on = \"NAME\"\n");
     CHECK(said({"one.lua"}) ==
-          "nezumi: a person has to stand beside the robot: run this on a terminal, or with --yes\n");
+          "nezumi: a person must stand beside the robot: run this command in a terminal, or add --yes\n");
     CHECK(said({"one.lua", "--sim", "--board", "9"})
               .find("expected its inner corners as COLUMNSxROWS, from 3 to 50, "
                     "as 9x6") != std::string::npos);

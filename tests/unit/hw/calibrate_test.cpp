@@ -225,7 +225,7 @@ TEST_CASE("a robot that can't be calibrated is refused in one line", "[hw][calib
     CHECK(said({"ir", "two.lua", "--yes", "--robot", "c"}) == "nezumi: there is no robot 'c' in two.lua\n");
     CHECK(said({"ir", "none.lua", "--yes"}) == "nezumi: none.lua has no robot\n");
     CHECK(said({"odometry", "two.lua", "--robot", "a"}) ==
-          "nezumi: a person has to stand beside the robot: run this on a terminal, or with --yes\n");
+          "nezumi: a person must stand beside the robot: run this command in a terminal, or add --yes\n");
     CHECK(said({"odometry", "two.lua", "--robot", "a", "--yes", "--dev-root", folder}).find("rtmotoren0") !=
           std::string::npos);
 }

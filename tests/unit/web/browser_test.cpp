@@ -280,6 +280,19 @@ TEST_CASE("a browser controls time as the console does", "[web]") {
     CHECK(rig.quitting);
 }
 
+TEST_CASE("a browser's act that reads files is answered when it has been prepared and performed", "[web]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    const auto reload = [&](int id, const std::string& text) {
+        const Json fields{{"files", Json::array()}, {"component", "controller"}, {"shown", "page.lua"}, {"text", text}};
+        return WebRig::answer(browser, {{"do", "act"}, {"id", id}, {"act", "Reload"}, {"fields", fields}});
+    };
+    CHECK(reload(1, "output(")["text"] == "page.lua:1: unexpected symbol near <eof>; still running version 1");
+    CHECK(rig.live->system().find("controller")->version() == 1);
+    CHECK(reload(2, "local out = output('out', 'TimedVelocity2D')")["ok"] == true);
+    CHECK(rig.live->system().find("controller")->version() == 2);
+}
+
 TEST_CASE("each browser has its own console", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
