@@ -13,6 +13,7 @@
 #include "bindings/web/console_relay.hpp"
 #include "bindings/web/drives.hpp"
 #include "bindings/web/hub.hpp"
+#include "bindings/web/peer_desk.hpp"
 #include "bindings/web/pictures.hpp"
 #include "bindings/web/seeks.hpp"
 #include "bindings/web/sockets.hpp"
@@ -28,6 +29,7 @@ struct WebOptions {
     std::filesystem::path page{};  ///< folder of the page's files
     std::string version{};         ///< of nezumi
     Pictures::Encode encode{};     ///< pictures for browsers
+    PeerSource peers{};            ///< optional
 };
 
 /// Must be called from the ticking thread.
@@ -110,6 +112,7 @@ private:
     Prepared prepared_;  // the request whose act worker_ prepares
     ActWorker worker_;
     Seeks seeks_;
+    PeerDesk peers_;
     Clock::time_point shown_{};
     Clock::time_point described_{};
     std::uint64_t fingerprint_ = 0;
