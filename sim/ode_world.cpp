@@ -235,9 +235,9 @@ Expected<void> OdeWorld::check_free(const RobotModel& model, const std::string& 
                                pose.position.y, overlap->other));
 }
 
-std::optional<double> OdeWorld::clearance(RobotId id) const {
+std::optional<double> OdeWorld::clearance(RobotId id, double most) const {
     const SimRobot& self = robot(id);
-    if (self.touched) return 0;
+    if (self.touched || most <= 0) return 0;
     Shape hull = self.model->hull;
     place_hull(hull, *self.model, self.body);
     const double top = hull.centre.z() + hull.half_height();
@@ -248,7 +248,7 @@ std::optional<double> OdeWorld::clearance(RobotId id) const {
             shape.rotation = yaw_rotation(std::atan2(shape.rotation(1, 0), shape.rotation(0, 0)));
     };
     level(hull);
-    double least = most_clearance;
+    double least = most;
     const auto look = [&](const Shape& shape) {
         if (shape.centre.z() - shape.half_height() > top) return;
         // Most shapes are farther than the nearest one at their rims.
@@ -257,7 +257,7 @@ std::optional<double> OdeWorld::clearance(RobotId id) const {
         if (dx * dx + dy * dy < far * far) least = std::min(least, gap_from_above(hull, shape));
     };
     // What is near is found fast; if there is something, nothing else can be nearer.
-    for (const double range : {0.1 * most_clearance, most_clearance}) {
+    for (const double range : {0.1 * most, most}) {
         scene_.for_each_fixed_near(hull.centre.x(), hull.centre.y(), reach + range,
                                    [&](Scene::Index, const Shape& shape) { look(shape); });
         scene_.for_each_mover_near(hull.centre.x(), hull.centre.y(), reach + range, self.mover,

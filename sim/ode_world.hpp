@@ -48,7 +48,7 @@ public:
     Truth truth(RobotId robot) const override;
     bool collided(RobotId id) const override { return robot(id).touched.has_value(); }
     std::string collided_with(RobotId id) const override { return collided(id) ? name_of(*robot(id).touched) : ""; }
-    std::optional<double> clearance(RobotId id) const override;
+    std::optional<double> clearance(RobotId id, double most) const override;
     std::vector<Point3D> contact_points(RobotId robot) const override;
     Pose3D pose(RobotId robot) const override;
     Expected<void> teleport(RobotId robot, Pose2D pose) override;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bindings/lua/sandbox/compile.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
@@ -179,10 +180,12 @@ Condition::Function* Condition::helper(lua_State* lua, int index) {
 int Condition::hook(lua_State* lua) {
     auto& function = *static_cast<Function*>(lua_touserdata(lua, lua_upvalueindex(1)));
     const auto code = static_cast<std::size_t>(lua_tointeger(lua, 1));
-    const std::size_t index = code / 4;
-    switch (static_cast<HookCall>(code % 4)) {
+    const std::size_t index = code / hook_calls;
+    switch (static_cast<HookCall>(code % hook_calls)) {
         case HookCall::compare: return compare(lua, function.observed.comparisons[index]);
         case HookCall::call: return function.owner->called(lua, function.observed.comparisons[index]);
+        case HookCall::contact:
+            return function.owner->take_contact(lua, function.observed.comparisons[index], function);
         case HookCall::value: function.owner->take_value(lua, function.observed.comparisons[index]); break;
         case HookCall::decide: function.observed.decide(index, lua_toboolean(lua, 2) != 0); break;
     }
@@ -241,11 +244,6 @@ void Condition::take_value(lua_State* lua, Comparison& value) {
     value.result = lua_toboolean(lua, 2) != 0;
     value.robustness = of_result(value.result);
     value.decided = &value;
-    if (value.is_contact) {
-        const auto clearance = texts_.clearance ? texts_.clearance(lua, 3) : std::nullopt;
-        if (clearance) value.robustness = value.result ? 0.0 : 0.0 - *clearance;
-        lua_settop(lua, 2);
-    }
     if (value.called.empty() || depth_ == 0) return;
     --depth_;
     Function* const function = depth_ < deepest ? calls_[depth_] : nullptr;
@@ -256,7 +254,27 @@ void Condition::take_value(lua_State* lua, Comparison& value) {
     if (within.decided != nullptr) value.decided = within.decided;
 }
 
-tl::expected<bool, CallError> Condition::sample(lua_State* lua) {
+// Gives X.collided of the X at 2.
+int Condition::take_contact(lua_State* lua, Comparison& value, const Function& function) {
+    if (lua_type(lua, 2) != LUA_TTABLE && luaL_getmetafield(lua, 2, "__index") == LUA_TNIL)
+        return luaL_error(lua, "attempt to index a %s value%s", luaL_typename(lua, 2), value.called.c_str());
+    lua_settop(lua, 2);
+    lua_getfield(lua, 2, "collided");
+    value.evaluated = true;
+    value.result = lua_toboolean(lua, 3) != 0;
+    value.robustness = of_result(value.result);
+    value.decided = &value;
+    // Of `and`, `or` and `not`, the least robustness is exact even if a greater one of a part is not.
+    const bool is_part = &function == own_.get() && function.observed.returns_only;
+    const bool may_be_less = is_part && asked_ != nullptr && value.negated != asked_->opposite;
+    const double most = may_be_less ? asked_->least : std::numeric_limits<double>::infinity();
+    const auto clearance = texts_.clearance ? texts_.clearance(lua, 2, most) : std::nullopt;
+    if (clearance) value.robustness = value.result ? 0.0 : 0.0 - *clearance;
+    return 1;
+}
+
+tl::expected<bool, CallError> Condition::sample(lua_State* lua, const LeastAsked* asked) {
+    asked_ = asked;
     depth_ = 0;
     if (own_ != nullptr) own_->observed.begin();
     for (const auto& [address, function] : helpers_) {

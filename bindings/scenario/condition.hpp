@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <lua.hpp>
 #include <map>
 #include <memory>
@@ -29,13 +30,20 @@ public:
     explicit FunctionTexts(Find find) : find_(std::move(find)) {}
     const SyntaxTree* tree(const std::string& file);
 
-    /// The distance [m] from the robot at this index to what it would touch first. Nothing if it is unknown, or no
-    /// robot.
-    std::function<std::optional<double>(lua_State* lua, int index)> clearance{};
+    /// The distance [m] from the robot at this index to what it would touch first, at most `most`. Nothing if it is
+    /// unknown, or no robot.
+    std::function<std::optional<double>(lua_State* lua, int index, double most)> clearance{};
 
 private:
     Find find_;
     std::map<std::string, std::unique_ptr<SyntaxTree>> trees_;
+};
+
+/// What is asked of samples: only the least robustness, of the opposite result if `opposite`. A robustness that is not
+/// below `least` need not be exact.
+struct LeastAsked {
+    double least = std::numeric_limits<double>::infinity();
+    bool opposite = false;
 };
 
 class Condition {
@@ -47,8 +55,8 @@ public:
     Condition(const Condition&) = delete;
     Condition& operator=(const Condition&) = delete;
 
-    /// Calls it.
-    tl::expected<bool, CallError> sample(lua_State* lua);
+    /// Calls it. What is asked of the robustness may save time; null: it is exact.
+    tl::expected<bool, CallError> sample(lua_State* lua, const LeastAsked* asked = nullptr);
 
     /// Its own, without those of functions that it calls, in the order of the text.
     const std::vector<Comparison>& comparisons() const;
@@ -67,6 +75,7 @@ private:
     static int compare(lua_State* lua, Comparison& comparison);
     int called(lua_State* lua, const Comparison& comparison);
     void take_value(lua_State* lua, Comparison& value);
+    int take_contact(lua_State* lua, Comparison& value, const Function& function);
     bool observe(lua_State* lua, int index, Function& function);
     Function* helper(lua_State* lua, int index);
 
@@ -78,6 +87,7 @@ private:
     std::size_t depth_ = 0;                   // may be more than `deepest`
     Robustness robustness_;
     bool held_ = false;
+    const LeastAsked* asked_ = nullptr;  // null, or of the present sample
     std::string why_;
 };
 

@@ -173,7 +173,7 @@ private:
         edits_.push_back({at, replaced, std::move(text)});
     }
     std::string call(HookCall kind, std::size_t index) const {
-        return fmt::format("{}({},", hook_, index * 4 + static_cast<std::size_t>(kind));
+        return fmt::format("{}({},", hook_, index * hook_calls + static_cast<std::size_t>(kind));
     }
 
     Decision& add(Decision::Kind kind) {
@@ -264,30 +264,38 @@ private:
         const std::size_t index = observed.comparisons.size();
         Comparison value{.left = words(node), .right = "", .op = Comparison::Operator::truth};
         value.negated = negated;
+        if (node.is(Kind::member) && node.word_text() == "collided") {
+            value.is_contact = true;
+            value.unit = "m";
+            const std::string what = in_message(*node.child);
+            if (what != "?") value.called = fmt::format(" ({})", what);
+            insert(begin_of(node), call(HookCall::contact, index));
+            insert(end_of(*node.child), ")", end_of(node) - end_of(*node.child));
+            observed.comparisons.push_back(std::move(value));
+            return index;
+        }
         insert(begin_of(node), call(HookCall::value, index));
         if (node.is(Kind::call)) {
             const SyntaxNode& callee = *node.child;
-            value.called = called(callee);
+            value.called = in_message(callee);
             insert(begin_of(node), call(HookCall::call, index));
             insert(end_of(callee), ")");
         }
-        value.is_contact = node.is(Kind::member) && node.word_text() == "collided" && name_chain(*node.child);
-        if (value.is_contact) value.unit = "m";
-        insert(end_of(node), value.is_contact ? fmt::format(",{})", words(*node.child)) : ")");
+        insert(end_of(node), ")");
         observed.comparisons.push_back(std::move(value));
         return index;
     }
 
-    // As Lua calls it in an error.
-    std::string called(const SyntaxNode& callee) const {
-        if (callee.is(Kind::member)) return fmt::format("field '{}'", callee.word_text());
-        if (!callee.is(Kind::name)) return "?";
-        const LocalName* const variable = callee.variable;
+    // As Lua calls it in an error, when it can't be called or indexed.
+    std::string in_message(const SyntaxNode& value) const {
+        if (value.is(Kind::member)) return fmt::format("field '{}'", value.word_text());
+        if (!value.is(Kind::name)) return "?";
+        const LocalName* const variable = value.variable;
         return fmt::format("{} '{}'",
                            variable == nullptr          ? "global"
                            : is_inside(variable->place) ? "local"
                                                         : "upvalue",
-                           callee.word_text());
+                           value.word_text());
     }
 
     const SyntaxTree& tree_;

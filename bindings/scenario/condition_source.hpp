@@ -1,6 +1,7 @@
 // Finds the comparisons and decisions in the source text of a condition, or of a function that it calls.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,15 +10,17 @@
 
 namespace nezumi {
 
-/// What a call of the hook is about: the lowest two bits of its first argument. The others are a number, of the
-/// comparison or decision.
+/// What a call of the hook is about. Its first argument is this and the number of the comparison or decision:
+/// number * `hook_calls` + call.
 enum class HookCall : unsigned char {
     compare,  ///< (left, right): gives the result of the comparison
-    value,    ///< (...): a value that counts as true or false; gives all its arguments. Of X.collided (value, X): gives
-              ///< the value
+    value,    ///< (...): a value that counts as true or false; gives all its arguments
+    contact,  ///< (X): gives X.collided
     call,     ///< (function): the function that is called for the next value; gives what is called instead
     decide,   ///< (...): the value of a decision; gives all its arguments
 };
+
+inline constexpr std::size_t hook_calls = 5;
 
 /// The text of a function that calls `hook` with each comparison and decision.
 struct ObservedSource {

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "bindings/scenario/condition.hpp"
-
 namespace nezumi {
 
 void MarginWatch::keep_least(const Robustness& robustness, double now) {
@@ -47,6 +45,13 @@ void MarginWatch::add(const Expectation& expectation, const Robustness& robustne
             if (expectation.verdict() == Verdict::kept) left_ = deadline - began_;
             break;
     }
+}
+
+std::optional<LeastAsked> MarginWatch::asked(Expectation::Kind kind) const {
+    if (kind != Expectation::Kind::always && kind != Expectation::Kind::never) return std::nullopt;
+    LeastAsked asked{.opposite = kind == Expectation::Kind::never};
+    if (nearest_) asked.least = nearest_->robustness.value;
+    return asked;
 }
 
 ConditionMargin MarginWatch::result(const Expectation& expectation, const std::string& why) const {

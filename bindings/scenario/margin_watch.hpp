@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "bindings/scenario/condition.hpp"
 #include "bindings/scenario/expectation.hpp"
 #include "bindings/scenario/formula.hpp"
 #include "bindings/scenario/run_result.hpp"
@@ -20,6 +21,9 @@ class MarginWatch {
 public:
     /// Call it with each sample, after the expectation. `deadline` [s]: when the event must have happened.
     void add(const Expectation& expectation, const Robustness& robustness, bool is_true, double now, double deadline);
+
+    /// What the next sample is asked for; nothing if it must be exact.
+    std::optional<LeastAsked> asked(Expectation::Kind kind) const;
 
     /// `why` is the reason if the numbers of the condition are unknown.
     ConditionMargin result(const Expectation& expectation, const std::string& why) const;

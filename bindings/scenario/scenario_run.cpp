@@ -80,16 +80,16 @@ Expected<void> ScenarioRun::open() {
         constexpr std::size_t most = 32;
         if (read_ports_.size() < most) read_ports_.push_back(port);
     });
-    function_texts_.clearance = [this](lua_State* lua, int index) { return clearance(lua, index); };
+    function_texts_.clearance = [this](lua_State* lua, int index, double most) { return clearance(lua, index, most); };
     return {};
 }
 
-std::optional<double> ScenarioRun::clearance(lua_State* lua, int index) const {
+std::optional<double> ScenarioRun::clearance(lua_State* lua, int index, double most) const {
     if (to_object(lua, index, ObjectKind::component) == nullptr) return std::nullopt;
     const auto at = objects_->to_component(lua, index);
     if (!at) return std::nullopt;
     const auto seen = seen_robot(at->live->system(), *at->component);
-    return seen ? seen->world->clearance(seen->id) : std::nullopt;
+    return seen ? seen->world->clearance(seen->id, std::min(most, World::most_clearance)) : std::nullopt;
 }
 
 RunResult ScenarioRun::run() {
@@ -160,7 +160,7 @@ std::string_view ScenarioRun::values() const {
 }
 
 void ScenarioRun::note_reads() {
-    std::set<std::string> reads;
+    std::set<std::string> reads(file_.files().begin(), file_.files().end());
     const auto note = [&](const FilesSeen& files) {
         for (const auto& [path, seen] : files) {
             if (seen.text) reads.insert(path.string());

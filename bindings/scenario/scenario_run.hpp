@@ -172,7 +172,7 @@ private:
     bool sampling_ = false;  // a condition is running
     bool stopped_ = false;
     std::optional<Error> setup_error_;  // error of a word, a method or of building, which Lua may raise next
-    std::optional<double> clearance(lua_State* lua, int index) const;
+    std::optional<double> clearance(lua_State* lua, int index, double most) const;
     bool is_setup_error(const CallError& error) const;
     RunResult result_;
 };

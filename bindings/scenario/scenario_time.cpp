@@ -54,7 +54,8 @@ bool ScenarioRun::sample(lua_State* lua, Watched& watched) {
     watched.sampled = true;
     Condition& condition = *watched.condition;
     sampling_ = true;
-    const auto is_true = condition.sample(lua);
+    const auto asked = watched.margin.asked(watched.expectation.terms().kind);
+    const auto is_true = condition.sample(lua, asked ? &*asked : nullptr);
     sampling_ = false;
     if (stopped_) return false;
     if (!is_true) {

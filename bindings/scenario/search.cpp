@@ -36,8 +36,7 @@ Sweep with_drawn(Sweep sweep, const std::vector<DrawnValue>& drawn) {
 
 SweepPoint with_drawn(SweepPoint point, const std::vector<DrawnValue>& drawn) {
     for (const DrawnValue& each : drawn) {
-        const auto same = [&](const auto& value) { return value.first == each.name; };
-        if (std::any_of(point.begin(), point.end(), same)) continue;
+        if (value_of(point, each.name) != nullptr) continue;
         point.emplace_back(each.name,
                            each.choices.empty() ? number_value(each.range, each.number) : text_value(each.text));
     }
@@ -47,17 +46,17 @@ SweepPoint with_drawn(SweepPoint point, const std::vector<DrawnValue>& drawn) {
 std::vector<DrawnValue> drawn_values(const Sweep& sweep, const SweepPoint& point) {
     std::vector<DrawnValue> all;
     for (const SweepKey& key : sweep.keys) {
-        const auto same = [&](const auto& value) { return value.first == key.name; };
-        const auto found = std::find_if(point.begin(), point.end(), same);
-        if (found == point.end()) continue;
-        DrawnValue& drawn = all.emplace_back(DrawnValue{.name = key.name, .text = found->second.text});
-        if (const auto* range = std::get_if<SweepRange>(&key.values)) {
-            drawn.range = *range;
-            drawn.number = number_in(found->second);
-        } else {
-            for (const SweepValue& choice : std::get<std::vector<SweepValue>>(key.values))
-                drawn.choices.push_back(choice.text);
-        }
+        const SweepValue* const value = value_of(point, key.name);
+        if (value == nullptr) continue;
+        DrawnValue& drawn = all.emplace_back(DrawnValue{.name = key.name, .text = value->text});
+        const auto of_range = [&](const SweepRange& range) {
+            drawn.range = range;
+            drawn.number = number_in(*value);
+        };
+        const auto of_list = [&](const std::vector<SweepValue>& list) {
+            for (const SweepValue& choice : list) drawn.choices.push_back(choice.text);
+        };
+        by_kind(key, of_range, of_list);
     }
     return all;
 }

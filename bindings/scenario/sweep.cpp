@@ -64,10 +64,11 @@ SweepValue value_at(const SweepRange& range, std::uint64_t index) {
 
 // The number of values of a key; infinite for a range without a step, unless it has only one number.
 double count_of(const SweepKey& key) {
-    if (const auto* list = std::get_if<std::vector<SweepValue>>(&key.values)) return static_cast<double>(list->size());
-    const SweepRange& range = std::get<SweepRange>(key.values);
-    if (range.lo == range.hi) return 1;
-    return range.step > 0 ? steps_of(range) + 1 : std::numeric_limits<double>::infinity();
+    const auto of_range = [](const SweepRange& range) {
+        if (range.lo == range.hi) return 1.0;
+        return range.step > 0 ? steps_of(range) + 1 : std::numeric_limits<double>::infinity();
+    };
+    return by_kind(key, of_range, [](const auto& list) { return static_cast<double>(list.size()); });
 }
 
 // Combination `index` of all; the last key changes fastest.
@@ -78,9 +79,9 @@ SweepPoint point_at(const Sweep& sweep, std::uint64_t index) {
         const auto count = static_cast<std::uint64_t>(count_of(key));
         const std::uint64_t at = index % count;
         index /= count;
-        const auto* list = std::get_if<std::vector<SweepValue>>(&key.values);
-        point[i] = {key.name, list != nullptr ? (*list)[static_cast<std::size_t>(at)]
-                                              : value_at(std::get<SweepRange>(key.values), at)};
+        point[i] = {key.name, by_kind(
+                                  key, [&](const SweepRange& range) { return value_at(range, at); },
+                                  [&](const auto& list) { return list[static_cast<std::size_t>(at)]; })};
     }
     return point;
 }
@@ -200,41 +201,42 @@ SweepValue text_value(std::string text) {
 SweepPoint point_in(const Sweep& sweep, const std::vector<double>& shares) {
     SweepPoint point;
     for (std::size_t i = 0; i < sweep.keys.size(); ++i) {
-        const SweepKey& key = sweep.keys[i];
         const double share = i < shares.size() ? std::clamp(shares[i], 0.0, 1.0) : 0.5;
-        if (const auto* range = std::get_if<SweepRange>(&key.values)) {
-            const double number = range->step > 0 ? within(*range, range->lo + (range->hi - range->lo) * share)
-                                                  : short_number(*range, share);
-            point.emplace_back(key.name, number_value(*range, number));
-        } else {
-            const auto& values = std::get<std::vector<SweepValue>>(key.values);
-            const auto at = static_cast<std::size_t>(share * static_cast<double>(values.size()));
-            point.emplace_back(key.name, values[std::min(at, values.size() - 1)]);
-        }
+        const auto in_range = [&](const SweepRange& range) {
+            return number_value(range, range.step > 0 ? within(range, range.lo + (range.hi - range.lo) * share)
+                                                      : short_number(range, share));
+        };
+        const auto in_list = [&](const std::vector<SweepValue>& list) {
+            const auto at = static_cast<std::size_t>(share * static_cast<double>(list.size()));
+            return list[std::min(at, list.size() - 1)];
+        };
+        point.emplace_back(sweep.keys[i].name, by_kind(sweep.keys[i], in_range, in_list));
     }
     return point;
 }
 
 std::vector<double> shares_of(const Sweep& sweep, const SweepPoint& point) {
+    constexpr double middle = 0.5;
     std::vector<double> shares;
     for (const SweepKey& key : sweep.keys) {
-        const auto same = [&](const auto& value) { return value.first == key.name; };
-        const auto found = std::find_if(point.begin(), point.end(), same);
-        double share = 0.5;
-        if (found != point.end()) {
-            if (const auto* range = std::get_if<SweepRange>(&key.values)) {
-                const double width = range->hi - range->lo;
-                if (width > 0) share = (number_in(found->second) - range->lo) / width;
-            } else {
-                const auto& values = std::get<std::vector<SweepValue>>(key.values);
-                const auto* value = find_value(values, found->second.text);
-                if (value != nullptr)
-                    share = (static_cast<double>(value - values.data()) + 0.5) / static_cast<double>(values.size());
-            }
-        }
-        shares.push_back(share);
+        const SweepValue* const value = value_of(point, key.name);
+        const auto of_range = [&](const SweepRange& range) {
+            const double width = range.hi - range.lo;
+            return width > 0 ? (number_in(*value) - range.lo) / width : middle;
+        };
+        const auto of_list = [&](const std::vector<SweepValue>& list) {
+            const SweepValue* const found = find_value(list, value->text);
+            if (found == nullptr) return middle;
+            return (static_cast<double>(found - list.data()) + middle) / static_cast<double>(list.size());
+        };
+        shares.push_back(value != nullptr ? by_kind(key, of_range, of_list) : middle);
     }
     return shares;
+}
+
+const SweepValue* value_of(const SweepPoint& point, std::string_view key) {
+    const auto found = std::find_if(point.begin(), point.end(), [&](const auto& value) { return value.first == key; });
+    return found != point.end() ? &found->second : nullptr;
 }
 
 std::optional<SweepPoint> find_drawn_point(const Sweep& sweep, std::string_view text) {
@@ -307,12 +309,11 @@ SweepPoint draw_point(const Sweep& sweep, std::uint64_t seed, std::size_t index)
     Random random(seed, index + 1);
     SweepPoint point;
     for (const SweepKey& key : sweep.keys) {
-        if (const auto* range = std::get_if<SweepRange>(&key.values)) {
-            point.emplace_back(key.name, draw_value(*range, random));
-        } else {
-            const auto& values = std::get<std::vector<SweepValue>>(key.values);
-            point.emplace_back(key.name, values[static_cast<std::size_t>(random.next_up_to(values.size() - 1))]);
-        }
+        point.emplace_back(key.name, by_kind(
+                                         key, [&](const SweepRange& range) { return draw_value(range, random); },
+                                         [&](const std::vector<SweepValue>& list) {
+                                             return list[static_cast<std::size_t>(random.next_up_to(list.size() - 1))];
+                                         }));
     }
     return point;
 }
@@ -358,14 +359,15 @@ std::vector<SweepPoint> simpler(const Sweep& sweep, const SweepPoint& point) {
             all.push_back(point);
             all.back()[i].second = value;
         };
-        if (const auto* range = std::get_if<SweepRange>(&sweep.keys[i].values)) {
-            for (const double number : simpler_numbers(*range, number_in(point[i].second)))
-                add(number_value(*range, number));
-        } else {
-            const auto& values = std::get<std::vector<SweepValue>>(sweep.keys[i].values);
-            const SweepValue* present = find_value(values, point[i].second.text);
-            for (const SweepValue* value = values.data(); value != present; ++value) add(*value);
-        }
+        const auto of_range = [&](const SweepRange& range) {
+            for (const double number : simpler_numbers(range, number_in(point[i].second)))
+                add(number_value(range, number));
+        };
+        const auto of_list = [&](const std::vector<SweepValue>& list) {
+            const SweepValue* present = find_value(list, point[i].second.text);
+            for (const SweepValue* value = list.data(); value != present; ++value) add(*value);
+        };
+        by_kind(sweep.keys[i], of_range, of_list);
     }
     return all;
 }

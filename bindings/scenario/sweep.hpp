@@ -53,6 +53,13 @@ struct SweepKey {
     std::variant<std::vector<SweepValue>, SweepRange> values;
 };
 
+/// Calls the function for the kind of values that a key has.
+template <class OfRange, class OfList>
+auto by_kind(const SweepKey& key, const OfRange& of_range, const OfList& of_list) {
+    const auto* range = std::get_if<SweepRange>(&key.values);
+    return range != nullptr ? of_range(*range) : of_list(std::get<std::vector<SweepValue>>(key.values));
+}
+
 /// Keys in ascending order.
 struct Sweep {
     std::vector<SweepKey> keys;
@@ -70,6 +77,9 @@ inline constexpr std::size_t most_runs = 100'000;
 
 /// "[speed=0.1, stop_d=30]"; "" for a point without values.
 std::string text_of(const SweepPoint& point);
+
+/// The value of a key; null if the point has none.
+const SweepValue* value_of(const SweepPoint& point, std::string_view key);
 
 /// The values of a point without the value of one key.
 SweepPoint without(const SweepPoint& point, std::string_view key);

@@ -194,9 +194,10 @@ public:
     /// The object that the robot touched during the last `step` call: a robot's name, "wall", "box 2", ...; empty if
     /// none.
     virtual std::string collided_with(RobotId robot) const = 0;
-    /// The distance [m] from a robot to what it would touch first, seen from above, at most `most_clearance`; 0 where
-    /// they overlap. Things above the robot do not count. Nothing in a world that does not know it.
-    virtual std::optional<double> clearance(RobotId /*robot*/) const { return std::nullopt; }
+    /// The distance [m] from a robot to what it would touch first, seen from above; 0 where they overlap. At most
+    /// `most`: a smaller one takes less time. Things above the robot do not count. Nothing in a world that does not
+    /// know it.
+    virtual std::optional<double> clearance(RobotId /*robot*/, double /*most*/) const { return std::nullopt; }
     static constexpr double most_clearance = 1.0;  ///< [m]
     /// The points [m] where it touched objects, in the latest physics step of the last `step` call with a contact.
     /// Empty without contacts, and in a world that does not know them.

@@ -1,4 +1,7 @@
 // How a condition's text is changed to record what it compares. tests/texts/margins has the margins themselves.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "bindings/lua/sandbox/compile.hpp"
@@ -54,22 +57,22 @@ TEST_CASE("a comparison is found with the texts of its sides", "[lua][scenario][
 }
 
 TEST_CASE("values and calls among comparisons are observed too", "[lua][scenario][condition]") {
-    CHECK(observed_text("flag and not(a < 1)") == "function() return h(1,flag) and not(h(4,a ,( 1))) end");
-    CHECK(observed_text("f(a < 1)") == "function() return h(1,h(2,f)(a < 1)) end");
+    CHECK(observed_text("flag and not(a < 1)") == "function() return h(1,flag) and not(h(5,a ,( 1))) end");
+    CHECK(observed_text("f(a < 1)") == "function() return h(1,h(3,f)(a < 1)) end");
     CHECK(observed_text("a < 1 == true") == "function() return h(1,a < 1 == true) end");
-    CHECK(observed_text("a or-1") == "function() return h(1,a) or h(5,-1) end");
-    CHECK(observed_text("not a.collided") == "function() return not h(1,a.collided,a) end");
-    CHECK(observed_text("f().collided") == "function() return h(1,f().collided) end");
+    CHECK(observed_text("a or-1") == "function() return h(1,a) or h(6,-1) end");
+    CHECK(observed_text("not a.collided") == "function() return not h(2,a) end");
+    CHECK(observed_text("f().collided") == "function() return h(2,f()) end");
     CHECK(observed_text("true or a < 1") == "function() return true or h(0,a ,( 1)) end");
 }
 
 TEST_CASE("the returns and early decisions of a function are observed", "[lua][scenario][condition]") {
     CHECK(observe("function f(x) if x > 1 then return true end return x end",
                   {.first_line = 1, .last_line = 1, .parameters = 1})
-              .text == "function(x) if h(3,h(0,x ,( 1))) then return h(7,true) end return h(11,h(5,x)) end");
+              .text == "function(x) if h(4,h(0,x ,( 1))) then return h(9,true) end return h(14,h(6,x)) end");
     // Only an `if` that contains a return decides.
     CHECK(observe("f = function() local x = 1 if x > 1 then x = 2 end while x > 3 do end return x < 2 end").text ==
-          "function() local x = 1 if x > 1 then x = 2 end while x > 3 do end return h(3,h(0,x ,( 2))) end");
+          "function() local x = 1 if x > 1 then x = 2 end while x > 3 do end return h(4,h(0,x ,( 2))) end");
     CHECK(observe("f = function() return any(list, function() return a < 1 end) end").why ==
           "several functions begin in its line");
 }
@@ -92,6 +95,39 @@ TEST_CASE("a condition that records comparisons has the result and the effects o
     CHECK(tried.condition->comparisons()[1].right_value == 7);
     CHECK_FALSE(tried.sample());  // 3 < 3
     CHECK_FALSE(tried.condition->comparisons()[1].evaluated);
+}
+
+TEST_CASE("a touch of what is no robot has Lua's own message", "[lua][scenario][condition]") {
+    for (const char* const expression :
+         {"mouse.collided", "not pair.mouse.collided", "(f()).collided", "mouse.mouse.collided"}) {
+        CAPTURE(expression);
+        const std::string text = fmt::format(
+            "local mouse, pair, f = nil, {{}}, function() end\nreturn function() return {} end", expression);
+        Tried tried(text);
+        const auto held = tried.condition->sample(tried.state->lua());
+        REQUIRE_FALSE(held);
+        lua_State* const lua = tried.state->lua();
+        REQUIRE(load_chunk(lua, *compile(text, "test.lua")));
+        REQUIRE(protected_call(lua, 0, 1, {}));
+        const auto plain = protected_call(lua, 0, 1, {});
+        REQUIRE_FALSE(plain);
+        CHECK(describe(held.error()) == describe(plain.error()));
+    }
+}
+
+TEST_CASE("only the least robustness of a touch is exact, where only this is asked for", "[lua][scenario][condition]") {
+    Tried tried("local mouse = { collided = false }\nreturn function() return not mouse.collided end");
+    tried.texts.clearance = [](lua_State*, int, double most) { return std::optional(std::min(most, 0.3)); };
+    const auto asked = [&](LeastAsked least) {
+        REQUIRE(tried.condition->sample(tried.state->lua(), &least));
+        return tried.condition->robustness().value;
+    };
+    CHECK(asked({}) == 0.3);
+    CHECK(asked({.least = 0.2}) == 0.2);
+    CHECK(asked({.least = 0.4}) == 0.3);
+    CHECK(asked({.least = 0.2, .opposite = true}) == 0.3);  // of `never`, less clearance is more robust
+    CHECK(tried.sample());
+    CHECK(tried.condition->robustness().value == 0.3);
 }
 
 TEST_CASE("a helper that is made anew in each sample is observed a limited number of times",

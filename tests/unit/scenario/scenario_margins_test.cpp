@@ -162,6 +162,29 @@ TEST_CASE("a robot that touches something is at the limit", "[scenario][margins]
     CHECK(result.margins.at(0).time > 1);
 }
 
+TEST_CASE("a margin is the least clearance, however the condition is written", "[scenario][margins]") {
+    ScenarioRig rig(
+        "scenario('it', function(s)\n"
+        "  local w = s:load 'systems/stop_at_wall.lua'\n"
+        "  w.controller.config.speed_x = 0.2\n"
+        "  s:always('a', function() return not w.mouse.collided end)\n"
+        "  s:never('b', function() return w.mouse.collided end)\n"
+        "  s:always('c', function() return w.mouse.truth.pose.position.x < 9 and not w.mouse.collided end)\n"
+        "  s:never('d', function() return not not w.mouse.collided or w.mouse.truth.pose.position.x > 9 end)\n"
+        "  s:always('e', function() if w.mouse.collided then return false end return true end)\n"
+        "  s:run(3) w.controller.config.speed_x = -0.2 s:run(2)\n"
+        "end)");
+    const RunResult result = rig.run();
+    REQUIRE(result.margins.size() == 5);
+    const ConditionMargin& exact = result.margins[4];  // of a branch, each sample is exact
+    REQUIRE(exact.margin);
+    CHECK(exact.margin.value() < 0.6);
+    for (const ConditionMargin& margin : result.margins) {
+        CHECK(margin.margin == exact.margin);
+        CHECK(margin.time == exact.time);
+    }
+}
+
 TEST_CASE("a session reports margins, whatever the number of jobs", "[scenario][margins][session]") {
     ScenarioRig rig(two_scenarios);
     rig.options.jobs = 1;

@@ -35,15 +35,19 @@ TEST_CASE("the clearance of a robot is the gap to what it would touch first", "[
     TryWorld w(arena);
     const RobotId mouse = w.add(mouse_spec(), 0, 0);
     // 0.10 m by 0.08 m.
-    CHECK(w.world->clearance(mouse).value() == Approx(0.39).margin(1e-3));
+    CHECK(w.world->clearance(mouse, World::most_clearance).value() == Approx(0.39).margin(1e-3));
+    // A greater one is not needed, and takes no time.
+    CHECK(w.world->clearance(mouse, 0.1) == 0.1);
+    CHECK(w.world->clearance(mouse, 0.4).value() == Approx(0.39).margin(1e-3));
     const RobotId behind = w.add(mouse_spec(), -0.3, 0);
-    CHECK(w.world->clearance(mouse).value() == Approx(0.2).margin(1e-3));
-    CHECK(w.world->clearance(behind).value() == Approx(0.2).margin(1e-3));
+    CHECK(w.world->clearance(mouse, World::most_clearance).value() == Approx(0.2).margin(1e-3));
+    CHECK(w.world->clearance(behind, World::most_clearance).value() == Approx(0.2).margin(1e-3));
 }
 
 TEST_CASE("a robot that touches something has no clearance, one far from everything the most", "[sim][clearance]") {
     TryWorld alone;
-    CHECK(alone.world->clearance(alone.add(mouse_spec(), 0, 0)).value() == World::most_clearance);
+    CHECK(alone.world->clearance(alone.add(mouse_spec(), 0, 0), World::most_clearance).value() ==
+          World::most_clearance);
     ArenaSpec arena;
     arena.boxes.push_back({.at = {0.2, 0, 0.1}, .size = {0.1, 1, 0.2}});
     TryWorld w(arena);
@@ -51,12 +55,12 @@ TEST_CASE("a robot that touches something has no clearance, one far from everyth
     w.bodies.back()->set_wheel_speeds({0.3, 0.3});
     double least = 1;
     for (int i = 0; i < 400 && !w.world->collided(mouse); ++i) {
-        const double clearance = w.world->clearance(mouse).value();
+        const double clearance = w.world->clearance(mouse, World::most_clearance).value();
         CHECK(clearance <= least + 1e-6);
         least = clearance;
         w.world->step(1);
     }
     CHECK(w.world->collided(mouse));
     CHECK(least < 0.01);
-    CHECK(w.world->clearance(mouse).value() == 0);
+    CHECK(w.world->clearance(mouse, World::most_clearance).value() == 0);
 }
