@@ -23,6 +23,7 @@ constexpr int deepest = 32;
 constexpr std::size_t longest_shown = 160;
 
 constexpr std::array<std::string_view, 6> time_names{"pause", "resume", "step", "speed", "restart", "quit"};
+constexpr std::array<std::string_view, 7> edit_names{"list", "read", "check", "save", "versions", "version", "words"};
 
 // The parser is not recursive, but functions that use its values are.
 bool is_too_deep(std::string_view text) {
@@ -154,6 +155,31 @@ DriveMessage read_drive(Fields& fields, const PartReader& parts) {
     return drive;
 }
 
+EditMessage read_edit(Fields& fields) {
+    using What = EditMessage::What;
+    const std::string what = fields.text("what");
+    const auto* const found = std::find(edit_names.begin(), edit_names.end(), what);
+    if (found == edit_names.end()) {
+        fields.wrong("what", fmt::format("one of {}", fmt::join(edit_names, ", ")));
+        return {};
+    }
+    EditMessage edit{.what = static_cast<What>(found - edit_names.begin())};
+    if (edit.what == What::list || edit.what == What::words) return edit;
+    edit.file = fields.text("file");
+    if (edit.what == What::check || edit.what == What::save) edit.text = fields.text("text");
+    if (edit.what == What::save) edit.mark = fields.text("mark");
+    if (edit.what == What::version) {
+        const Json* number = fields.find("number");
+        const bool good = number != nullptr && number->is_number_integer() && *number > 0 &&
+                          *number <= std::numeric_limits<int>::max();
+        if (good)
+            edit.number = number->get<int>();
+        else
+            fields.wrong("number", "a whole number from 1");
+    }
+    return edit;
+}
+
 ConsoleMessage read_console(Fields& fields) {
     const Json* given = fields.find("request");
     if (given == nullptr || !given->is_object()) {
@@ -213,8 +239,10 @@ tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const 
         message.body = SystemsMessage{};
     } else if (what == "explain") {
         message.body = ExplainMessage{fields.text("component")};
+    } else if (what == "edit") {
+        message.body = read_edit(fields);
     } else {
-        fields.wrong("do", "one of watch, act, stop, rearm, time, drive, console, floor, explain, systems");
+        fields.wrong("do", "one of watch, act, stop, rearm, time, drive, console, floor, explain, systems, edit");
     }
     if (!fields.problem().empty()) return refuse(fields.problem());
     return message;

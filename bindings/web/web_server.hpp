@@ -12,6 +12,7 @@
 #include "bindings/console/server.hpp"
 #include "bindings/web/console_relay.hpp"
 #include "bindings/web/drives.hpp"
+#include "bindings/web/editor.hpp"
 #include "bindings/web/hub.hpp"
 #include "bindings/web/pictures.hpp"
 #include "bindings/web/seeks.hpp"
@@ -28,6 +29,7 @@ struct WebOptions {
     std::filesystem::path page{};  ///< folder of the page's files
     std::string version{};         ///< of nezumi
     Pictures::Encode encode{};     ///< pictures for browsers
+    EditorOptions editor{};
 };
 
 /// Must be called from the ticking thread.
@@ -115,7 +117,9 @@ private:
     std::uint64_t layout_ = 0;
     int starts_ = 0;
     std::unique_ptr<Sockets> sockets_;
-    std::unique_ptr<Pictures> pictures_;  // destroyed first, because it wakes the sockets
+    // Destroyed first, because they wake the sockets:
+    std::unique_ptr<Pictures> pictures_;
+    std::unique_ptr<Editor> editor_;
 };
 
 }  // namespace nezumi::web

@@ -12,6 +12,7 @@ import { make_parameters } from "./parameters.js";
 import { make_diagram } from "./diagram.js";
 import { make_cameras } from "./cameras.js";
 import { make_explain } from "./explain.js";
+import { make_editor } from "./editor.js";
 import { make_console } from "./console.js";
 import { make_log } from "./log.js";
 
@@ -46,7 +47,7 @@ async function start() {
   const parts = { link, model, acts, notices };
 
   const views = {
-    world: make_world(parts), diagram: make_diagram(parts), plots: make_plots(parts), explain: make_explain(parts), drive: make_drive(parts),
+    world: make_world(parts), diagram: make_diagram(parts), plots: make_plots(parts), editor: make_editor(parts), explain: make_explain(parts), drive: make_drive(parts),
     parameters: make_parameters(parts), cameras: make_cameras(parts), console: make_console(parts), log: make_log(parts),
   };
   parts.layout = make_layout(views);

@@ -1,7 +1,7 @@
 // Every text of the page in one table, so that another language needs only another table.
 
 const EN = {
-  views: { world: "World", diagram: "System", plots: "Plots", drive: "Drive", parameters: "Parameters",
+  views: { world: "World", diagram: "System", plots: "Plots", editor: "Editor", drive: "Drive", parameters: "Parameters",
     cameras: "Cameras", console: "Console", explain: "Explain", log: "Log" },
   parts: { stage: "System", side: "Controls", dock: "Console and log", all: "Views", more: "More" },
   real: "real robots",
@@ -35,7 +35,7 @@ const EN = {
 
   splits: { dock: "Height of the console", side: "Width of the controls", hint: "Drag, or move by arrow keys; a double click puts it back" },
 
-  troubles: { count: (n) => (n === 1 ? "1 error" : `${n} errors`), show: "Show",
+  troubles: { count: (n) => (n === 1 ? "1 error" : `${n} errors`), show: "Show", open: (line) => `Open line ${line}`,
     runs: (version, names, more) => `Version ${version} runs: ${names}${more > 0 ? ` and ${more} more` : ""}.` },
 
   past: { label: "Time line", time: "Go to this time", branch: "Branch", now: "Now", now_hint: "To the end of this branch",
@@ -113,6 +113,27 @@ const EN = {
     limits: (robot) => `${robot}: limits`, wheels: (robot) => `${robot}: wheels`,
     asked: (v) => `command ${v}`, limited: (v, speed, rate) => `limited to ${v} (limits: ${speed} m/s, ${rate} rad/s)`,
     rims: (left, right) => `left ${left} m/s, right ${right} m/s`, free: "They roll freely.",
+  },
+
+  editor: {
+    loading: "Loading…", files: "Files", search: "Search files", none: "No file", no_files: "No file has this name.", text: "Text of the file",
+    kinds: { behaviors: "Behaviours", modules: "Modules", systems: "Systems", robots: "Robots", scenarios: "Scenarios", messages: "Messages", "": "Others" },
+    view_only: "This page is view-only: it shows no files.",
+    save: "Save", save_hint: "Save, and run the new version (Ctrl-S)", saving: "Saving…", saved: "Saved.", unsaved: "Not saved.",
+    not_saved: (why) => `Not saved: ${why}. The text stays here.`, undo: "Undo", leave: "Tab leaves the text now.",
+    runs: (version, names) => `Saved: version ${version} runs (${names}).`, restart: "Saved. It counts from the next start:",
+    which: "The file was changed by another program since you opened it. Red lines are in the file, green ones in your text.",
+    overwrite: "Keep my text", take_theirs: "Take the file's text", taken: "Another program has changed this file: this is its text now. Undo goes back to yours.",
+    changed_meanwhile: "Another program has changed this file. Save to see the difference and to choose.",
+    versions: "Versions", versions_of: (file) => `Versions of ${file}`, versions_hint: "Choose a version to see what has changed since.",
+    no_versions: "No version yet: each save keeps one.", version: (number) => `Version ${number}`, bytes: (n) => `${n} bytes`,
+    go_back: (number) => `Save version ${number} again`, difference: "Difference", no_difference: "No difference.",
+    new: "New…", new_name: "A new file, within the project", make: "Make", findings: "Findings",
+    not_here: (file) => `${file} is not a file of this project.`,
+    complete: "Complete", complete_hint: "Offer names (Ctrl-Space)", no_doc: "Nothing is known about this name.",
+    values: "Values", values_of: "Behaviour", values_hint: "Show the values of each line while it runs", ran: "this line has run",
+    break_here: "Time pauses after a tick that runs this line", break_at: (line) => `Time pauses after a tick that runs line ${line}.`,
+    no_break: (line) => `Time no longer pauses at line ${line}.`, stopped: (line) => `Line ${line} ran: time is paused.`,
   },
 
   log: { label: "Log", search: "Search", level: "Level", debug: "debug", info: "info", warn: "warn", error: "error",
