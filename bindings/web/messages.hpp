@@ -61,13 +61,26 @@ struct EditMessage {
     int number = 0;
 };
 
+/// A request about the project's scenarios.
+struct TestMessage {
+    enum class What {
+        list,  ///< their names and places
+        run,   ///< runs those of `file`, or all, or only the one called `name`
+        stop,  ///< ends the present run
+        open,  ///< opens the failed run that is kept in the folder `file`, in a page of its own
+    };
+    What what = What::list;
+    std::string file{};
+    std::string name{};
+};
+
 /// Requests the list of running systems.
 struct SystemsMessage {};
 
 struct BrowserMessage {
     std::int64_t id = 0;  ///< chosen by the page; the answer has the same id
     std::variant<Watch, ActMessage, TimeMessage, DriveMessage, ConsoleMessage, FloorMessage, ExplainMessage,
-                 SystemsMessage, EditMessage>
+                 SystemsMessage, EditMessage, TestMessage>
         body{};
 };
 

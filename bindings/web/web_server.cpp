@@ -81,10 +81,18 @@ Expected<std::unique_ptr<WebServer>> WebServer::open(RunningSystem& live, ClockC
             hub.send(client, std::move(answer));
             wakes.wake();
         });
+    server->scenarios_ = std::make_unique<ScenarioRuns>(
+        live.project().root(), options.editor.program,
+        options.sockets.certificate.empty() ? "" : options.sockets.address,
+        [&hub = server->hub_, &wakes = *server->sockets_](ClientId client, std::string answer) {
+            hub.send(client, std::move(answer));
+            wakes.wake();
+        });
     return server;
 }
 
 WebServer::~WebServer() {
+    scenarios_.reset();
     editor_.reset();
     pictures_.reset();
     hub_.end(dump({{"is", "bye"}, {"text", "the run has ended"}}));
@@ -202,6 +210,10 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
     if (const auto* edit = std::get_if<EditMessage>(&message.body)) {
         if (edit->what == EditMessage::What::save) note(browser, "saves " + visible_message(edit->file));
         return replied(editor_->start(client, message.id, *edit), Reply::later);
+    }
+    if (const auto* test = std::get_if<TestMessage>(&message.body)) {
+        if (test->what == TestMessage::What::run) note(browser, "runs scenarios");
+        return replied(scenarios_->start(client, message.id, *test), Reply::later);
     }
     if (const auto* time = std::get_if<TimeMessage>(&message.body)) {
         if (time->what == TimeMessage::What::restart) return restart(client, message.id, browser);

@@ -15,6 +15,7 @@
 #include "bindings/web/editor.hpp"
 #include "bindings/web/hub.hpp"
 #include "bindings/web/pictures.hpp"
+#include "bindings/web/scenario_runs.hpp"
 #include "bindings/web/seeks.hpp"
 #include "bindings/web/sockets.hpp"
 #include "bindings/web/state_reader.hpp"
@@ -120,6 +121,7 @@ private:
     // Destroyed first, because they wake the sockets:
     std::unique_ptr<Pictures> pictures_;
     std::unique_ptr<Editor> editor_;
+    std::unique_ptr<ScenarioRuns> scenarios_;
 };
 
 }  // namespace nezumi::web

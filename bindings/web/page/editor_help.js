@@ -9,7 +9,7 @@ const MOST = 300;
 export function make_help(editor, parts) {
   const { CodeMirror, text } = editor;
   let words = new Words("");
-  const tip = el("div", { class: "tip", role: "tooltip", hidden: true });
+  const tip = el("div", { class: "word-tip", role: "tooltip", hidden: true });
   document.body.append(tip);
   const load = async () => {
     const answer = await editor.files.ask("words");

@@ -15,6 +15,7 @@ import { make_explain } from "./explain.js";
 import { make_editor } from "./editor.js";
 import { make_console } from "./console.js";
 import { make_log } from "./log.js";
+import { make_scenarios } from "./scenarios.js";
 
 /// A view that needs a library which may be missing; then it says which one.
 async function load(file, make, library) {
@@ -48,7 +49,7 @@ async function start() {
 
   const views = {
     world: make_world(parts), diagram: make_diagram(parts), plots: make_plots(parts), editor: make_editor(parts), explain: make_explain(parts), drive: make_drive(parts),
-    parameters: make_parameters(parts), cameras: make_cameras(parts), console: make_console(parts), log: make_log(parts),
+    parameters: make_parameters(parts), cameras: make_cameras(parts), console: make_console(parts), log: make_log(parts), scenarios: make_scenarios(parts),
   };
   parts.layout = make_layout(views);
   document.body.append(make_header(parts), parts.layout.node, notices.node);

@@ -1,7 +1,7 @@
 // Every text of the page in one table, so that another language needs only another table.
 
 const EN = {
-  views: { world: "World", diagram: "System", plots: "Plots", editor: "Editor", drive: "Drive", parameters: "Parameters",
+  views: { world: "World", diagram: "System", plots: "Plots", editor: "Editor", scenarios: "Scenarios", drive: "Drive", parameters: "Parameters",
     cameras: "Cameras", console: "Console", explain: "Explain", log: "Log" },
   parts: { stage: "System", side: "Controls", dock: "Console and log", all: "Views", more: "More" },
   real: "real robots",
@@ -115,6 +115,22 @@ const EN = {
     rims: (left, right) => `left ${left} m/s, right ${right} m/s`, free: "They roll freely.",
   },
 
+  arena: {
+    edit: "Edit arena", edit_hint: "Add, move, turn and remove what stands here: it is written into the system file", add: "Add", remove: "Remove", undo: "Undo",
+    words: { box: "Box", wall: "Wall", cylinder: "Cylinder", marker: "Marker", robot: "Robot" },
+    hint: (file) => `Changes are written into ${file}, and the system starts again.`, written: (file) => `Written into ${file}.`,
+    no_file: "The system file is not within the project: it can't be changed here.", changed: "Another program has changed the file: look at it, and try again.",
+    no_call: (line) => `Line ${line} of the file has no such call: it is made by a map or a function. Edit the text.`,
+    loop: (line) => `Line ${line} of the file makes several things, as in a loop. Edit the text.`,
+    no_robot: (name) => `The file has no single robot "${name}" { ... }. Edit the text.`, no_place: (name) => `${name} stands in no line of the file.`,
+    not_number: (name) => `'${name}' is computed, or missing. Edit the text.`, choose: "Select what is to be removed.",
+  },
+  scenarios: {
+    run_all: "Run all", run: "Run", run_one: (name) => `Run ${name}`, stop: "Stop these", look: "Look again", open: "Open", open_hint: "Open this run, paused where it failed",
+    none: "This project has no scenarios: files that end in _test.lua.", count: (n) => (n === 1 ? "1 scenario" : `${n} scenarios`),
+    running: (n) => `running, ${n} done`, ended: (passed, failed) => `${passed} passed, ${failed} failed`,
+    margins: (n) => (n === 1 ? "1 margin" : `${n} margins`), states: { passed: "passed", failed: "failed", runs: "runs", skipped: "skipped", "": "not run yet" },
+  },
   editor: {
     loading: "Loading…", files: "Files", search: "Search files", none: "No file", no_files: "No file has this name.", text: "Text of the file",
     kinds: { behaviors: "Behaviours", modules: "Modules", systems: "Systems", robots: "Robots", scenarios: "Scenarios", messages: "Messages", "": "Others" },
