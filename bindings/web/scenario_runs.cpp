@@ -4,13 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "bindings/web/edited_files.hpp"
 #include "engine/base/program.hpp"
+#include "engine/base/thread.hpp"
 #include "engine/base/trimmed.hpp"
 
 namespace nezumi::web {
@@ -25,6 +28,41 @@ std::string to_line_of(const nlohmann::ordered_json& json) {
 
 // With two cores one is left for the system that runs.
 std::string number_of_jobs() { return std::to_string(std::max(1U, std::thread::hardware_concurrency() / 2)); }
+
+// Calls a function again and again, and a last time at its end, in a thread of its own.
+class Repeated {
+public:
+    explicit Repeated(std::function<void()> work) : work_(std::move(work)) {
+        try {
+            thread_ = start_thread([this] {
+                while (!ends_) {
+                    work_();
+                    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+                }
+            });
+        } catch (const std::system_error&) {
+            // Then it is called at the end only.
+        }
+    }
+    ~Repeated() {
+        ends_ = true;
+        if (thread_.joinable()) thread_.join();
+        work_();
+    }
+    Repeated(const Repeated&) = delete;
+    Repeated& operator=(const Repeated&) = delete;
+
+private:
+    std::function<void()> work_;
+    std::atomic<bool> ends_ = false;
+    std::thread thread_;
+};
+
+// Runs a program, and calls `work` meanwhile.
+Expected<ProgramEnd> run_watched(const ProgramRun& run, const std::function<void()>& work) {
+    const Repeated repeated(work);
+    return run_program(run);
+}
 
 // The address in "in a browser: ADDRESS"; "" while there is none.
 std::string address_in(const std::string& said) {
@@ -119,13 +157,12 @@ void ScenarioRuns::run(ClientId client, const TestMessage& message) {
         sent += text.size();
         send_(client, to_line_of({{"is", "tests"}, {"text", text}}));
     };
-    const auto end = run_program({.words = std::move(words),
+    const auto end = run_watched({.words = std::move(words),
                                   .output = output.file(),
                                   .errors = errors.file(),
                                   .longest = longest_run,
-                                  .give_up = &stops_,
-                                  .meanwhile = tell});
-    tell();
+                                  .give_up = &stops_},
+                                 tell);
     std::string problem;
     if (!end || end->status > 1) {
         problem = trimmed(errors.text());
@@ -140,17 +177,18 @@ void ScenarioRuns::open(ClientId client, std::int64_t id, const std::string& fol
     if (!listen_.empty()) words.insert(words.end(), {"--listen", listen_});
     const UnnamedFile output;
     bool is_answered = false;
-    const auto end = run_program({.words = std::move(words),
+    const auto look = [&] {
+        const std::string address = is_answered ? "" : address_in(output.text());
+        if (address.empty()) return;
+        is_answered = true;
+        answer(client, id, true, "", address);
+    };
+    const auto end = run_watched({.words = std::move(words),
                                   .output = output.file(),
                                   .errors = output.file(),
                                   .longest = longest_run,
-                                  .give_up = &ends_,
-                                  .meanwhile = [&] {
-                                      const std::string address = is_answered ? "" : address_in(output.text());
-                                      if (address.empty()) return;
-                                      is_answered = true;
-                                      answer(client, id, true, "", address);
-                                  }});
+                                  .give_up = &ends_},
+                                 look);
     const std::string said(trimmed(output.text()));
     if (!is_answered) answer(client, id, false, said.empty() ? problem_of(end) : said);
 }

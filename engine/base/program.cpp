@@ -126,7 +126,6 @@ Expected<ProgramEnd> run_program(const ProgramRun& run) {
             waitpid(*child, &status, 0);
             return failure(give_up() ? "it was given up" : fmt::format("it took more than {} s", run.longest));
         }
-        if (run.meanwhile) run.meanwhile();
         std::this_thread::sleep_for(nap);
     }
     ProgramEnd end{.signal = WIFEXITED(status) ? 0 : WTERMSIG(status)};

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,7 +48,6 @@ struct ProgramRun {
     bool is_in_front = false;                    ///< it owns the terminal: it reads there, and Ctrl-C also stops it
     double longest = 20;                         ///< [s] after this it is killed
     const std::atomic<bool>* give_up = nullptr;  ///< it is killed as soon as this is true
-    std::function<void()> meanwhile{};           ///< called again and again until its end, at most every 20 ms
 };
 
 /// The end of a program.

@@ -125,6 +125,8 @@ const EN = {
     no_robot: (name) => `The file has no single robot "${name}" { ... }. Edit the text.`, no_place: (name) => `${name} stands in no line of the file.`,
     not_number: (name) => `'${name}' is computed, or missing. Edit the text.`, choose: "Select what is to be removed.",
   },
+  devices: { press: (sensor) => `Press ${sensor}`, led: (i, is_on) => `light ${i} is ${is_on ? "on" : "off"}`, tone: (hertz) => `♪ ${hertz} Hz` },
+
   scenarios: {
     run_all: "Run all", run: "Run", run_one: (name) => `Run ${name}`, stop: "Stop these", look: "Look again", open: "Open", open_hint: "Open this run, paused where it failed",
     none: "This project has no scenarios: files that end in _test.lua.", count: (n) => (n === 1 ? "1 scenario" : `${n} scenarios`),

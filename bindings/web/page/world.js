@@ -2,6 +2,7 @@
 import * as THREE from "/lib/three/three.module.js";
 import { el } from "./dom.js";
 import { T } from "./texts.js";
+import { make_devices } from "./devices.js";
 import { stranded_robots } from "./troubles.js";
 import { number_text } from "./value_text.js";
 import { Eye } from "./world_camera.js";
@@ -158,6 +159,7 @@ class World {
     if (kind === "robot") this.#parts.model.emit("chosen", this.#parts.model.system.robots[index].name);
     this.watch();
     this.on_chosen?.();
+    this.devices?.update();
     this.draw();
   }
 
@@ -312,6 +314,8 @@ export function make_world(parts) {
     about.textContent = parts.model.hello.real ? T.world.no_truth : T.world.about;
   });
   const [tools, edit_tools, readout] = make_tools(world, parts);
-  world.stage.append(readout);
+  const devices = make_devices(parts, () => (world.chosen?.kind === "robot" ? world.chosen.index : null));
+  world.devices = devices;
+  world.stage.append(readout, devices.node);
   return { node: el("div", { class: "world" }, tools, edit_tools, world.stage, about), shown: (is_shown) => world.shown(is_shown) };
 }
