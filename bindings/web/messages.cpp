@@ -12,6 +12,7 @@
 
 #include "bindings/console/protocol.hpp"
 #include "bindings/journal/act_json.hpp"
+#include "engine/base/visible.hpp"
 
 namespace nezumi::web {
 namespace {
@@ -23,6 +24,8 @@ constexpr int deepest = 32;
 constexpr std::size_t longest_shown = 160;
 
 constexpr std::array<std::string_view, 6> time_names{"pause", "resume", "step", "speed", "restart", "quit"};
+constexpr std::array<std::string_view, 4> test_names{"list", "run", "stop", "open"};
+constexpr std::array<std::string_view, 7> edit_names{"list", "read", "check", "save", "versions", "version", "words"};
 
 // The parser is not recursive, but functions that use its values are.
 bool is_too_deep(std::string_view text) {
@@ -108,6 +111,36 @@ Watch read_watch(Fields& fields) {
             .members = fields.texts("members")};
 }
 
+// A value as a person reads it: `{ x = 0.1, y = 0 }`, `{ 1, 2 }`, `mouse`.
+std::string value_in_words(const Json& value) {
+    if (value.is_string()) return visible(value.get<std::string>());
+    if (!value.is_structured()) return dump_ascii(value);
+    std::string text;
+    for (const auto& [name, each] : value.items()) {
+        text += text.empty() ? " " : ", ";
+        if (value.is_object()) text += visible(name) + " = ";
+        text += value_in_words(each);
+    }
+    return "{" + text + (text.empty() ? "}" : " }");
+}
+
+// "set parameter controller, speed_x, 0.5" of SetParameter and its fields.
+std::string act_in_words(std::string_view name, const Json& fields) {
+    std::string text;
+    for (const char each : name) {
+        const bool begins = each >= 'A' && each <= 'Z';
+        if (begins && !text.empty()) text += ' ';
+        text += begins ? static_cast<char>(each - 'A' + 'a') : each;
+    }
+    const char* between = " ";
+    for (const auto& [field, value] : fields.items()) {
+        if (value.is_null() || value == false) continue;
+        text += between + (value == true ? field : value_in_words(value));
+        between = ", ";
+    }
+    return text;
+}
+
 ActMessage read_act(Fields& fields, const PartReader& parts) {
     const std::string name = fields.text("act");
     const Json* given = fields.find("fields");
@@ -119,7 +152,7 @@ ActMessage read_act(Fields& fields, const PartReader& parts) {
         fields.refuse(act.error().message);
         return {};
     }
-    return {.act = std::move(*act), .shown = cut(name + " " + dump_ascii(*given))};
+    return {.act = std::move(*act), .shown = cut(act_in_words(name, *given))};
 }
 
 TimeMessage read_time(Fields& fields) {
@@ -153,6 +186,44 @@ DriveMessage read_drive(Fields& fields, const PartReader& parts) {
     }
     drive.value = std::get<Hold>(*held).value;
     return drive;
+}
+
+EditMessage read_edit(Fields& fields) {
+    using What = EditMessage::What;
+    const std::string what = fields.text("what");
+    const auto* const found = std::find(edit_names.begin(), edit_names.end(), what);
+    if (found == edit_names.end()) {
+        fields.wrong("what", fmt::format("one of {}", fmt::join(edit_names, ", ")));
+        return {};
+    }
+    EditMessage edit{.what = static_cast<What>(found - edit_names.begin())};
+    if (edit.what == What::list || edit.what == What::words) return edit;
+    edit.file = fields.text("file");
+    if (edit.what == What::check || edit.what == What::save) edit.text = fields.text("text");
+    if (edit.what == What::save) edit.mark = fields.text("mark");
+    if (edit.what == What::version) {
+        const Json* number = fields.find("number");
+        const bool good = number != nullptr && number->is_number_integer() && *number > 0 &&
+                          *number <= std::numeric_limits<int>::max();
+        if (good)
+            edit.number = number->get<int>();
+        else
+            fields.wrong("number", "a whole number from 1");
+    }
+    return edit;
+}
+
+TestMessage read_test(Fields& fields) {
+    const std::string what = fields.text("what");
+    const auto* const found = std::find(test_names.begin(), test_names.end(), what);
+    if (found == test_names.end()) {
+        fields.wrong("what", fmt::format("one of {}", fmt::join(test_names, ", ")));
+        return {};
+    }
+    TestMessage test{.what = static_cast<TestMessage::What>(found - test_names.begin())};
+    if (test.what == TestMessage::What::open || fields.find("file") != nullptr) test.file = fields.text("file");
+    if (fields.find("name") != nullptr) test.name = fields.text("name");
+    return test;
 }
 
 ConsoleMessage read_console(Fields& fields) {
@@ -250,9 +321,9 @@ tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const 
     } else if (what == "act") {
         message.body = read_act(fields, parts);
     } else if (what == "stop") {
-        message.body = ActMessage{.act = Stop{}, .shown = "Stop"};
+        message.body = ActMessage{.act = Stop{}, .shown = "stop"};
     } else if (what == "rearm") {
-        message.body = ActMessage{.act = Rearm{}, .shown = "Rearm"};
+        message.body = ActMessage{.act = Rearm{}, .shown = "rearm"};
     } else if (what == "time") {
         message.body = read_time(fields);
     } else if (what == "drive") {
@@ -267,8 +338,13 @@ tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const 
         message.body = ExplainMessage{fields.text("component")};
     } else if (what == "peer") {
         message.body = read_peer(fields, json, parts);
+    } else if (what == "edit") {
+        message.body = read_edit(fields);
+    } else if (what == "test") {
+        message.body = read_test(fields);
     } else {
-        fields.wrong("do", "one of watch, act, stop, rearm, time, drive, console, floor, explain, systems, peer");
+        fields.wrong("do",
+                     "one of watch, act, stop, rearm, time, drive, console, floor, explain, systems, edit, test, peer");
     }
     if (!fields.problem().empty()) return refuse(fields.problem());
     return message;

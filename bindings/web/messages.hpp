@@ -49,13 +49,44 @@ struct PeerMessage {
 /// Requests the picture of the floor.
 struct FloorMessage {};
 
+/// A request of the page's editor.
+struct EditMessage {
+    enum class What {
+        list,      ///< the files of the project
+        read,      ///< the text of `file`
+        check,     ///< what is wrong in `text`, which `file` would have
+        save,      ///< writes `text`; `mark` is that of the text that was read, "" for a new file
+        versions,  ///< the kept versions of `file`
+        version,   ///< the text of version `number`
+        words,     ///< the annotations of all words and types
+    };
+    What what = What::list;
+    std::string file{};
+    std::string text{};
+    std::string mark{};
+    int number = 0;
+};
+
+/// A request about the project's scenarios.
+struct TestMessage {
+    enum class What {
+        list,  ///< their names and places
+        run,   ///< runs those of `file`, or all, or only the one called `name`
+        stop,  ///< ends the present run
+        open,  ///< opens the failed run that is kept in the folder `file`, in a page of its own
+    };
+    What what = What::list;
+    std::string file{};
+    std::string name{};
+};
+
 /// Requests the list of running systems.
 struct SystemsMessage {};
 
 struct BrowserMessage {
     std::int64_t id = 0;  ///< chosen by the page; the answer has the same id
     std::variant<Watch, ActMessage, TimeMessage, DriveMessage, ConsoleMessage, FloorMessage, ExplainMessage,
-                 SystemsMessage, PeerMessage>
+                 SystemsMessage, PeerMessage, EditMessage, TestMessage>
         body{};
 };
 

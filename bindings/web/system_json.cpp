@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -53,6 +54,8 @@ Json parameter_to_json(const Component& component, const Parameters::Parameter& 
               {"widget", spec.widget},
               {"options", Json::array()},
               {"changed", parameter.value != given}};
+    if (spec.min_size) json["min_size"] = *spec.min_size;
+    if (spec.max_size) json["max_size"] = *spec.max_size;
     for (const Value& choice : spec.choices) json["options"].push_back(value_to_json(choice));
     return json;
 }
@@ -156,6 +159,12 @@ Json robot_to_json(const Robot& robot) {
             {"distances", distances_to_json(spec)}};
 }
 
+// Where a file describes it; null if that is not known.
+Json place_to_json(const Place* place) {
+    if (place == nullptr || place->line == 0) return {};
+    return {{"file", place->file}, {"line", place->line}};
+}
+
 Json arena_to_json(const ArenaSpec& arena, const World* world) {
     Json json{{"size", arena.size ? point(*arena.size) : Json()}, {"border", Json()}, {"floor", Json()}};
     if (arena.border) json["border"] = {{"thickness", arena.border->thickness}, {"height", arena.border->height}};
@@ -169,13 +178,18 @@ Json arena_to_json(const ArenaSpec& arena, const World* world) {
         lines.push_back({{"points", std::move(points)}, {"width", line.width}, {"color", line.color}});
     }
     json["lines"] = std::move(lines);
+    std::map<std::string, const Place*> places;
+    for (std::size_t i = 0; i < arena.boxes.size(); ++i) places[thing_name("box", i)] = &arena.boxes[i].place;
+    for (std::size_t i = 0; i < arena.cylinders.size(); ++i)
+        places[thing_name("cylinder", i)] = &arena.cylinders[i].place;
     Json things = Json::array();
     if (world != nullptr) {
         for (const ThingPose& thing : world->things())
             things.push_back({{"name", thing.name},
                               {"shape", thing.shape == ThingPose::Shape::box ? "box" : "cylinder"},
                               {"size", point(thing.size)},
-                              {"color", thing.color}});
+                              {"color", thing.color},
+                              {"place", place_to_json(places[thing.name])}});
     }
     json["things"] = std::move(things);
     return json;
@@ -252,10 +266,13 @@ Json system_to_json(const RunningSystem& live) {
     for (const Robot* robot : system.robots()) json["robots"].push_back(robot_to_json(*robot));
     json["markers"] = Json::array();
     if (system.world() != nullptr) {
+        std::map<std::string, const Place*> places;
+        for (const MarkerSpec& marker : live.spec().arena.markers) places[marker.name] = &marker.place;
         for (const MarkerPose& marker : system.world()->markers())
             json["markers"].push_back({{"name", marker.name},
                                        {"id", marker.id},
                                        {"size", marker.size},
+                                       {"place", place_to_json(places[marker.name])},
                                        {"modules", system.world()->marker_cells(marker.id)}});
     }
     json["drivers"] = drivers_to_json(system);

@@ -10,6 +10,8 @@
 #include "bindings/web/explain_json.hpp"
 #include "bindings/web/system_json.hpp"
 #include "bindings/web/types_json.hpp"
+#include "engine/base/visible.hpp"
+#include "engine/project/writable_folder.hpp"
 
 namespace nezumi::web {
 namespace {
@@ -75,10 +77,25 @@ Expected<std::unique_ptr<WebServer>> WebServer::open(RunningSystem& live, ClockC
             hub.send_all(dump({{"is", "log"}, {"level", "error"}, {"component", ""}, {"text", why}, {"at", 0}}), true);
             wakes.wake();
         });
+    server->editor_ = std::make_unique<Editor>(
+        live.project(), writable_folder(live.project(), live.spec().file), options.editor,
+        [&hub = server->hub_, &wakes = *server->sockets_](ClientId client, std::string answer) {
+            hub.send(client, std::move(answer));
+            wakes.wake();
+        });
+    server->scenarios_ = std::make_unique<ScenarioRuns>(
+        live.project().root(), options.editor.program,
+        options.sockets.certificate.empty() ? "" : options.sockets.address,
+        [&hub = server->hub_, &wakes = *server->sockets_](ClientId client, std::string answer) {
+            hub.send(client, std::move(answer));
+            wakes.wake();
+        });
     return server;
 }
 
 WebServer::~WebServer() {
+    scenarios_.reset();
+    editor_.reset();
     pictures_.reset();
     hub_.end(dump({{"is", "bye"}, {"text", "the run has ended"}}));
     if (sockets_) sockets_->wake();
@@ -198,6 +215,14 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
     if (const auto* peer = std::get_if<PeerMessage>(&message.body)) {
         note(browser, peer->shown);
         return replied(peers_.ask(client, message.id, peer->request), Reply::later);
+    }
+    if (const auto* edit = std::get_if<EditMessage>(&message.body)) {
+        if (edit->what == EditMessage::What::save) note(browser, "saves " + visible_message(edit->file));
+        return replied(editor_->start(client, message.id, *edit), Reply::later);
+    }
+    if (const auto* test = std::get_if<TestMessage>(&message.body)) {
+        if (test->what == TestMessage::What::run) note(browser, "runs scenarios");
+        return replied(scenarios_->start(client, message.id, *test), Reply::later);
     }
     if (const auto* time = std::get_if<TimeMessage>(&message.body)) {
         if (time->what == TimeMessage::What::restart)

@@ -12,9 +12,11 @@
 #include "bindings/console/server.hpp"
 #include "bindings/web/console_relay.hpp"
 #include "bindings/web/drives.hpp"
+#include "bindings/web/editor.hpp"
 #include "bindings/web/hub.hpp"
 #include "bindings/web/peer_desk.hpp"
 #include "bindings/web/pictures.hpp"
+#include "bindings/web/scenario_runs.hpp"
 #include "bindings/web/seeks.hpp"
 #include "bindings/web/sockets.hpp"
 #include "bindings/web/state_reader.hpp"
@@ -30,6 +32,7 @@ struct WebOptions {
     std::string version{};         ///< of nezumi
     Pictures::Encode encode{};     ///< pictures for browsers
     PeerSource peers{};            ///< optional
+    EditorOptions editor{};
 };
 
 /// Must be called from the ticking thread.
@@ -119,7 +122,10 @@ private:
     std::uint64_t layout_ = 0;
     int starts_ = 0;
     std::unique_ptr<Sockets> sockets_;
-    std::unique_ptr<Pictures> pictures_;  // destroyed first, because it wakes the sockets
+    // Destroyed first, because they wake the sockets:
+    std::unique_ptr<Pictures> pictures_;
+    std::unique_ptr<Editor> editor_;
+    std::unique_ptr<ScenarioRuns> scenarios_;
 };
 
 }  // namespace nezumi::web

@@ -34,7 +34,7 @@ def why_not():
         import selenium  # noqa: F401
     except ImportError:
         return "python3-selenium is not installed"
-    for library in ("three/three.module.js", "dygraphs/dygraph.min.js"):
+    for library in ("three/three.module.js", "dygraphs/dygraph.min.js", "codemirror/lib/codemirror.js"):
         if not os.path.exists("/usr/share/javascript/" + library):
             return "libjs-" + library.split("/")[0] + " is not installed"
     return None

@@ -137,5 +137,51 @@ class Explain(rig.PageCase):
         self.assertEqual(page.errors(), [])
 
 
+class Devices(rig.PageCase):
+    """Lights, buttons, and names at the edge."""
+
+    BLINKER = """local leds, tone = output("leds", "TimedBooleanSeq"), output("tone", "TimedShort")
+local switches = input("switches", "TimedBooleanSeq")
+function on_execute()
+  local pressed = switches:read()
+  leds:write { pressed[1] or false, pressed[2] or false, pressed[3] or false, true }
+  tone:write(440)
+end
+"""
+    TEXT = """robot "mouse" { model = "raspimouse" }
+robot "other" { model = "raspimouse", pose = { x = 1.5 } }
+behavior "blinker" { script = "blinker" }
+connect("mouse.switch3bit_out", "blinker.switches")
+connect("blinker.leds", "mouse.led4bit_in")
+connect("blinker.tone", "mouse.buzzer_hz_in")
+"""
+
+    def test_lights_are_shown_and_buttons_are_pressed(self):
+        from selenium.webdriver.common.action_chains import ActionChains
+
+        self.open(text=self.TEXT, scripts={"blinker": self.BLINKER})
+        page = self.page
+        page.choose(".world .tools select", "robot 0")
+        page.until("document.querySelectorAll('.devices .led').length === 4", "four lights are there")
+        lights = "[...document.querySelectorAll('.devices .led')].map((each) => each.classList.contains('on')).join()"
+        page.until(lights + " === 'false,false,false,true'", "they are as written")
+        page.until("document.querySelector('.devices').textContent.includes('440 Hz')", "the tone is shown")
+        button = page.find(".devices button:nth-child(2)")
+        ActionChains(page.driver).click_and_hold(button).perform()
+        page.until(lights + " === 'false,true,false,true'", "the button is pressed")
+        ActionChains(page.driver).release().perform()
+        page.until(lights + " === 'false,false,false,true'", "it is released")
+        self.assertEqual(page.errors(), [])
+
+    def test_a_robot_out_of_sight_has_its_name_at_the_edge(self):
+        self.open(text=self.TEXT, scripts={"blinker": self.BLINKER})
+        page = self.page
+        self.assertEqual(page.all(".labels .name.far"), [])
+        page.choose(".world .tools select", "robot 0")
+        for _ in range(10):
+            page.find(".world canvas").send_keys("+")
+        page.until("[...document.querySelectorAll('.labels .name.far:not([hidden])')].some((each) => /^[←→↑↓] other$/.test(each.textContent))", "its name is at the edge")
+
+
 if __name__ == "__main__":
     sys.exit(rig.main(__name__))

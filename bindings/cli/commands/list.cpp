@@ -33,17 +33,6 @@ struct Named {
 // The listed files of one kind, by name.
 using Listing = std::map<std::string, Named>;
 
-std::string_view kind_name(LuaKind kind) {
-    switch (kind) {
-        case LuaKind::system: return "systems";
-        case LuaKind::robot: return "robots";
-        case LuaKind::behavior: return "behaviors";
-        case LuaKind::module: return "modules";
-        case LuaKind::message: return "messages";
-        default: return "";
-    }
-}
-
 // The name that other files use: a module's path below `behaviors/` or `behaviors/lib/`, otherwise the file's name.
 std::string listed_name(const fs::path& file, const fs::path& root, LuaKind kind) {
     if (kind == LuaKind::message) return type_of_file(file.string());
@@ -66,7 +55,7 @@ void add_files(const fs::path& root, const Project& project, std::map<std::strin
             const auto text = read_whole(file, file.string());
             if (!text) continue;
             const LuaKind kind = kind_of_file(file, *text);
-            if (kind_name(kind).empty()) continue;
+            if (kind_name(kind).empty() || kind == LuaKind::scenario) continue;
             all[kind_name(kind)].try_emplace(listed_name(file, root, kind),
                                              Named{project.shown(file), first_line_of(*text)});
         }

@@ -54,4 +54,16 @@ LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text) {
     return of_systems > of_behaviors || folder == "systems" ? LuaKind::system : LuaKind::behavior;
 }
 
+std::string_view kind_name(LuaKind kind) {
+    switch (kind) {
+        case LuaKind::system: return "systems";
+        case LuaKind::robot: return "robots";
+        case LuaKind::behavior: return "behaviors";
+        case LuaKind::module: return "modules";
+        case LuaKind::message: return "messages";
+        case LuaKind::scenario: return "scenarios";
+        default: return "";
+    }
+}
+
 }  // namespace nezumi::cli

@@ -22,4 +22,8 @@ enum class LuaKind {
 /// arbitrary kind: it is wrong as any kind.
 LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text);
 
+/// As `nezumi list` names these files: "systems", "robots", "behaviors", "messages", "modules", "scenarios"; "" for
+/// other kinds.
+std::string_view kind_name(LuaKind kind);
+
 }  // namespace nezumi::cli

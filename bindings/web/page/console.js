@@ -95,6 +95,11 @@ export function make_console(parts) {
     if (!link.is_open) return resolve({ ok: false, text: T.link.no_answer });
     evaluate(text, ({ ok }) => resolve({ ok, text: last_error }));
   });
+  /// The answer to a request of another view, such as completions.
+  parts.ask_console = (request) => new Promise((resolve) => {
+    if (!link.is_open) return resolve({});
+    ask(request, resolve);
+  });
   /// An incomplete line continues on the next one.
   const send_when_whole = () => {
     const text = input.value;

@@ -5,12 +5,12 @@ import { make_splits } from "./splits.js";
 import { T } from "./texts.js";
 
 const GROUPS = {
-  stage: ["world", "diagram", "plots"],
+  stage: ["world", "diagram", "plots", "editor"],
   side: ["drive", "parameters", "cameras", "explain"],
-  dock: ["console", "log"],
+  dock: ["console", "log", "scenarios"],
 };
 const PHONE = ["world", "drive", "parameters", "console"];  // at hand on a phone; the others are behind "More"
-const ICONS = { world: "◎", diagram: "⇄", plots: "∿", drive: "✛", parameters: "≡", cameras: "▣", console: "❯", explain: "?", log: "☰" };
+const ICONS = { world: "◎", diagram: "⇄", plots: "∿", editor: "✎", drive: "✛", parameters: "≡", cameras: "▣", console: "❯", explain: "?", log: "☰", scenarios: "✓" };
 
 /// Tabs as in ARIA: one has the focus, arrow keys change it.
 function make_tabs(label, names, chosen, choose) {

@@ -51,12 +51,12 @@ export class Link extends Emitter {
     return true;
   }
 
-  /// Resolves to { ok, text }.
-  ask(what) {
+  /// Resolves to { ok, text } and what else the answer has; without an answer in time [ms], `ok` is false and `text` "".
+  ask(what, within = ANSWER_WITHIN) {
     const id = this.#next++;
     return new Promise((resolve) => {
       if (!this.send({ ...what, id })) return resolve({ ok: false, text: "" });
-      const late = setTimeout(() => this.#answer({ id, ok: false, text: "" }), ANSWER_WITHIN);
+      const late = setTimeout(() => this.#answer({ id, ok: false, text: "" }), within);
       this.#asked.set(id, { resolve, late });
     });
   }

@@ -1,12 +1,14 @@
 // The log: filtered by level and text, the newest line last.
 import { el } from "./dom.js";
+import { place_in } from "./editor.js";
 import { T } from "./texts.js";
 
 const LEVELS = ["debug", "info", "warn", "error"];
 const SIGNS = { debug: "·", info: "i", warn: "▲", error: "✖" };
 const MOST = 3000;
 
-export function make_log({ model }) {
+export function make_log(parts) {
+  const { model } = parts;
   const lines = el("div", { class: "lines", role: "log", "aria-label": T.log.label, tabindex: 0 });
   const level = el("select", { "aria-label": T.log.level }, ...LEVELS.map((each) => el("option", { value: each, text: T.log[each] })));
   level.value = "info";
@@ -24,6 +26,8 @@ export function make_log({ model }) {
     const line = el("div", { class: `entry ${name}`, data: { level: name } },
       el("time", { text: Number.isFinite(at) ? at.toFixed(2) : "" }), el("span", { class: "sign", title: T.log[name], text: SIGNS[name] }),
       el("b", { text: component ?? "" }), el("span", { class: "text", text }));
+    const place = place_in(text);
+    if (place) line.append(el("button", { class: "quiet open acts", text: T.troubles.open(place.line), onclick: () => parts.open_file(place) }));
     line.hidden = !fits(line);
     lines.append(line);
     if (lines.childElementCount > MOST) lines.firstChild.remove();

@@ -12,8 +12,10 @@ import { make_parameters } from "./parameters.js";
 import { make_diagram } from "./diagram.js";
 import { make_cameras } from "./cameras.js";
 import { make_explain } from "./explain.js";
+import { make_editor } from "./editor.js";
 import { make_console } from "./console.js";
 import { make_log } from "./log.js";
+import { make_scenarios } from "./scenarios.js";
 
 /// A view that needs a library which may be missing; then it says which one.
 async function load(file, make, library) {
@@ -46,8 +48,8 @@ async function start() {
   const parts = { link, model, acts, notices };
 
   const views = {
-    world: make_world(parts), diagram: make_diagram(parts), plots: make_plots(parts), explain: make_explain(parts), drive: make_drive(parts),
-    parameters: make_parameters(parts), cameras: make_cameras(parts), console: make_console(parts), log: make_log(parts),
+    world: make_world(parts), diagram: make_diagram(parts), plots: make_plots(parts), editor: make_editor(parts), explain: make_explain(parts), drive: make_drive(parts),
+    parameters: make_parameters(parts), cameras: make_cameras(parts), console: make_console(parts), log: make_log(parts), scenarios: make_scenarios(parts),
   };
   parts.layout = make_layout(views);
   document.body.append(make_header(parts), parts.layout.node, notices.node);

@@ -1,7 +1,7 @@
 // Every text of the page in one table, so that another language needs only another table.
 
 const EN = {
-  views: { world: "World", diagram: "System", plots: "Plots", drive: "Drive", parameters: "Parameters",
+  views: { world: "World", diagram: "System", plots: "Plots", editor: "Editor", scenarios: "Scenarios", drive: "Drive", parameters: "Parameters",
     cameras: "Cameras", console: "Console", explain: "Explain", log: "Log" },
   parts: { stage: "System", side: "Controls", dock: "Console and log", all: "Views", more: "More" },
   real: "real robots",
@@ -35,7 +35,7 @@ const EN = {
 
   splits: { dock: "Height of the console", side: "Width of the controls", hint: "Drag, or move by arrow keys; a double click puts it back" },
 
-  troubles: { count: (n) => (n === 1 ? "1 error" : `${n} errors`), show: "Show",
+  troubles: { count: (n) => (n === 1 ? "1 error" : `${n} errors`), show: "Show", open: (line) => `Open line ${line}`,
     runs: (version, names, more) => `Version ${version} runs: ${names}${more > 0 ? ` and ${more} more` : ""}.` },
 
   past: { label: "Time line", time: "Go to this time", branch: "Branch", now: "Now", now_hint: "To the end of this branch",
@@ -117,6 +117,45 @@ const EN = {
     limits: (robot) => `${robot}: limits`, wheels: (robot) => `${robot}: wheels`,
     asked: (v) => `command ${v}`, limited: (v, speed, rate) => `limited to ${v} (limits: ${speed} m/s, ${rate} rad/s)`,
     rims: (left, right) => `left ${left} m/s, right ${right} m/s`, free: "They roll freely.",
+  },
+
+  arena: {
+    edit: "Edit arena", edit_hint: "Add, move, turn and remove what stands here: it is written into the system file", add: "Add", remove: "Remove", undo: "Undo",
+    words: { box: "Box", wall: "Wall", cylinder: "Cylinder", marker: "Marker", robot: "Robot" },
+    hint: (file) => `Changes are written into ${file}, and the system starts again.`, written: (file) => `Written into ${file}.`,
+    no_file: "The system file is not within the project: it can't be changed here.", changed: "Another program has changed the file: look at it, and try again.",
+    no_call: (line) => `Line ${line} of the file has no such call: it is made by a map or a function. Edit the text.`,
+    loop: (line) => `Line ${line} of the file makes several things, as in a loop. Edit the text.`,
+    no_robot: (name) => `The file has no single robot "${name}" { ... }. Edit the text.`, no_place: (name) => `${name} stands in no line of the file.`,
+    not_number: (name) => `'${name}' is computed, or missing. Edit the text.`, choose: "Select what is to be removed.",
+  },
+  devices: { press: (sensor) => `Press ${sensor}`, led: (i, is_on) => `light ${i} is ${is_on ? "on" : "off"}`, tone: (hertz) => `♪ ${hertz} Hz` },
+
+  scenarios: {
+    run_all: "Run all", run: "Run", run_one: (name) => `Run ${name}`, stop: "Stop these", look: "Look again", open: "Open", open_hint: "Open this run, paused where it failed",
+    none: "This project has no scenarios: files that end in _test.lua.", count: (n) => (n === 1 ? "1 scenario" : `${n} scenarios`),
+    running: (n) => `running, ${n} done`, ended: (passed, failed) => `${passed} passed, ${failed} failed`,
+    margins: (n) => (n === 1 ? "1 margin" : `${n} margins`), states: { passed: "passed", failed: "failed", runs: "runs", skipped: "skipped", "": "not run yet" },
+  },
+  editor: {
+    loading: "Loading…", files: "Files", search: "Search files", none: "No file", no_files: "No file has this name.", text: "Text of the file",
+    kinds: { behaviors: "Behaviours", modules: "Modules", systems: "Systems", robots: "Robots", scenarios: "Scenarios", messages: "Messages", "": "Others" },
+    view_only: "This page is view-only: it shows no files.",
+    save: "Save", save_hint: "Save, and run the new version (Ctrl-S)", saving: "Saving…", saved: "Saved.", unsaved: "Not saved.",
+    not_saved: (why) => `Not saved: ${why}. The text stays here.`, undo: "Undo", leave: "Tab leaves the text now.",
+    runs: (version, names) => `Saved: version ${version} runs (${names}).`, restart: "Saved. It counts from the next start:",
+    which: "The file was changed by another program since you opened it. Red lines are in the file, green ones in your text.",
+    overwrite: "Keep my text", take_theirs: "Take the file's text", taken: "Another program has changed this file: this is its text now. Undo goes back to yours.",
+    changed_meanwhile: "Another program has changed this file. Save to see the difference and to choose.",
+    versions: "Versions", versions_of: (file) => `Versions of ${file}`, versions_hint: "Choose a version to see what has changed since.",
+    no_versions: "No version yet: each save keeps one.", version: (number) => `Version ${number}`, bytes: (n) => `${n} bytes`,
+    go_back: (number) => `Save version ${number} again`, difference: "Difference", no_difference: "No difference.",
+    new: "New…", new_name: "A new file, within the project", make: "Make", findings: "Findings",
+    not_here: (file) => `${file} is not a file of this project.`,
+    complete: "Complete", complete_hint: "Offer names (Ctrl-Space)", no_doc: "Nothing is known about this name.",
+    values: "Values", values_of: "Behaviour", values_hint: "Show the values of each line while it runs", ran: "this line has run",
+    break_here: "Time pauses after a tick that runs this line", break_at: (line) => `Time pauses after a tick that runs line ${line}.`,
+    no_break: (line) => `Time no longer pauses at line ${line}.`, stopped: (line) => `Line ${line} ran: time is paused.`,
   },
 
   log: { label: "Log", search: "Search", level: "Level", debug: "debug", info: "info", warn: "warn", error: "error",

@@ -1,5 +1,6 @@
 // What went wrong: in the bar, as notices, at the tabs that tell more, and for the world at its robots.
 import { el } from "./dom.js";
+import { place_in } from "./editor.js";
 import { T } from "./texts.js";
 import { owner_of } from "./port_name.js";
 
@@ -17,7 +18,8 @@ export function stranded_robots(model) {
 }
 
 /// The button of the bar that counts the components in ERROR; it opens the log.
-export function make_troubles({ model, link, notices, layout }) {
+export function make_troubles(parts) {
+  const { model, link, notices, layout } = parts;
   const button = el("button", { class: "troubles", hidden: true, onclick: () => layout.choose("log") });
   let unseen = 0;
   let begun = Infinity;  // when the connection began
@@ -46,8 +48,9 @@ export function make_troubles({ model, link, notices, layout }) {
     if (level !== "error") return;
     if (!layout.is_shown("log")) layout.badge("log", ++unseen);
     if (performance.now() - begun < QUIET) return;
+    const place = model.hello?.view_only ? null : place_in(text);
     notices.say(component && !text.startsWith(component) ? `${component}: ${text}` : text, "error",
-      { text: T.troubles.show, press: () => layout.choose("log") });
+      place ? { text: T.troubles.open(place.line), press: () => parts.open_file(place) } : { text: T.troubles.show, press: () => layout.choose("log") });
   });
   layout.on("shown", (name) => {
     if (name !== "log") return;

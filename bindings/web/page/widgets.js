@@ -124,6 +124,7 @@ function list(parameter, label, set) {
   const one = { ...parameter, type: element_type(parameter.type) };
   const node = el("ol", { class: "list", "aria-label": label });
   const zero = { boolean: false, integer: 0, number: 0, string: "" }[one.type];
+  const is_fixed = min_size !== undefined && min_size === max_size;
   let values = [];
   const with_out = (i) => values.filter((_, k) => k !== i);
   const swapped = (i, k) => values.map((value, n) => (n === i ? values[k] : n === k ? values[i] : value));
@@ -135,7 +136,7 @@ function list(parameter, label, set) {
     return el("li", {}, widget.node,
       button(T.parameters.up, "↑", () => set(swapped(i, i - 1)), i === 0),
       button(T.parameters.down, "↓", () => set(swapped(i, i + 1)), i === values.length - 1),
-      button(T.parameters.remove, "×", () => set(with_out(i)), values.length <= (min_size ?? 0)));
+      !is_fixed && button(T.parameters.remove, "×", () => set(with_out(i)), values.length <= (min_size ?? 0)));
   };
   return { node, show: (value) => {
     if (node.contains(document.activeElement) && JSON.stringify(value) === JSON.stringify(values)) return;
@@ -143,7 +144,7 @@ function list(parameter, label, set) {
     const free = options.filter((each) => !values.includes(each));
     const next = options.length > 0 ? free[0] : values.length > 0 ? values[values.length - 1] : zero;
     const is_full = values.length >= (max_size ?? Infinity) || next === undefined;
-    node.replaceChildren(...values.map(row), el("li", { class: "more" }, button(T.parameters.add, "+", () => set([...values, next]), is_full)));
+    node.replaceChildren(...values.map(row), is_fixed ? "" : el("li", { class: "more" }, button(T.parameters.add, "+", () => set([...values, next]), is_full)));
   } };
 }
 

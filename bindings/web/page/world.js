@@ -1,12 +1,14 @@
 // The view of the world: its picture, its tools, and labels over it.
 import * as THREE from "/lib/three/three.module.js";
-import { at_most_every, el } from "./dom.js";
+import { el } from "./dom.js";
 import { T } from "./texts.js";
+import { make_devices } from "./devices.js";
 import { stranded_robots } from "./troubles.js";
 import { number_text } from "./value_text.js";
 import { Eye } from "./world_camera.js";
 import { put_hands_on } from "./world_hand.js";
-import { BORDER, Scene } from "./world_scene.js";
+import { Scene } from "./world_scene.js";
+import { make_tools } from "./world_tools.js";
 
 const MOST_NAMES = 40;
 const MOST_VALUES = 16;  // at the rays of one robot
@@ -39,18 +41,33 @@ class Labels {
   node = el("div", { class: "labels", "aria-hidden": "true" });
   #used = 0;
   #width = 0;
+  #height = 0;
 
-  begin(width) {
-    this.#width = width;
+  begin(width, height) {
+    [this.#width, this.#height] = [width, height];
     this.#used = 0;
   }
 
-  put(kind, text, pixel) {
+  /// The name of a robot with the colour of its trail; at the edge, with an arrow, if the robot is out of sight.
+  put_name(kind, text, pixel, color) {
+    if (!pixel) return;
+    const [x, y] = pixel;
+    const arrow = x < 0 ? "←" : x > this.#width ? "→" : y < 0 ? "↑" : y > this.#height ? "↓" : "";
+    const clamped = (value, most) => Math.max(0, Math.min(most, value));
+    if (arrow) this.put(`${kind} far`, `${arrow} ${text}`, [clamped(x, this.#width - 20) + 16, clamped(y, this.#height - 34) + 28], color);
+    else this.put(kind, text, pixel, color);
+  }
+
+  put(kind, text, pixel, color = "") {
     if (!pixel) return;
     const node = this.node.children[this.#used++] ?? this.node.appendChild(el("span"));
     if (node.textContent !== text) node.textContent = text;
     if (node.className !== kind) node.className = kind;
     if (node.hidden) node.hidden = false;
+    if (node.dataset.color !== color) {
+      node.dataset.color = color;
+      node.style.setProperty("--own", color);
+    }
     const back = pixel[0] > 0.8 * this.#width ? " translateX(-100%)" : "";  // not beyond the edge
     node.style.transform = `translate(${pixel[0].toFixed(1)}px, ${pixel[1].toFixed(1)}px)${back}`;
   }
@@ -69,6 +86,7 @@ class World {
   chosen = null;  // { kind, index }
   carried = null;  // { kind, index, pose }
   follows = false;
+  arena = null;  // edits the system file, once it was asked for
   #parts;
   #renderer = make_renderer(this.canvas);
   #is_asked = false;
@@ -141,6 +159,7 @@ class World {
     if (kind === "robot") this.#parts.model.emit("chosen", this.#parts.model.system.robots[index].name);
     this.watch();
     this.on_chosen?.();
+    this.devices?.update();
     this.draw();
   }
 
@@ -159,6 +178,7 @@ class World {
 
   async #put(what, pose) {
     const { acts, model } = this.#parts;
+    if (this.arena?.is_on) return this.arena.move(what, pose);
     if (what.kind === "robot") return acts.teleport(model.system.robots[what.index].name, pose);
     if (what.kind === "thing") return acts.move_thing(model.system.arena.things[what.index].name, pose);
     return acts.move_marker(model.system.markers[what.index].name, pose);
@@ -259,15 +279,15 @@ class World {
     const { labels, eye, chosen } = this;
     const robots = model.system.robots;
     const stranded = stranded_robots(model);
-    labels.begin(this.width);
+    labels.begin(this.width, this.height);
     robots.forEach(({ name }, i) => {
       const pose = model.robots[i];
       const is_chosen = chosen?.kind === "robot" && chosen.index === i;
       const is_stranded = stranded.has(name);
       if (!pose || !(is_chosen || is_stranded || (this.shows.names && robots.length <= MOST_NAMES))) return;
       const signs = (is_stranded ? " !" : "") + (pose.collided ? " ⚠" : "");
-      labels.put(`name${is_chosen ? " chosen" : ""}${signs ? " bad" : ""}`, name + signs,
-        eye.pixel(pose.x, pose.y, 0.12));
+      labels.put_name(`name${is_chosen ? " chosen" : ""}${signs ? " bad" : ""}`, name + signs, eye.pixel(pose.x, pose.y, 0.12),
+        `var(--line-${i % 6})`);
       if (!this.shows.rays || !(is_chosen || robots.length === 1)) return;
       if ((model.rays[i]?.length ?? 0) > MOST_VALUES) return;
       for (const { from, to, hit, distance } of model.rays[i] ?? []) {
@@ -287,66 +307,15 @@ function beyond(from, to) {
   return [to.x + ((to.x - from.x) / length) * more, to.y + ((to.y - from.y) / length) * more, to.z];
 }
 
-const toggle = (text, is_on, set) => {
-  const button = el("button", { class: "toggle", "aria-pressed": is_on, text });
-  button.onclick = () => {
-    const next = button.getAttribute("aria-pressed") !== "true";
-    button.setAttribute("aria-pressed", next);
-    set(next);
-  };
-  return button;
-};
-
-function make_tools(world, { model }) {
-  const top = toggle(T.world.top, false, (is_on) => {
-    world.eye.is_top = is_on;
-    if (!world.follows) world.whole();
-  });
-  const follow = toggle(T.world.follow, false, (is_on) => {
-    world.follows = is_on;
-    if (is_on && world.chosen?.kind !== "robot") world.choose("robot", 0);
-    world.draw();
-  });
-  const select = el("select", { "aria-label": T.world.select, onchange: () => {
-    const [kind, index] = select.value.split(" ");
-    world.choose(kind || null, Number(index));
-  } });
-  const readout = el("output", { class: "readout" });
-  world.on_chosen = () => {
-    select.value = world.chosen ? `${world.chosen.kind} ${world.chosen.index}` : "";
-    follow.setAttribute("aria-pressed", world.follows);
-    show();
-  };
-  world.on_layout = () => {
-    const { robots, markers, arena } = model.system;
-    const options = (kind, all) => all.map(({ name }, i) => name !== BORDER && el("option", { value: `${kind} ${i}`, text: name })).filter(Boolean);
-    select.replaceChildren(el("option", { value: "", text: T.world.none }), ...options("robot", robots), ...options("marker", markers),
-      ...options("thing", arena.things));
-    world.on_chosen();
-  };
-  const show = at_most_every(100, () => {
-    const pose = world.chosen && world.pose_of(world.chosen);
-    const fixed = (value, digits) => value.toFixed(digits).replace(/^-(0\.0+)$/, "$1");
-    readout.textContent = pose
-      ? T.world.pose(fixed(pose.x, 3), fixed(pose.y, 3), fixed((pose.yaw * 180) / Math.PI, 1)) + (pose.collided ? `  ${T.world.touching(pose.touches)}` : "")
-      : "";
-  });
-  model.on("frame", show);
-  return [
-    el("div", { class: "tools", role: "toolbar", "aria-label": T.views.world }, select, follow, top,
-      el("button", { text: T.world.whole, title: T.world.whole_hint, onclick: () => world.whole() }),
-      ...["rays", "trails", "names"].map((each) => toggle(T.world[each], world.shows[each], (is_on) => world.set(each, is_on)))),
-    readout,
-  ];
-}
-
 export function make_world(parts) {
   const world = new World(parts);
   const about = el("p", { class: "hint", text: T.world.about });
   parts.model.on("hello", () => {
     about.textContent = parts.model.hello.real ? T.world.no_truth : T.world.about;
   });
-  const [tools, readout] = make_tools(world, parts);
-  world.stage.append(readout);
-  return { node: el("div", { class: "world" }, tools, world.stage, about), shown: (is_shown) => world.shown(is_shown) };
+  const [tools, edit_tools, readout] = make_tools(world, parts);
+  const devices = make_devices(parts, () => (world.chosen?.kind === "robot" ? world.chosen.index : null));
+  world.devices = devices;
+  world.stage.append(readout, devices.node);
+  return { node: el("div", { class: "world" }, tools, edit_tools, world.stage, about), shown: (is_shown) => world.shown(is_shown) };
 }

@@ -117,7 +117,7 @@ TEST_CASE("an act has the browser as its actor, is logged and is answered", "[we
     CHECK(WebRig::answer(browser, set)["ok"] == true);
     rig.tick();
     CHECK(rig.component("controller").parameters().find("speed_x")->value.get<double>() == 0.5);
-    CHECK(rig.said("browser 1: SetParameter {\"component\":\"controller\",\"parameter\":\"speed_x\",\"value\":0.5}"));
+    CHECK(rig.said("browser 1: set parameter controller, speed_x, 0.5"));
     Json wrong = set;
     wrong["fields"]["value"] = 5.0;
     const auto refused = WebRig::answer(browser, wrong);
@@ -248,7 +248,7 @@ TEST_CASE("a browser stops all robots and re-arms them", "[web]") {
     RawBrowser browser = rig.open();
     CHECK(WebRig::answer(browser, {{"do", "stop"}, {"id", 2}})["ok"] == true);
     CHECK(rig.live->system().is_stopped());
-    CHECK(rig.said("browser 1: Stop"));
+    CHECK(rig.said("browser 1: stop"));
     CHECK(WebRig::answer(browser, {{"do", "rearm"}, {"id", 3}})["ok"] == true);
     CHECK_FALSE(rig.live->system().is_stopped());
 }

@@ -18,13 +18,15 @@ struct WebRig : SessionRig {
     using Json = nlohmann::json;
 
     explicit WebRig(const std::string& system = counter_system,
-                    const std::map<std::string, std::string>& behaviors = {{"counter", counter_behavior}})
+                    const std::map<std::string, std::string>& behaviors = {{"counter", counter_behavior}},
+                    web::EditorOptions editor = {})
         : SessionRig(system, behaviors) {
         folder.write("page/index.html", "<!doctype html>the page");
         folder.write("page/main.js", "export {};");
         folder.write("page/.secret.js", "secret");
         folder.write("secret.js", "secret");
-        web::WebOptions options{.page = file.parent_path() / "page", .version = "1.2.3", .encode = to_jpeg};
+        web::WebOptions options{
+            .page = file.parent_path() / "page", .version = "1.2.3", .encode = to_jpeg, .editor = std::move(editor)};
         options.sockets.first_port = 0;
         auto opened = web::WebServer::open(*live, *this, consoles, options);
         if (!opened) FAIL(opened.error().message);

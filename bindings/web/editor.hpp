@@ -1,0 +1,64 @@
+// The editor of the page: answers its requests about the project's files, beside the ticks.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bindings/web/edited_files.hpp"
+#include "bindings/web/job_thread.hpp"
+#include "bindings/web/messages.hpp"
+#include "bindings/web/site.hpp"
+#include "engine/project/project.hpp"
+
+namespace nezumi::web {
+
+/// What is known of the words of files.
+struct EditorWords {
+    std::string annotations{};  ///< for the Lua language server (`annotations`)
+    /// The global names of each kind of file: "systems", "behaviors", ...
+    std::map<std::string, std::vector<std::string>> names{};
+};
+
+struct EditorOptions {
+    /// The program whose command `check` is run; "": nothing is checked.
+    std::string program{};
+    /// The kind of a file: "systems", "robots", ..., or "" for others.
+    std::function<std::string(const std::filesystem::path& file, const std::string& text)> kind{};
+    std::function<EditorWords()> words{};
+};
+
+class Editor {
+public:
+    /// Takes the answer to a request, a JSON object; called in any thread.
+    using Answer = std::function<void(ClientId client, std::string answer)>;
+
+    Editor(const Project& project, const std::filesystem::path& folder, EditorOptions options, Answer answer);
+    /// Waits for a file that is being written. A running check is ended.
+    ~Editor();
+    Editor(const Editor&) = delete;
+    Editor& operator=(const Editor&) = delete;
+
+    /// Answers later. An error: too much waits.
+    Expected<void> start(ClientId client, std::int64_t id, EditMessage message);
+
+    /// [s] A check that takes longer is ended.
+    static constexpr double longest_check = 20;
+
+private:
+    std::string answer_to(std::int64_t id, const EditMessage& message) const;
+
+    const Project project_;
+    const EditedFiles files_;
+    const EditorOptions options_;
+    const Answer answer_;
+    std::atomic<bool> ends_ = false;
+    JobThread file_jobs_;
+    JobThread checks_;  // of their own, so that no file waits for a slow check
+};
+
+}  // namespace nezumi::web

@@ -1,0 +1,39 @@
+// A thread that does jobs one after the other, for work that a tick must not wait for.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <thread>
+
+#include "engine/base/mutex.hpp"
+
+namespace nezumi::web {
+
+class JobThread {
+public:
+    /// Jobs that may wait.
+    static constexpr std::size_t most_waiting = 64;
+
+    JobThread() = default;
+    /// Waits for the running job, and drops the others.
+    ~JobThread();
+    JobThread(const JobThread&) = delete;
+    JobThread& operator=(const JobThread&) = delete;
+
+    /// Does the job later; its errors are its own. The thread starts with the first one. False: too many wait, or the
+    /// system provides no thread.
+    bool put(std::function<void()> job);
+
+private:
+    void work();
+
+    Mutex mutex_;
+    std::condition_variable news_;
+    std::deque<std::function<void()>> waiting_;
+    bool ends_ = false;
+    std::thread thread_;
+};
+
+}  // namespace nezumi::web

@@ -1,0 +1,48 @@
+// The project's files as the engine gives them, and the texts that a person has not saved yet.
+
+const PATIENCE = 30000;  // ms, of a check or a slow disk
+
+export class Files {
+  all = [];  // { file, shown, kind }
+  #link;
+
+  constructor(link) {
+    this.#link = link;
+  }
+
+  ask(what, more = {}) {
+    return this.#link.ask({ do: "edit", what, ...more }, PATIENCE);
+  }
+
+  async list() {
+    const answer = await this.ask("list");
+    if (answer.ok) this.all = answer.files;
+    return answer;
+  }
+
+  get(file) {
+    return this.all.find((each) => each.file === file);
+  }
+
+  /// The file that a message names: by its path, or else the only one with this end.
+  named(shown) {
+    const exact = this.all.find((each) => each.shown === shown || each.file === shown);
+    if (exact) return exact;
+    const ends = this.all.filter((each) => each.file.endsWith(`/${shown}`) || shown.endsWith(`/${each.file}`));
+    return ends.length === 1 ? ends[0] : null;
+  }
+}
+
+/// What is not saved survives a reload of the page, in this tab only.
+export const drafts = {
+  key: (file) => `nezumi.draft ${file}`,
+  get: (file) => JSON.parse(sessionStorage.getItem(drafts.key(file)) ?? "null"),
+  set: (file, draft) => {
+    try {
+      sessionStorage.setItem(drafts.key(file), JSON.stringify(draft));
+    } catch {
+      // More than a browser keeps: the text stays in the editor.
+    }
+  },
+  remove: (file) => sessionStorage.removeItem(drafts.key(file)),
+};

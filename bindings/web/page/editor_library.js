@@ -1,0 +1,21 @@
+// Debian's CodeMirror, loaded when the editor is first used.
+
+const HOME = "/lib/codemirror/";
+const SCRIPTS = ["lib/codemirror.js", "mode/lua/lua.js", "addon/hint/show-hint.js", "addon/edit/matchbrackets.js", "addon/comment/comment.js",
+  "addon/search/searchcursor.js", "addon/dialog/dialog.js", "addon/search/search.js"];
+const STYLES = [`${HOME}lib/codemirror.css`, `${HOME}addon/hint/show-hint.css`, `${HOME}addon/dialog/dialog.css`, "/editor.css"];
+
+function load(node) {
+  return new Promise((resolve, reject) => {
+    node.onload = resolve;
+    node.onerror = () => reject(new Error(`${node.src || node.href} is missing`));
+    document.head.append(node);
+  });
+}
+
+/// Resolves to CodeMirror; fails if the library is not installed.
+export async function load_editor_library() {
+  await Promise.all(STYLES.map((href) => load(Object.assign(document.createElement("link"), { rel: "stylesheet", href }))));
+  for (const name of SCRIPTS) await load(Object.assign(document.createElement("script"), { src: HOME + name }));
+  return globalThis.CodeMirror;
+}

@@ -1,0 +1,91 @@
+// The scenarios of the project: a list, runs beside the system, results with margins, and the failed ones to open.
+import { el } from "./dom.js";
+import { read_report } from "./tap.js";
+import { T } from "./texts.js";
+
+const SIGNS = { passed: "✔", failed: "✖", runs: "…", skipped: "–", "": "·" };
+const PATIENCE = 30000;  // ms, for the list, and for the page of a failed run
+
+export function make_scenarios(parts) {
+  const { link, model, notices } = parts;
+  let listed = [];       // { name, file, line }
+  let results = new Map();  // "file: name" to { state, message, lines, folder }
+  let report = "";
+  let is_running = false;
+  let is_known = false;
+
+  const told = el("span", { class: "hint", role: "status" });
+  const rows = el("div", { class: "rows", role: "list" });
+  const all = el("button", { class: "primary acts", text: T.scenarios.run_all, onclick: () => run({}) });
+  const stop = el("button", { class: "acts", text: T.scenarios.stop, disabled: true, onclick: () => link.ask({ do: "test", what: "stop" }) });
+  const look = el("button", { class: "acts", text: T.scenarios.look, onclick: () => list() });
+
+  const key = ({ file, name }) => `${file}: ${name}`;
+  const open_failed = async (folder, button) => {
+    const tab = window.open("about:blank", "_blank");  // by the click; later a browser refuses it
+    button.disabled = true;
+    const { ok, text, content } = await link.ask({ do: "test", what: "open", file: folder }, PATIENCE);
+    button.disabled = false;
+    if (ok && tab) tab.location.replace(content);
+    else if (ok) notices.say(content);
+    else {
+      tab?.close();
+      notices.say(text || T.link.no_answer, "error");
+    }
+  };
+  const row_of = (each) => {
+    const { state = "", message = "", lines = [], folder = "" } = results.get(key(each)) ?? {};
+    const open = el("button", { text: T.scenarios.open, title: T.scenarios.open_hint });
+    open.onclick = () => open_failed(folder, open);
+    const details = lines.length > 0 ? el("details", { open: state === "failed" }, el("summary", { text: message || T.scenarios.margins(lines.length) }), el("pre", { text: lines.join("\n") })) : null;
+    return el("div", { class: `scenario ${state}`, role: "listitem", data: { name: each.name } },
+      el("span", { class: "sign", role: "img", "aria-label": T.scenarios.states[state], title: T.scenarios.states[state], text: SIGNS[state] }),
+      el("b", { text: each.name }),
+      el("button", { class: "quiet place", text: `${each.file}:${each.line}`, onclick: () => parts.open_file({ shown: each.file, line: each.line }) }),
+      el("button", { class: "acts", text: T.scenarios.run, "aria-label": T.scenarios.run_one(each.name), disabled: is_running, onclick: () => run(each) }),
+      folder && open, details);
+  };
+  const show = () => {
+    all.disabled = is_running || listed.length === 0;
+    look.disabled = is_running;
+    stop.disabled = !is_running;
+    const counts = ["passed", "failed"].map((state) => [...results.values()].filter((each) => each.state === state).length);
+    told.textContent = is_running ? T.scenarios.running(counts[0] + counts[1]) : results.size > 0 ? T.scenarios.ended(...counts) : T.scenarios.count(listed.length);
+    parts.layout?.badge("scenarios", counts[1]);
+    rows.replaceChildren(...(listed.length > 0 ? listed.map(row_of) : [el("p", { class: "empty", text: is_known ? T.scenarios.none : "" })]));
+  };
+  const list = async () => {
+    if (!model.may_act) return;
+    const { ok, text, content } = await link.ask({ do: "test", what: "list" }, PATIENCE);
+    is_known = true;
+    listed = [...(content ?? "").matchAll(/^(.*?) {2,}(\S+):(\d+)$/gm)].map(([, name, file, line]) => ({ name, file, line: Number(line) }));
+    show();
+    if (!ok) rows.prepend(el("p", { class: "error", text: text || T.link.no_answer }));
+  };
+  const run = async ({ name, file }) => {
+    const { ok, text } = await link.ask({ do: "test", what: "run", ...(name ? { name, file } : {}) });
+    if (!ok) return notices.say(text || T.link.no_answer, "error");
+    report = "";
+    is_running = true;
+    const those = listed.filter((each) => !name || (each.name === name && each.file === file));
+    if (!name) results = new Map();
+    for (const each of those) results.set(key(each), { state: "runs" });
+    show();
+  };
+  model.on("tests", ({ text = "", done = false, problem = "" }) => {
+    report += text;
+    for (const each of read_report(report)) results.set(key(each), each);
+    if (done) {
+      is_running = false;
+      for (const [name, { state }] of results) if (state === "runs") results.delete(name);
+      if (problem && problem !== "stopped") notices.say(problem.split("\n")[0], "error");
+    }
+    show();
+  });
+  link.on("lost", () => {
+    is_running = false;
+    show();
+  });
+  return { node: el("div", { class: "scenarios" }, el("div", { class: "tools", role: "toolbar", "aria-label": T.views.scenarios }, all, stop, look, told), rows),
+    shown: (is_shown) => is_shown && !is_known && list() };
+}

@@ -1,0 +1,32 @@
+// Reads what `nezumi test --tap` writes, also while it is not complete.
+
+/// [{ file, name, state, message, lines, folder }, ...]: `lines` are the margins of a passed run, or the details of a failed
+/// one; `folder` keeps a failed run.
+export function read_report(text) {
+  const results = [];
+  let in_details = false;
+  for (const line of text.split("\n")) {
+    const found = /^(not )?ok \d+ - ([^:]+): (.*?)( # SKIP.*)?$/.exec(line);
+    const last = results.at(-1);
+    if (found) results.push({ file: found[2], name: found[3], state: found[4] ? "skipped" : found[1] ? "failed" : "passed", message: "", lines: [], folder: "" });
+    else if (!last) continue;
+    else if (line === "  ---") in_details = true;
+    else if (line === "  ...") in_details = false;
+    else if (in_details && line.startsWith("  message: ")) last.message = unquoted(line.slice(11));
+    else if (in_details && line.startsWith("    - ")) {
+      const detail = unquoted(line.slice(6));
+      const kept = /^files: (\S+)/.exec(detail);
+      if (kept) last.folder = kept[1];
+      last.lines.push(detail);
+    } else if (line.startsWith("# ") && !/^# seed \d+, /.test(line)) last.lines.push(line.slice(2));
+  }
+  return results;
+}
+
+function unquoted(text) {
+  try {
+    return JSON.parse(text);
+  } catch {
+    return text;
+  }
+}

@@ -1,0 +1,201 @@
+// What `nezumi test` writes goes to the page as it is; the page reads it.
+#include "bindings/web/scenario_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "bindings/web/edited_files.hpp"
+#include "engine/base/program.hpp"
+#include "engine/base/thread.hpp"
+#include "engine/base/trimmed.hpp"
+
+namespace nezumi::web {
+namespace {
+
+// The folder for what failed scenarios leave, as `nezumi test` names it.
+constexpr std::string_view kept_runs = "nezumi-test/";
+
+std::string to_line_of(const nlohmann::ordered_json& json) {
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+// With two cores one is left for the system that runs.
+std::string number_of_jobs() { return std::to_string(std::max(1U, std::thread::hardware_concurrency() / 2)); }
+
+// Calls a function again and again, and a last time at its end, in a thread of its own.
+class Repeated {
+public:
+    explicit Repeated(std::function<void()> work) : work_(std::move(work)) {
+        try {
+            thread_ = start_thread([this] {
+                while (!ends_) {
+                    work_();
+                    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+                }
+            });
+        } catch (const std::system_error&) {
+            // Then it is called at the end only.
+        }
+    }
+    ~Repeated() {
+        ends_ = true;
+        if (thread_.joinable()) thread_.join();
+        work_();
+    }
+    Repeated(const Repeated&) = delete;
+    Repeated& operator=(const Repeated&) = delete;
+
+private:
+    std::function<void()> work_;
+    std::atomic<bool> ends_ = false;
+    std::thread thread_;
+};
+
+// Runs a program, and calls `work` meanwhile.
+Expected<ProgramEnd> run_watched(const ProgramRun& run, const std::function<void()>& work) {
+    const Repeated repeated(work);
+    return run_program(run);
+}
+
+// The address in "in a browser: ADDRESS"; "" while there is none.
+std::string address_in(const std::string& said) {
+    constexpr std::string_view before = "in a browser: ";
+    const auto begin = said.find(before);
+    const auto end = begin == std::string::npos ? begin : said.find('\n', begin);
+    return end == std::string::npos ? "" : said.substr(begin + before.size(), end - begin - before.size());
+}
+
+// True for the folder of a failed run, as the report of a run names it.
+bool is_kept_run(std::string_view folder) {
+    if (!folder.starts_with(kept_runs)) return false;
+    folder.remove_prefix(kept_runs.size());
+    return !folder.empty() && folder.find('/') == std::string_view::npos && folder.front() != '.';
+}
+
+}  // namespace
+
+ScenarioRuns::ScenarioRuns(std::filesystem::path project, std::string program, std::string listen, Send send)
+    : project_(std::move(project)), program_(std::move(program)), listen_(std::move(listen)), send_(std::move(send)) {}
+
+ScenarioRuns::~ScenarioRuns() {
+    ends_ = true;
+    stops_ = true;
+}
+
+Expected<void> ScenarioRuns::start(ClientId client, std::int64_t id, const TestMessage& message) {
+    if (message.what == TestMessage::What::stop) {
+        stops_ = true;
+        answer(client, id, true, "");
+        return {};
+    }
+    if (project_.empty()) return failure("this is not a project: there is no folder behaviors/");
+    if (program_.empty()) return failure("this program can't run scenarios: use `nezumi run`");
+    const Unexpected busy = failure("too many requests wait: try again");
+    if (message.what == TestMessage::What::list) {
+        if (!lists_.put([this, client, id] { list(client, id); })) return busy;
+        return {};
+    }
+    if (message.what == TestMessage::What::open) {
+        if (!is_kept_run(message.file))
+            return failure("'" + shown(message.file) + "' is not the folder of a failed run");
+        for (OpenRun& page : pages_) {
+            if (page.is_used.exchange(true)) continue;
+            const auto job = [this, client, id, folder = message.file, &page] {
+                open(client, id, folder);
+                page.is_used = false;
+            };
+            if (page.thread.put(job)) return {};
+            page.is_used = false;
+        }
+        return failure(
+            fmt::format("{} failed runs are open already: open this one by `nezumi open {}`", most_open, message.file));
+    }
+    if (!message.file.empty()) {
+        if (auto ok = EditedFiles::check_name(message.file); !ok) return ok;
+    }
+    if (is_running_.exchange(true)) return failure("scenarios are running already: stop them first");
+    stops_ = ends_.load();
+    if (!runs_.put([this, client, message] { run(client, message); })) {
+        is_running_ = false;
+        return busy;
+    }
+    answer(client, id, true, "");
+    return {};
+}
+
+void ScenarioRuns::list(ClientId client, std::int64_t id) const {
+    const UnnamedFile errors;
+    const auto end = run_program({.words = {program_, "test", "--project", project_.string(), "--list"},
+                                  .errors = errors.file(),
+                                  .keeps_output = true,
+                                  .give_up = &ends_});
+    const bool ok = end && end->status == 0;
+    const std::string said(trimmed(errors.text()));
+    answer(client, id, ok, ok ? "" : said.empty() ? problem_of(end) : said, end ? end->out : "");
+}
+
+void ScenarioRuns::run(ClientId client, const TestMessage& message) {
+    std::vector<std::string> words{
+        "nice", "-n", "10", program_, "test", "--project", project_.string(), "--tap", "--jobs", number_of_jobs()};
+    if (!message.name.empty()) words.insert(words.end(), {"--filter", message.name});
+    if (!message.file.empty()) words.push_back(message.file);
+    const UnnamedFile output;
+    const UnnamedFile errors;
+    std::size_t sent = 0;
+    const auto tell = [&] {
+        std::string text = output.text();
+        text.erase(0, sent);
+        text.resize(text.rfind('\n') + 1);  // whole lines
+        if (text.empty()) return;
+        sent += text.size();
+        send_(client, to_line_of({{"is", "tests"}, {"text", text}}));
+    };
+    const auto end = run_watched({.words = std::move(words),
+                                  .output = output.file(),
+                                  .errors = errors.file(),
+                                  .longest = longest_run,
+                                  .give_up = &stops_},
+                                 tell);
+    std::string problem;
+    if (!end || end->status > 1) {
+        problem = trimmed(errors.text());
+        if (problem.empty()) problem = stops_ ? "stopped" : problem_of(end);
+    }
+    is_running_ = false;
+    send_(client, to_line_of({{"is", "tests"}, {"done", true}, {"problem", problem}}));
+}
+
+void ScenarioRuns::open(ClientId client, std::int64_t id, const std::string& folder) {
+    std::vector<std::string> words{program_, "open", (project_ / folder).string()};
+    if (!listen_.empty()) words.insert(words.end(), {"--listen", listen_});
+    const UnnamedFile output;
+    bool is_answered = false;
+    const auto look = [&] {
+        const std::string address = is_answered ? "" : address_in(output.text());
+        if (address.empty()) return;
+        is_answered = true;
+        answer(client, id, true, "", address);
+    };
+    const auto end = run_watched({.words = std::move(words),
+                                  .output = output.file(),
+                                  .errors = output.file(),
+                                  .longest = longest_run,
+                                  .give_up = &ends_},
+                                 look);
+    const std::string said(trimmed(output.text()));
+    if (!is_answered) answer(client, id, false, said.empty() ? problem_of(end) : said);
+}
+
+void ScenarioRuns::answer(ClientId client, std::int64_t id, bool ok, const std::string& text,
+                          const std::string& content) const {
+    send_(client, to_line_of({{"is", "answer"}, {"id", id}, {"ok", ok}, {"text", text}, {"content", content}}));
+}
+
+}  // namespace nezumi::web

@@ -1,0 +1,62 @@
+// The scenarios of the page: lists them, and runs them beside the ticks as processes of their own.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "bindings/web/job_thread.hpp"
+#include "bindings/web/messages.hpp"
+#include "bindings/web/site.hpp"
+
+namespace nezumi::web {
+
+class ScenarioRuns {
+public:
+    /// Takes a message to a browser, a JSON object; called in any thread.
+    using Send = std::function<void(ClientId client, std::string message)>;
+
+    /// `project` is the folder of the project; empty: there are no scenarios. `program` is nezumi; "": nothing runs.
+    /// `listen` is the address for the pages of failed runs; "": only this computer reaches them.
+    ScenarioRuns(std::filesystem::path project, std::string program, std::string listen, Send send);
+    /// Ends what runs.
+    ~ScenarioRuns();
+    ScenarioRuns(const ScenarioRuns&) = delete;
+    ScenarioRuns& operator=(const ScenarioRuns&) = delete;
+
+    /// Answers now or later. During a run the browser also gets {"is":"tests","text":...} with what `nezumi test --tap`
+    /// has written since, and at the end {"is":"tests","done":true,"problem":...}.
+    Expected<void> start(ClientId client, std::int64_t id, const TestMessage& message);
+
+    /// [s] A run of scenarios that takes longer is ended, and so is the page of a failed run.
+    static constexpr double longest_run = 3600;
+    /// Pages of failed runs at a time.
+    static constexpr std::size_t most_open = 4;
+
+private:
+    void list(ClientId client, std::int64_t id) const;
+    void run(ClientId client, const TestMessage& message);
+    void open(ClientId client, std::int64_t id, const std::string& folder);
+    void answer(ClientId client, std::int64_t id, bool ok, const std::string& text,
+                const std::string& content = "") const;
+
+    const std::filesystem::path project_;
+    const std::string program_;
+    const std::string listen_;
+    const Send send_;
+    std::atomic<bool> ends_ = false;
+    std::atomic<bool> stops_ = false;
+    std::atomic<bool> is_running_ = false;
+    JobThread lists_;
+    JobThread runs_;
+    struct OpenRun {
+        std::atomic<bool> is_used = false;
+        JobThread thread{};
+    };
+    std::array<OpenRun, most_open> pages_;
+};
+
+}  // namespace nezumi::web

@@ -1,0 +1,121 @@
+"""The arena edited by hand in the browser's page. Usage: arena_test.py NEZUMI [TEST...]"""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import rig
+
+ROOM = """-- A room with a table.
+arena {
+  size = { 2.0, 2.0 },
+  box { at = { 0.6, 0.3 }, size = { 0.2, 0.2, 0.1 } },  -- the table
+}
+robot "mouse" { model = "raspimouse" }
+"""
+CONTROL, DELETE, RIGHT = "\ue009", "\ue017", "\ue014"
+
+
+class Arena(rig.PageCase):
+    def begin(self, text=ROOM):
+        self.run = self.open(text=text)
+        self.page.press("Edit arena")
+        self.told("Changes are written into tried.lua")
+
+    def on_disk(self):
+        with open(os.path.join(self.run.folder, "tried.lua")) as file:
+            return file.read()
+
+    def told(self, part):
+        self.page.until("document.querySelector('.arena-tools [role=status]')?.textContent.includes(%r)" % part,
+                        lambda: "it tells %r, not %r" % (part, self.page.text(".arena-tools [role=status]")))
+
+    def becomes(self, text):
+        rig.wait_until(lambda: self.on_disk() == text, lambda: "the file is %r, not %r, %s" % (text, self.on_disk(), self.page.text(".arena-tools [role=status]")))
+
+    def choose(self, name):
+        self.page.choose_text(".world .tools select", name)
+        self.page.js("document.querySelector('.world canvas').focus()")
+
+    def test_texts_of_system_files_are_changed_where_they_must(self):
+        self.open(text=ROOM)
+        with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "arena_text_test.js")) as file:
+            checks = file.read()
+        result = self.page.driver.execute_async_script(
+            "const done = arguments[arguments.length - 1];"
+            "(async () => {" + checks + "})().then((count) => done({ count }), (wrong) => done({ wrong: String(wrong.stack) }))")
+        self.assertNotIn("wrong", result)
+        self.assertGreaterEqual(result["count"], 18)
+
+    def test_a_thing_that_is_moved_and_turned_by_keys_is_written_with_its_comment(self):
+        self.begin()
+        self.choose("box 1")
+        canvas = self.page.driver.switch_to.active_element
+        canvas.send_keys(RIGHT)
+        moved = ROOM.replace("{ 0.6, 0.3 }", "{ 0.62, 0.3 }")
+        self.becomes(moved)
+        self.told("Written into tried.lua")
+        self.choose("box 1")
+        self.page.driver.switch_to.active_element.send_keys("[")
+        self.becomes(moved.replace("0.1 } },", "0.1 }, yaw = 0.0873 },"))
+        self.told("Written")
+        self.page.press("Undo")
+        self.becomes(moved)
+        self.page.find(".world canvas").send_keys(CONTROL + "z")
+        self.becomes(ROOM)
+        self.assertEqual(self.page.text(".late"), "paused")
+
+    def test_a_thing_is_dragged(self):
+        from selenium.webdriver.common.action_chains import ActionChains
+
+        self.begin()
+        page = self.page
+        page.press("Top")
+        self.choose("box 1")
+        pixel = page.until("document.querySelector('.world canvas').dataset.chosen", "it is chosen")
+        x, y = (float(each) for each in pixel.split(","))
+        width, height = page.js("const box = document.querySelector('.world canvas').getBoundingClientRect(); return [box.width, box.height]")
+        ActionChains(page.driver).move_to_element_with_offset(page.find(".world canvas"), x - width / 2, y - height / 2).click_and_hold().move_by_offset(-60, 0) \
+            .move_by_offset(-10, 0).release().perform()
+        rig.wait_until(lambda: self.on_disk() != ROOM, "the file changes")
+        self.assertIn("-- the table", self.on_disk())
+        self.assertNotIn("{ 0.6, 0.3 }", self.on_disk())
+
+    def test_things_and_robots_are_added_and_removed(self):
+        self.begin()
+        page = self.page
+        for word, name in (("Box", "box 2"), ("Wall", "box 3"), ("Cylinder", "cylinder 1"), ("Marker", "marker"), ("Robot", "robot1")):
+            page.press(word)
+            page.until("[...document.querySelector('.world .tools select').options].some((each) => each.textContent.startsWith(%r))" % name,
+                       lambda: "%s is there: %s" % (name, page.text(".arena-tools [role=status]")))
+        self.assertTrue(self.on_disk().startswith(ROOM.split("}\nrobot")[0]))
+        self.assertEqual(page.errors(), [])
+        before = self.on_disk()
+        self.choose("cylinder 1")
+        self.page.driver.switch_to.active_element.send_keys(DELETE)
+        rig.wait_until(lambda: "cylinder" not in self.on_disk(), "it is removed")
+        page.press("Undo")
+        self.becomes(before)
+
+    def test_what_can_not_be_is_refused_and_not_written(self):
+        self.begin()
+        self.choose("mouse")
+        for _ in range(4):
+            self.page.find(".world canvas").send_keys("+")
+        self.page.press("Edit arena")
+        self.page.press("Edit arena")
+        self.told("Changes")
+        computed = ROOM.replace("{ 0.6, 0.3 }", "{ 0.6 + 0, 0.3 }")
+        with open(os.path.join(self.run.folder, "tried.lua"), "w") as out:
+            out.write(computed)
+        self.choose("box 1")
+        self.page.driver.switch_to.active_element.send_keys(RIGHT)
+        self.told("Another program has changed the file")
+        self.choose("box 1")
+        self.page.driver.switch_to.active_element.send_keys(RIGHT)
+        self.told("'at' is computed")
+        self.assertEqual(self.on_disk(), computed)
+
+
+if __name__ == "__main__":
+    sys.exit(rig.main(__name__))

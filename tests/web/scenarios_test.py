@@ -1,0 +1,88 @@
+"""Scenarios in the browser's page. Usage: scenarios_test.py NEZUMI [TEST...]"""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import rig
+from rig import APART
+
+GOOD = """scenario("moves off", function(s)
+  local world = s:load("tried")
+  s:never("touches anything", function() return world.mouse.collided end)
+  s:run(1)
+end)
+"""
+BAD = """scenario("stays near", function(s)
+  local world = s:load("tried")
+  s:always("is near", function() return world.mouse.truth.pose.position.x < 0.05 end)
+  s:run(3)
+end)
+"""
+DRIVES = APART + 'connect("controller.out", "mouse.target_velocity_in")\n'
+
+
+class Scenarios(rig.PageCase):
+    def begin(self, **files):
+        system = self.system(text=DRIVES)
+        os.mkdir(os.path.join(system.folder, "tests"))
+        for name, text in files.items():
+            with open(os.path.join(system.folder, "tests", name + "_test.lua"), "w") as out:
+                out.write(text)
+        with open(os.path.join(system.folder, "behaviors", "tried.lua"), "w") as out:
+            out.write(DRIVES)
+        self.page.open(system.url)
+        self.addCleanup(self.page.driver.get, "about:blank")
+        self.page.view("scenarios")
+        return system
+
+    def state(self, name):
+        return self.page.js("return document.querySelector(`.scenario[data-name='${arguments[0]}']`)?.className.split(' ')[1]", name)
+
+    def test_scenarios_are_listed_run_and_shown_with_their_margins(self):
+        self.begin(good=GOOD, bad=BAD)
+        page = self.page
+        page.until("document.querySelectorAll('.scenario').length === 2", "both are listed")
+        page.press("Run all")
+        rig.wait_until(lambda: self.state("moves off") == "passed" and self.state("stays near") == "failed", "both have run", 60)
+        page.until("document.querySelector('.scenarios .tools .hint').textContent === '1 passed, 1 failed'", "it is counted")
+        self.assertIn("never 'touches anything'", page.text(".scenario.passed pre"))
+        self.assertIn("always 'is near' held until", page.text(".scenario.failed summary"))
+        self.assertEqual(page.js("return document.querySelector('.group .tab[data-view=scenarios] .badge').textContent"), "1")
+        page.find(".scenario.failed .place").click()
+        page.until("document.querySelector('.editor .tools h2')?.textContent === 'bad_test.lua'", "the scenario is open in the editor")
+        self.assertEqual(page.errors(), [])
+
+    def test_one_scenario_is_run_alone(self):
+        self.begin(good=GOOD, bad=BAD)
+        page = self.page
+        page.until("document.querySelector('.scenario') !== null", "they are listed")
+        page.find("[aria-label='Run moves off']").click()
+        rig.wait_until(lambda: self.state("moves off") == "passed", "it has run", 60)
+        self.assertEqual(self.state("stays near"), "")
+
+    def test_a_failed_run_is_opened_where_it_failed(self):
+        self.begin(bad=BAD)
+        page = self.page
+        page.until("document.querySelector('.scenario') !== null", "it is listed")
+        page.press("Run all")
+        rig.wait_until(lambda: self.state("stays near") == "failed", "it has run", 60)
+        first = page.driver.current_window_handle
+        page.press("Open")
+        rig.wait_until(lambda: len(page.driver.window_handles) == 2, "a tab is there")
+        page.driver.switch_to.window(next(each for each in page.driver.window_handles if each != first))
+        try:
+            page.until("location.hostname === '127.0.0.1'", "its address came", 60)
+            page.until("document.querySelector('.late')?.textContent === 'paused'", "it is paused", 60)
+            page.until("parseFloat(document.querySelector('.clock').textContent) > 0.3", "it is where it failed")
+        finally:
+            page.driver.close()
+            page.driver.switch_to.window(first)
+
+    def test_a_wrong_scenario_file_is_told(self):
+        self.begin(wrong="scenaro('x')\n")
+        self.page.until("document.querySelector('.scenarios .error')?.textContent.includes('scenaro')", "the reason is shown")
+
+
+if __name__ == "__main__":
+    sys.exit(rig.main(__name__))
