@@ -278,11 +278,15 @@ PeerMessage read_peer(Fields& fields, const Json& json, const PartReader& parts)
         if (text->empty()) fields.wrong(name, "a text");
     }
     if (what == "configure") {
-        const auto set = act_from_json("SetParameter",
-                                       Json{{"component", message.request.name},
-                                            {"parameter", fields.text("parameter")},
-                                            {"value", json.value("value", Json())}},
-                                       parts);
+        const Json* value = fields.find("value");
+        if (value == nullptr || value->is_null()) {
+            fields.wrong("value", "a number, a text, true, false, or an array");
+            return {};
+        }
+        const auto set = act_from_json(
+            "SetParameter",
+            Json{{"component", message.request.name}, {"parameter", fields.text("parameter")}, {"value", *value}},
+            parts);
         if (!set) {
             fields.refuse(set.error().message);
             return {};
@@ -295,6 +299,32 @@ PeerMessage read_peer(Fields& fields, const Json& json, const PartReader& parts)
     message.shown = cut(what + " " + dump_ascii(shown));
     return message;
 }
+
+struct Given {
+    Fields& fields;
+    const Json& json;
+    const PartReader& parts;
+};
+using Body = decltype(BrowserMessage::body);
+struct Kind {
+    std::string_view name;
+    Body (*read)(const Given& given);
+};
+constexpr std::array kinds{
+    Kind{"watch", [](const Given& given) -> Body { return read_watch(given.fields); }},
+    Kind{"act", [](const Given& given) -> Body { return read_act(given.fields, given.parts); }},
+    Kind{"stop", [](const Given&) -> Body { return ActMessage{.act = Stop{}, .shown = "stop"}; }},
+    Kind{"rearm", [](const Given&) -> Body { return ActMessage{.act = Rearm{}, .shown = "rearm"}; }},
+    Kind{"time", [](const Given& given) -> Body { return read_time(given.fields); }},
+    Kind{"drive", [](const Given& given) -> Body { return read_drive(given.fields, given.parts); }},
+    Kind{"console", [](const Given& given) -> Body { return read_console(given.fields); }},
+    Kind{"floor", [](const Given&) -> Body { return FloorMessage{}; }},
+    Kind{"explain", [](const Given& given) -> Body { return ExplainMessage{given.fields.text("component")}; }},
+    Kind{"systems", [](const Given&) -> Body { return SystemsMessage{}; }},
+    Kind{"edit", [](const Given& given) -> Body { return read_edit(given.fields); }},
+    Kind{"test", [](const Given& given) -> Body { return read_test(given.fields); }},
+    Kind{"peer", [](const Given& given) -> Body { return read_peer(given.fields, given.json, given.parts); }},
+};
 
 }  // namespace
 
@@ -316,35 +346,14 @@ tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const 
     }
     Fields fields(json);
     const std::string what = fields.text("do");
-    if (what == "watch") {
-        message.body = read_watch(fields);
-    } else if (what == "act") {
-        message.body = read_act(fields, parts);
-    } else if (what == "stop") {
-        message.body = ActMessage{.act = Stop{}, .shown = "stop"};
-    } else if (what == "rearm") {
-        message.body = ActMessage{.act = Rearm{}, .shown = "rearm"};
-    } else if (what == "time") {
-        message.body = read_time(fields);
-    } else if (what == "drive") {
-        message.body = read_drive(fields, parts);
-    } else if (what == "console") {
-        message.body = read_console(fields);
-    } else if (what == "floor") {
-        message.body = FloorMessage{};
-    } else if (what == "systems") {
-        message.body = SystemsMessage{};
-    } else if (what == "explain") {
-        message.body = ExplainMessage{fields.text("component")};
-    } else if (what == "peer") {
-        message.body = read_peer(fields, json, parts);
-    } else if (what == "edit") {
-        message.body = read_edit(fields);
-    } else if (what == "test") {
-        message.body = read_test(fields);
+    const auto* const kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](const Kind& each) { return each.name == what; });
+    if (kind == kinds.end()) {
+        std::vector<std::string_view> names;
+        for (const Kind& each : kinds) names.push_back(each.name);
+        fields.wrong("do", fmt::format("one of {}", fmt::join(names, ", ")));
     } else {
-        fields.wrong("do",
-                     "one of watch, act, stop, rearm, time, drive, console, floor, explain, systems, edit, test, peer");
+        message.body = kind->read({fields, json, parts});
     }
     if (!fields.problem().empty()) return refuse(fields.problem());
     return message;

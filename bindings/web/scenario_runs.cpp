@@ -144,8 +144,9 @@ void ScenarioRuns::list(ClientId client, std::int64_t id) const {
 void ScenarioRuns::run(ClientId client, const TestMessage& message) {
     std::vector<std::string> words{
         "nice", "-n", "10", program_, "test", "--project", project_.string(), "--tap", "--jobs", number_of_jobs()};
-    if (!message.name.empty()) words.insert(words.end(), {"--filter", message.name});
-    if (!message.file.empty()) words.push_back(message.file);
+    // Neither begins with a dash, so no name is taken for an option.
+    if (!message.name.empty()) words.push_back("--filter=" + message.name);
+    if (!message.file.empty()) words.push_back("./" + message.file);
     const UnnamedFile output;
     const UnnamedFile errors;
     std::size_t sent = 0;
