@@ -15,9 +15,11 @@ namespace {
 class SweepPainter {
 public:
     SweepPainter(const SweepPlot& plot, const std::string& file) : plot_(plot), canvas_(file, width, height) {
-        for (const SweepPlot::Point& point : plot.points) {
-            across_.include(point.at);
-            up_.include(point.value);
+        for (const SweepPlot::Series& series : plot.series) {
+            for (const SweepPlot::Point& point : series.points) {
+                across_.include(point.at);
+                up_.include(point.value);
+            }
         }
         if (plot.is_numeric) {
             across_.widen(0.05, 0.5);
@@ -31,11 +33,14 @@ public:
     Expected<void> paint() {
         canvas_.text(left, 34, plot_.title, 18, ink::text, 0, true);
         axes();
-        points();
-        if (plot_.is_numeric) {
-            band();
-        } else {
-            boxes();
+        if (!plot_.by.empty()) legend();
+        for (std::size_t i = 0; i < plot_.series.size(); ++i) {
+            points(i);
+            if (plot_.is_numeric) {
+                band(i);
+            } else {
+                boxes(i);
+            }
         }
         return canvas_.write();
     }
@@ -73,7 +78,7 @@ private:
             for (double at = std::ceil(across_.low / along) * along; at <= across_.high; at += along)
                 mark(at, fmt::format("{:.6g}", std::abs(at) < along * 1e-6 ? 0 : at));
         } else {
-            for (const SweepPlot::Group& group : plot_.groups) mark(group.at, group.label);
+            for (std::size_t i = 0; i < plot_.labels.size(); ++i) mark(static_cast<double>(i), plot_.labels[i]);
         }
         canvas_.text(width - right, height - axis + 42, plot_.parameter, 13, ink::text, 1);
         canvas_.text(left, head - 6, plot_.measure, 13, ink::text);
@@ -88,24 +93,44 @@ private:
         canvas_.text(x(at), height - axis + 18, label, 12, ink::faint, 0.5);
     }
 
-    void points() {
-        canvas_.set(series_colour(0).with_alpha(0.3));
-        for (const SweepPlot::Point& point : plot_.points) {
-            cairo_arc(context(), x(point.at), y(point.value), 2.5, 0, 2 * M_PI);
+    // The values of the second parameter in the colours of their series, from the right.
+    void legend() {
+        constexpr double letter = 7.2;  // [px]
+        double at = width - right;
+        for (std::size_t i = plot_.series.size(); i-- > 0;) {
+            const std::string& label = plot_.series[i].label;
+            canvas_.text(at, head - 6, label, 13, series_colour(i), 1, true);
+            at -= letter * static_cast<double>(label.size()) + 14;
+        }
+        canvas_.text(at, head - 6, plot_.by + ":", 13, ink::text, 1);
+    }
+
+    // The place of a value of a series: beside those of the other series, where values are not numbers.
+    double place(double at, std::size_t series) const {
+        if (plot_.is_numeric) return x(at);
+        const double middle = static_cast<double>(plot_.series.size() - 1) / 2;
+        return x(at) + (static_cast<double>(series) - middle) * 2.4 * half_box();
+    }
+    double half_box() const { return std::min(30.0, (x(1) - x(0)) * 0.3) / static_cast<double>(plot_.series.size()); }
+
+    void points(std::size_t series) {
+        canvas_.set(series_colour(series).with_alpha(0.3));
+        for (const SweepPlot::Point& point : plot_.series[series].points) {
+            cairo_arc(context(), place(point.at, series), y(point.value), 2.5, 0, 2 * M_PI);
             cairo_fill(context());
         }
     }
 
     // The area between the quartiles, and a line through the medians.
-    void band() {
-        const auto& groups = plot_.groups;
+    void band(std::size_t series) {
+        const auto& groups = plot_.series[series].groups;
         for (const auto& group : groups) cairo_line_to(context(), x(group.at), y(group.lower));
         for (auto group = groups.rbegin(); group != groups.rend(); ++group)
             cairo_line_to(context(), x(group->at), y(group->upper));
         cairo_close_path(context());
-        canvas_.set(series_colour(0).with_alpha(0.2));
+        canvas_.set(series_colour(series).with_alpha(0.2));
         cairo_fill(context());
-        canvas_.set(series_colour(0));
+        canvas_.set(series_colour(series));
         cairo_set_line_width(context(), 2);
         for (const auto& group : groups) cairo_line_to(context(), x(group.at), y(group.median));
         cairo_stroke(context());
@@ -115,17 +140,17 @@ private:
         }
     }
 
-    void boxes() {
-        const double half = std::min(30.0, (x(1) - x(0)) * 0.3);
-        for (const auto& group : plot_.groups) {
-            const double low = y(group.lower), high = y(group.upper);
-            cairo_rectangle(context(), x(group.at) - half, high, 2 * half, low - high);
-            canvas_.set(series_colour(0).with_alpha(0.2));
+    void boxes(std::size_t series) {
+        const double half = half_box();
+        for (const auto& group : plot_.series[series].groups) {
+            const double low = y(group.lower), high = y(group.upper), at = place(group.at, series);
+            cairo_rectangle(context(), at - half, high, 2 * half, low - high);
+            canvas_.set(series_colour(series).with_alpha(0.2));
             cairo_fill(context());
-            canvas_.set(series_colour(0));
+            canvas_.set(series_colour(series));
             cairo_set_line_width(context(), 3);
             const double median = y(group.median);
-            line(x(group.at) - half, median, x(group.at) + half, median);
+            line(at - half, median, at + half, median);
         }
     }
 

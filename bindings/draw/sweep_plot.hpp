@@ -9,7 +9,8 @@
 
 namespace nezumi::draw {
 
-/// A measure of a scenario over one parameter, for all values of the others.
+/// A measure of a scenario over one parameter, for all values of the others; with a series for each value of a second
+/// parameter, if there is one.
 struct SweepPlot {
     /// The runs with one value of the parameter, or with a range of values if there are many.
     struct Group {
@@ -22,14 +23,20 @@ struct SweepPlot {
         double at;
         double value;
     };
+    struct Series {
+        std::string label;          ///< the value of the second parameter; "" without one
+        std::vector<Group> groups;  ///< in the order of `at`
+        std::vector<Point> points{};
+    };
 
     std::string title;
     std::string parameter;
+    std::string by;       ///< the second parameter; "" without one
     std::string measure;  ///< with its unit
     bool is_numeric = true;
-    std::vector<Group> groups;  ///< in the order of `at`
-    std::vector<Point> points;
-    std::string file;  ///< name without the folder
+    std::vector<std::string> labels{};  ///< of the places 0, 1, ... of values that are not numbers
+    std::vector<Series> series;         ///< at least one
+    std::string file;                   ///< name without the folder
 };
 
 /// Draws one as SVG. An error says why it can't be written; then there is no file.

@@ -43,28 +43,29 @@ std::vector<double> scaled(const std::vector<double>& values) {
 struct MarginModel::Fit {
     std::vector<Shares> places;
     std::vector<bool> is_choice;
-    double length = 1;
+    std::vector<double> lengths;  // of each share
     Eigen::LLT<Eigen::MatrixXd> factor;
     Eigen::VectorXd weights;
 
     double distance(const Shares& a, const Shares& b) const {
         double sum = 0;
         for (std::size_t i = 0; i < a.size(); ++i) {
-            const double step = is_choice[i] ? (std::abs(a[i] - b[i]) > 1e-9 ? choice_distance : 0) : a[i] - b[i];
+            const double apart = is_choice[i] ? (std::abs(a[i] - b[i]) > 1e-9 ? choice_distance : 0) : a[i] - b[i];
+            const double step = apart / lengths[i];
             sum += step * step;
         }
         return std::sqrt(sum);
     }
 
-    // The logarithm of the likelihood of the values, with this length scale.
-    double fit(const Eigen::VectorXd& values, double with_length) {
-        length = with_length;
+    // The logarithm of the likelihood of the values, with these length scales.
+    double fit(const Eigen::VectorXd& values, std::vector<double> with_lengths) {
+        lengths = std::move(with_lengths);
         const auto count = static_cast<Eigen::Index>(places.size());
         Eigen::MatrixXd covariance(count, count);
         for (Eigen::Index row = 0; row < count; ++row) {
             for (Eigen::Index column = 0; column <= row; ++column) {
-                covariance(row, column) = covariance(column, row) = matern(
-                    distance(places[static_cast<std::size_t>(row)], places[static_cast<std::size_t>(column)]) / length);
+                covariance(row, column) = covariance(column, row) =
+                    matern(distance(places[static_cast<std::size_t>(row)], places[static_cast<std::size_t>(column)]));
             }
             covariance(row, row) += noise;
         }
@@ -77,7 +78,7 @@ struct MarginModel::Fit {
     double least(const Shares& place, double optimism) const {
         Eigen::VectorXd near(static_cast<Eigen::Index>(places.size()));
         for (std::size_t i = 0; i < places.size(); ++i)
-            near(static_cast<Eigen::Index>(i)) = matern(distance(place, places[i]) / length);
+            near(static_cast<Eigen::Index>(i)) = matern(distance(place, places[i]));
         const double variance = 1 + noise - near.dot(factor.solve(near));
         return near.dot(weights) - optimism * std::sqrt(std::max(variance, 0.0));
     }
@@ -91,14 +92,23 @@ MarginModel::MarginModel(std::vector<Shares> places, const std::vector<double>& 
     const Eigen::VectorXd vector =
         Eigen::Map<const Eigen::VectorXd>(used.data(), static_cast<Eigen::Index>(used.size()));
     double best = 0;
-    double best_length = 0;
-    for (const double length : {0.1, 0.2, 0.4, 0.8, 1.6}) {
-        const double likelihood = fit_->fit(vector, length);
-        if (best_length > 0 && likelihood <= best) continue;
+    std::vector<double> best_lengths;
+    const auto try_lengths = [&](std::vector<double> lengths) {
+        const double likelihood = fit_->fit(vector, lengths);
+        if (!best_lengths.empty() && likelihood <= best) return;
         best = likelihood;
-        best_length = length;
+        best_lengths = std::move(lengths);
+    };
+    for (const double length : {0.1, 0.2, 0.4, 0.8, 1.6})
+        try_lengths(std::vector<double>(fit_->is_choice.size(), length));
+    for (std::size_t i = 0; i < fit_->is_choice.size(); ++i) {
+        for (const double factor : {0.4, 3.0, 10.0}) {
+            std::vector<double> lengths = best_lengths;
+            lengths[i] *= factor;
+            try_lengths(std::move(lengths));
+        }
     }
-    fit_->fit(vector, best_length);
+    fit_->fit(vector, best_lengths);
 }
 
 MarginModel::~MarginModel() = default;

@@ -10,8 +10,8 @@ namespace nezumi {
 /// A place in the unit cube: a share from 0 to 1 for each value of a run.
 using Shares = std::vector<double>;
 
-/// Gaussian process regression (Rasmussen and Williams 2006, algorithm 2.1) with a Matern kernel, nu = 5/2. Its length
-/// scale is the most likely of a few.
+/// Gaussian process regression (Rasmussen and Williams 2006, algorithm 2.1) with a Matern kernel, nu = 5/2. Each value
+/// has a length scale of its own (5.1, automatic relevance determination): the most likely of a few.
 class MarginModel {
 public:
     /// `values` are those at `places`: at least one, all with the same number of shares. Differences of a share that

@@ -28,23 +28,37 @@ class Search {
 public:
     Search(Sweep sweep, std::uint64_t seed) : sweep_(std::move(sweep)), random_(seed) {}
 
-    /// Chooses the points of the next round, at most so many. The first round is random; then one point is random, one
-    /// lies near a run that had new lines, and the others are where a model of one condition's margins after the other
-    /// has its least value.
+    /// Chooses the points of the next round, at most so many. The first round has corners of the values, and random
+    /// points. In later rounds, two points are where a model of one condition's margins after the other has its least
+    /// value, one is near the least margin so far, one near the ends of some values, one near a run that had new lines,
+    /// and one is random.
     std::vector<SweepPoint> next(std::size_t most);
 
     /// Adds the result of a run, in the order of the points of its round.
     void add(const SweepPoint& point, const RunResult& result);
 
 private:
+    // How a point is chosen.
+    enum class Way : unsigned char { least_of_model, explored_by_model, near_least, near_ends, near_new_lines, random };
+
     struct Seen {
         Shares place;
         std::map<std::string, double> margins;  // by condition
     };
 
+    // The runs of one condition, by their margins.
+    using Ranked = std::vector<std::pair<double, std::size_t>>;
+
+    std::vector<SweepPoint> first_points(std::size_t count);
     SweepPoint random_point();
-    std::vector<SweepPoint> modelled_points(std::size_t count);
+    SweepPoint point_of(Way way);
+    Ranked next_condition();
+    SweepPoint modelled_point(double optimism);
+    SweepPoint near_least();
+    SweepPoint near_ends();
     SweepPoint near_new_lines();
+    SweepPoint near(Shares place);
+    double next_signed() { return 2 * random_.next_fraction() - 1; }
     bool is_new(const std::vector<FileCoverage>& files);
 
     Sweep sweep_;
@@ -56,6 +70,8 @@ private:
     std::set<std::string> names_;                           // of all points
     std::set<std::pair<std::string, std::int64_t>> lines_;  // that have run: files, and lines or ways of branches
     std::vector<Shares> had_new_lines_;
+    std::vector<std::pair<Shares, std::string>> chosen_;  // of this round by models, with their conditions
+    std::string condition_;                               // of `next_condition`
 };
 
 }  // namespace nezumi

@@ -28,8 +28,9 @@ public:
     std::optional<std::size_t> make() {
         const Scenario& scenario = runs_.scenario_of(first_);
         if (scenario.draws) {
-            // A run that is not reported shows what it draws.
-            const auto shown = runs_.make_all({planned_run(runs_.plan, first_.file, first_.scenario, {}, {})}, true);
+            // A run that is not reported, with middle values, shows what it draws.
+            const auto shown =
+                runs_.make_all({planned_run(runs_.plan, first_.file, first_.scenario, point_in(sweep_, {}), {})}, true);
             if (!shown) return std::nullopt;
             sweep_ = with_drawn(std::move(sweep_), shown->front().drawn);
         }

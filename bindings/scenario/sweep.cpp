@@ -87,12 +87,13 @@ SweepPoint point_at(const Sweep& sweep, std::uint64_t index) {
 }
 
 // A number at this share of a range, with so few digits that names stay short: steps of at most a 10 000th of the
-// range.
-double short_number(const SweepRange& range, double share) {
+// range, or finer if there are many samples, so that few are equal.
+double short_number(const SweepRange& range, double share, std::size_t samples = 0) {
     const double width = range.hi - range.lo;
     const double number = range.lo + width * share;
     if (!(width > 0) || !std::isfinite(width)) return range.lo;
-    const double digits = 4 - std::ceil(std::log10(width));
+    const double many = samples > 100 ? std::ceil(std::log10(static_cast<double>(samples) / 100)) : 0;
+    const double digits = 4 + many - std::ceil(std::log10(width));
     if (std::abs(digits) > 300) return number;
     // Division by a power of ten gives the double that is nearest to the decimal number.
     const double scale = std::pow(10.0, std::abs(digits));
@@ -100,9 +101,9 @@ double short_number(const SweepRange& range, double share) {
     return std::clamp(std::isfinite(rounded) ? rounded : number, range.lo, range.hi);
 }
 
-SweepValue draw_value(const SweepRange& range, Random& random) {
+SweepValue draw_value(const SweepRange& range, Random& random, std::size_t samples) {
     if (range.step > 0) return value_at(range, random.next_up_to(static_cast<std::uint64_t>(steps_of(range))));
-    return number_value(range, short_number(range, random.next_fraction()));
+    return number_value(range, short_number(range, random.next_fraction(), samples));
 }
 
 // Simplest first.
@@ -309,11 +310,12 @@ SweepPoint draw_point(const Sweep& sweep, std::uint64_t seed, std::size_t index)
     Random random(seed, index + 1);
     SweepPoint point;
     for (const SweepKey& key : sweep.keys) {
-        point.emplace_back(key.name, by_kind(
-                                         key, [&](const SweepRange& range) { return draw_value(range, random); },
-                                         [&](const std::vector<SweepValue>& list) {
-                                             return list[static_cast<std::size_t>(random.next_up_to(list.size() - 1))];
-                                         }));
+        point.emplace_back(key.name,
+                           by_kind(
+                               key, [&](const SweepRange& range) { return draw_value(range, random, sweep.samples); },
+                               [&](const std::vector<SweepValue>& list) {
+                                   return list[static_cast<std::size_t>(random.next_up_to(list.size() - 1))];
+                               }));
     }
     return point;
 }
@@ -324,7 +326,15 @@ std::vector<SweepPoint> draws(const Sweep& sweep, std::uint64_t seed) {
     for (const SweepKey& key : sweep.keys) all *= count_of(key);
     std::vector<SweepPoint> points;
     if (!(all <= countable)) {
-        for (std::size_t i = 0; i < sweep.samples; ++i) points.push_back(draw_point(sweep, seed, i));
+        std::set<std::string> names;
+        for (std::size_t i = 0; i < sweep.samples; ++i) {
+            SweepPoint point = draw_point(sweep, seed, i);
+            // Rounded numbers may be equal to those of another sample.
+            constexpr std::size_t most_tries = 100;
+            for (std::size_t again = 1; again < most_tries && !names.insert(text_of(point)).second; ++again)
+                point = draw_point(sweep, seed, i + again * sweep.samples);
+            points.push_back(std::move(point));
+        }
         return points;
     }
     const auto count = static_cast<std::uint64_t>(all);

@@ -92,7 +92,7 @@ SweepPoint draw_point(const Sweep& sweep, std::uint64_t seed, std::size_t index)
 
 /// The points of a random sweep. If all its values can be counted (lists, ranges with a step or of one number), no
 /// point comes twice: all points in the order of `combinations` if there are at most as many as samples, otherwise a
-/// random choice. If not, each sample is drawn independently.
+/// random choice. If not, each sample is drawn independently, again if it is equal to an earlier one.
 std::vector<SweepPoint> draws(const Sweep& sweep, std::uint64_t seed);
 
 /// The point at a place in the unit cube: a share from 0 to 1 of each range, and of each list.

@@ -1,4 +1,5 @@
-// Groups numbers if there are many; other values are shown side by side.
+// Groups numbers if there are many; other values are shown side by side. A second parameter with few values gives a
+// series for each.
 #include "bindings/cli/test/sweep_plots.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <tuple>
 
@@ -20,10 +22,12 @@ using draw::SweepPlot;
 
 constexpr std::size_t most_groups = 20;  // with more values, they are grouped
 constexpr std::size_t ranges = 10;       // number of groups
+constexpr std::size_t most_series = 6;   // values of a second parameter
 
-// One run's value of the parameter and of the measure.
+// One run's values of the parameters and of the measure.
 struct Sample {
     std::string text;
+    std::string by;
     double value;
 };
 
@@ -34,91 +38,112 @@ std::optional<double> to_number(const std::string& text) {
     return number;
 }
 
-void sort_groups(SweepPlot& plot) {
-    for (SweepPlot::Group& group : plot.groups) {
-        std::sort(group.sorted.begin(), group.sorted.end());
-        group.lower = quantile(group.sorted, 0.25);
-        group.median = quantile(group.sorted, 0.5);
-        group.upper = quantile(group.sorted, 0.75);
+// Where values are drawn: as they are, or in the middle of one of some equal ranges if there are too many.
+class Places {
+public:
+    explicit Places(const std::vector<Sample>& samples) {
+        std::set<double> values;
+        for (const Sample& sample : samples) values.insert(*to_number(sample.text));
+        low_ = *values.begin();
+        if (values.size() > most_groups) size_ = (*values.rbegin() - low_) / static_cast<double>(ranges);
     }
-}
+    double of(double value) const {
+        if (size_ == 0) return value;
+        const auto range = std::min(static_cast<std::size_t>((value - low_) / size_), ranges - 1);
+        return low_ + (static_cast<double>(range) + 0.5) * size_;
+    }
 
-// One group per value, or `ranges` equal groups if there are too many values.
-void group_numbers(SweepPlot& plot) {
-    std::map<double, std::vector<double>> by_value;
-    for (const SweepPlot::Point& point : plot.points) by_value[point.at].push_back(point.value);
-    if (by_value.size() <= most_groups) {
-        for (const auto& [at, values] : by_value) plot.groups.push_back({at, fmt::format("{:.6g}", at), values});
-        return sort_groups(plot);
-    }
-    const double low = by_value.begin()->first;
-    const double size = (by_value.rbegin()->first - low) / static_cast<double>(ranges);
-    std::map<std::size_t, std::vector<double>> by_range;
-    for (const SweepPlot::Point& point : plot.points) {
-        const auto range = static_cast<std::size_t>((point.at - low) / size);
-        by_range[std::min(range, ranges - 1)].push_back(point.value);
-    }
-    for (const auto& [range, values] : by_range) {
-        const double at = low + (static_cast<double>(range) + 0.5) * size;
-        plot.groups.push_back({at, fmt::format("{:.6g}", at), values});
-    }
-    sort_groups(plot);
-}
+private:
+    double low_ = 0;
+    double size_ = 0;  // of a range; 0: none
+};
 
-// Side by side, in the order of first occurrence.
-void group_texts(SweepPlot& plot, const std::vector<Sample>& samples) {
+// The different texts: numbers in ascending order, others in the order of first occurrence.
+std::vector<std::string> different(const std::vector<Sample>& samples, std::string Sample::*text) {
+    std::vector<std::string> found;
     for (const Sample& sample : samples) {
-        const auto same = [&](const SweepPlot::Group& group) { return group.label == sample.text; };
-        auto found = std::find_if(plot.groups.begin(), plot.groups.end(), same);
-        if (found == plot.groups.end()) {
-            plot.groups.push_back({static_cast<double>(plot.groups.size()), sample.text, {}});
-            found = plot.groups.end() - 1;
-        }
-        found->sorted.push_back(sample.value);
-        plot.points.push_back({found->at, sample.value});
+        if (std::find(found.begin(), found.end(), sample.*text) == found.end()) found.push_back(sample.*text);
     }
-    sort_groups(plot);
+    const auto is_number = [](const std::string& each) { return to_number(each).has_value(); };
+    if (std::all_of(found.begin(), found.end(), is_number))
+        std::stable_sort(found.begin(), found.end(),
+                         [](const auto& a, const auto& b) { return *to_number(a) < *to_number(b); });
+    return found;
 }
 
-void group(SweepPlot& plot, const std::vector<Sample>& samples) {
-    plot.is_numeric = std::all_of(samples.begin(), samples.end(),
-                                  [](const Sample& each) { return to_number(each.text).has_value(); });
-    if (!plot.is_numeric) return group_texts(plot, samples);
-    for (const Sample& sample : samples) plot.points.push_back({*to_number(sample.text), sample.value});
-    group_numbers(plot);
+void add_series(SweepPlot& plot, const std::vector<Sample>& samples) {
+    const auto is_number = [](const Sample& each) { return to_number(each.text).has_value(); };
+    plot.is_numeric = std::all_of(samples.begin(), samples.end(), is_number);
+    if (!plot.is_numeric) plot.labels = different(samples, &Sample::text);
+    const auto places = plot.is_numeric ? std::optional(Places(samples)) : std::nullopt;
+    for (const std::string& by : different(samples, &Sample::by)) {
+        SweepPlot::Series& series = plot.series.emplace_back(SweepPlot::Series{.label = by, .groups = {}});
+        std::map<double, std::vector<double>> groups;
+        for (const Sample& sample : samples) {
+            if (sample.by != by) continue;
+            const double at = plot.is_numeric
+                                  ? *to_number(sample.text)
+                                  : static_cast<double>(std::find(plot.labels.begin(), plot.labels.end(), sample.text) -
+                                                        plot.labels.begin());
+            series.points.push_back({at, sample.value});
+            groups[places ? places->of(at) : at].push_back(sample.value);
+        }
+        for (auto& [at, values] : groups) {
+            std::sort(values.begin(), values.end());
+            const std::string label = places ? fmt::format("{:.6g}", at) : plot.labels[static_cast<std::size_t>(at)];
+            series.groups.push_back(
+                {at, label, values, quantile(values, 0.25), quantile(values, 0.5), quantile(values, 0.75)});
+        }
+    }
+}
+
+// Of a measure over a parameter; nothing if all values are equal.
+std::optional<SweepPlot> plot_of(const std::string& scenario, const std::string& measure, const std::string& unit,
+                                 const std::string& parameter, const std::string& by,
+                                 const std::vector<Sample>& samples) {
+    if (different(samples, &Sample::text).size() < 2) return std::nullopt;
+    const std::size_t series = different(samples, &Sample::by).size();
+    if (!by.empty() && (series < 2 || series > most_series)) return std::nullopt;
+    SweepPlot plot;
+    const std::string over = by.empty() ? parameter : fmt::format("{} by {}", parameter, by);
+    plot.title = fmt::format("{}: {} over {}", scenario, measure, over);
+    plot.parameter = parameter;
+    plot.by = by;
+    plot.measure = unit.empty() ? measure : fmt::format("{} [{}]", measure, unit);
+    plot.file = run_file_name({}, fmt::format("{} {} over {}", scenario, measure, over), true) + ".svg";
+    add_series(plot, samples);
+    return plot;
 }
 
 }  // namespace
 
 std::vector<SweepPlot> sweep_plots(const std::vector<MeasuredRun>& runs) {
-    // By scenario, measure, unit and parameter, in the order of first occurrence.
-    using Key = std::tuple<std::string, std::string, std::string, std::string>;
+    // By scenario, measure, unit, parameter and second parameter, in the order of first occurrence.
+    using Key = std::tuple<std::string, std::string, std::string, std::string, std::string>;
     std::vector<Key> keys;
     std::map<Key, std::vector<Sample>> samples;
     for (const MeasuredRun& run : runs) {
         if (!run.counts) continue;
         for (const Measure& measure : run.measures) {
-            for (const auto& [parameter, value] : run.point) {
-                const Key key{run.scenario, measure.name, measure.unit, parameter};
-                std::vector<Sample>& all = samples[key];
-                if (all.empty()) keys.push_back(key);
-                all.push_back({value.text, measure.value});
+            for (const auto& swept : run.point) {
+                const auto add = [&](const std::string& by, const std::string& text) {
+                    const Key key{run.scenario, measure.name, measure.unit, swept.first, by};
+                    std::vector<Sample>& all = samples[key];
+                    if (all.empty()) keys.push_back(key);
+                    all.push_back({swept.second.text, text, measure.value});
+                };
+                add("", "");
+                for (const auto& [second, value] : run.point) {
+                    if (second != swept.first) add(second, value.text);
+                }
             }
         }
     }
     std::vector<SweepPlot> plots;
     for (const Key& key : keys) {
-        const auto& [scenario, measure, unit, parameter] = key;
-        const std::vector<Sample>& all = samples[key];
-        const auto first = [&](const Sample& each) { return each.text == all.front().text; };
-        if (std::all_of(all.begin(), all.end(), first)) continue;
-        SweepPlot plot;
-        plot.title = fmt::format("{}: {} over {}", scenario, measure, parameter);
-        plot.parameter = parameter;
-        plot.measure = unit.empty() ? measure : fmt::format("{} [{}]", measure, unit);
-        plot.file = run_file_name({}, fmt::format("{} {} over {}", scenario, measure, parameter), true) + ".svg";
-        group(plot, all);
-        plots.push_back(std::move(plot));
+        const auto& [scenario, measure, unit, parameter, by] = key;
+        if (auto plot = plot_of(scenario, measure, unit, parameter, by, samples[key]))
+            plots.push_back(std::move(*plot));
     }
     return plots;
 }

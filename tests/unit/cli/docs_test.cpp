@@ -251,6 +251,28 @@ TEST_CASE("every unit test that a page names is there", "[cli][docs]") {
     CHECK(patterns > 25);
 }
 
+TEST_CASE("every check that the page for papers names is a test", "[cli][docs]") {
+    std::vector<Case> cases;
+    for (const char* room : {"engine", "sim"}) {
+        for (Case& each : cases_of(root / "tests/unit" / room)) cases.push_back(std::move(each));
+    }
+    const std::string page = text_of_file(root / "docs/methods.md");
+    const std::size_t begin = page.find("| quantity, and what it is compared with | test |");
+    REQUIRE(begin != std::string::npos);
+    std::istringstream rows(page.substr(begin, page.find("\n\n", begin) - begin));
+    std::string row;
+    std::getline(rows, row);
+    std::getline(rows, row);
+    std::size_t checks = 0;
+    while (std::getline(rows, row)) {
+        const std::string name = parts_between(row, " | ", '|').at(0);
+        CAPTURE(name);
+        CHECK(is_there(name.substr(0, name.find_last_not_of(' ') + 1), cases));
+        ++checks;
+    }
+    CHECK(checks > 15);
+}
+
 TEST_CASE("the program that the README embeds nezumi in is the one that is tried", "[cli][docs]") {
     const std::map<std::string, fs::path> files{{"cmake", "tests/consumer/CMakeLists.txt"},
                                                 {"cpp", "tests/consumer/main.cpp"}};
@@ -302,6 +324,10 @@ TEST_CASE("the page for those who come from elsewhere does what it says", "[cli]
 TEST_CASE("the page about coverage does what it says", "[cli][docs]") { follow("coverage.md"); }
 
 TEST_CASE("the page about sweeps does what it says", "[cli][docs]") { follow("sweeps.md"); }
+
+TEST_CASE("the page about looking for reasons does what it says", "[cli][docs]") { follow("why.md"); }
+
+TEST_CASE("the page for papers does what it says", "[cli][docs]") { follow("methods.md"); }
 
 TEST_CASE("the page about upgrading does what it says", "[cli][docs]") { follow("upgrading.md"); }
 

@@ -36,14 +36,14 @@ TEST_CASE("there is a plot for each measure over each parameter that has several
     CHECK(plot.measure == "time [s]");
     CHECK(plot.file == "drives-time-over-speed.svg");
     CHECK(plot.is_numeric);
-    CHECK(plot.points.size() == 4);
-    REQUIRE(plot.groups.size() == 2);
-    CHECK(plot.groups[0].at == 0.1);
-    CHECK(plot.groups[0].sorted == std::vector<double>{1, 3, 7});
-    CHECK(plot.groups[0].lower == 2);
-    CHECK(plot.groups[0].median == 3);
-    CHECK(plot.groups[0].upper == 5);
-    CHECK(plot.groups[1].sorted == std::vector<double>{5});
+    CHECK(plot.series[0].points.size() == 4);
+    REQUIRE(plot.series[0].groups.size() == 2);
+    CHECK(plot.series[0].groups[0].at == 0.1);
+    CHECK(plot.series[0].groups[0].sorted == std::vector<double>{1, 3, 7});
+    CHECK(plot.series[0].groups[0].lower == 2);
+    CHECK(plot.series[0].groups[0].median == 3);
+    CHECK(plot.series[0].groups[0].upper == 5);
+    CHECK(plot.series[0].groups[1].sorted == std::vector<double>{5});
     CHECK(sweep_plots({}).empty());
 }
 
@@ -51,10 +51,52 @@ TEST_CASE("values that are no numbers stand side by side", "[cli][plot]") {
     const auto plots = sweep_plots({run("1", "slow", 1), run("1", "fast", 2), run("1", "slow", 0)});
     REQUIRE(plots.size() == 1);
     CHECK_FALSE(plots[0].is_numeric);
-    REQUIRE(plots[0].groups.size() == 2);
-    CHECK(plots[0].groups[0].label == "slow");
-    CHECK(plots[0].groups[0].sorted == std::vector<double>{0, 1});
-    CHECK(plots[0].groups[1].at == 1);
+    REQUIRE(plots[0].series[0].groups.size() == 2);
+    CHECK(plots[0].series[0].groups[0].label == "slow");
+    CHECK(plots[0].series[0].groups[0].sorted == std::vector<double>{0, 1});
+    CHECK(plots[0].series[0].groups[1].at == 1);
+}
+
+TEST_CASE("a second parameter with few values gives a plot with a series for each", "[cli][plot]") {
+    const auto plots = sweep_plots({run("0.1", "a", 1), run("0.2", "a", 2), run("0.2", "a", 4), run("0.1", "b", 5)});
+    std::vector<std::string> files;
+    for (const SweepPlot& plot : plots) files.push_back(plot.file);
+    CHECK(files == std::vector<std::string>{"drives-time-over-kind.svg", "drives-time-over-kind-by-speed.svg",
+                                            "drives-time-over-speed.svg", "drives-time-over-speed-by-kind.svg"});
+    const SweepPlot& by_kind = plots.at(3);
+    CHECK(by_kind.title == "drives: time over speed by kind");
+    CHECK(by_kind.by == "kind");
+    CHECK(by_kind.is_numeric);
+    REQUIRE(by_kind.series.size() == 2);
+    CHECK(by_kind.series[0].label == "a");
+    REQUIRE(by_kind.series[0].groups.size() == 2);
+    CHECK(by_kind.series[0].groups[1].sorted == std::vector<double>{2, 4});
+    CHECK(by_kind.series[1].label == "b");
+    REQUIRE(by_kind.series[1].groups.size() == 1);
+    CHECK(by_kind.series[1].points.size() == 1);
+    const SweepPlot& by_speed = plots.at(1);
+    CHECK_FALSE(by_speed.is_numeric);
+    CHECK(by_speed.labels == std::vector<std::string>{"a", "b"});
+    CHECK(by_speed.series[1].label == "0.2");
+    const Scratch scratch;
+    for (const SweepPlot& plot : plots) {
+        REQUIRE(draw::draw_sweep_plot(plot, scratch.path("")));
+        CHECK(text_of_file(scratch.path(plot.file)).starts_with("<?xml"));
+    }
+}
+
+TEST_CASE("series share the ranges of numbers, and there are at most six series", "[cli][plot]") {
+    std::vector<MeasuredRun> runs;
+    for (int i = 0; i <= 100; ++i) runs.push_back(run(std::to_string(i), i % 2 == 0 ? "a" : "b", i));
+    const auto plots = sweep_plots(runs);  // not over kind by speed, which has 101 values
+    REQUIRE(plots.size() == 3);
+    const SweepPlot& by_kind = plots.at(2);
+    REQUIRE(by_kind.series.size() == 2);
+    REQUIRE(by_kind.series[0].groups.size() == 10);
+    for (std::size_t i = 0; i < 10; ++i) CHECK(by_kind.series[0].groups[i].at == by_kind.series[1].groups[i].at);
+    runs.clear();
+    for (int i = 0; i < 7; ++i) runs.push_back(run("1", std::to_string(i), i));
+    CHECK(sweep_plots(runs).size() == 1);
 }
 
 TEST_CASE("many different numbers are put together in ranges", "[cli][plot]") {
@@ -62,11 +104,11 @@ TEST_CASE("many different numbers are put together in ranges", "[cli][plot]") {
     for (int i = 0; i <= 100; ++i) runs.push_back(run(std::to_string(i), "a", i));
     const auto plots = sweep_plots(runs);
     REQUIRE(plots.size() == 1);
-    REQUIRE(plots[0].groups.size() == 10);
-    CHECK(plots[0].groups[0].at == 5);
-    CHECK(plots[0].groups[0].sorted.size() == 10);
-    CHECK(plots[0].groups[9].sorted.size() == 11);  // the greatest belongs to the last
-    CHECK(plots[0].points.size() == 101);
+    REQUIRE(plots[0].series[0].groups.size() == 10);
+    CHECK(plots[0].series[0].groups[0].at == 5);
+    CHECK(plots[0].series[0].groups[0].sorted.size() == 10);
+    CHECK(plots[0].series[0].groups[9].sorted.size() == 11);  // the greatest belongs to the last
+    CHECK(plots[0].series[0].points.size() == 101);
 }
 
 TEST_CASE("a plot is SVG, or an error and no file", "[cli][plot]") {

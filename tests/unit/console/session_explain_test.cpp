@@ -33,3 +33,27 @@ TEST_CASE("the console reports what it can't explain, and what it waits for", "[
     it.turn();
     CHECK(it.shown == "controller began anew: not explained");
 }
+
+TEST_CASE("on real robots a breakpoint shows executions without stopping, at most one a second", "[console][explain]") {
+    SessionRig it(counter_system, {{"counter", counter_behavior}}, {}, disk(), true);
+    it.paused = false;
+    CHECK(it.type("break_at(\"counter.lua:13\", function(locals) return locals.state == nil end)") ==
+          "traces counter.lua:13: for _, value in ipairs(range:read()) do   (unwatch() ends it)");
+    it.shown.clear();
+    const std::uint64_t moves = it.moves();
+    it.turn(250);
+    CHECK_FALSE(it.paused);
+    CHECK(it.moves() == moves);
+    CHECK(it.live->system().now().seconds == Approx(2.5));
+    std::size_t shown = 0;
+    for (std::size_t at = it.shown.find("counter.lua:13 ran at "); at != std::string::npos;
+         at = it.shown.find("counter.lua:13 ran at ", at + 1))
+        ++shown;
+    CHECK(shown == 3);
+    CHECK(it.shown.find("paused") == std::string::npos);
+    CHECK(it.shown.find("controller.out -> ") != std::string::npos);
+    it.type("unwatch()");
+    it.shown.clear();
+    it.turn(150);
+    CHECK(it.shown.empty());
+}

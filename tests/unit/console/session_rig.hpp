@@ -18,8 +18,8 @@ namespace nezumi {
 struct SessionRig : LiveRig, ClockControl {
     explicit SessionRig(const std::string& system = counter_system,
                         const std::map<std::string, std::string>& behaviors = {{"counter", counter_behavior}},
-                        SessionOptions options = {}, const ProjectFiles& files = disk())
-        : LiveRig(system, behaviors, files) {
+                        SessionOptions options = {}, const ProjectFiles& files = disk(), bool is_real = false)
+        : LiveRig(system, behaviors, files), hardware(is_real) {
         options.output.show = [this](std::string_view text) { add(text); };
         options.output.show_error = [this](std::string_view text) { add("! " + std::string(text)); };
         options.output.done = [this](bool well) { all_well = all_well && well, ++finished; };

@@ -169,6 +169,19 @@ TEST_CASE("a control character in a text appears as its code in the run's name",
     CHECK(name("a\"b") == "\"a\\\"b\"");
 }
 
+TEST_CASE("no two samples of a range are equal, and the names of few samples are short", "[lua][scenario][sweep]") {
+    Sweep sweep = one_range({0, 1});
+    for (const std::size_t samples : {50, 200, 5000}) {
+        sweep.samples = samples;
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+            std::set<std::string> names;
+            for (const SweepPoint& point : draws(sweep, seed)) names.insert(text_of(point));
+            CHECK(names.size() == samples);
+            for (const std::string& name : names) CHECK(name.size() <= (samples == 50 ? 10 : 12));
+        }
+    }
+}
+
 TEST_CASE("simplifying ends, because each step is nearer to zero or shorter", "[lua][scenario][sweep]") {
     const Sweep sweep = one_range({.lo = -10, .hi = 10});
     for (std::size_t i = 0; i < 20; ++i) {
