@@ -133,6 +133,7 @@ TEST_CASE("scenarios run as processes whose report is told while they run", "[we
           "TAP version 13\nok 1 - tests/a_test.lua: a scenario\n");
     CHECK(Json::parse(browser.next_text("\"done\":true"))["problem"] == "");
     CHECK(test(3, "run", {{"file", "../a_test.lua"}})["ok"] == false);
+    CHECK(test(8, "run", {{"file", "--hw.lua"}})["text"] == "'--hw.lua' would be an option");
     CHECK(test(4, "open", {{"file", "nezumi-test/../../x"}})["text"] ==
           "'nezumi-test/../../x' is not the folder of a failed run");
 
