@@ -86,8 +86,11 @@ Json check_edited(const std::string& program, const std::string& shown, const st
 
 }  // namespace
 
-Editor::Editor(const Project& project, const std::filesystem::path& folder, EditorOptions options, Answer answer)
-    : project_(project), files_(folder), options_(std::move(options)), answer_(std::move(answer)) {}
+Editor::Editor(Project project, std::filesystem::path folder, EditorOptions options, Answer answer)
+    : project_(std::move(project)),
+      files_(std::move(folder)),
+      options_(std::move(options)),
+      answer_(std::move(answer)) {}
 
 Editor::~Editor() { ends_ = true; }
 

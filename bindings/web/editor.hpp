@@ -37,7 +37,7 @@ public:
     /// Takes the answer to a request, a JSON object; called in any thread.
     using Answer = std::function<void(ClientId client, std::string answer)>;
 
-    Editor(const Project& project, const std::filesystem::path& folder, EditorOptions options, Answer answer);
+    Editor(Project project, std::filesystem::path folder, EditorOptions options, Answer answer);
     /// Waits for a file that is being written. A running check is ended.
     ~Editor();
     Editor(const Editor&) = delete;

@@ -119,6 +119,7 @@ Expected<void> ScenarioRuns::start(ClientId client, std::int64_t id, const TestM
     }
     if (!message.file.empty()) {
         if (auto ok = EditedFiles::check_name(message.file); !ok) return ok;
+        if (message.file.front() == '-') return failure("'" + shown(message.file) + "' would be an option");
     }
     if (is_running_.exchange(true)) return failure("scenarios are running already: stop them first");
     stops_ = ends_.load();
@@ -144,9 +145,8 @@ void ScenarioRuns::list(ClientId client, std::int64_t id) const {
 void ScenarioRuns::run(ClientId client, const TestMessage& message) {
     std::vector<std::string> words{
         "nice", "-n", "10", program_, "test", "--project", project_.string(), "--tap", "--jobs", number_of_jobs()};
-    // Neither begins with a dash, so no name is taken for an option.
     if (!message.name.empty()) words.push_back("--filter=" + message.name);
-    if (!message.file.empty()) words.push_back("./" + message.file);
+    if (!message.file.empty()) words.push_back(message.file);
     const UnnamedFile output;
     const UnnamedFile errors;
     std::size_t sent = 0;

@@ -94,8 +94,12 @@ tl::expected<pid_t, int> start(const ProgramRun& run, int output) {
     give(run.errors, STDERR_FILENO, O_WRONLY);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    // Ctrl-C must reach only nezumi, which lets the program finish.
-    if (!run.is_in_front) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    // Ctrl-C must reach only nezumi, which lets the program finish. Our threads block signals; the program must not.
+    sigset_t none;
+    sigemptyset(&none);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    const int group = run.is_in_front ? 0 : POSIX_SPAWN_SETPGROUP;
+    posix_spawnattr_setflags(&attributes, static_cast<short>(POSIX_SPAWN_SETSIGMASK | group));
     pid_t child = 0;
     const int error = posix_spawnp(&child, pointers[0], &files, &attributes, pointers.data(), environ);
     posix_spawnattr_destroy(&attributes);

@@ -86,6 +86,14 @@ class Writing(EditorCase):
         page.until("document.querySelector('.findings').hidden", "nothing is wrong any more")
         self.assertEqual(page.errors(), [])
 
+    def test_a_text_that_never_ends_is_found_and_disturbs_nothing(self):
+        self.begin()
+        page = self.page
+        self.put(10, 1, "while true do end\n")
+        row = page.until("document.querySelector('.finding-row')", "it is found", 60)
+        self.assertIn("10", row.text)
+        self.assertEqual(page.js("return document.querySelector('.dot.open') !== null"), True)
+
     def test_a_file_that_was_changed_meanwhile_is_not_overwritten_until_a_person_chooses(self):
         self.begin()
         page = self.page

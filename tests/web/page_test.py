@@ -109,7 +109,7 @@ class Words(rig.PageCase):
         self.assertEqual(page.all(".log .entry:not([hidden])"), [])
 
     def test_fields_are_plotted_paused_and_saved(self):
-        self.open(WALL)
+        self.open(text=APART + 'connect("controller.out", "mouse.target_velocity_in")\n')  # no wall stops it first
         page = self.page
         page.view("plots")
         page.choose(".plots select", "controller.out")
@@ -131,6 +131,17 @@ class Words(rig.PageCase):
         page.press("SVG")
         self.assertTrue(page.until("window.saved", "the drawing is saved").startswith("<svg"))
         self.assertEqual(page.errors(), [])
+
+
+    def test_a_port_is_found_by_parts_of_its_name(self):
+        self.open(WALL)
+        page = self.page
+        page.view("plots")
+        page.find(".plots input[type=search]").send_keys("mouse vel")
+        page.until("[...document.querySelector('.plots select').options].length > 0 && "
+                   "[...document.querySelector('.plots select').options].every((each) => /^mouse\\..*vel/.test(each.value))", "only such ports are offered")
+        page.find(".plots input[type=search]").send_keys("\b" * 9)
+        page.until("[...document.querySelector('.plots select').options].some((each) => each.value === 'controller.out')", "all are offered again")
 
 
 class Messages(rig.PageCase):

@@ -156,6 +156,7 @@ class Plots {
 }
 
 function make_chooser(plots, { model }) {
+  const search = el("input", { type: "search", placeholder: T.plots.search, "aria-label": T.plots.search });
   const port = el("select", { "aria-label": T.plots.port });
   const field = el("select", { "aria-label": T.plots.field });
   const add = el("button", { text: T.plots.plot, onclick: () => field.value !== "-" && plots.add(port.value, field.value) });
@@ -173,6 +174,18 @@ function make_chooser(plots, { model }) {
       : [el("option", { value: "-", text: T.plots.no_fields })]));
     add.disabled = paths.length === 0;
   });
+  let all = [];
+  /// The ports whose names have all words that are searched, grouped by component.
+  const fill = () => {
+    const words = search.value.toLowerCase().split(/[\s.]+/).filter(Boolean);
+    const names = all.filter((name) => words.every((word) => name.toLowerCase().includes(word)));
+    const before = port.value;
+    const owners = [...new Set(names.map((name) => name.split(".")[0]))];
+    port.replaceChildren(...owners.map((owner) => el("optgroup", { label: owner },
+      ...names.filter((name) => name.startsWith(`${owner}.`)).map((name) => el("option", { value: name, text: name })))));
+    if (names.includes(before)) port.value = before;
+    if (port.value !== before || field.children.length === 0) look();
+  };
   port.onchange = look;
   model.on("port", (name) => name === port.value && fill_fields());
   model.on("system", () => {
@@ -180,12 +193,11 @@ function make_chooser(plots, { model }) {
       .concat(model.all_members());
     if (port.dataset.names === names.join()) return;
     port.dataset.names = names.join();
-    const before = port.value;
-    port.replaceChildren(...names.map((name) => el("option", { value: name, text: name })));
-    if (names.includes(before)) port.value = before;
-    look();
+    all = names;
+    fill();
   });
-  return { nodes: [port, field, add], look, stop: () => model.watch("plot chooser", null) };
+  search.oninput = () => fill();
+  return { nodes: [search, port, field, add], look, stop: () => model.watch("plot chooser", null) };
 }
 
 export function make_plots(parts) {

@@ -98,7 +98,7 @@ const EN = {
   states: { INACTIVE: "inactive", ACTIVE: "active", ERROR: "error", CREATED: "created", REMOTE: "on another host",
     UNKNOWN: "without a state", SILENT: "does not answer", GONE: "gone", UNASKED: "not asked", MISSING: "not there" },
 
-  plots: { add: "Add a field", port: "Port", field: "Field", plot: "Plot", pause: "Pause", resume: "Resume", csv: "CSV",
+  plots: { add: "Add a field", search: "Search", port: "Port", field: "Field", plot: "Plot", pause: "Pause", resume: "Resume", csv: "CSV",
     svg: "SVG", clear: "Clear", remove: (name) => `Remove ${name}`, empty: "Choose a port and one of its numbers.",
     zoom_out: "Last minute", time: "time [s]", no_fields: "no message yet", zoom: "Drag across the plot to zoom; double-click shows all." },
 

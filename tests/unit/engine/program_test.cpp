@@ -5,6 +5,8 @@
 #include <csignal>
 #include <thread>
 
+#include "engine/base/thread.hpp"
+
 using namespace nezumi;
 
 TEST_CASE("what a program says is kept, with its exit status", "[engine][program]") {
@@ -59,4 +61,11 @@ TEST_CASE("a program is killed at once when it is given up", "[engine][program]"
     const auto end = run_program({.words = {"sleep", "60"}, .longest = 600, .give_up = &give_up});
     later.join();
     CHECK(problem_of(end) == "it was given up");
+}
+
+TEST_CASE("a program that a thread without signals starts receives signals", "[engine][program]") {
+    Expected<ProgramEnd> end = failure("");
+    start_thread([&] { end = run_program({.words = {"sh", "-c", "kill -TERM $$; echo survived"}}); }).join();
+    REQUIRE(end);
+    CHECK(end->signal == SIGTERM);
 }

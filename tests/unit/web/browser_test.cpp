@@ -87,7 +87,8 @@ TEST_CASE("a browser gets the system, its types and all poses", "[web]") {
     CHECK(system["components"][1]["sets"] == Json{"fast", "slow"});
     CHECK(system["connections"][0]["from"] == "mouse.ir_sensor_out");
     CHECK(system["robots"][0]["name"] == "mouse");
-    CHECK(system["arena"]["things"].size() >= 1);
+    REQUIRE(system["arena"]["things"].size() >= 1);
+    CHECK(system["arena"]["things"][0]["place"]["line"] > 0);
     CHECK(system["drivers"].empty());
     CHECK(system["hosts"].empty());
 
