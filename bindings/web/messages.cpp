@@ -209,12 +209,14 @@ tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const 
         message.body = read_console(fields);
     } else if (what == "floor") {
         message.body = FloorMessage{};
+    } else if (what == "remembered") {
+        message.body = RememberedMessage{.branch = fields.text("branch"), .rows = fields.flag("rows")};
     } else if (what == "systems") {
         message.body = SystemsMessage{};
     } else if (what == "explain") {
         message.body = ExplainMessage{fields.text("component")};
     } else {
-        fields.wrong("do", "one of watch, act, stop, rearm, time, drive, console, floor, explain, systems");
+        fields.wrong("do", "one of watch, act, stop, rearm, time, drive, console, floor, explain, remembered, systems");
     }
     if (!fields.problem().empty()) return refuse(fields.problem());
     return message;

@@ -43,13 +43,19 @@ struct ExplainMessage {
 /// Requests the picture of the floor.
 struct FloorMessage {};
 
+/// Requests what is remembered of a branch, for the time line.
+struct RememberedMessage {
+    std::string branch;
+    bool rows = false;  ///< also where robots were
+};
+
 /// Requests the list of running systems.
 struct SystemsMessage {};
 
 struct BrowserMessage {
     std::int64_t id = 0;  ///< chosen by the page; the answer has the same id
     std::variant<Watch, ActMessage, TimeMessage, DriveMessage, ConsoleMessage, FloorMessage, ExplainMessage,
-                 SystemsMessage>
+                 RememberedMessage, SystemsMessage>
         body{};
 };
 

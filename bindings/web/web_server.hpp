@@ -25,9 +25,10 @@ namespace nezumi::web {
 
 struct WebOptions {
     SocketOptions sockets{};
-    std::filesystem::path page{};  ///< folder of the page's files
-    std::string version{};         ///< of nezumi
-    Pictures::Encode encode{};     ///< pictures for browsers
+    std::filesystem::path page{};           ///< folder of the page's files
+    std::string version{};                  ///< of nezumi
+    Pictures::Encode encode{};              ///< pictures for browsers
+    std::vector<std::string> conditions{};  ///< of a failed scenario that is looked at, a line each
 };
 
 /// Must be called from the ticking thread.
