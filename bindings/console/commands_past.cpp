@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "bindings/console/console_commands.hpp"
+#include "bindings/console/console_fields.hpp"
+#include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
 #include "engine/live/past_run.hpp"
 
@@ -46,7 +48,8 @@ double seconds_at(const RunningSystem& live, const ActTime& when) {
 std::string told(const RunningSystem& live) {
     const std::string& branch = live.history().branches()[live.history().current()].name;
     return fmt::format("at {:g} s of {}, paused{}", live.system().now().seconds, branch,
-                       live.is_past() ? ": resume() repeats what followed, every change begins a new branch" : "");
+                       live.is_past() ? ": resume() repeats what followed, every change begins a new branch" : "") +
+           (live.is_away() ? "; other programs wait: resume { live = true } comes back to them" : "");
 }
 
 // Computes a past moment in slices. Returns whether progress was shown.
@@ -101,6 +104,15 @@ Expected<CommandEnd> go_to(Session::Parts& parts, const Find& find) {
     if (!*done) return Unexpected(done->error());
     *computed ? parts.show_in_place(text) : parts.show(text);
     return CommandEnd::done;
+}
+
+// To the present where other programs wait, if there are any.
+Expected<void> come_back(Session::Parts& parts) {
+    RunningSystem& live = parts.live;
+    if (live.is_away()) return live.act(live.back(), parts.options.who).map([](const ActResult&) {});
+    if (!live.is_past()) return {};
+    return failure(fmt::format("no other program waits: seek \"{}\" goes to the end of this branch",
+                               live.history().branches()[live.history().current()].name));
 }
 
 }  // namespace
@@ -171,6 +183,27 @@ Expected<CommandEnd> command_rewind(Session::Parts& parts, const Arguments& argu
             return failure(fmt::format("only {:g} s have passed since the start", parts.live.system().now().seconds));
         return Seek{.tick = now - tick_at(parts.live, *seconds), .start = parts.live.starts()};
     });
+}
+
+Expected<CommandEnd> command_resume(Session::Parts& parts, const Arguments& arguments) {
+    ResumeOptions options;
+    if (arguments.has(1)) {
+        if (arguments.kind(1) != "table") return failure("expected resume() or resume { live = true }");
+        if (auto ok = read_options(arguments.lua, arguments.index(1), FieldCheck::of_options("options"), options); !ok)
+            return Unexpected(ok.error());
+    }
+    const auto done = parts.at_system([&]() -> std::optional<Expected<void>> {
+        if (options.live) {
+            if (auto back = come_back(parts); !back) return back;
+            if (parts.options.batch) return Expected<void>();
+        }
+        if (parts.options.batch) return failure("how long? Time moves only by step(n) and run(seconds) here");
+        parts.clock.resume();
+        return Expected<void>();
+    });
+    if (!done) return failure("interrupted");
+    if (!*done) return Unexpected(done->error());
+    return CommandEnd::done;
 }
 
 Expected<CommandEnd> command_branches(Session::Parts& parts, const Arguments& /*arguments*/) {

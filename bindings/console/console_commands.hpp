@@ -105,7 +105,7 @@ CommandFunction command_break_at, command_watch_changes, command_profile;  // lo
 CommandFunction command_inject, command_hold, command_release;             // acting
 CommandFunction command_teleport, command_stop, command_rearm;
 CommandFunction command_pause, command_step, command_run, command_speed, command_restart, command_quit;  // time
-CommandFunction command_seek, command_rewind, command_branches;                                          // the past
+CommandFunction command_seek, command_rewind, command_resume, command_branches;                          // the past
 CommandFunction command_reload, command_rollback;                                                        // versions
 CommandFunction command_rtm;                                                // other programs
 CommandFunction command_save, command_new, command_picture, command_graph;  // files

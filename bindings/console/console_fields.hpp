@@ -26,7 +26,23 @@ struct Describe<PlotRequest> {
     };
 };
 
+/// Options of `resume`.
+struct ResumeOptions {
+    bool live = false;
+};
+
+template <>
+struct Describe<ResumeOptions> {
+    static constexpr std::string_view name = "resume_options";
+    static constexpr std::string_view doc = "Options of `resume`.";
+    static constexpr std::tuple fields{
+        Setting{"live", &ResumeOptions::live, "", "come back to the present, where other programs wait"},
+    };
+};
+
 /// The shapes of these structures.
-inline std::vector<RecordShape> console_records() { return {shape_of_record<PlotRequest>()}; }
+inline std::vector<RecordShape> console_records() {
+    return {shape_of_record<PlotRequest>(), shape_of_record<ResumeOptions>()};
+}
 
 }  // namespace nezumi

@@ -46,6 +46,7 @@ public:
         if (RosNode* its = node()) its->before_tick(deliver);
     }
     bool may_tick() override { return hosts_ == nullptr || hosts_->may_tick(); }
+    bool is_in_lockstep() const override { return hosts_ != nullptr && hosts_->is_in_lockstep(); }
     void add_files(std::vector<int>& files) const override {
         if (hosts_ != nullptr) hosts_->add_files(files);
     }

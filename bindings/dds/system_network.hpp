@@ -53,6 +53,7 @@ public:
     std::vector<Host> hosts() const override;
     bool brought(const ConnectionSpec& connection) const override;
     bool may_tick() override { return !lockstep_ || lockstep_->may_tick(); }
+    bool is_in_lockstep() const override { return lockstep_.has_value(); }
     void add_files(std::vector<int>& files) const override {
         if (lockstep_) lockstep_->add_files(files);
     }

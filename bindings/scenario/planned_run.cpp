@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bindings/scenario/failure_folder.hpp"
+#include "bindings/scenario/margins.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi {
@@ -124,6 +125,8 @@ RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const TestSes
     for (const std::string& line : failure_lines(report_of(plan, run, again, options))) text += line + "\n";
     text += fmt::format("the session's seed: {}\n", options.seed);
     for (const std::string& line : again.printed) text += "| " + line + "\n";
+    if (!again.margins.empty()) text += fmt::format("{}\n", conditions_heading);
+    for (const ConditionMargin& margin : again.margins) text += "  " + text_of(margin) + "\n";
     if (auto ok = write_whole(fs::path(*folder) / "failure.txt", text); !ok) {
         again.files.pop_back();
         again.facts.push_back(describe(ok.error()));

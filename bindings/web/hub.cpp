@@ -241,7 +241,9 @@ bool Hub::received(ClientId id, std::string_view text) {
         client.wants_floor = !floor_.empty();
         return true;
     }
-    if (client.view_only && !std::holds_alternative<ExplainMessage>(message->body)) {
+    const bool changes_nothing = std::holds_alternative<ExplainMessage>(message->body) ||
+                                 std::holds_alternative<RememberedMessage>(message->body);
+    if (client.view_only && !changes_nothing) {
         put_text(client, refusal(message->id, "this link is view-only"), false);
         return true;
     }

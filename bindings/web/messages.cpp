@@ -320,6 +320,10 @@ constexpr std::array kinds{
     Kind{"console", [](const Given& given) -> Body { return read_console(given.fields); }},
     Kind{"floor", [](const Given&) -> Body { return FloorMessage{}; }},
     Kind{"explain", [](const Given& given) -> Body { return ExplainMessage{given.fields.text("component")}; }},
+    Kind{"remembered",
+         [](const Given& given) -> Body {
+             return RememberedMessage{.branch = given.fields.text("branch"), .rows = given.fields.flag("rows")};
+         }},
     Kind{"systems", [](const Given&) -> Body { return SystemsMessage{}; }},
     Kind{"edit", [](const Given& given) -> Body { return read_edit(given.fields); }},
     Kind{"test", [](const Given& given) -> Body { return read_test(given.fields); }},

@@ -80,13 +80,19 @@ struct TestMessage {
     std::string name{};
 };
 
+/// Requests what is remembered of a branch, for the time line.
+struct RememberedMessage {
+    std::string branch;
+    bool rows = false;  ///< also where robots were
+};
+
 /// Requests the list of running systems.
 struct SystemsMessage {};
 
 struct BrowserMessage {
     std::int64_t id = 0;  ///< chosen by the page; the answer has the same id
     std::variant<Watch, ActMessage, TimeMessage, DriveMessage, ConsoleMessage, FloorMessage, ExplainMessage,
-                 SystemsMessage, PeerMessage, EditMessage, TestMessage>
+                 RememberedMessage, SystemsMessage, PeerMessage, EditMessage, TestMessage>
         body{};
 };
 

@@ -237,8 +237,14 @@ Json past_to_json(const RunningSystem& live) {
     const RunHistory& history = live.history();
     Json branches = Json::array();
     for (const RunHistory::Branch& branch : history.branches())
-        branches.push_back({{"name", branch.name}, {"ends", branch.seconds}});
-    return {{"branches", std::move(branches)}, {"branch", history.current()}, {"is_past", live.is_past()}};
+        branches.push_back({{"name", branch.name},
+                            {"parent", history.branches()[branch.parent].name},
+                            {"left", static_cast<double>(branch.left.tick) / live.system().settings().rate},
+                            {"ends", branch.seconds}});
+    return {{"branches", std::move(branches)},
+            {"branch", history.current()},
+            {"is_past", live.is_past()},
+            {"away", live.is_away()}};
 }
 
 }  // namespace
@@ -250,6 +256,7 @@ Json system_to_json(const RunningSystem& live) {
               {"name", live.file().stem().string()},
               {"rate", system.settings().rate},
               {"start", live.generation()},
+              {"starts", live.starts()},
               {"real", system.settings().real_time},
               {"stopped", system.is_stopped()},
               {"past", past_to_json(live)},
@@ -289,6 +296,7 @@ std::uint64_t system_fingerprint(const RunningSystem& live) {
     mix(system.layout());
     mix(live.history().branches().size());
     mix(live.is_past() ? 1 : 0);
+    mix(live.is_away() ? 1 : 0);
     mix(system.is_stopped() ? 1 : 0);
     mix(system.world() != nullptr ? system.world()->markers().size() : 0);
     for (const Component* component : system.components()) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bindings/web/explain_json.hpp"
+#include "bindings/web/remembered_json.hpp"
 #include "bindings/web/system_json.hpp"
 #include "bindings/web/types_json.hpp"
 #include "engine/base/visible.hpp"
@@ -26,11 +27,9 @@ std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::erro
 
 // The greeting without the browser's own fields and without the opening bracket.
 std::string hello(const RunningSystem& live, const WebOptions& options) {
-    const Json json{{"version", options.version},
-                    {"real", live.system().settings().real_time},
-                    {"frame", "WebFrame"},
-                    {"callbacks", hook_names()},
-                    {"types", types_to_json()}};
+    const Json json{
+        {"version", options.version}, {"real", live.system().settings().real_time}, {"frame", "WebFrame"},
+        {"callbacks", hook_names()},  {"conditions", options.conditions},           {"types", types_to_json()}};
     return dump(json).substr(1);
 }
 
@@ -223,6 +222,12 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
     if (const auto* test = std::get_if<TestMessage>(&message.body)) {
         if (test->what == TestMessage::What::run) note(browser, "runs scenarios");
         return replied(scenarios_->start(client, message.id, *test), Reply::later);
+    }
+    if (const auto* wanted = std::get_if<RememberedMessage>(&message.body)) {
+        const auto remembered = remembered_to_json(live_, wanted->branch, wanted->rows);
+        if (!remembered) return Unexpected(remembered.error());
+        hub_.send(client, dump(*remembered), true);
+        return Reply::now;
     }
     if (const auto* time = std::get_if<TimeMessage>(&message.body)) {
         if (time->what == TimeMessage::What::restart)

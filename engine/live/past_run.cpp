@@ -17,11 +17,12 @@ Expected<std::unique_ptr<PastRun>> PastRun::begin(RunningSystem& live, std::size
     options.build.out_of_time_is_fatal = false;
     options.print = {};
     options.watch = false;
+    options.is_replay = true;
+    options.network = options.network_of_past ? options.network_of_past : options.network;
     auto system = RunningSystem::load(live.file(), std::move(options));
     if (!system) return failure("the past can't be computed again: " + describe(system.error()));
     past->system_ = std::move(*system);
     past->system_->repeat(live.history().course(branch));
-    past->system_->trace().remember_like(live.trace());
     past->system_->activate();
     return past;
 }
@@ -35,10 +36,20 @@ Expected<bool> PastRun::go_on(Clock::time_point until) {
                 fmt::format("the past can't be computed again: at tick {} of start {} it differs from the original run",
                             differs->tick, differs->start));
         }
+        remember_when_near();
         if (is_there()) return true;
         if (Clock::now() >= until) return false;
         system_->tick();
     }
+}
+
+// Earlier values would be dropped again until the moment is reached.
+void PastRun::remember_when_near() {
+    if (!memory_) return;
+    const ActTime now = system_->when();
+    if (now.start != to_.start || to_.tick - now.tick > static_cast<std::int64_t>(memory_->most_samples)) return;
+    system_->trace().remember(*memory_);
+    memory_.reset();
 }
 
 double PastRun::progress() const {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/live/running_system.hpp"
@@ -33,19 +34,22 @@ public:
     RunningSystem& system() { return *system_; }
 
 private:
-    PastRun(const RunningSystem& live, std::size_t branch, Seek where, const ActTime& to)
+    PastRun(RunningSystem& live, std::size_t branch, Seek where, const ActTime& to)
         : files_(live.project().files().working_folder()),
           branch_(branch),
           where_(std::move(where)),
           to_(to),
-          generation_(live.generation()) {}
+          generation_(live.generation()),
+          memory_(live.trace().memory()) {}
     bool is_there() const { return !is_earlier(system_->when(), to_); }
+    void remember_when_near();
 
     RecordedFiles files_;
     std::size_t branch_;
     Seek where_;
     ActTime to_;
     int generation_;
+    std::optional<Trace::Memory> memory_;  // none after it began to remember
     std::unique_ptr<RunningSystem> system_;
 };
 

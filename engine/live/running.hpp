@@ -1,6 +1,8 @@
-// The parts of a running system that a restart replaces.
+// The parts of a running system that a restart or a seek replaces.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -20,6 +22,16 @@ struct RunningSystem::Running {
     TraceHash hash;
     std::unique_ptr<Reloads> reloads;
     std::optional<LiveReload> live_reload;
+};
+
+/// A present with peers, while the system is in its past.
+struct RunningSystem::Away {
+    Trace trace;  // declared before the system that it observes
+    std::unique_ptr<Running> running;
+    std::size_t branch = 0;
+    ActTime when{};
+    int starts = 0;
+    std::optional<std::uint64_t> hash_before;
 };
 
 }  // namespace nezumi

@@ -17,6 +17,8 @@ Expected<ActResult> RunningSystem::act(const Act& act, const Actor& who) {
         settle();
         return commit(prepare(act)(), who);
     }
+    if (const auto* seek = std::get_if<Seek>(&act); seek != nullptr && has_peers() && begin_seek(*seek))
+        leave_peers(who);
     return perform_and_tell(act, who, nullptr, [&] {
         return std::visit([&](const auto& each) { return perform(each, who, nullptr); }, act);
     });
@@ -78,6 +80,7 @@ Expected<ActResult> RunningSystem::perform_and_tell(const Act& act, const Actor&
 }
 
 Expected<ActResult> RunningSystem::commit(PastRun& past, const Actor& who) {
+    if (has_peers() && past.generation() == generation_) leave_peers(who);
     return perform_and_tell(past.where(), who, nullptr, [&] { return take(past); });
 }
 
@@ -150,6 +153,7 @@ Expected<ActResult> RunningSystem::perform(const Restart& /*act*/, const Actor& 
     prepared->files = files.take();
     if (!next) return Unexpected(next.error());
     hash_before_ = trace_hash();
+    away_.reset();
     take(std::move(*next));
     activate();
     return ActResult{};

@@ -1,19 +1,26 @@
 // Going back in time: the present is replaced by a system that has computed the past.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/base/visible.hpp"
 #include "engine/live/past_run.hpp"
 #include "engine/live/running.hpp"
 #include "engine/live/running_system.hpp"
+#include "engine/ports/messages.hpp"
+#include "engine/system/network.hpp"
+#include "engine/system/peer_word.hpp"
 
 namespace nezumi {
 
 Expected<std::unique_ptr<PastRun>> RunningSystem::begin_seek(const Seek& where) {
     if (options_.build.real_time) return failure("real robots can't go back in time");
-    if (!options_.is_replay && !spec().peers.empty())
-        return failure("a system that is connected with other programs can't go back in time");
+    if (has_peers()) {
+        if (auto ok = check_peers(); !ok) return Unexpected(ok.error());
+    }
     if (file_.empty()) return failure("a system without a file can't go back in time");
     history_.reach(when(), system().now().seconds);
     const auto branch = where.branch.empty() ? std::optional(history_.current()) : history_.find(where.branch);
@@ -29,6 +36,7 @@ Expected<std::unique_ptr<PastRun>> RunningSystem::begin_seek(const Seek& where) 
 }
 
 Expected<ActResult> RunningSystem::perform(const Seek& act, const Actor& /*who*/, PreparedAct* /*prepared*/) {
+    if (is_back(act)) return come_back();
     auto past = begin_seek(act);
     if (!past) return Unexpected(past.error());
     if (auto there = (*past)->go_on(PastRun::Clock::time_point::max()); !there) return Unexpected(there.error());
@@ -37,12 +45,25 @@ Expected<ActResult> RunningSystem::perform(const Seek& act, const Actor& /*who*/
 
 Expected<ActResult> RunningSystem::take(PastRun& past) {
     if (past.generation() != generation_) return failure("the system has changed while the past was computed");
+    if (is_back(past.where())) return come_back();
     history_.reach(when(), system().now().seconds);
+    if (has_peers()) {
+        away_ = std::make_unique<Away>();
+        away_->branch = history_.current();
+        away_->when = when();
+        away_->starts = starts_;
+        away_->hash_before = hash_before_;
+        away_->trace.take_over(trace_);
+    }
     history_.go_to(past.branch(), past.system().history().position());
     RunningSystem& other = past.system();
     const FileWatcher::Files seen = running_->live_reload ? running_->live_reload->seen() : FileWatcher::Files();
     trace_.take_over(other.trace_);
-    const std::unique_ptr<Running> before = replace(std::move(other.running_));
+    std::unique_ptr<Running> before = replace(std::move(other.running_));
+    if (away_ && away_->running == nullptr) {
+        before->live_reload.reset();
+        away_->running = std::move(before);
+    }
     running_->log = options_.build.log;
     starts_ = other.starts_;
     hash_before_ = other.hash_before_;
@@ -50,6 +71,58 @@ Expected<ActResult> RunningSystem::take(PastRun& past) {
     differs_.reset();
     if (options_.watch) running_->live_reload.emplace(*this, *running_->reloads, running_->spec.files, seen);
     return ActResult{};
+}
+
+Expected<void> RunningSystem::check_peers() const {
+    for (const auto& [word, peer] : spec().peers) {
+        if (!peer->word().needs_network() || !options_.network_of_past)
+            return failure(
+                fmt::format("a system that is connected with other programs by '{}' can't go back in time", word));
+    }
+    const Network* const network = system().network();
+    if (network != nullptr && network->is_in_lockstep())
+        return failure("hosts in lockstep share their time: none of them can go back alone");
+    return {};
+}
+
+// In a tick with zero velocities, which belongs to the run: what others have got is not taken back.
+void RunningSystem::leave_peers(const Actor& who) {
+    std::vector<std::string> held;
+    for (const ConnectionSpec& each : system().connections()) {
+        if (!is_remote(each.to) || std::find(held.begin(), held.end(), each.from) != held.end()) continue;
+        const auto port = running_->system->port(each.from);
+        if (!port || (*port)->type() != message_of<Velocity2D>()) continue;
+        if (act(Hold{each.from, Velocity2D{}, true}, who)) held.push_back(each.from);
+    }
+    if (held.empty()) return;
+    tick();
+    for (const std::string& path : held) static_cast<void>(act(Release{path}, who));
+}
+
+Seek RunningSystem::back() const { return {.branch = history_.branches()[away_ ? away_->branch : 0].name}; }
+
+bool RunningSystem::is_back(const Seek& where) const {
+    if (away_ == nullptr) return false;
+    const auto branch = where.branch.empty() ? std::optional(history_.current()) : history_.find(where.branch);
+    if (branch != away_->branch) return false;
+    const ActTime& then = away_->when;
+    return where.tick < 0 || (where.tick == then.tick && (where.start == 0 || where.start == then.start));
+}
+
+ActResult RunningSystem::come_back() {
+    history_.reach(when(), system().now().seconds);
+    const std::unique_ptr<Away> away = std::move(away_);
+    history_.go_to(away->branch, history_.branches()[away->branch].size());
+    const FileWatcher::Files seen = running_->live_reload ? running_->live_reload->seen() : FileWatcher::Files();
+    trace_.take_over(away->trace);
+    const std::unique_ptr<Running> before = replace(std::move(away->running));
+    starts_ = away->starts;
+    hash_before_ = away->hash_before;
+    foreseen_.clear();
+    differs_.reset();
+    if (options_.watch) running_->live_reload.emplace(*this, *running_->reloads, running_->spec.files, seen);
+    running_->system->log(LogLevel::info, "back in the present: other programs are connected again");
+    return {};
 }
 
 const RunHistory& RunningSystem::history_until_now() {

@@ -141,6 +141,10 @@ ActDoor RunningSystem::door() {
 }
 
 void RunningSystem::tick() {
+    if (away_ != nullptr) {
+        repeat_known();
+        if (!is_past() && history_.current() == away_->branch) come_back();
+    }
     between_ticks();
     if (Network* network = running_->system->network()) {
         network->before_tick(
@@ -148,14 +152,17 @@ void RunningSystem::tick() {
     }
     if (!endings_.empty()) end_holds();
     if (!foreseen_.empty()) take_foreseen();
-    repeat_known();
+    if (!ended_) repeat_known();
     if (!gone_.empty() && !is_past()) {
         for (const Actor& who : std::exchange(gone_, {})) let_go(who);
     }
     const ActTime time = when();
     running_->system->tick();
     tell_out_of_time(time);
-    if (is_past()) {
+    if (remembered_ && !ended_) remembered_->note(history_.current(), when(), generation_, system());
+    if (ended_) {
+        // What follows the end is not what followed this moment.
+    } else if (is_past()) {
         repeat_known(false);
     } else if (running_->system->now().tick % ticks_between_hashes == 0) {
         history_.add({when(), PastHash{trace_hash()}});
@@ -251,8 +258,12 @@ void RunningSystem::halt() {
 }
 
 void RunningSystem::end() {
-    if (Network* network = running_->system->network()) network->leave();
-    running_->system->stop(0);
+    for (const Running* each : {running_.get(), away_ ? away_->running.get() : nullptr}) {
+        if (each == nullptr) continue;
+        if (Network* network = each->system->network()) network->leave();
+        each->system->stop(0);
+    }
+    ended_ = true;
 }
 
 const System& RunningSystem::system() const { return *running_->system; }

@@ -16,6 +16,7 @@
 #include "engine/project/project.hpp"
 #include "engine/system/act.hpp"
 #include "engine/system/build_system.hpp"
+#include "engine/time/remembered_run.hpp"
 #include "engine/time/run_history.hpp"
 #include "engine/trace/trace.hpp"
 #include "engine/trace/trace_hash.hpp"
@@ -33,6 +34,7 @@ struct LiveOptions {
     std::vector<std::string> drivers;              ///< `Makers::drivers`
     RigMaker rig;                                  ///< makes the test rig that sees real robots
     NetworkMaker network;                          ///< may be empty: then a system of several hosts is refused
+    NetworkMaker network_of_past{};                ///< reaches no host; empty: a system with hosts can't go back
     decltype(Makers::components) components;       ///< native components by type
     /// Checks the description of a file before it is built, and may change it; an error refuses it. May be empty.
     std::function<Expected<void>(SystemSpec&)> prepare;
@@ -110,6 +112,16 @@ public:
     const RunHistory& history_until_now();
     /// Whether the present is a past moment whose future is known.
     bool is_past() const { return history_.is_past(when()); }
+    /// Whether other programs wait for the present, because the system has left it for its past. They get zero
+    /// velocities once, and then nothing; what they send waits. A seek to the end of the branch that was left, or the
+    /// end of its known events, comes back to them.
+    bool is_away() const { return away_ != nullptr; }
+    /// The seek that comes back to them.
+    Seek back() const;
+    /// Remembers from now on what a time line shows.
+    void remember_run() { remembered_.emplace(); }
+    /// Null before `remember_run`.
+    const RememberedRun* remembered() const { return remembered_ ? &*remembered_ : nullptr; }
     /// Computes a history again, from its start: this system has been loaded from its files and is not active yet.
     void repeat(RunHistory past);
     /// Repeats the known events before the next tick, like `tick`; without acts, only up to the first act.
@@ -167,6 +179,7 @@ public:
 
 private:
     struct Running;
+    struct Away;
 
     RunningSystem(Project project, LiveOptions options);
     // Performs an act and reports it; `files` are the files that it read, may be null.
@@ -190,6 +203,11 @@ private:
     void tell_out_of_time(const ActTime& time);
     // Continues with the system that has computed the past.
     Expected<ActResult> take(PastRun& past);
+    bool has_peers() const { return !options_.is_replay && away_ == nullptr && !spec().peers.empty(); }
+    Expected<void> check_peers() const;
+    void leave_peers(const Actor& who);
+    bool is_back(const Seek& where) const;
+    ActResult come_back();
     static Expected<std::unique_ptr<RunningSystem>> make(SystemSpec spec, Project project, LiveOptions options,
                                                          FileSnapshot& files);
     Expected<std::unique_ptr<Running>> build(SystemSpec spec, const FileSnapshot& files);
@@ -217,8 +235,11 @@ private:
     std::vector<Ending> endings_;  // of holds, after the tick with a zero
     std::vector<Actor> gone_;      // while the present was a past
     std::unique_ptr<Running> running_;
+    std::unique_ptr<Away> away_;  // the present, while the system is in its past
+    std::optional<RememberedRun> remembered_;
     std::optional<std::uint64_t> hash_before_;  // of earlier starts
     int starts_ = 0;
+    bool ended_ = false;
     int generation_ = 0;
 };
 

@@ -64,6 +64,8 @@ public:
     // Shared time of several hosts.
     /// Whether the next tick may begin. False while it waits for other hosts; then ask again.
     virtual bool may_tick() { return true; }
+    /// Whether other hosts wait for the ticks of this one.
+    virtual bool is_in_lockstep() const { return false; }
     /// Adds the files that become readable when this may have changed.
     virtual void add_files(std::vector<int>& /*files*/) const {}
     /// The run has ended: this system and the others no longer wait for each other.

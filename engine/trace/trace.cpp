@@ -31,18 +31,26 @@ void Trace::start(System& system) {
     follow_layout();
 }
 
-void Trace::remember_like(const Trace& other) {
-    keep(other.most_samples_, other.most_bytes_);
-    if (other.remembers_ports_) remember_ports();
-    for (const auto& [name, followed] : other.followed_) {
-        if (followed.remembered) static_cast<void>(remember(name));
+Trace::Memory Trace::memory() const {
+    Memory memory{{}, remembers_ports_, most_samples_, most_bytes_};
+    for (const auto& [name, followed] : followed_) {
+        if (followed.remembered) memory.names.push_back(name);
     }
+    return memory;
+}
+
+void Trace::remember(const Memory& memory) {
+    keep(memory.most_samples, memory.most_bytes);
+    if (memory.ports) remember_ports();
+    for (const std::string& name : memory.names) static_cast<void>(remember(name));
 }
 
 void Trace::take_over(Trace& other) {
     System& system = *other.system_;
     system.stop_observing(other);
+    const bool is_new = followed_.empty();
     start(system);
+    if (is_new) remember(other.memory());
     for (auto& [name, followed] : followed_) {
         const auto same = other.followed_.find(name);
         if (followed.remembered && same != other.followed_.end()) std::swap(followed.series, same->second.series);

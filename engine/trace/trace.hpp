@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/trace/channel.hpp"
 #include "engine/trace/series.hpp"
@@ -29,9 +30,18 @@ public:
     /// channels stay; remembered numbers are dropped.
     void start(System& system);
 
-    /// Remembers what the other trace, of the same system at another time, remembers, as far as it exists.
-    void remember_like(const Trace& other);
-    /// Switches to the system of the other trace, with the values that this has remembered.
+    /// What a trace remembers.
+    struct Memory {
+        std::vector<std::string> names{};
+        bool ports = false;
+        std::size_t most_samples = 0;
+        std::size_t most_bytes = 0;
+    };
+    Memory memory() const;
+    /// From now on remembers what the trace of the same system at another time remembers, as far as it exists.
+    void remember(const Memory& memory);
+    /// Switches to the system of the other trace, with the values that this one remembers too. One that follows nothing
+    /// remembers what the other did.
     void take_over(Trace& other);
 
     /// Follows the channel with this name from now on. It lives as long as this object. The error names what does not

@@ -6,6 +6,8 @@ const { ticks, to_csv } = await import("/plot_files.js");
 const { what_is_wrong } = await import("/widgets.js");
 const { lines_of, lua_text } = await import("/add_form.js");
 const { Trails } = await import("/world_trails.js");
+const { Tracks, ghost_of } = await import("/past_tracks.js");
+const { Emitter } = await import("/emitter.js");
 const { number_text, value_text } = await import("/value_text.js");
 
 let count = 0;
@@ -108,4 +110,29 @@ for (let i = 1; i <= 600; ++i) drive_to(1.5 + 0.01 * i);
 same([pieces(), last()], [600, [7.48, 0, 0.003, 7.49, 0, 0.003]], "the newest piece takes the place of the oldest");
 trails.forget();
 same(pieces(), 0, "a forgotten trail");
+// Which branch is drawn pale: what follows a past; of a branch, its parent; of a parent, its last child.
+const main = { name: "main", parent: "main", left: 0, ends: 9 };
+const first = { name: "branch 1", parent: "main", left: 2, ends: 5 };
+const second = { name: "branch 2", parent: "main", left: 3, ends: 6 };
+same(ghost_of(undefined), null, "no ghost before the system is known");
+same(ghost_of({ branches: [main], branch: 0, is_past: false }), null, "no ghost of a single branch");
+same(ghost_of({ branches: [main], branch: 0, is_past: true }), { branch: "main", from: 0, moves: false }, "what follows");
+same(ghost_of({ branches: [main, first], branch: 1, is_past: false }), { branch: "main", from: 2, moves: true }, "the parent");
+same(ghost_of({ branches: [main, first, second], branch: 0, is_past: false }), { branch: "branch 2", from: 3, moves: true }, "the last child");
+
+// What is remembered: the last row before a time.
+const model = new Emitter();
+const asked = [];
+const tracks = new Tracks({ model, link: { send: (what) => asked.push(what) } });
+tracks.ask("main", true);
+same(asked, [{ do: "remembered", branch: "main", rows: true }], "the question");
+same(tracks.at("main", 1), undefined, "nothing is known yet");
+model.emit("remembered", { branch: "main", rows: [[0.05, 1, 2, 3], [0.1, 4, 5, 6]], marks: [{ at: 0.1, kind: "act", text: "x" }] });
+same(tracks.at("main", 0), [{ x: 1, y: 2, yaw: 3 }], "before the first row");
+same(tracks.at("main", 0.09), [{ x: 1, y: 2, yaw: 3 }], "between rows");
+same(tracks.at("main", 7), [{ x: 4, y: 5, yaw: 6 }], "after the last row");
+model.emit("remembered", { branch: "main", marks: [] });
+same(tracks.rows("main").length, 2, "rows stay when only marks were asked for");
+same(tracks.marks("main").length, 0, "marks are new");
+
 return count;

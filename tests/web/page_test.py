@@ -5,7 +5,9 @@ import io
 import math
 import os
 import signal
+import subprocess
 import sys
+import tempfile
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -270,6 +272,80 @@ class Past(rig.PageCase):
         page.js("const select = document.querySelector('.timeline select'); select.value = 'main';"
                 "select.dispatchEvent(new Event('change'))")
         page.until(clock + " === %r" % end, "the end of main is there")
+
+
+    def test_what_happened_is_marked_and_the_other_branch_is_drawn_pale(self):
+        self.open(WALL)
+        page = self.page
+        page.view("parameters")
+        clock = "parseFloat(document.querySelector('.clock').textContent)"
+        page.until(clock + " > 1", "some time has passed")
+        number = page.find("input.number[aria-label='controller.speed_x']")
+        number.clear()
+        number.send_keys("0.15\n")
+        page.until("document.querySelector('.mark.act')", "the change is marked")
+        self.assertIn("SetParameter by browser", page.js("return document.querySelector('.mark.act').title"))
+        page.until(clock + " > 3", "some time has passed")
+        self.go_to(0.5)
+        page.until("document.querySelector('.stage-box canvas').dataset.ways === 'true'", "what follows is drawn")
+        self.assertEqual(page.js("return document.querySelector('.stage-box canvas').dataset.ghosts"), "0")
+        number = page.find("input.number[aria-label='controller.speed_x']")
+        number.clear()
+        number.send_keys("0.05\n")
+        page.until("document.querySelector('.stage-box canvas').dataset.ghosts === '1'", "the robot of main is drawn pale")
+        # By the keyboard: to the mark before, which the branch has too.
+        slider = "document.querySelector('.timeline input')"
+        page.until("document.querySelector('.mark')", "the branch has marks")
+        page.js(slider + ".focus(); " + slider + ".value = " + slider + ".max;" + slider +
+                ".dispatchEvent(new KeyboardEvent('keydown', { key: 'PageDown' }))")
+        page.until(clock + " === 0.5", "the mark is gone to")
+
+    def test_while_the_slider_is_dragged_the_remembered_places_are_shown(self):
+        self.open(WALL)
+        page = self.page
+        clock = "parseFloat(document.querySelector('.clock').textContent)"
+        page.until(clock + " > 2", "some time has passed")
+        page.view("world")
+        page.js("const select = document.querySelector('select[aria-label=Select]'); select.value = 'robot 0';"
+                "select.dispatchEvent(new Event('change'))")
+        x = "parseFloat(document.querySelector('.readout').textContent.split(' ')[1])"
+        page.until(x + " > 0.1", "the robot has moved")
+        drag = ("const slider = document.querySelector('.timeline input');"
+                "slider.dispatchEvent(new PointerEvent('pointerdown')); slider.value = 0.2; slider.dispatchEvent(new Event('input'))")
+        page.js(drag)
+        page.until(x + " < 0.1", "the robot is where it was")
+        before = page.js("return " + clock)
+        page.until(clock + " > %r" % (before + 0.3), "time passes: nothing was computed")
+        page.until(x + " < 0.1", "the robot is where it was")
+        page.js("const slider = document.querySelector('.timeline input'); slider.dispatchEvent(new Event('change'))")
+        page.until(clock + " === 0.2", "the past is gone to when the slider is let go")
+
+
+    def test_a_failed_scenario_shows_its_conditions_as_rows_that_lead_to_their_times(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scenario = os.path.join(folder, "it_test.lua")
+            with open(scenario, "w") as out:
+                out.write(FAILS)
+            subprocess.run([self.nezumi, "test", scenario, "--output", folder], cwd=rig.ROOT, capture_output=True)
+            self.open(os.path.join(folder, "it_test-it"), command="open")
+            page = self.page
+            page.until("document.querySelectorAll('.conditions li').length === 2", "both conditions have a row")
+            self.assertIn("never 'touches'", page.text(".conditions li:first-child"))
+            self.assertEqual(page.js("return document.querySelectorAll('.conditions .failed').length"), 1)
+            clock = "parseFloat(document.querySelector('.clock').textContent)"
+            time = page.js("return document.querySelector('.conditions .failed').textContent.match(/at ([0-9.]+) s/)[1]")
+            page.find(".conditions .failed button").click()
+            page.until(clock + " === " + time, "the row leads there")
+
+
+FAILS = """
+scenario("it", function(s)
+  s:load "systems/stop_at_wall.lua"
+  s:never("touches", function() return s.mouse.collided end)
+  s:always("is slow", function() return s.mouse.truth.velocity.vx < 0.05 end)
+  s:run(3)
+end)
+"""
 
 
 class Troubles(rig.PageCase):

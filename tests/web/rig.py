@@ -56,7 +56,7 @@ class System:
     """`nezumi run` of a file, or of a text with scripts of its own: { name: text }; `runtime`: the folder of another run of
     the same user."""
 
-    def __init__(self, nezumi, file=None, text=None, scripts=None, options=(), runtime=None):
+    def __init__(self, nezumi, file=None, text=None, scripts=None, options=(), runtime=None, command="run"):
         self.folder = tempfile.mkdtemp(prefix="nezumi-web-")
         if text is not None:
             os.mkdir(os.path.join(self.folder, "behaviors"))
@@ -70,7 +70,7 @@ class System:
         home = runtime or self.folder
         environment = dict(os.environ, XDG_RUNTIME_DIR=home, XDG_STATE_HOME=home)
         self.reader = None
-        self.process = subprocess.Popen([nezumi, "run", file, *options], cwd=ROOT, env=environment, stdin=subprocess.DEVNULL,
+        self.process = subprocess.Popen([nezumi, command, file, *options], cwd=ROOT, env=environment, stdin=subprocess.DEVNULL,
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         too_late = threading.Timer(PATIENCE, self.process.kill)
         too_late.start()

@@ -39,6 +39,7 @@ LiveOptions simulated_systems() {
     LiveOptions live = nezumi::simulated_systems(installed_folders());
     live.peer_words = peer_words();
     live.network = dds::make_silent_networks();
+    live.network_of_past = live.network;
     for (const auto& [name, maker] : hw::drivers({})) live.drivers.push_back(name);
     return live;
 }

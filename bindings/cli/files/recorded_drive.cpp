@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "bindings/cli/files/recorded_topics.hpp"
 #include "bindings/record/recorded_run.hpp"
@@ -15,6 +19,25 @@ namespace {
 using record::McapFile;
 using record::RecordedMessage;
 
+// The elements "gains[1]", "gains[2]", ... of an array, in their order.
+std::optional<Value> array_in(const record::NamedValues& named, const ParameterSpec& spec) {
+    const std::string begin = spec.name + "[";
+    std::vector<std::string> texts;
+    for (const record::NamedText& each : named.texts) {
+        if (each.name.starts_with(begin)) texts.push_back(each.value);
+    }
+    if (!texts.empty()) return Value(std::move(texts));
+    std::vector<double> numbers;
+    for (const record::NamedNumber& each : named.numbers) {
+        if (each.name.starts_with(begin)) numbers.push_back(each.value);
+    }
+    if (numbers.empty()) return std::nullopt;
+    if (spec.initial.is<std::vector<bool>>()) return Value(std::vector<bool>(numbers.begin(), numbers.end()));
+    if (spec.initial.is<std::vector<std::int64_t>>())
+        return Value(std::vector<std::int64_t>(numbers.begin(), numbers.end()));
+    return Value(std::move(numbers));
+}
+
 std::optional<Value> value_in(const record::NamedValues& named, const ParameterSpec& spec) {
     for (const record::NamedText& each : named.texts) {
         if (each.name == spec.name) return Value(each.value);
@@ -25,10 +48,10 @@ std::optional<Value> value_in(const record::NamedValues& named, const ParameterS
         if (spec.initial.is<std::int64_t>()) return Value(static_cast<std::int64_t>(each.value));
         return Value(each.value);
     }
-    return std::nullopt;
+    return array_in(named, spec);
 }
 
-// Sets the parameters to recorded numbers and texts. Arrays keep their values.
+// Sets the parameters to recorded numbers and texts. An empty array is not in a recording.
 void read_parameters(RecordedDrive& drive, const McapFile& recording, const TopicReader& reader,
                      const Component& behavior) {
     const MessageCoding coding = coding_of_structure(type_of<record::NamedValues>());

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <sstream>
 #include <utility>
 
 #include "bindings/cli/base/version.hpp"
 #include "bindings/cli/files/run_file.hpp"
 #include "bindings/record/mcap_reader.hpp"
+#include "bindings/scenario/margins.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi::cli {
@@ -78,6 +80,12 @@ Expected<void> RunJournal::find_failure() {
     }
     if (auto text = read_whole(folder / "failure.txt", "failure.txt", std::size_t{1} << 20)) {
         while (text->ends_with('\n')) text->pop_back();
+        const std::string heading = fmt::format("\n{}\n", conditions_heading);
+        if (const auto found = text->find(heading); found != std::string::npos) {
+            std::istringstream lines(text->substr(found + heading.size()));
+            for (std::string line; std::getline(lines, line);)
+                conditions_.push_back(line.substr(line.find_first_not_of(' ')));
+        }
         notes_.push_back(std::move(*text));
     }
     return {};

@@ -26,6 +26,8 @@ public:
     Expected<std::unique_ptr<RunningSystem>> load(const RunOptions& options, LiveOptions live, JournalSink recording);
     /// Messages to show before the run starts.
     const std::vector<std::string>& notes() const { return notes_; }
+    /// The conditions of a failed scenario that is opened, a line each.
+    const std::vector<std::string>& conditions() const { return conditions_; }
     /// Performs a replay that is opened, up to its end; then this run is no replay any more. Gives up when `end` is not
     /// 0.
     Expected<void> go_to_end(const volatile std::sig_atomic_t& end);
@@ -63,7 +65,7 @@ private:
     std::unique_ptr<Replay> opened_;            // has been performed; its files are those of the system
     std::unique_ptr<RecordedSystem> recorded_;  // is opened, and plays its messages
     std::string file_;
-    std::vector<std::string> notes_;
+    std::vector<std::string> notes_, conditions_;
     ActTime stopped_;
     std::optional<Error> error_;
 };

@@ -159,6 +159,7 @@ private:
             live_->trace().keep(std::max(static_cast<std::size_t>(samples), Series::usual_samples));
         }
         live_->trace().remember_ports();
+        live_->remember_run();
         if (auto open = results_.open(options_, *live_); !open) return Unexpected(open.error());
         signals_->watch_end({.give_up = [this] { give_up_files(); },
                              .at_once = [this] { end_at_once(); },
@@ -295,7 +296,8 @@ private:
         if (!options_.web) return "";
         auto web = RunWeb::open(
             *loop_, *console_, *options_.web,
-            {.look = [this] { return rtm_ ? rtm_->look() : std::future<std::string>(); }, .ask = peer_asker()});
+            {.look = [this] { return rtm_ ? rtm_->look() : std::future<std::string>(); }, .ask = peer_asker()},
+            journal_.conditions());
         if (!web) return visible("no page for browsers: " + web.error().message);
         web_ = std::move(*web);
         loop_->add(*web_);

@@ -103,13 +103,14 @@ RunWeb::RunWeb(RunLoop& loop, RunConsole& console, std::unique_ptr<web::WebServe
 RunWeb::~RunWeb() { console_.show_status_by({}); }
 
 Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& console, const Web& web,
-                                               web::PeerSource peers) {
+                                               web::PeerSource peers, std::vector<std::string> conditions) {
     const auto folders = installed_folders();
     web::WebOptions options{.page = folders.empty() ? std::filesystem::path() : folders.front() / "bindings/web/page",
                             .version = version(),
                             .encode = to_jpeg,
                             .peers = std::move(peers),
-                            .editor = editor_of(loop.live().project())};
+                            .editor = editor_of(loop.live().project()),
+                            .conditions = std::move(conditions)};
     options.sockets.first_port = web.port;
     options.sockets.ports = std::min(most_ports, 65536 - web.port);
     std::string fingerprint;

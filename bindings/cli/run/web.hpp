@@ -16,9 +16,10 @@ namespace nezumi::cli {
 
 class RunWeb final : public Attendant {
 public:
-    /// Starts to serve. Loop and console must outlive it. An error gives the reason.
+    /// Starts to serve. `conditions` are those of a failed scenario that is opened. Loop and console must outlive it.
+    /// An error gives the reason.
     static Expected<std::unique_ptr<RunWeb>> open(RunLoop& loop, RunConsole& console, const Web& web,
-                                                  web::PeerSource peers);
+                                                  web::PeerSource peers, std::vector<std::string> conditions);
     ~RunWeb() override;
     RunWeb(const RunWeb&) = delete;
     RunWeb& operator=(const RunWeb&) = delete;

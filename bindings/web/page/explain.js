@@ -100,7 +100,7 @@ export function make_explain({ model, link, notices }) {
       ...seen.robots.flatMap(robot_of));
     if (is_shown && follow.getAttribute("aria-pressed") === "true") timer = setTimeout(ask, AGAIN);
   });
-  model.on("restarted", () => {
+  for (const what of ["restarted", "went_back"]) model.on(what, () => {
     waits = false;
     stop_following();
   });

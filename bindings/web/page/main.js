@@ -2,6 +2,7 @@
 import { el } from "./dom.js";
 import { Link } from "./link.js";
 import { Model } from "./model.js";
+import { Tracks } from "./past_tracks.js";
 import { T } from "./texts.js";
 import { Acts } from "./acts.js";
 import { Notices } from "./notices.js";
@@ -45,7 +46,7 @@ async function start() {
   const link = new Link(token);
   const model = new Model(link);
   const acts = new Acts(link, model, notices);
-  const parts = { link, model, acts, notices };
+  const parts = { link, model, acts, notices, tracks: new Tracks({ link, model }) };
 
   const views = {
     world: make_world(parts), diagram: make_diagram(parts), plots: make_plots(parts), editor: make_editor(parts), explain: make_explain(parts), drive: make_drive(parts),

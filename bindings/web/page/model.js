@@ -9,8 +9,8 @@ const single_type = (type) => type.replace("array of ", "");
 
 const KEPT_EMPTY = 2000;  // ms
 
-/// Emits: hello, system, rtcs, frame, port (name), picture, floor, restarted, chosen (a robot, in the world), and other
-/// messages of the engine by their names.
+/// Emits: hello, system, rtcs, frame, port (name), picture, floor, restarted, went_back, looked, chosen (a robot, in the
+/// world), and other messages of the engine by their names.
 export class Model extends Emitter {
   hello = null;
   system = null;
@@ -23,7 +23,9 @@ export class Model extends Emitter {
   markers = [];
   rays = [];    // of each robot, by index
   floor = null;  // the address of the floor's picture, after it was received
+  looked = null;  // { time }: the robots are shown where they were then
   values = new Map();  // of watched ports and members: { value, tm, at, count }
+  #present = [];  // poses of robots while others are shown
   #link;
   #cdr = null;
   #watchers = new Map();  // who: { ports, pictures, truth, rays }
@@ -163,7 +165,7 @@ export class Model extends Emitter {
       this.#take_boxes();
       this.#cdr = new Cdr(this.types);
       for (const { parameters } of said.components) for (const each of parameters) each.type = single_type(each.type);
-      if (before && (before.start !== said.start || before.file !== said.file)) this.#forget();
+      if (before && (before.start !== said.start || before.file !== said.file)) this.#forget(before.starts === said.starts && before.file === said.file);
       this.#ask_floor(said);
       this.emit("system", before);
     } else if (said.is === "rtcs") {
@@ -185,20 +187,29 @@ export class Model extends Emitter {
     return { ...this.hello?.types, ...this.system?.types };
   }
 
-  #forget() {
+  /// Shows the robots where they were at a time: { time, robots }; null: where they are.
+  look_at(then) {
+    if (!then && !this.looked) return;
+    if (!this.looked) this.#present = this.robots;
+    this.robots = then ? then.robots.map((pose, i) => ({ ...this.#present[i], ...pose, collided: false, touches: "", contacts: [] })) : this.#present;
+    this.looked = then && { time: then.time };
+    this.emit("looked");
+  }
+
+  #forget(goes_back) {
+    this.looked = null;
     this.robots = [];
     this.things = [];
     this.markers = [];
     this.rays = [];
     this.values.clear();
-    this.emit("restarted");
+    this.emit(goes_back ? "went_back" : "restarted");
   }
 
   #take_frame(bytes) {
     const { robots, things, markers, rays, ports, members, ...frame } = this.#cdr.read(this.hello.frame, bytes);
-    if (frame.time < this.frame.time - 1e-9) this.#forget();
     this.frame = frame;
-    for (const each of robots) this.robots[each.index] = each;
+    for (const each of robots) (this.looked ? this.#present : this.robots)[each.index] = each;
     for (const each of things) this.things[each.index] = each;
     for (const each of markers) this.markers[each.index] = each;
     this.#take_rays(rays);

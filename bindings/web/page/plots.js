@@ -14,6 +14,7 @@ const MOST_FIELDS = 12;
 class Recording {
   fields = [];  // { port, path }
   rows = [];
+  ghost = [];  // rows of before time went back
 
   get names() {
     return this.fields.map(({ port, path }) => (path.startsWith("[") || !path ? port + path : `${port}.${path}`));
@@ -21,19 +22,36 @@ class Recording {
 
   add(field) {
     this.fields.push(field);
-    for (const row of this.rows) row.push(null);
+    for (const row of [...this.rows, ...this.ghost]) row.push(null);
   }
 
   remove(index) {
     this.fields.splice(index, 1);
-    for (const row of this.rows) row.splice(index + 1, 1);
+    for (const row of [...this.rows, ...this.ghost]) row.splice(index + 1, 1);
+  }
+
+  clear() {
+    this.rows.length = this.ghost.length = 0;
+  }
+
+  /// What is drawn: the rows, and beside them those of before time went back.
+  drawn() {
+    if (this.ghost.length === 0) return { names: this.names, rows: this.rows.slice(), dashed: [] };
+    const none = this.fields.map(() => null);
+    const rows = [...this.rows.map((row) => [...row, ...none]), ...this.ghost.map(([time, ...values]) => [time, ...none, ...values])];
+    const dashed = this.names.map((name) => T.plots.before(name));
+    return { names: [...this.names, ...dashed], rows: rows.sort((a, b) => a[0] - b[0]), dashed };
   }
 
   /// Records the present values of the ports.
   take(time, values) {
     const last = this.rows[this.rows.length - 1];
-    if (last && time < last[0]) this.rows.length = 0;
-    if (this.fields.length === 0 || (last && time - last[0] < STEP && time >= last[0])) return false;
+    if (last && time < last[0]) {
+      this.ghost = this.rows;
+      this.rows = this.rows.filter((row) => row[0] <= time).map((row) => [...row]);
+    }
+    const latest = this.rows[this.rows.length - 1];
+    if (this.fields.length === 0 || (latest && time - latest[0] < STEP)) return false;
     const seen = new Map();
     this.rows.push([time, ...this.fields.map(({ port, path }) => {
       if (!seen.has(port)) seen.set(port, new Map(numbers_in(values.get(port)?.value)));
@@ -67,9 +85,8 @@ class Plots {
     const { model } = parts;
     const draw = at_most_every(100, () => this.draw());
     model.on("frame", () => this.recording.take(model.frame.time, model.values) && draw());
-    model.on("restarted", () => {
-      this.recording.rows.length = 0;
-    });
+    model.on("restarted", () => this.recording.clear());
+    model.on("looked", () => this.#look(model.looked?.time));
     addEventListener("theme", () => this.#anew());
     new ResizeObserver(() => this.#graph?.resize()).observe(this.box);
   }
@@ -92,8 +109,21 @@ class Plots {
   }
 
   clear() {
-    this.recording.rows.length = 0;
+    this.recording.clear();
     this.draw();
+  }
+
+  /// Shows the values at a time of the past; none without.
+  #look(time) {
+    if (time === undefined) {
+      this.#graph?.clearSelection();
+      return this.on_values?.(null);
+    }
+    const { names, rows } = this.recording.drawn();
+    const index = rows.findIndex((row) => row[0] >= time - 1e-9);
+    if (index < 0 || rows.length < 2) return;
+    if (this.#is_shown) this.#graph?.setSelection(index);
+    this.on_values?.(time, new Map(names.map((name, i) => [name, rows[index][i + 1]])));
   }
 
   pause(is_paused) {
@@ -130,19 +160,26 @@ class Plots {
       }
       return;
     }
-    const end = rows[rows.length - 1][0];
+    const end = Math.max(rows[rows.length - 1][0], this.recording.ghost[this.recording.ghost.length - 1]?.[0] ?? 0);
     const dateWindow = this.#range ?? [Math.max(rows[0][0], end - WINDOW), Math.max(end, rows[0][0] + 1)];
-    if (!this.#graph) this.#make(rows, names, dateWindow);
-    else if (!this.#is_paused) this.#graph.updateOptions({ file: rows.slice(), dateWindow });
+    const drawn = this.recording.drawn();
+    if (this.#graph && this.#graph.numColumns() !== drawn.names.length + 1) {
+      this.#graph.destroy();
+      this.#graph = null;
+    }
+    if (!this.#graph) this.#make(drawn, dateWindow);
+    else if (!this.#is_paused) this.#graph.updateOptions({ file: drawn.rows, dateWindow });
     else this.#graph.updateOptions({ dateWindow: this.#range ?? this.#graph.xAxisRange() });
   }
 
-  #make(rows, names, dateWindow) {
+  #make({ rows, names, dashed }, dateWindow) {
     this.box.replaceChildren();
+    const colors = line_colors().slice(0, names.length - dashed.length);
     const style = getComputedStyle(document.documentElement);
     const color = (name) => style.getPropertyValue(`--${name}`).trim();
-    this.#graph = new Dygraph(this.box, rows.slice(), {
-      labels: ["t", ...names], colors: line_colors(), dateWindow, xlabel: T.plots.time, strokeWidth: 1.8, legend: "never",
+    this.#graph = new Dygraph(this.box, rows, {
+      labels: ["t", ...names], colors: [...colors, ...colors], dateWindow,
+      series: Object.fromEntries(dashed.map((name) => [name, { strokePattern: [5, 4], strokeWidth: 1.2 }])), xlabel: T.plots.time, strokeWidth: 1.8, legend: "never",
       gridLineColor: color("line"), axisLineColor: color("line"), axisLabelFontSize: 12, connectSeparatedPoints: true,
       xRangePad: 4, yRangePad: 10, animatedZooms: false, rightGap: 12,
       highlightCallback: (_, x, points) => this.on_values?.(x, new Map(points.map(({ name, yval }) => [name, yval]))),

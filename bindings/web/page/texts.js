@@ -39,7 +39,9 @@ const EN = {
     runs: (version, names, more) => `Version ${version} runs: ${names}${more > 0 ? ` and ${more} more` : ""}.` },
 
   past: { label: "Time line", time: "Go to this time", branch: "Branch", now: "Now", now_hint: "To the end of this branch",
-    of: (time, end) => `${time} of ${end}`, is_past: "past", hint: "What followed happens again when time runs. Every change begins a new branch." },
+    of: (time, end) => `${time} of ${end}`, is_past: "past", hint: "What followed happens again when time runs. Every change begins a new branch.",
+    is_away: "past, alone", conditions: "Conditions of the scenario", mark: (time, text) => `${time}: ${text}`,
+    keys: "Drag, or arrow keys; Page Up and Page Down go to the next and the last mark" },
 
   world: {
     label: "The world, seen from above. Drag to turn, two fingers or the right button to move, the wheel to zoom.",
@@ -100,7 +102,7 @@ const EN = {
 
   plots: { add: "Add a field", search: "Search", port: "Port", field: "Field", plot: "Plot", pause: "Pause", resume: "Resume", csv: "CSV",
     svg: "SVG", clear: "Clear", remove: (name) => `Remove ${name}`, empty: "Choose a port and one of its numbers.",
-    zoom_out: "Last minute", time: "time [s]", no_fields: "no message yet", zoom: "Drag across the plot to zoom; double-click shows all." },
+    zoom_out: "Last minute", before: (name) => `${name}, before`, time: "time [s]", no_fields: "no message yet", zoom: "Drag across the plot to zoom; double-click shows all." },
 
   cameras: { none: "This system has no camera.", waiting: "No picture yet." },
 

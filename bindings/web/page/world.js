@@ -1,6 +1,7 @@
 // The view of the world: its picture, its tools, and labels over it.
 import * as THREE from "/lib/three/three.module.js";
 import { el } from "./dom.js";
+import { ghost_of } from "./past_tracks.js";
 import { T } from "./texts.js";
 import { make_devices } from "./devices.js";
 import { stranded_robots } from "./troubles.js";
@@ -92,23 +93,27 @@ class World {
   #is_asked = false;
   #is_shown = false;
   #nudged = {};  // by keys: { what, when, pose }
+  #ghost = null;  // the other branch that is drawn
   #layout = "";
   #is_old = false;  // the picture must be rebuilt for a new description of the system
 
   constructor(parts) {
     this.#parts = parts;
-    const { model } = parts;
+    const { model, tracks } = parts;
     this.stage = el("div", { class: "stage-box" }, this.canvas, this.labels.node);
     if (!this.#renderer) this.stage.append(el("p", { class: "empty", text: T.world.no_gl }));
     model.on("system", () => {
       this.#is_old = true;
+      this.#look_for_ghosts();
     });
+    tracks.on("track", (branch) => branch === this.#ghost?.branch && this.#draw_ghosts());
+    model.on("looked", () => this.draw());
     model.on("frame", () => {
       if (this.#is_old) this.#rebuild();
-      this.scene.trails.follow(model.robots, model.frame.time);
+      if (!model.looked) this.scene.trails.follow(model.robots, model.frame.time);
       this.draw();
     });
-    model.on("restarted", () => this.scene.trails.forget());
+    for (const what of ["restarted", "went_back"]) model.on(what, () => this.scene.trails.forget());
     model.on("floor", () => this.#rebuild(true));
     addEventListener("theme", () => this.#rebuild(true));
     this.scene.on_loaded = () => {
@@ -215,12 +220,27 @@ class World {
     this.#layout = layout;
     this.scene.paint(theme_colors());
     this.scene.build(system, this.#parts.model);
+    if (this.#ghost) this.#draw_ghosts();
     if (is_first) {
       this.#resize();
       this.whole();
     }
     this.watch();
     this.on_layout?.();
+    this.draw();
+  }
+
+  /// Another branch is asked for when the present one, or its past, has begun.
+  #look_for_ghosts() {
+    const ghost = ghost_of(this.#parts.model.system?.past);
+    if (JSON.stringify(ghost) === JSON.stringify(this.#ghost)) return;
+    this.#ghost = ghost;
+    if (ghost) this.#parts.tracks.ask(ghost.branch, true);
+    else this.scene.ghosts.draw_ways([], 0);
+  }
+
+  #draw_ghosts() {
+    this.scene.ghosts.draw_ways(this.#parts.tracks.rows(this.#ghost.branch), this.#ghost.from);
     this.draw();
   }
 
@@ -249,7 +269,12 @@ class World {
     if (followed) this.eye.target.set(followed.x, followed.y, 0);
     this.eye.update();
     const chosen = this.chosen?.kind === "robot" ? this.chosen.index : null;
-    this.scene.update(model, { chosen, shows_rays: this.shows.rays, carried: this.carried });
+    this.scene.update(model, { chosen, shows_rays: this.shows.rays && !model.looked, carried: this.carried });
+    const time = model.looked?.time ?? model.frame.time;
+    this.scene.ghosts.place(this.#ghost?.moves ? this.#parts.tracks.at(this.#ghost.branch, time) : []);
+    this.scene.ghosts.lines.visible &&= this.#ghost !== null;
+    this.canvas.dataset.ghosts = this.scene.ghosts.count;
+    this.canvas.dataset.ways = this.scene.ghosts.lines.visible;
     this.scene.trails.lines.visible = this.shows.trails;
     if (this.shows.trails) this.scene.trails.draw();
     this.#renderer?.render(this.scene.three, this.eye.camera);
@@ -288,7 +313,7 @@ class World {
       const signs = (is_stranded ? " !" : "") + (pose.collided ? " ⚠" : "");
       labels.put_name(`name${is_chosen ? " chosen" : ""}${signs ? " bad" : ""}`, name + signs, eye.pixel(pose.x, pose.y, 0.12),
         `var(--line-${i % 6})`);
-      if (!this.shows.rays || !(is_chosen || robots.length === 1)) return;
+      if (!this.shows.rays || model.looked || !(is_chosen || robots.length === 1)) return;
       if ((model.rays[i]?.length ?? 0) > MOST_VALUES) return;
       for (const { from, to, hit, distance } of model.rays[i] ?? []) {
         if (!hit) continue;

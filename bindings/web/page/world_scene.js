@@ -1,6 +1,7 @@
 // The world in three dimensions: objects of the arena, robots, sensor rays and trails.
 import * as THREE from "/lib/three/three.module.js";
 import { marker_atlas, matrix_of, merge, painted_lines, robot_geometry, solids_of } from "./world_shapes.js";
+import { Ghosts } from "./world_ghosts.js";
 import { Trails } from "./world_trails.js";
 
 const MOST_RAYS = 8192;
@@ -43,6 +44,7 @@ export class Scene {
   three = new THREE.Scene();
   bounds = { x0: -1, x1: 1, y0: -1, y1: 1 };
   trails = new Trails();
+  ghosts = new Ghosts();
   #colors = {};
   #tints = {};  // of rays
   #made = [];  // objects made for this system
@@ -63,7 +65,7 @@ export class Scene {
     this.contacts.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(MOST_CONTACTS * 3), 3));
     this.rays.frustumCulled = this.contacts.frustumCulled = false;
     this.contacts.renderOrder = 2;
-    this.three.add(this.sky, sun, this.rays, this.contacts, this.trails.lines);
+    this.three.add(this.sky, sun, this.rays, this.contacts, this.trails.lines, this.ghosts.lines);
   }
 
   paint(colors) {
@@ -95,6 +97,7 @@ export class Scene {
     this.#build_robots(robots);
     this.#build_markers(markers);
     this.trails.reset(robots.length, colors.trails);
+    this.ghosts.build(this.#groups, robots.length, colors.trails, (mesh) => this.#add(mesh));
   }
 
   #find_bounds(arena, solids, { things, robots }) {

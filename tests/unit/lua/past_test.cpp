@@ -206,7 +206,7 @@ TEST_CASE("a moment that never was is refused", "[lua][past]") {
 TEST_CASE("a system that others are connected with, or that has no file, does not go back", "[lua][past]") {
     const LiveRig it("rtm { export = {} }\nbehavior 'b' { script = 'b' }\n", {{"b", "function on_execute() end"}});
     CHECK(it.live->act(Seek{.tick = 0}, user).error().message ==
-          "a system that is connected with other programs can't go back in time");
+          "a system that is connected with other programs by 'rtm' can't go back in time");
     LiveOptions options;
     options.scripts = &lua_scripts();
     const auto live = RunningSystem::make(SystemSpec{}, Project::of("system.lua"), std::move(options));
@@ -248,6 +248,15 @@ TEST_CASE("a past that becomes another one is refused with its tick, and the pre
     CHECK_FALSE((*live)->is_past());
 }
 
+TEST_CASE("a run that ends in the past is not held against what followed there", "[lua][past]") {
+    PastRig it;
+    it.tick(200);
+    REQUIRE(it.seek(99) == "");
+    it.live->end();
+    it.tick(20);
+    CHECK_FALSE(it.live->differs());
+}
+
 TEST_CASE("plots of a past show what was before it", "[lua][past]") {
     PastRig it;
     it.live->trace().remember_ports();
@@ -261,6 +270,45 @@ TEST_CASE("plots of a past show what was before it", "[lua][past]") {
     REQUIRE((*after)->size() > 100);
     CHECK((*after)->seconds((*after)->size() - 1) <= 2.0);
     CHECK((*after)->seconds((*after)->size() - 1) > 1.9);
+}
+
+TEST_CASE("what a time line shows is remembered for each branch, once", "[lua][past]") {
+    PastRig it;
+    it.live->remember_run();
+    it.tick(300);
+    REQUIRE(it.seek(100) == "");
+    it.tick(50);  // known already
+    it.act(Teleport{"mouse", {{0.6, 0.0}, 0}});
+    it.tick(100);
+    const RememberedRun& run = *it.live->remembered();
+    const RunHistory& history = it.live->history_until_now();
+    const auto main = run.rows(history, 0, 1, 1000);
+    REQUIRE(main.size() == 60);  // 20 a second
+    CHECK(main.front().when.tick == 5);
+    CHECK(main.back().when.tick == 300);
+    const auto branch = run.rows(history, 1, 1, 1000);
+    REQUIRE(branch.size() == 50);
+    CHECK(branch.back().when.tick == 250);
+    CHECK(branch[28].robots[0].x == main[28].robots[0].x);  // before the branch
+    CHECK(branch[40].robots[0].x > main[40].robots[0].x + 0.2F);
+    CHECK(run.rows(history, 1, 1, 10).size() == 10);
+    CHECK(run.rows(history, 1, 2, 10).empty());
+    CHECK(run.marks(history, 0, 1).empty());
+    REQUIRE(run.marks(history, 1, 1).size() == 1);
+    CHECK(run.marks(history, 1, 1)[0].text == "mouse touches box 1");
+    CHECK(run.marks(history, 1, 1)[0].when.tick > 150);
+}
+
+TEST_CASE("an error is a mark of the time line", "[lua][past]") {
+    LiveRig it("behavior 'b' { script = 'b' }\n",
+               {{"b", "function on_execute() if now() >= 0.1 then error('no') end end"}});
+    it.live->remember_run();
+    it.tick(50);
+    const auto marks = it.live->remembered()->marks(it.live->history_until_now(), 0, 1);
+    REQUIRE(marks.size() == 1);
+    CHECK(marks[0].kind == RememberedRun::Mark::Kind::error);
+    CHECK(marks[0].when.tick == 11);
+    CHECK(marks[0].text.find("b: ") == 0);
 }
 
 TEST_CASE("random acts, seeks and branches lead to states that were there", "[lua][past]") {

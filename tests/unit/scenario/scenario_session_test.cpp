@@ -102,6 +102,22 @@ TEST_CASE("a failure writes its text to a folder and names the folder", "[lua][s
     CHECK(rig.said.find("files: " + result.folder) != std::string::npos);
 }
 
+TEST_CASE("a failure's text ends with the conditions, a row each", "[lua][scenario][session]") {
+    ScenarioRig rig(R"(scenario("it", function(s)
+  s:load "systems/stop_at_wall.lua"
+  s:never("touches", function() return s.mouse.collided end)
+  s:always("is slow", function() return s.mouse.truth.velocity.vx < 0.05 end)
+  s:run(3)
+end))");
+    const SessionEnd end = rig.session();
+    REQUIRE(end.reports.size() == 1);
+    const std::string text = text_of_file(std::filesystem::path(end.reports.front().result.folder) / "failure.txt");
+    INFO(text);
+    const auto rows = text.find("\nconditions:\n  never 'touches': came within ");
+    REQUIRE(rows != std::string::npos);
+    CHECK(text.find("\n  always 'is slow': beyond the limit by ", rows) != std::string::npos);
+}
+
 TEST_CASE("a file that can't be read changes the status, and the other files run", "[lua][scenario][session]") {
     ScenarioRig rig(sweep);
     static_cast<void>(rig.folder().write("broken_test.lua", "scenario('x', function(s)\n"));

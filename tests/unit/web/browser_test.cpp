@@ -336,3 +336,26 @@ end
         break;
     }
 }
+
+TEST_CASE("a browser gets what is remembered of a branch: places, acts and collisions", "[web][past]") {
+    WebRig it;
+    it.live->remember_run();
+    RawBrowser browser = it.open(it.view_token);  // looking needs no more
+    it.turn(100);
+    REQUIRE(it.live->act(SetParameter{"controller", "speed_x", 0.5}, {Actor::Kind::console, ""}));
+    it.turn(200);
+    REQUIRE(browser.send_frame(R"({"do":"remembered","branch":"main","rows":true})"));
+    const Json main = Json::parse(browser.next_text(R"("is":"remembered")"));
+    CHECK(main["branch"] == "main");
+    CHECK(main["rows"].size() >= 60);
+    CHECK(main["rows"][0].size() == 4);
+    CHECK(main["rows"][0][0] == 0.05);
+    REQUIRE(!main["marks"].empty());
+    CHECK(main["marks"][0]["kind"] == "act");
+    CHECK(main["marks"][0]["at"] == 1.0);
+    CHECK(main["marks"][0]["text"].get<std::string>().find("SetParameter by") == 0);
+    REQUIRE(browser.send_frame(R"({"do":"remembered","branch":"main"})"));
+    CHECK_FALSE(Json::parse(browser.next_text(R"("is":"remembered")")).contains("rows"));
+    CHECK(WebRig::answer(browser, {{"do", "remembered"}, {"branch", "x"}, {"id", 3}})["text"] ==
+          "there is no branch 'x'");
+}

@@ -1,0 +1,50 @@
+// What the engine remembers of each branch of the run: marks, and where robots were.
+import { Emitter } from "./emitter.js";
+
+/// Emits: track (name of a branch), when news of it have come.
+export class Tracks extends Emitter {
+  #link;
+  #known = new Map();  // branch: { rows: [[time, x, y, yaw, x, ...], ...], marks: [{ at, kind, text }, ...] }
+
+  constructor({ link, model }) {
+    super();
+    this.#link = link;
+    model.on("remembered", ({ branch, rows, marks }) => {
+      this.#known.set(branch, { rows: rows ?? this.rows(branch), marks });
+      this.emit("track", branch);
+    });
+    model.on("restarted", () => this.#known.clear());
+  }
+
+  /// With `rows`, also for the places of robots.
+  ask(branch, rows = false) {
+    this.#link.send({ do: "remembered", branch, rows });
+  }
+
+  rows = (branch) => this.#known.get(branch)?.rows ?? [];
+  marks = (branch) => this.#known.get(branch)?.marks ?? [];
+
+  /// The places of robots at a time [s]: [{ x, y, yaw }, ...]; undefined if they are not known.
+  at(branch, time) {
+    const rows = this.rows(branch);
+    let [low, high] = [0, rows.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (rows[middle][0] <= time + 1e-9) low = middle + 1;
+      else high = middle;
+    }
+    const row = rows[Math.max(0, low - 1)];
+    return row && Array.from({ length: (row.length - 1) / 3 }, (_, i) => ({ x: row[3 * i + 1], y: row[3 * i + 2], yaw: row[3 * i + 3] }));
+  }
+}
+
+/// The branch that is drawn pale beside the present one: { branch, from: time [s], moves: its robots are drawn too }, or
+/// null. In the past it is what followed.
+export function ghost_of({ branches, branch, is_past } = { branches: [] }) {
+  const here = branches[branch];
+  if (!here) return null;
+  if (is_past) return { branch: here.name, from: 0, moves: false };
+  if (branch > 0) return { branch: here.parent, from: here.left, moves: true };
+  const child = branches.slice(1).reverse().find(({ parent }) => parent === here.name);
+  return child ? { branch: child.name, from: child.left, moves: true } : null;
+}

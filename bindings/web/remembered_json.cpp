@@ -1,0 +1,84 @@
+// Few enough rows for a message: a slider has no more places.
+#include "bindings/web/remembered_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <variant>
+#include <vector>
+
+namespace nezumi::web {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_rows = 1500, most_poses = 12'000, most_marks = 300;
+// Acts of one kind that follow each other within this time [s] have one mark, as those of a joystick.
+constexpr double together = 0.5;
+
+struct Mark {
+    double at = 0;
+    std::string_view kind{};
+    std::string text{};
+};
+
+double rounded(float value) { return std::round(static_cast<double>(value) * 1e4) / 1e4; }
+
+std::string_view kind_of(const Act& act) {
+    return std::holds_alternative<Reload>(act) || std::holds_alternative<Rollback>(act) ? "reload" : "act";
+}
+
+void add_acts(std::vector<Mark>& marks, const RunHistory& history, std::size_t branch, int start, double rate) {
+    std::string last;
+    double last_at = -1;
+    for (std::size_t index = 0; index < history.branches()[branch].size(); ++index) {
+        const PastEvent& event = history.event(branch, index);
+        const auto* past = std::get_if<std::shared_ptr<const PastAct>>(&event.what);
+        if (past == nullptr || event.when.start != start) continue;
+        const double at = static_cast<double>(event.when.tick) / rate;
+        std::string text = fmt::format("{} by {}", name_of((*past)->act), to_text((*past)->who));
+        const bool is_more = text == last && at - last_at < together;
+        last_at = at;
+        if (is_more) continue;
+        marks.push_back({at, kind_of((*past)->act), text});
+        last = std::move(text);
+    }
+}
+
+}  // namespace
+
+Expected<Json> remembered_to_json(RunningSystem& live, const std::string& branch, bool rows) {
+    const RunHistory& history = live.history_until_now();
+    const auto which = history.find(branch);
+    if (!which) return failure(fmt::format("there is no branch '{}'", branch));
+    const int start = history.branches()[*which].end.start;
+    const double rate = live.system().settings().rate;
+    const auto seconds = [&](const ActTime& when) { return static_cast<double>(when.tick) / rate; };
+    Json json{{"is", "remembered"}, {"branch", branch}, {"marks", Json::array()}};
+    std::vector<Mark> marks;
+    add_acts(marks, history, *which, start, rate);
+    if (const RememberedRun* run = live.remembered()) {
+        using Kind = RememberedRun::Mark::Kind;
+        for (auto& mark : run->marks(history, *which, start))
+            marks.push_back({seconds(mark.when), mark.kind == Kind::error ? "error" : "collision", mark.text});
+        if (rows) {
+            const std::size_t robots = std::max<std::size_t>(1, live.system().robots().size());
+            json["rows"] = Json::array();
+            for (const auto& row : run->rows(history, *which, start, std::min(most_rows, most_poses / robots))) {
+                Json numbers = Json::array({seconds(row.when)});
+                for (const auto& pose : row.robots) {
+                    for (const float value : {pose.x, pose.y, pose.heading}) numbers.push_back(rounded(value));
+                }
+                json["rows"].push_back(std::move(numbers));
+            }
+        }
+    }
+    std::stable_sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.at < b.at; });
+    if (marks.size() > most_marks) marks.erase(marks.begin(), marks.end() - most_marks);
+    for (const Mark& mark : marks) json["marks"].push_back({{"at", mark.at}, {"kind", mark.kind}, {"text", mark.text}});
+    return json;
+}
+
+}  // namespace nezumi::web

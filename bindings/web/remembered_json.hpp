@@ -1,0 +1,15 @@
+// What is remembered of a branch as JSON for the page's time line.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "engine/live/running_system.hpp"
+
+namespace nezumi::web {
+
+/// The marks of a branch (acts, reloads, errors, collisions) and, with `rows`, where its robots were, since the last
+/// start. An error if there is no such branch.
+Expected<nlohmann::ordered_json> remembered_to_json(RunningSystem& live, const std::string& branch, bool rows);
+
+}  // namespace nezumi::web

@@ -1,0 +1,32 @@
+// The values in which two runs differ.
+#include <catch2/catch.hpp>
+
+#include "bindings/journal/compare_runs.hpp"
+#include "engine/ports/messages.hpp"
+
+using namespace nezumi;
+
+TEST_CASE("pictures that differ in their bytes alone are different, and said to be", "[journal][compare]") {
+    CameraImage image{.width = 2, .height = 1, .format = "gray8", .pixels = {1, 2}};
+    const Value then = image;
+    image.pixels[1] = 3;
+    const Value now = image;
+    CHECK(differing_values("eye.out", &then, &then, 1e-6).empty());
+    const auto found = differing_values("eye.out", &then, &now, 1e-6);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].name == "eye.out");
+    CHECK_FALSE(found[0].by);
+    // With another size, that is the difference.
+    image.width = 1;
+    const Value other = image;
+    REQUIRE_FALSE(differing_values("eye.out", &then, &other, 1e-6).empty());
+    CHECK(differing_values("eye.out", &then, &other, 1e-6)[0].name == "eye.out.width");
+}
+
+TEST_CASE("numbers that differ by no more than the tolerance are equal, and what is missing is not",
+          "[journal][compare]") {
+    const Value then = Velocity2D{0.1, 0, 0}, now = Velocity2D{0.1 + 1e-9, 0, 0};
+    CHECK(differing_values("keeper.out", &then, &now, 1e-6).empty());
+    REQUIRE(differing_values("keeper.out", &then, &now, 0).size() == 1);
+    CHECK(differing_values("keeper.out", &then, nullptr, 1).size() == 3);
+}
