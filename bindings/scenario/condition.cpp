@@ -256,7 +256,9 @@ void Condition::take_value(lua_State* lua, Comparison& value) {
 
 // Gives X.collided of the X at 2.
 int Condition::take_contact(lua_State* lua, Comparison& value, const Function& function) {
-    if (lua_type(lua, 2) != LUA_TTABLE && luaL_getmetafield(lua, 2, "__index") == LUA_TNIL)
+    const int type = lua_type(lua, 2);
+    const bool is_indexed = type == LUA_TUSERDATA || type == LUA_TTABLE;
+    if (!is_indexed && luaL_getmetafield(lua, 2, "__index") == LUA_TNIL)
         return luaL_error(lua, "attempt to index a %s value%s", luaL_typename(lua, 2), value.called.c_str());
     lua_settop(lua, 2);
     lua_getfield(lua, 2, "collided");
