@@ -1,6 +1,7 @@
 --- A mouse in a maze of square cells: where it is, by its wheels and by the walls that it sees, what it has found out
 --- about the walls, and how it gets from cell to cell. Cells are counted from 1; the first one's centre is the origin.
---- Directions are quarter turns: 0 looks along x, 1 along y. `turn` and `forward` take time: they are for tasks.
+--- Directions are quarter turns: 0 looks along x, 1 along y, 0.5 along the diagonal between them. A column and a half is the
+--- border between two cells. `turn`, `drive` and `forward` take time: they are for tasks.
 
 local angles = require "nezumi.angles"
 local grid = require "nezumi.grid"
@@ -8,7 +9,6 @@ local poses = require "nezumi.poses"
 
 local CELL  = 0.18            -- distance of two walls, from middle to middle [m]
 local FACE  = CELL / 2 - 0.006 -- from the middle of a cell to a wall [m]
-local SIZE  = 16              -- cells along a side, at most
 local TRUST = 0.05            -- part of what a sensor says otherwise that is believed in each execution
 local BRAKE = 1.0             -- m/s^2
 local SPIN  = 8.0             -- rad/s^2: how it stops turning
@@ -36,7 +36,8 @@ end
 
 local function aim(self, column, row, direction)
   local memory = self.memory
-  memory.column, memory.row, memory.direction = column, row, direction
+  memory.column, memory.row = math.tointeger(column) or column, math.tointeger(row) or row
+  memory.direction = math.tointeger(direction) or direction
   self.at = poses.relative(lane(memory), memory.here)
 end
 
@@ -58,9 +59,9 @@ local function know(self, column, row, direction, is_wall)
 end
 
 --- The cell next to one, or nil at the end of the map.
-function Mouse.beside(column, row, direction)
+function Mouse:beside(column, row, direction)
   column, row = column + STEPS[direction][1], row + STEPS[direction][2]
-  if column >= 1 and column <= SIZE and row >= 1 and row <= SIZE then return column, row end
+  if column >= 1 and column <= self.columns and row >= 1 and row <= self.rows then return column, row end
 end
 
 --- Turns on the spot.
@@ -69,25 +70,47 @@ function Mouse:turn(direction)
   wait_until(function() return math.abs(self.at.heading) < 0.02 end)
 end
 
---- Drives so many cells ahead, and looks at the walls of each as it comes to its border; 0: to the middle of this one.
-function Mouse:forward(count)
+--- How the place changes with half a cell: along the maze, or along a diagonal to the next border.
+local function half_step(direction)
+  local before, after = STEPS[direction // 1 % 4], STEPS[-(-direction // 1) % 4]
+  if direction % 1 == 0 then return before[1] / 2, before[2] / 2 end
+  return (before[1] + after[1]) / 2, (before[2] + after[2]) / 2
+end
+
+--- Drives so many half cells ahead, and looks at the walls of each cell as it comes to its border. On a diagonal, half a
+--- cell leads from one border to the next, and no walls are looked at.
+function Mouse:drive(halves)
   local column, row, direction = self.memory.column, self.memory.row, self.memory.direction
-  local step = STEPS[direction]
-  aim(self, column + count * step[1], row + count * step[2], direction)
-  for left = count - 1, 0, -1 do
-    column, row = column + step[1], row + step[2]
-    wait_until(function() return self.at.position.x > -(left + 0.5) * CELL end)
-    local seen = self.ranges
-    know(self, column, row, direction + 1, seen[3] < 0.12)
-    know(self, column, row, direction, (seen[1] + seen[4]) / 2 < 0.22)
-    know(self, column, row, direction + 3, seen[2] < 0.12)
+  local x, y = half_step(direction)
+  aim(self, column + halves * x, row + halves * y, direction)
+  for done = 0, halves - 1 do
+    local at_column, at_row = column + done * x, row + done * y
+    if direction % 1 == 0 and (at_column % 1 ~= 0 or at_row % 1 ~= 0) then
+      wait_until(function() return self.at.position.x > -(halves - done) / 2 * CELL end)
+      local seen = self.ranges
+      local next_column, next_row = math.tointeger(at_column + x), math.tointeger(at_row + y)
+      know(self, next_column, next_row, direction + 1, seen[3] < 0.12)
+      know(self, next_column, next_row, direction, (seen[1] + seen[4]) / 2 < 0.22)
+      know(self, next_column, next_row, direction + 3, seen[2] < 0.12)
+    end
   end
   wait_until(function() return self.at.position.x > -0.003 end)
 end
 
+--- Drives so many cells ahead; 0: to the middle of this one.
+function Mouse:forward(count) self:drive(2 * count) end
+
+--- It was set down in the middle of a cell.
+function Mouse:place(column, row, direction)
+  local memory = self.memory
+  memory.column, memory.row, memory.direction, memory.odometry = column, row, direction, nil
+  memory.here = lane(memory)
+  aim(self, column, row, direction)
+end
+
 --- What walls say of the place in the lane: those at the sides where it is across, one ahead where it is along, and both
 --- in which direction it looks.
-local function correct(at, ranges, speed)
+local function correct(at, ranges, speed, to_border)
   local x, y, turn = 0, 0, 0
   local tips = {}
   for i, beam in ipairs(beams) do tips[i] = poses.transform(poses.compose(at, beam), { x = ranges[i], y = 0 }) end
@@ -98,7 +121,7 @@ local function correct(at, ranges, speed)
     end
   end
   if math.max(ranges[1], ranges[4]) < 0.15 then
-    local off = (tips[1].x + tips[4].x) / 2 - FACE
+    local off = (tips[1].x + tips[4].x) / 2 - FACE + (to_border and CELL / 2 or 0)
     x, turn = off - CELL * ((off + CELL / 2) // CELL), turn + (tips[1].x - tips[4].x) / 0.08
   end
   return poses.plane(at.position.x - TRUST * x, at.position.y - TRUST * y, at.heading - TRUST * turn)
@@ -110,8 +133,8 @@ function Mouse:update(odometry, ranges, speed)
   memory.here = poses.compose(memory.here, poses.relative(memory.odometry or odometry, odometry))
   memory.odometry, self.ranges = odometry, ranges
   local at = poses.relative(lane(memory), memory.here)
-  if math.abs(at.heading) < 0.1 then
-    at = correct(at, ranges, memory.moving and speed or 0)
+  if math.abs(at.heading) < 0.1 and memory.direction % 1 == 0 then
+    at = correct(at, ranges, memory.moving and speed or 0, memory.column % 1 ~= 0 or memory.row % 1 ~= 0)
     memory.here = poses.compose(lane(memory), at)
   end
   self.at = at
@@ -127,17 +150,19 @@ function Mouse:update(odometry, ranges, speed)
   return { vx = left > 0 and vx or -vx, va = 6 * bearing }
 end
 
---- `maze_mouse(column, row, direction, state.mouse)`: a mouse that stands in the middle of a cell. As the contests have
---- it, that cell has walls on three sides.
-return function(column, row, direction, memory)
+--- `maze_mouse(column, row, direction, state.mouse, { columns, rows })`: a mouse that stands in the middle of a cell. As the
+--- contests have it, that cell has walls on three sides. The maze has at most so many cells, 16 by 16 if not said.
+return function(column, row, direction, memory, size)
   local begins = memory.here == nil
   if begins then
     memory.column, memory.row, memory.direction, memory.map = column, row, direction, {}
     memory.here = lane(memory)
   end
   local self = setmetatable({ memory = memory }, Mouse)
-  local cells = 2 * SIZE + 1
-  self.map = grid({ columns = cells, rows = cells, cell = CELL / 2, x = -0.75 * CELL, y = -0.75 * CELL }, memory.map)
+  self.columns, self.rows = table.unpack(size or { 16, 16 })
+  self.map = grid({
+    columns = 2 * self.columns + 1, rows = 2 * self.rows + 1, cell = CELL / 2, x = -0.75 * CELL, y = -0.75 * CELL,
+  }, memory.map)
   aim(self, memory.column, memory.row, memory.direction)
   if begins then
     for turn = 0, 3 do know(self, column, row, direction + turn, turn ~= 0) end

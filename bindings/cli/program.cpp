@@ -27,6 +27,8 @@ SubCommand program() {
                          push_command(),
                          receive_command(),
                          marker_command(),
+                         maze_command(),
+                         mms_command(),
                          network_command(),
                          rtc_command(),
                          completion_command(program),

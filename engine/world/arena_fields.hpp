@@ -194,10 +194,14 @@ struct Describe<MazeSpec> {
         Setting{"cell",
                 &MazeSpec::cell,
                 "m",
-                "distance of two walls, from middle to middle",
-                {.range = NumberRange::positive, .least = 2 * maze_wall}},
+                "distance of two walls, from middle to middle; 0.09 in half-size contests",
+                {.range = NumberRange::positive}},
+        Setting{"thickness",
+                &MazeSpec::thickness,
+                "m",
+                "of walls and posts; 0.006 in half-size contests",
+                {.range = NumberRange::positive, .least = least_length}},
         Setting{"at", &MazeSpec::at, "m", "centre of the south-west cell"},
-        Internal{&MazeSpec::rows},
         Internal{&MazeSpec::place},
     };
 };

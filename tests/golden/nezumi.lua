@@ -549,7 +549,8 @@ function output(name, type, doc, options) end
 ---@class (exact) MazeFields
 ---@field rows? string[] the maze as a drawing, the north first
 ---@field generate? MazePlanFields instead of `rows`: generates a maze
----@field cell? number [m] distance of two walls, from middle to middle
+---@field cell? number [m] distance of two walls, from middle to middle; 0.09 in half-size contests
+---@field thickness? number [m] of walls and posts; 0.006 in half-size contests
 ---@field at? number[] [m] centre of the south-west cell
 
 ---@class (exact) MazePlanFields
@@ -913,6 +914,14 @@ function on_reload(old_version) end
 
 ---@class Thing
 
+---@class Maze: Thing
+---@field columns integer cells from west to east
+---@field rows integer cells from south to north
+---@field start integer[] column and row, from 1, of the cell with S, or of the south-west one
+---@field direction integer quarter turns from east, to which the start is open: 1 is north
+---@field goal integer[] column and row of each cell with G, or of those in the middle
+---@field pose table x, y and heading of a robot at the start
+
 ---A box, fixed or movable.
 ---@param fields BoxFields
 ---@return Thing
@@ -934,8 +943,8 @@ function cylinder(fields) end
 function marker(fields) end
 
 ---The walls of a maze of square cells, as in the contests of micromice.
----@param fields MazeFields
----@return Thing
+---@param fields string|MazeFields
+---@return Maze
 function maze(fields) end
 
 ---A picture on the floor, its middle at the origin.
@@ -1281,8 +1290,8 @@ function s:cylinder(fields) end
 function s:marker(fields) end
 
 ---The walls of a maze of square cells, as in the contests of micromice.
----@param fields MazeFields
----@return Thing
+---@param fields string|MazeFields
+---@return Maze
 function s:maze(fields) end
 
 ---A picture on the floor, its middle at the origin.

@@ -57,3 +57,27 @@ scenario("what the mouse has found out outlives a reload", { timeout = 60 }, fun
   s:eventually("knows it", { within = 50 }, function() return world.solver.state.known end)
   s:check(world.solver.state.known == 10)
 end)
+
+local race = { timeout = 300, sweep = { solver = { "flood_fill", "diagonal" }, maze = { "first", "second" } } }
+
+scenario("a mouse takes the shortest way in a contest's maze, also on diagonals, with sensors that deviate by 5 %", race, function(s, p)
+  local contest = s:maze("mazes/" .. p.maze .. ".txt")
+  s:arena { contest }
+  s:robot "mouse" { model = "raspimouse", pose = contest.pose, noise = 0.05 }
+  local solver = s:behavior "solver" {
+    script = p.solver,
+    config = { home = contest.start, direction = contest.direction, goal = contest.goal, size = { contest.columns, contest.rows } },
+  }
+  s:connect("mouse.current_pose_out", "solver.pose")
+  s:connect("mouse.ir_sensor_metre_out", "solver.ranges")
+  s:connect("solver.target", "mouse.target_velocity_in")
+  s:never("touches a wall", function() return s.mouse.collided end)
+  s:eventually("is there", { within = 300 }, function() return solver.state.time end)
+  s:check(solver.state.known == (p.maze == "first" and 15 or 14), "it knows the shortest way")
+  local at, cell = s.mouse.truth.pose.position, 0.18
+  local column, row = math.floor(at.x / cell + 0.5) + 1, math.floor(at.y / cell + 0.5) + 1
+  local is_goal = false
+  for i = 1, #contest.goal, 2 do is_goal = is_goal or (contest.goal[i] == column and contest.goal[i + 1] == row) end
+  s:check(is_goal, "it is where it believes to be")
+  if p.solver == "diagonal" then s:check(solver.state.time < 15, "the diagonals are short") end
+end)

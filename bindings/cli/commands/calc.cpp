@@ -14,14 +14,12 @@
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/base/json_text.hpp"
+#include "bindings/cli/base/python_program.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/console/socket_directory.hpp"
 
 namespace nezumi::cli {
 namespace {
-
-// Debian's Python, which python3-uno needs.
-constexpr const char* python = "/usr/bin/python3";
 
 struct CalcOptions {
     std::string file;
@@ -57,15 +55,6 @@ std::string types_as_json() {
     return fmt::format("{{{}}}", fmt::join(types, ","));
 }
 
-std::string link_program() {
-    std::error_code none;
-    for (const std::filesystem::path& folder : installed_folders()) {
-        const std::filesystem::path file = folder / "bindings/calc/link.py";
-        if (std::filesystem::exists(file, none)) return file.string();
-    }
-    return "";
-}
-
 int link(const CalcOptions& options) {
     std::error_code wrong;
     std::string file;
@@ -74,20 +63,14 @@ int link(const CalcOptions& options) {
             return refuse("calc: there is no file " + options.file + "; without one, a new sheet is made");
         file = std::filesystem::absolute(options.file).string();
     }
-    const std::string program = link_program();
-    if (program.empty()) return refuse("calc: bindings/calc/link.py is not among the installed files");
+    const auto program = python_file("bindings/calc/link.py");
+    if (!program) return refuse("calc: " + program.error().message);
     auto reached = connect_to_system(options.system);
     if (!reached) return refuse(reached.error());
 
     const int socket = reached->socket.get();
     fcntl(socket, F_SETFD, 0);  // the child process inherits it
-    // -B -E -s: Python writes no files beside the program and ignores the user's environment.
-    std::vector<std::string> words{python,
-                                   "-B",
-                                   "-E",
-                                   "-s",
-                                   program,
-                                   "--socket",
+    std::vector<std::string> words{"--socket",
                                    std::to_string(socket),
                                    "--system=" + reached->system.name,
                                    "--types",
@@ -98,15 +81,11 @@ int link(const CalcOptions& options) {
                                    fmt::format("{}", options.rate)};
     for (const std::string& port : options.ports) words.push_back("--port=" + port);
     if (options.headless) words.emplace_back("--headless");
-    std::vector<char*> pointers;
-    pointers.reserve(words.size() + 1);
-    for (std::string& word : words) pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    execv(python, pointers.data());
+    become_python(*program, words);
     return refuse(
         fmt::format("the spreadsheet link needs LibreOffice Calc: sudo apt install --no-install-recommends "
-                    "libreoffice-calc python3-uno ({}: {})",
-                    python, std::strerror(errno)));
+                    "libreoffice-calc python3-uno ({})",
+                    std::strerror(errno)));
 }
 
 }  // namespace

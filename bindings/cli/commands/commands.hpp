@@ -19,6 +19,9 @@ SubCommand calibrate_command();
 SubCommand push_command();
 SubCommand receive_command();
 SubCommand marker_command();
+SubCommand maze_command();
+SubCommand mms_command();
+
 SubCommand network_command();
 SubCommand rtc_command();
 SubCommand open_command();

@@ -1,4 +1,4 @@
-// Boxes, walls, cylinders, markers, mazes, the floor and its lines in a system file.
+// Boxes, walls, cylinders, markers, the floor and its lines in a system file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,48 +52,6 @@ MarkerSpec read_marker(Fields& fields) {
     return marker;
 }
 
-// The rows of a drawing. They are valid unless the check of `fields` has an error.
-std::vector<std::string> read_rows(Fields& fields, const Value& value) {
-    std::vector<std::string> rows;
-    const FieldPath path = fields.path_of("rows");
-    if (value.get_if<FileTable>() == nullptr || !value.get_if<FileTable>()->fields.empty()) {
-        fields.check().wrong(path, fmt::format("expected a list of texts, got {}", kind_of(value)));
-        return rows;
-    }
-    const auto in_row = [&](std::size_t number) {
-        FieldPath place = path;
-        if (number > 0) place.push_back(fmt::format("[{}]", number));
-        return place;
-    };
-    for (const Value& element : value.get_if<FileTable>()->elements) {
-        const std::string* row = element.get_if<std::string>();
-        if (row == nullptr)
-            fields.check().wrong(in_row(rows.size() + 1), fmt::format("expected a text, got {}", kind_of(element)));
-        rows.push_back(row != nullptr ? *row : "");
-    }
-    if (!fields.check().ok()) return rows;
-    if (const MazeProblem problem = check_maze(rows); !problem.text.empty())
-        fields.check().wrong(in_row(problem.row), problem.text);
-    return rows;
-}
-
-std::vector<BoxSpec> read_maze(Fields& fields, const Place& place) {
-    MazeSpec maze;
-    read_record(fields, maze);
-    const Value* rows = fields.field("rows");
-    if (rows == nullptr && !fields.has("generate")) {
-        fields.require("rows", "a drawing, or generate = { columns =, rows =, seed = }");
-    } else if (rows != nullptr && fields.has("generate")) {
-        fields.check().wrong(fields.path_of("generate"), "is for a maze without 'rows'");
-    } else {
-        maze.rows = rows != nullptr ? read_rows(fields, *rows) : draw_maze(maze.generate);
-    }
-    if (!fields.check().ok()) return {};
-    std::vector<BoxSpec> walls = walls_of(maze.rows, maze.cell, maze.at);
-    for (BoxSpec& wall : walls) wall.place = place;
-    return walls;
-}
-
 // A position `{ x, y }`; nothing for any other value.
 std::optional<Point2D> point_of(const Value& value) {
     const FileTable* table = value.get_if<FileTable>();
@@ -129,6 +87,11 @@ LineSpec read_line(Fields& fields) {
     return line;
 }
 
+// What `maze` returns: the object, and what a system needs to know of it.
+bool is_maze(const FileTable& table) {
+    return table.elements.size() == 1 && table.elements.front().get_if<FileThing>() != nullptr;
+}
+
 std::string hint_for_arena(std::string_view name) {
     for (const std::string_view word : {"box", "wall", "cylinder", "marker", "maze", "floor", "line", "csv", "map"}) {
         if (name == word)
@@ -143,6 +106,7 @@ std::string hint_for_arena(std::string_view name) {
 }  // namespace
 
 Expected<FileThing> SystemWords::thing(const WordCall& call, const Value& value) {
+    if (call.word == "maze") return make_maze(call, value);
     if (call.word == "csv" || call.word == "map") {
         auto boxes = call.word == "csv" ? read_map(call, value) : read_ros_map(call, value);
         if (!boxes) return Unexpected(boxes.error());
@@ -166,8 +130,6 @@ Expected<FileThing> SystemWords::thing(const WordCall& call, const Value& value)
         made = put(read_marker(fields));
     } else if (call.word == "line") {
         made = put(read_line(fields));
-    } else if (call.word == "maze") {
-        made = read_maze(fields, call.place);
     } else {
         FloorSpec floor;
         read_record(fields, floor);
@@ -193,8 +155,9 @@ Expected<void> SystemWords::place_things(const WordCall& call, const std::vector
     std::size_t number = 0;
     for (const Value& element : elements) {
         ++number;
-        // A list of objects may stand in place of its objects.
-        if (const FileTable* table = element.get_if<FileTable>(); table != nullptr && table->fields.empty()) {
+        // A list of objects may stand in place of its objects; so does a maze.
+        if (const FileTable* table = element.get_if<FileTable>();
+            table != nullptr && (table->fields.empty() || is_maze(*table))) {
             if (auto ok = place_things(call, table->elements); !ok) return ok;
             continue;
         }
@@ -263,29 +226,6 @@ Expected<void> SystemWords::arena(const WordCall& call, const Value& value) {
     if (has_border) {
         spec_.arena.border = given.border;
         border_place_ = call.place;
-    }
-    return {};
-}
-
-// The middle of an outer wall may be on the edge of the arena.
-Expected<void> SystemWords::check_mazes() const {
-    if (!spec_.arena.size) return {};
-    const Point2D& size = *spec_.arena.size;
-    for (const Thing& thing : things_) {
-        const auto* walls = std::get_if<std::vector<BoxSpec>>(&thing.made);
-        if (thing.call.word != "maze" || walls == nullptr) continue;
-        Point2D least{walls->front().at.x, walls->front().at.y}, most = least;
-        for (const BoxSpec& wall : *walls) {
-            least = {std::min(least.x, wall.at.x - wall.size.x / 2), std::min(least.y, wall.at.y - wall.size.y / 2)};
-            most = {std::max(most.x, wall.at.x + wall.size.x / 2), std::max(most.y, wall.at.y + wall.size.y / 2)};
-        }
-        if (std::max(-least.x, most.x) <= size.x / 2 + maze_wall &&
-            std::max(-least.y, most.y) <= size.y / 2 + maze_wall)
-            continue;
-        return failure(fmt::format("maze: it reaches from {{ {:.3g}, {:.3g} }} to {{ {:.3g}, {:.3g} }}, out of the "
-                                   "arena of {:g} x {:g} m: move it by 'at', or make the arena larger",
-                                   least.x, least.y, most.x, most.y, size.x, size.y),
-                       thing.call.place);
     }
     return {};
 }

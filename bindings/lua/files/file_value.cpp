@@ -101,12 +101,38 @@ private:
     std::size_t parts_ = 0;
 };
 
+// Numbers, and tables of them.
+void push_facts(lua_State* lua, const FileTable& table) {
+    const auto push = [lua](const Value& value) {
+        if (const auto* inner = value.get_if<FileTable>()) {
+            push_facts(lua, *inner);
+        } else if (const auto* whole = value.get_if<std::int64_t>()) {
+            lua_pushinteger(lua, *whole);
+        } else {
+            lua_pushnumber(lua, number_of(value).value_or(0));
+        }
+    };
+    lua_createtable(lua, static_cast<int>(table.elements.size()), static_cast<int>(table.fields.size()));
+    for (std::size_t i = 0; i < table.elements.size(); ++i) {
+        push(table.elements[i]);
+        lua_rawseti(lua, -2, static_cast<lua_Integer>(i) + 1);
+    }
+    for (const FileField& field : table.fields) {
+        lua_pushlstring(lua, field.name.data(), field.name.size());
+        push(field.value);
+        lua_rawset(lua, -3);
+    }
+}
+
 }  // namespace
 
 Expected<Value> read_file_value(lua_State* lua, int index) { return ValueReader(lua).read(index, 0); }
 
-void push_file_thing(lua_State* lua, FileThing thing) {
+void push_file_thing(lua_State* lua, FileThing thing, const FileTable& facts) {
+    luaL_checkstack(lua, 10, nullptr);
+    if (!facts.fields.empty()) push_facts(lua, facts);
     lua_pushlightuserdata(lua, reinterpret_cast<void*>(static_cast<std::uintptr_t>(thing.index + 1)));
+    if (!facts.fields.empty()) lua_rawseti(lua, -2, 1);
 }
 
 }  // namespace nezumi

@@ -13,7 +13,8 @@ namespace nezumi {
 /// levels deep, so a table that contains itself is an error. A value may have 1 000 000 parts.
 Expected<Value> read_file_value(lua_State* lua, int index);
 
-/// Pushes an object of the arena; `read_file_value` gives its number again. Raises no Lua error.
-void push_file_thing(lua_State* lua, FileThing thing);
+/// Pushes an object of the arena; `read_file_value` gives its number again. With facts it is a table of them, whose
+/// first element is the object. May raise a Lua error for want of memory.
+void push_file_thing(lua_State* lua, FileThing thing, const FileTable& facts);
 
 }  // namespace nezumi

@@ -205,7 +205,7 @@ std::vector<SystemWord> system_words(const PeerWords& peers) {
          {"Fixed boxes from a map of ROS: the occupied pixels of the picture that the YAML file names.",
           {{"file", "string"}}}},
         {"marker", Form::thing, 1, table, thing},
-        {"maze", Form::thing, 1, table, thing},
+        {"maze", Form::thing, 1, " \"FILE\" or { ... }", thing, {"", {{"fields", "string|MazeFields"}}}},
         {"physics", Form::plain, 1, table, set<&Words::physics>},
         {"rate", Form::plain, 1, "(hertz)", set<&Words::rate>, {"Ticks per second; default 100.", {{"hz", "number"}}}},
         {"robot", Form::entry, 2, named, entry},
@@ -235,7 +235,7 @@ int call_system_word(lua_State* lua) {
     Result result;
     bridge(lua, [&] { return run_word(lua, host, word, method).map([&](const Result& made) { result = made; }); });
     if (const auto* thing = std::get_if<FileThing>(&result.made)) {
-        push_file_thing(lua, *thing);
+        push_file_thing(lua, *thing, host.words->facts(*thing));
         return 1;
     }
     if (const auto* value = std::get_if<Value>(&result.made)) {

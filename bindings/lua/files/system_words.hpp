@@ -46,6 +46,8 @@ public:
     /// `box`, `wall`, `cylinder`, `marker`, `maze`, `floor`, `line`, `csv` and `map` make an object; `arena` adds it to
     /// the arena.
     Expected<FileThing> thing(const WordCall& call, const Value& fields);
+    /// What a file can ask of an object: of a maze its start, its goal and its size. Empty for others.
+    const FileTable& facts(FileThing thing) const { return things_[thing.index].facts; }
     Expected<void> arena(const WordCall& call, const Value& fields);
 
     Expected<void> seed(const WordCall& call, const Value& value);
@@ -79,6 +81,7 @@ private:
         WordCall call;
         Made made;
         bool placed = false;
+        FileTable facts{};
     };
     struct PendingEntry {
         WordCall call;
@@ -106,6 +109,7 @@ private:
     };
     Expected<ReadFile> read_file(const WordCall& call, const Value& name);
     Expected<ReadFile> read_file(const WordCall& call, const std::string& name, const std::filesystem::path& named_in);
+    Expected<FileThing> make_maze(const WordCall& call, const Value& value);
     Expected<std::vector<BoxSpec>> read_ros_map(const WordCall& call, const Value& name);
     Expected<std::vector<BoxSpec>> read_map(const WordCall& call, const Value& name);
     Expected<void> place_things(const WordCall& call, const std::vector<Value>& elements);

@@ -149,7 +149,16 @@ std::string annotations(const std::vector<RecordShape>& more, const PeerWords& p
     for (const RecordShape& record : file_records(peers)) text += annotation(record);
     for (const RecordShape& record : more) text += annotation(record);
     text += detail::behavior_annotations;
-    text += "---@class Thing\n\n" + system_word_annotations(peers, false);
+    text +=
+        "---@class Thing\n\n"
+        "---@class Maze: Thing\n"
+        "---@field columns integer cells from west to east\n"
+        "---@field rows integer cells from south to north\n"
+        "---@field start integer[] column and row, from 1, of the cell with S, or of the south-west one\n"
+        "---@field direction integer quarter turns from east, to which the start is open: 1 is north\n"
+        "---@field goal integer[] column and row of each cell with G, or of those in the middle\n"
+        "---@field pose table x, y and heading of a robot at the start\n\n" +
+        system_word_annotations(peers, false);
     text += fmt::format("---{}\n---@param fields {}\n---@return table\nfunction {}(fields) end\n\n",
                         Describe<RobotSpec>::doc, class_of(Describe<RobotSpec>::name), Describe<RobotSpec>::name);
     text += "---A port as seen from outside: reading it here does not consume messages.\n---@class Port\n";

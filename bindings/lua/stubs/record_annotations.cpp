@@ -19,8 +19,9 @@ namespace {
 using Form = SystemWord::Form;
 
 // A word with a described table.
-std::string word_of_table(const RecordShape& record, Form form, bool methods) {
-    const std::string table = class_of(record.name);
+std::string word_of_table(const RecordShape& record, const SystemWord& word, bool methods) {
+    const Form form = word.form;
+    const std::string table = word.help.parameters.empty() ? class_of(record.name) : word.help.parameters.front().type;
     const std::string receiver = methods ? "self: Scenario, " : "";
     const std::string name = (methods ? "s:" : "") + record.name;
     std::string text = fmt::format("---{}\n", record.doc);
@@ -31,7 +32,7 @@ std::string word_of_table(const RecordShape& record, Form form, bool methods) {
         text += fmt::format("---@overload fun({}name: string): fun(fields: {}){}\n", receiver, table, given);
         if (methods) text += "---@return Component\n";
     }
-    if (form == Form::thing) text += "---@return Thing\n";
+    if (form == Form::thing) text += record.name == "maze" ? "---@return Maze\n" : "---@return Thing\n";
     return text + fmt::format("function {}({}fields) end\n\n", name, form == Form::entry ? "name, " : "");
 }
 
@@ -137,7 +138,7 @@ std::string system_word_annotations(const PeerWords& peers, bool methods) {
     std::string text;
     for (const RecordShape& record : file_records(peers)) {
         for (const SystemWord& word : words) {
-            if (word.name == record.name) text += word_of_table(record, word.form, methods);
+            if (word.name == record.name) text += word_of_table(record, word, methods);
         }
     }
     for (const SystemWord& word : words) {

@@ -144,7 +144,7 @@ arena { wall { from = { 1, 1, 0 }, to = { 1, 1 } } }
 arena { cylinder { at = { 0, 0 }, radius = -1, height = 1 } }
 --                                ^ error: cylinder: field 'radius' expected a positive number, got -1
 
-arena { maze {} }  -- error: maze: field 'rows' is missing: expected a drawing, or generate = { columns =, rows =, seed = }
+arena { maze {} }  -- error: maze: field 'rows' is missing: expected a drawing, or generate = { columns =, rows =, seed = }; or write maze "FILE"
 
 arena { maze { rows = 'x' } }
 --             ^ error: maze: field 'rows' expected a list of texts, got string
@@ -165,7 +165,22 @@ arena { maze { generate = { columns = 65 } } }
 --                          ^ error: maze: field 'generate.columns' expected a whole number from 1 to 64, got 65
 
 arena { maze { generate = {}, cell = 0.01 } }
---                            ^ error: maze: field 'cell' expected at least 0.024 m, got 0.01
+--                            ^ error: maze: field 'cell' expected at least 0.024 m, twice the walls' thickness, got 0.01
+
+arena { maze { generate = {}, thickness = 0.1 } }
+-- error: maze: field 'cell' expected at least 0.2 m, twice the walls' thickness, got 0.18
+
+arena { maze { 'mazes/first.txt', rows = {} } }
+--                                ^ error: maze: field 'rows' is for a maze without a file
+
+arena { maze { 'mazes/first.txt', generate = {} } }
+--                                ^ error: maze: field 'generate' is for a maze without a file
+
+arena { maze 'mazes/frist.txt' }
+-- error: maze: there is no file 'mazes/frist.txt'
+
+arena { maze(5) }
+-- error: maze: expected a table, got number
 
 arena { marker { id = 587, at = { 0, 0, 0 } } }
 --               ^ error: marker: field 'id' expected a whole number from 0 to 586, got 587

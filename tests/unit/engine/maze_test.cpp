@@ -1,9 +1,11 @@
 // Mazes: what is drawn stands, and what is made from a seed is a maze.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <queue>
+#include <string>
+#include <vector>
 
 #include "engine/world/maze.hpp"
+#include "engine/world/maze_way.hpp"
 
 using namespace nezumi;
 
@@ -21,30 +23,31 @@ const std::vector<std::string> small{
 struct Walk {
     int openings = 0, reached = 0;
 };
-Walk walk(const std::vector<std::string>& rows, int columns, int lines) {
-    const auto open = [&](int column, int row, int right, int up) {
-        const int letter = 3 * column + 1 + (right == 0 ? 0 : right > 0 ? 2 : -1);
-        const int line = 2 * (lines - row) - 1 - up;
-        return rows[static_cast<std::size_t>(line)][static_cast<std::size_t>(letter)] == ' ';
-    };
-    Walk found;
-    std::vector<bool> seen(static_cast<std::size_t>(columns * lines));
-    std::queue<std::pair<int, int>> next;
-    next.emplace(0, 0);
-    seen[0] = true;
-    while (!next.empty()) {
-        const auto [column, row] = next.front();
-        next.pop();
-        ++found.reached;
-        for (const auto& [right, up] : {std::pair(1, 0), std::pair(0, 1), std::pair(-1, 0), std::pair(0, -1)}) {
-            if (!open(column, row, right, up)) continue;
-            if (right + up > 0) ++found.openings;
-            const auto index = static_cast<std::size_t>((row + up) * columns + column + right);
-            if (!seen[index]) next.emplace(column + right, row + up);
-            seen[index] = true;
+Walk walk(const Maze& maze) {
+    Walk found{.reached = reachable_cells(maze)};
+    for (int column = 0; column < maze.columns(); ++column) {
+        for (int row = 0; row < maze.rows(); ++row) {
+            for (const MazeSide side : {MazeSide::east, MazeSide::north})
+                found.openings += maze.is_wall({column, row}, side) ? 0 : 1;
         }
     }
     return found;
+}
+
+Maze maze_of(const std::vector<std::string>& rows) {
+    const auto maze = read_drawing(rows);
+    INFO((maze ? "" : maze.error().text));
+    REQUIRE(maze);
+    return *maze;
+}
+
+std::vector<BoxSpec> walls_of(const std::vector<std::string>& rows, double cell, const Point2D& at) {
+    return nezumi::walls_of(maze_of(rows), {.cell = cell, .at = at});
+}
+
+std::string problem_of(std::vector<std::string> rows) {
+    const auto maze = read_drawing(std::move(rows));
+    return maze ? "" : std::to_string(maze.error().row) + " " + maze.error().text;
 }
 
 bool is_wall(const BoxSpec& box, Point2D middle, double length_x, double length_y) {
@@ -63,7 +66,10 @@ TEST_CASE("the drawings that contests exchange have posts o, four signs a cell, 
         "| S |   |",  //
         "o---o---o",
     };
-    CHECK(check_maze(contest).text.empty());
+    const Maze maze = maze_of(contest);
+    CHECK(maze.start() == MazeCell{0, 0});
+    CHECK(maze.goals() == std::vector<MazeCell>{{1, 1}});
+    CHECK(draw_maze(maze) == contest);
     const auto walls = walls_of(contest, 0.18, {0, 0}), same = walls_of(small, 0.18, {0, 0});
     REQUIRE(walls.size() == same.size());
     for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -71,15 +77,54 @@ TEST_CASE("the drawings that contests exchange have posts o, four signs a cell, 
         CHECK(walls[i].at.y == same[i].at.y);
     }
     std::vector<std::string> wrong = contest;
-    wrong[3] = "| x |   |";
-    CHECK(check_maze(wrong).text == "expected \"   \" from sign 2 on, got \" x \"");
+    wrong[3] = "| # |   |";
+    CHECK(problem_of(wrong) == "4 expected \"   \" from sign 2 on, got \" # \"");
     wrong = contest;
     wrong[0] = "o---o---";
-    CHECK(check_maze(wrong).text == "expected 4 signs for each cell and one more, for 1 to 64 cells, got 8 signs");
+    CHECK(problem_of(wrong) == "1 expected 4 signs for each cell and one more, for 1 to 64 cells, got 8 signs");
+}
+
+TEST_CASE("drawings vary as the programs that write them do", "[engine][maze]") {
+    const Maze maze = maze_of({"o---o---o", "|     G |", "o   o   o", "| S |   |", "o---o---o"});
+    CHECK(maze_of({"\xef\xbb\xbfo---o---o\r", "|     G |\r", "o   o   o\r", "| S |   |\r", "o---o---o\r"}) == maze);
+    CHECK(maze_of({"  +---+---+  ", "  |     g |", "  +   +   +", "  | s |   |   ", "  +---+---+"}) == maze);
+    CHECK(maze_of({"o---o---o", "|\t  G |", "o\to\to", "| S |\t|", "o---o---o"}) == maze);
+    CHECK(maze_of({"+-+-+", "|  G|", "+ + +", "|S| |", "+-+-+"}) == maze);
+    CHECK(maze_of({"*===*===*", "|     G |", "*   *   *", "| S | 7 |", "*===*===*"}) == maze);
+    CHECK(maze_of({"+ - + - +", "|     G |", "+   +   +", "| S |   |", "+ - + - +"}) == maze);
+    // Blank posts stand as well; the first row does not reach to the last one.
+    CHECK(maze_of({" --- ---", "|     G |", "         ", "| S |   |", " --- ---"}) == maze);
+    CHECK(maze_of({"---------", "|     G |", "", "| S |   |", "---------"}) == maze);
+    const Maze wide = maze_of({"+-----+-----+", "|  S     G  |", "+-----+-----+"});
+    CHECK(wide.columns() == 2);
+    CHECK(wide.rows() == 1);
+    CHECK(wide.start_side() == MazeSide::east);
+}
+
+TEST_CASE("a maze without marks begins in the south-west and ends in the middle", "[engine][maze]") {
+    CHECK(Maze(4, 4, false).goals() == std::vector<MazeCell>{{1, 1}, {2, 1}, {1, 2}, {2, 2}});
+    CHECK(Maze(5, 4, false).goals() == std::vector<MazeCell>{{2, 1}, {2, 2}});
+    CHECK(Maze(5, 3, false).goals() == std::vector<MazeCell>{{2, 1}});
+    CHECK(Maze(5, 3, false).start() == MazeCell{0, 0});
+    const Maze two = maze_of({"o---o---o", "| G   G |", "o---o---o"});
+    CHECK(two.goals() == std::vector<MazeCell>{{0, 0}, {1, 0}});
+}
+
+TEST_CASE("the shortest way has the fewest cells, then the fewest turns", "[engine][maze]") {
+    const Maze open = maze_of({"o---o---o---o", "|         G |", "o   o   o   o", "|           |", "o   o   o   o",
+                               "| S         |", "o---o---o---o"});
+    const std::vector<MazeCell> way = shortest_way(open);
+    CHECK(way == std::vector<MazeCell>{{0, 0}, {0, 1}, {0, 2}, {1, 2}, {2, 2}});
+    CHECK(shortest_way(maze_of({"o---o---o", "| S | G |", "o---o---o"})).empty());
+    CHECK(reachable_cells(maze_of({"o---o---o", "| S | G |", "o---o---o"})) == 1);
+}
+
+TEST_CASE("a half-size maze has thinner walls", "[engine][maze]") {
+    const auto walls = nezumi::walls_of(maze_of({"o---o", "|   |", "o---o"}), {.cell = 0.09, .thickness = 0.006});
+    CHECK(is_wall(walls.front(), {0.0, 0.045}, 0.096, 0.006));
 }
 
 TEST_CASE("the walls of a drawing stand between the cells, one box for each line", "[engine][maze]") {
-    REQUIRE(check_maze(small).text.empty());
     const auto walls = walls_of(small, 0.18, {0, 0});
     REQUIRE(walls.size() == 5);
     CHECK(is_wall(walls[0], {0.09, 0.27}, 0.372, 0.012));   // north
@@ -91,7 +136,6 @@ TEST_CASE("the walls of a drawing stand between the cells, one box for each line
 
 TEST_CASE("a post without walls stands alone, and an opening in a line parts it", "[engine][maze]") {
     const std::vector<std::string> open{"+--+  +--+", "|        |", "+  +     +", "|        |", "+--+--+--+"};
-    REQUIRE(check_maze(open).text.empty());
     const auto walls = walls_of(open, 0.2, {1, 2});
     REQUIRE(walls.size() == 6);
     CHECK(is_wall(walls[0], {1.0, 2.3}, 0.212, 0.012));
@@ -103,31 +147,28 @@ TEST_CASE("a maze that is made has one way between any two cells, and leads nort
     for (const auto& [columns, rows] : {std::pair(1, 1), std::pair(2, 5), std::pair(16, 16), std::pair(64, 3)}) {
         for (const std::int64_t seed : {0, 1, 2, 999}) {
             CAPTURE(columns, rows, seed);
-            const auto drawn = draw_maze({columns, rows, seed});
-            REQUIRE(check_maze(drawn).text.empty());
-            const Walk found = walk(drawn, columns, rows);
+            const Maze maze = generate_maze({columns, rows, seed});
+            const Walk found = walk(maze);
             CHECK(found.reached == columns * rows);
             CHECK(found.openings == columns * rows - 1);
-            if (rows > 1) CHECK(drawn[drawn.size() - 2].substr(0, 4) == "|  |");
-            if (rows > 1) CHECK(drawn[drawn.size() - 3].substr(0, 3) == "+  ");
+            CHECK(maze_of(draw_maze(maze)) == maze);
+            if (rows > 1) CHECK(maze.start_side() == MazeSide::north);
+            if (columns > 1 && rows > 1) CHECK(maze.is_wall({0, 0}, MazeSide::east));
         }
     }
-    CHECK(draw_maze({8, 8, 1}) == draw_maze({8, 8, 1}));
-    CHECK(draw_maze({8, 8, 1}) != draw_maze({8, 8, 2}));
+    CHECK(generate_maze({8, 8, 1}) == generate_maze({8, 8, 1}));
+    CHECK(generate_maze({8, 8, 1}) != generate_maze({8, 8, 2}));
 }
 
 TEST_CASE("a drawing that is none is told with its row", "[engine][maze]") {
-    const auto problem = [](std::vector<std::string> rows) {
-        const MazeProblem found = check_maze(rows);
-        return std::to_string(found.row) + " " + found.text;
-    };
-    CHECK(problem({}) == "0 expected 2 rows for each cell and one more, for 1 to 64 cells, got 0 rows");
-    CHECK(problem({"+--+", "|  |"}) == "0 expected 2 rows for each cell and one more, for 1 to 64 cells, got 2 rows");
-    CHECK(problem({"+--", "|  ", "+--"}) ==
+    CHECK(problem_of({}) == "0 expected 2 rows for each cell and one more, for 1 to 64 cells, got 0 rows");
+    CHECK(problem_of({"+--+", "|  |"}) ==
+          "0 expected 2 rows for each cell and one more, for 1 to 64 cells, got 2 rows");
+    CHECK(problem_of({"+--", "|  ", "+--"}) ==
           "1 expected 3 signs for each cell and one more, for 1 to 64 cells, got 3 signs");
-    CHECK(problem({"+--+", "|   |", "+--+"}) == "2 expected 4 signs, as in the first row, got 5");
-    CHECK(problem({"+--+", "|  |", "+- +"}) == "3 expected \"--\" or blanks from sign 2 on, got \"- \"");
-    CHECK(problem({"+--+", "|x |", "+--+"}) == "2 expected \"  \" from sign 2 on, got \"x \"");
-    CHECK(problem({"+--o", "|  |", "+--+"}) == "1 expected \"+\" or blanks from sign 4 on, got \"o\"");
-    CHECK(problem({"+--+", "I  |", "+--+"}) == "2 expected \"|\" or blanks from sign 1 on, got \"I\"");
+    CHECK(problem_of({"+--+", "|   |", "+--+"}) == "2 expected 4 signs, as in the first row, got 5");
+    CHECK(problem_of({"+--+", "|  |", "+- +"}) == "3 expected \"--\" or blanks from sign 2 on, got \"- \"");
+    CHECK(problem_of({"+--+", "|- |", "+--+"}) == "2 expected \"  \" from sign 2 on, got \"- \"");
+    CHECK(problem_of({"+--o", "|  |", "+--+"}) == "1 expected \"+\" or blanks from sign 4 on, got \"o\"");
+    CHECK(problem_of({"+--+", "I  |", "+--+"}) == "2 expected \"|\" or blanks from sign 1 on, got \"I\"");
 }
