@@ -188,9 +188,9 @@ class Mouse:
         if not self._paced:
             ended = self._console.eval("mms_wait(%d)" % (seconds * self._rate), timeout=120)
         else:
-            end = time.monotonic() + seconds
+            end = self.now() + seconds  # of the run's time, which stands while it is paused
             while not (ended := self._console.eval("not driver.state.busy or driver.status ~= \"ACTIVE\"")):
-                if time.monotonic() > end:
+                if self.now() > end:
                     break
                 time.sleep(0.01)
         error = self._console.eval("driver.error")

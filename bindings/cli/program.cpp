@@ -29,6 +29,7 @@ SubCommand program() {
                          marker_command(),
                          maze_command(),
                          mms_command(),
+                         mcp_command(),
                          network_command(),
                          rtc_command(),
                          completion_command(program),

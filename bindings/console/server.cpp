@@ -19,6 +19,10 @@ namespace {
 constexpr std::array<std::string_view, 8> key_names{"up",    "down",   "left",   "right",
                                                     "space", "escape", "faster", "slower"};
 
+// Programs that act for a person, as a language model does. They own what they hold apart from the user's consoles.
+constexpr std::string_view agent_word = "agent";
+Actor agent() { return {Actor::Kind::console, std::string(agent_word)}; }
+
 }  // namespace
 
 ConsoleServer::~ConsoleServer() {
@@ -151,8 +155,10 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
         case Request::Kind::hello: {
             console.keys = request.keys;
             // The actor of a session that has acted does not change.
-            if (request.who == "spreadsheet" && !console.session)
-                end_holds_of(std::exchange(console.who, {Actor::Kind::spreadsheet}));
+            if (!console.session && (request.who == "spreadsheet" || request.who == agent_word)) {
+                const Actor who = request.who == agent_word ? agent() : Actor{Actor::Kind::spreadsheet};
+                end_holds_of(std::exchange(console.who, who));
+            }
             const std::lock_guard lock(mutex_);
             listeners_.erase(id);
             if (request.log) listeners_.emplace(id, usual_level);
@@ -169,7 +175,7 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
 // that hold with one command and read with the next. If the actor has other connections, its holds end with the last of
 // them.
 void ConsoleServer::end_holds_of(const Actor& who) {
-    const bool goes_with_it = who.kind == Actor::Kind::spreadsheet ||
+    const bool goes_with_it = who.kind == Actor::Kind::spreadsheet || who == agent() ||
                               (who.kind == Actor::Kind::console && live_.system().settings().real_time);
     const auto is_same = [&](const auto& each) { return each.second.who == who; };
     if (goes_with_it && std::none_of(consoles_.begin(), consoles_.end(), is_same)) live_.let_go(who);

@@ -96,9 +96,9 @@ def _connect(system):
         os.close(folder)
 
 
-def attach(which="", timeout=10.0):
+def attach(which="", timeout=10.0, who=""):
     """A console of a running system: `which` is its name, its file or its process, and may be left out when only one
-    runs."""
+    runs. `who`: "agent" if a program acts on its own: journals and ports say so, and its holds end with it."""
     running = systems()
     if not running:
         raise Ended("nothing is running: start a system with `nezumi run FILE`")
@@ -110,7 +110,7 @@ def attach(which="", timeout=10.0):
         raise Ended("no system '%s' is running; running: %s" % (which, listed))
     if len(fitting) > 1:
         raise Error("several systems are running, choose one by its name or process number: %s" % listed)
-    return Console(_connect(fitting[0]), timeout)
+    return Console(_connect(fitting[0]), timeout, who=who)
 
 
 def start(file, *options, seed=None, program="nezumi", timeout=10.0, folder=None):
@@ -216,10 +216,12 @@ class Lines:
 class Console:
     """One console of a running system."""
 
-    def __init__(self, connection, timeout=10.0, process=None, reader=None):
+    def __init__(self, connection, timeout=10.0, process=None, reader=None, who=""):
         """`connection`: a socket that is connected to a console. `process` ends with it, `reader` takes what that says."""
         self.timeout = timeout  # [s] for an answer, unless a call says otherwise
         self._lines, self._process, self._reader = Lines(connection), process, reader
+        if who:
+            self._lines.send({"do": "hello", "who": who})
         self._number = 0
         self._said = {}  # by request: pieces of the value, output, errors
         self.run(_PRELUDE)

@@ -17,7 +17,9 @@
 #include <utility>
 
 #include "bindings/lua/files/robot_file.hpp"
+#include "engine/base/whole_file.hpp"
 #include "engine/world/chessboard.hpp"
+#include "engine/world/maze_file.hpp"
 #include "sim/world.hpp"
 #include "tests/fakes/command_socket.hpp"
 #include "tests/fakes/fuse_folder.hpp"
@@ -146,7 +148,7 @@ bool WorldBehind::answer(const std::string& line, std::string& text) {
 int be_fake_robot(int count, char** words, ServedFiles& files, WorldBehind::Act act, WorldBehind::Sense sense,
                   std::function<std::string(const std::string& line)> answer, CameraNodes* camera) {
     if (count < 4) {
-        std::fprintf(stderr, "usage: %s MOUNT_POINT SOCKET ROBOT_FILE [BOX_X|board]\n", words[0]);
+        std::fprintf(stderr, "usage: %s MOUNT_POINT SOCKET ROBOT_FILE [BOX_X|board|MAZE.txt]\n", words[0]);
         return 2;
     }
     const std::filesystem::path model = words[3];
@@ -159,6 +161,14 @@ int be_fake_robot(int count, char** words, ServedFiles& files, WorldBehind::Act 
     arena.markers.push_back({.name = "target", .id = 7, .size = 0.1, .at = {0, 0, -5}});
     if (count > 4 && words[4] == std::string("board")) {
         arena.boxes = chessboard({});
+    } else if (count > 4 && std::string_view(words[4]).ends_with(".txt")) {
+        const auto text = read_whole(words[4], words[4]);
+        const auto maze = text ? read_maze(*text, words[4]) : Unexpected(text.error());
+        if (!maze) {
+            std::fprintf(stderr, "%s\n", describe(maze.error()).c_str());
+            return 2;
+        }
+        arena.boxes = walls_of(*maze, {});
     } else if (count > 4) {
         arena.boxes.push_back({.at = {std::strtod(words[4], nullptr), 0, 0.15}, .size = {0.1, 2.0, 0.3}});
     }

@@ -21,6 +21,7 @@ SubCommand receive_command();
 SubCommand marker_command();
 SubCommand maze_command();
 SubCommand mms_command();
+SubCommand mcp_command();
 
 SubCommand network_command();
 SubCommand rtc_command();

@@ -20,7 +20,7 @@ namespace nezumi::cli {
 namespace {
 
 struct MmsOptions {
-    std::string maze, robot = "raspimouse", speed = "1", seed, port;
+    std::string maze, robot = "raspimouse", speed = "1", seed, port, dev_root, sys_root;
     double thickness = MazeSpec{}.thickness;
     FlagText hw;
     bool sensors = false, marks = false, no_web = false, open = false;
@@ -58,6 +58,8 @@ int run_mms(const MmsOptions& options) {
         if (options.no_web) run.emplace_back("--no-web");
         if (options.open) run.emplace_back("--open");
         if (is_real) run.emplace_back("--hw");
+        give("--dev-root", options.dev_root);
+        give("--sys-root", options.sys_root);
     }
     const auto truth = [](bool value) { return value ? "true" : "false"; };
     const std::string words = fmt::format(
@@ -77,21 +79,22 @@ SubCommand mms_command() {
     return {
         .name = "mms",
         .help = "Run a solver that was written for the simulator mms, with a mouse that has to drive",
-        .options = {{"PROGRAM", &options->solver, "the solver with its options, after --"},
-                    {"--maze", &options->maze, "a drawing, a .maz or a .num file", "FILE", {}, FileUse::source},
-                    {"--robot", &options->robot, "the model of the mouse; its ports are called as those of raspimouse",
-                     "MODEL"},
-                    {"--thickness", &options->thickness, "of the walls [m]", "M", number_from(0.001, 0.05)},
-                    {"--speed", &options->speed, "factor of real time, or as fast as possible, without the page",
-                     "X|max"},
-                    {"--seed", &options->seed, "of the run", "N"},
-                    {"--sensors", &options->sensors,
-                     "answer what the mouse's sensors have seen, not what the file says"},
-                    {"--marks", &options->marks, "print the walls, colours and texts that the solver has set"},
-                    {"--hw", &options->hw, "drive the real mouse; its sensors tell the walls"},
-                    {"--port", &options->port, "of the page (default: 8765, or the next free one)", "N"},
-                    {"--no-web", &options->no_web, "no page"},
-                    {"--open", &options->open, "show the page in the browser"}},
+        .options =
+            {{"PROGRAM", &options->solver, "the solver with its options, after --"},
+             {"--maze", &options->maze, "a drawing, a .maz or a .num file", "FILE", {}, FileUse::source},
+             {"--robot", &options->robot, "the model of the mouse; its ports are called as those of raspimouse",
+              "MODEL"},
+             {"--thickness", &options->thickness, "of the walls [m]", "M", number_from(0.001, 0.05)},
+             {"--speed", &options->speed, "factor of real time, or as fast as possible, without the page", "X|max"},
+             {"--seed", &options->seed, "of the run", "N"},
+             {"--sensors", &options->sensors, "answer what the mouse's sensors have seen, not what the file says"},
+             {"--marks", &options->marks, "print the walls, colours and texts that the solver has set"},
+             {"--hw", &options->hw, "drive the real mouse; its sensors tell the walls"},
+             {"--dev-root", &options->dev_root, "with --hw: the folder of the device files (default /dev)", "DIR"},
+             {"--sys-root", &options->sys_root, "with --hw: the folder of the kernel's devices (default /sys)", "DIR"},
+             {"--port", &options->port, "of the page (default: 8765, or the next free one)", "N"},
+             {"--no-web", &options->no_web, "no page"},
+             {"--open", &options->open, "show the page in the browser"}},
         .run = [options] { return run_mms(*options); },
         .footer =
             "For example `nezumi mms --maze contest.txt --speed max -- python3 Main.py`. The solver runs unchanged, in "

@@ -4,6 +4,7 @@
 
 import os
 import re
+import socket
 import subprocess
 import sys
 import tempfile
@@ -175,6 +176,37 @@ class RunTest(unittest.TestCase):
         done = self.run_mms("--speed", "max", solver=["printf", "hello\\nhello\\n\\033[2J\\n"])
         self.assertEqual(done.stderr.splitlines(), ["nezumi: mms: no command, ignored: 'hello'",
                                                     "nezumi: mms: no command, ignored: '\\x1b[2J'"])
+
+
+class HardwareTest(unittest.TestCase):
+    def test_the_real_mouse_finds_its_way_by_its_sensors(self):
+        fake = os.path.join(os.path.dirname(NEZUMI), "fake_mouse")
+        if not os.path.exists(fake):
+            self.skipTest("fake_mouse is not built beside nezumi")
+        with tempfile.TemporaryDirectory() as folder:
+            nodes, maze = os.path.join(folder, "nodes"), os.path.join(folder, "m.txt")
+            os.mkdir(nodes)
+            with open(maze, "w") as file:
+                file.write("o---o---o\n|     G |\no   o   o\n| S |   |\no---o---o\n")
+            mouse = subprocess.Popen([fake, nodes, folder + "/socket", ROOT + "/engine/robots/raspimouse.lua", maze],
+                                     stdout=subprocess.PIPE, text=True)
+            try:
+                if mouse.stdout.readline() != "ready\n":
+                    self.skipTest("the fake nodes could not be mounted: is FUSE to be had here?")
+                with socket.socket(socket.AF_UNIX) as control:
+                    control.connect(folder + "/socket")
+                    with control.makefile("rw") as lines:
+                        lines.write("place 0 0 1.5707963\n")
+                        lines.flush()
+                        lines.readline()
+                done = subprocess.run([NEZUMI, "mms", "--maze", maze, "--hw", "--dev-root", nodes, "--no-web", "--", *SOLVER],
+                                      cwd=ROOT, capture_output=True, text=True, timeout=120)
+            finally:
+                mouse.terminate()
+                mouse.wait()
+                mouse.stdout.close()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"runs to the goal \[s\]: \d+\.\d\d\ndistance [12], ")
 
 
 if __name__ == "__main__":
