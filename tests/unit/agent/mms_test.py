@@ -187,7 +187,8 @@ class HardwareTest(unittest.TestCase):
             nodes, maze = os.path.join(folder, "nodes"), os.path.join(folder, "m.txt")
             os.mkdir(nodes)
             with open(maze, "w") as file:
-                file.write("o---o---o\n|     G |\no   o   o\n| S |   |\no---o---o\n")
+                file.write("o---o---o---o\n|           |\no   o---o   o\n|   | G     |\no   o---o   o\n"
+                           "| S |       |\no---o---o---o\n")
             mouse = subprocess.Popen([fake, nodes, folder + "/socket", ROOT + "/engine/robots/raspimouse.lua", maze],
                                      stdout=subprocess.PIPE, text=True)
             try:
@@ -206,7 +207,7 @@ class HardwareTest(unittest.TestCase):
                 mouse.wait()
                 mouse.stdout.close()
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stdout, r"runs to the goal \[s\]: \d+\.\d\d\ndistance [12], ")
+        self.assertRegex(done.stdout, r"runs to the goal \[s\]: \d+\.\d\d\ndistance 6, ")
 
 
 if __name__ == "__main__":
