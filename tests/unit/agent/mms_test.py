@@ -13,7 +13,7 @@ import unittest
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.join(HERE, "../../..")
 sys.path.insert(0, os.path.join(ROOT, "bindings/agent"))
-import mms  # noqa: E402
+import mms_protocol as mms  # noqa: E402
 
 NEZUMI = os.path.abspath(sys.argv.pop(1)) if len(sys.argv) > 1 and os.path.exists(sys.argv[1]) else "nezumi"
 SOLVER = [sys.executable, os.path.join(HERE, "mms_solver.py")]
