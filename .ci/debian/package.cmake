@@ -83,7 +83,7 @@ endif()
 # Python is for nezumi.py, systemd-sysusers makes the service's user.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "python3, systemd | systemd-standalone-sysusers | systemd-sysusers")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "alsa-utils, espeak-ng, libjs-dygraphs, libjs-three, openssh-client")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "libreoffice-calc, omniorb-nameserver, polkitd, python3-uno")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "libreoffice-calc, omniorb-nameserver, polkitd, python3, python3-uno")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${debian}/postinst ${debian}/prerm ${debian}/postrm ${debian}/conffiles)
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME nezumi-dev)
