@@ -31,6 +31,7 @@ end
 --- The direction that leads nearer, straight ahead where that is as good, and how far it does so.
 local function downhill(mouse, distances, column, row, ahead)
   local here = distances[key(column, row)]
+  if not here then return nil end
   for _, turn in ipairs { 0, 1, 3, 2 } do
     local direction, count = (ahead + turn) % 4, 0
     local at_column, at_row = column, row

@@ -8,9 +8,8 @@ import sys
 import threading
 import time
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "python"))
-from rehearsal import Accepted, Project, Rehearsal, Wrong, state_folder  # noqa: E402
-from tools import TOOLS, Tools  # noqa: E402
+from rehearsal import Accepted, Project, Rehearsal, Wrong, state_folder
+from tools import TOOLS, Tools
 
 VERSIONS = ("2025-06-18", "2025-03-26", "2024-11-05")  # of the protocol, the newest first
 LONGEST_LINE = 4 << 20  # [bytes] of a request

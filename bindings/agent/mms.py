@@ -9,9 +9,8 @@ import sys
 import threading
 import time
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "python"))
-import nezumi  # noqa: E402
-from mms_protocol import STEPS, FileWalls, Game, SeenWalls  # noqa: E402
+from client import nezumi
+from mms_protocol import STEPS, FileWalls, Game, SeenWalls
 
 LONGEST_MOVE = 20.0  # [s] for one that does not come to its end, and for each half cell a second more
 

@@ -126,14 +126,20 @@ class Accepted:
 
     def accept(self):
         """Takes all scenarios as they are now. Returns those that did not count before."""
-        before = self._read() if os.path.exists(self._path) else {}
+        try:
+            before = self._read()
+        except (OSError, Wrong):
+            before = {}
         now = self._project.scenarios()
         write_beside(self._path, json.dumps(now, indent=1, sort_keys=True).encode())
         return sorted(path for path, content in now.items() if before.get(path) != content)
 
     def _read(self):
         with open(self._path) as file:
-            return json.load(file)
+            try:
+                return dict(json.load(file))
+            except (ValueError, TypeError):
+                raise Wrong("%s is damaged: look at the scenarios, then `nezumi mcp --accept`" % self._path) from None
 
     def paths(self):
         accepted = self._read()

@@ -5,7 +5,7 @@ import os
 import re
 import time
 
-import nezumi
+from client import nezumi
 from rehearsal import Copy, Wrong
 
 PATH = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*|\[\d{1,6}\])*")

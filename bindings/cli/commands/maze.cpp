@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bindings/cli/base/environment.hpp"
@@ -75,9 +77,14 @@ std::string told(const Maze& maze, const std::vector<MazeCell>& way) {
     text.back() = '\n';
     if (maze.marked_goals.empty()) text.insert(text.size() - 1, " (not marked: the middle)");
     if (way.empty()) return text + "no way leads from the start to the goal\n";
+    if (way.size() == 1) return text + "shortest way: the start is a goal\n";
     int turns = 0;
     const std::string steps = steps_of(way, turns);
-    return text + fmt::format("shortest way: {} steps, {} turns: {}\n", way.size() - 1, turns, steps);
+    const auto count = [](std::size_t number, std::string_view what) {
+        return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+    };
+    return text + fmt::format("shortest way: {}, {}: {}\n", count(way.size() - 1, "step"),
+                              count(static_cast<std::size_t>(turns), "turn"), steps);
 }
 
 Expected<void> maze_to(const MazeOptions& options) {

@@ -197,6 +197,15 @@ class McpTest(unittest.TestCase):
         self.assertEqual(done.stdout, "now counts: tests/easy_test.lua\n")
         self.passed(agent.call("go_live", name="keeper"), "is live")
 
+    def test_a_damaged_list_of_scenarios_lets_nothing_go_live(self):
+        agent = self.agent()
+        self.passed(agent.call("write_behavior", name="keeper", text=KEEPER % "0.12"))
+        folder = os.path.join(self.home, "nezumi/agent")
+        [name] = [each for each in os.listdir(folder) if each.endswith(".scenarios.json")]
+        with open(os.path.join(folder, name), "w") as file:
+            file.write("[")
+        self.refused(agent.call("go_live", name="keeper"), "is damaged: .*--accept")
+
     def test_a_scenario_that_was_changed_counts_no_more(self):
         agent = self.agent()
         self.put("tests/keeper_test.lua", SCENARIO.replace("0.15", "9"))
