@@ -244,7 +244,7 @@ Json past_to_json(const RunningSystem& live) {
     return {{"branches", std::move(branches)},
             {"branch", history.current()},
             {"is_past", live.is_past()},
-            {"away", live.is_away()}};
+            {"away", live.is_away() ? live.back().branch : ""}};
 }
 
 }  // namespace

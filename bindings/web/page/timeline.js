@@ -69,7 +69,7 @@ export function make_timeline({ model, acts, tracks }) {
     told.textContent = T.past.of(seconds(at), seconds(end()));
     slider.setAttribute("aria-valuetext", told.textContent);
     marks.show(tracks.marks(name()), Number(slider.max));
-    const is_past = Boolean(past()?.is_past);
+    const is_past = Boolean(past()?.is_past || past()?.away);
     sign.hidden = now.hidden = !is_past && !(is_real() && held);
     sign.textContent = past()?.away ? T.past.is_away : T.past.is_past;
   });
@@ -100,7 +100,7 @@ export function make_timeline({ model, acts, tracks }) {
   now.onclick = () => {
     held = false;
     model.look_at(null);
-    if (!is_real()) acts.seek(name());
+    if (!is_real()) acts.seek(past()?.away || name());
     show();
   };
   tracks.on("track", (which) => {
