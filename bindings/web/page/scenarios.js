@@ -33,7 +33,15 @@ export function make_scenarios(parts) {
       notices.say(text || T.link.no_answer, "error");
     }
   };
+  const made = new Map();  // rows that are shown: a row is not made again under a person's pointer
   const row_of = (each) => {
+    const now = JSON.stringify([each, results.get(key(each))]);
+    if (made.get(key(each))?.now !== now) made.set(key(each), { now, node: make_row(each) });
+    const { node } = made.get(key(each));
+    node.querySelector(".run-one").disabled = is_running;
+    return node;
+  };
+  const make_row = (each) => {
     const { state = "", message = "", lines = [], folder = "" } = results.get(key(each)) ?? {};
     const open = el("button", { text: T.scenarios.open, title: T.scenarios.open_hint });
     open.onclick = () => open_failed(folder, open);
@@ -42,7 +50,7 @@ export function make_scenarios(parts) {
       el("span", { class: "sign", role: "img", "aria-label": T.scenarios.states[state], title: T.scenarios.states[state], text: SIGNS[state] }),
       el("b", { text: each.name }),
       el("button", { class: "quiet place", text: `${each.file}:${each.line}`, onclick: () => parts.open_file({ shown: each.file, line: each.line }) }),
-      el("button", { class: "acts", text: T.scenarios.run, "aria-label": T.scenarios.run_one(each.name), disabled: is_running, onclick: () => run(each) }),
+      el("button", { class: "acts run-one", text: T.scenarios.run, "aria-label": T.scenarios.run_one(each.name), onclick: () => run(each) }),
       folder && open, details);
   };
   const show = () => {
@@ -52,7 +60,8 @@ export function make_scenarios(parts) {
     const counts = ["passed", "failed"].map((state) => [...results.values()].filter((each) => each.state === state).length);
     told.textContent = is_running ? T.scenarios.running(counts[0] + counts[1]) : results.size > 0 ? T.scenarios.ended(...counts) : T.scenarios.count(listed.length);
     parts.layout?.badge("scenarios", counts[1]);
-    rows.replaceChildren(...(listed.length > 0 ? listed.map(row_of) : [el("p", { class: "empty", text: is_known ? T.scenarios.none : "" })]));
+    const nodes = listed.length > 0 ? listed.map(row_of) : [el("p", { class: "empty", text: is_known ? T.scenarios.none : "" })];
+    if (nodes.length !== rows.children.length || nodes.some((node, i) => node !== rows.children[i])) rows.replaceChildren(...nodes);
   };
   const list = async () => {
     if (!model.may_act) return;
