@@ -141,9 +141,9 @@ ActDoor RunningSystem::door() {
 }
 
 void RunningSystem::tick() {
-    if (away_ != nullptr) {
-        repeat_known();
-        if (!is_past() && history_.current() == away_->branch) come_back();
+    if (away_ != nullptr && history_.current() == away_->branch && !is_earlier(when(), away_->when)) {
+        // As an act, so that a journal has it before what arrives now.
+        static_cast<void>(act(back(), {Actor::Kind::run, ""}));
     }
     between_ticks();
     if (Network* network = running_->system->network()) {

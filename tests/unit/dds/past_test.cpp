@@ -2,6 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include "bindings/dds/network_maker.hpp"
+#include "bindings/journal/journal.hpp"
+#include "bindings/journal/replay.hpp"
 #include "bindings/lua/reload/lua_host.hpp"
 #include "engine/live/running_system.hpp"
 #include "tests/unit/dds/host_rig.hpp"
@@ -34,9 +36,7 @@ behavior "driver" { script = "driver" }
 connect("other/part.count", "driver.number")
 connect("driver.target", "other/part.target")
 )");
-        LiveOptions options;
-        options.scripts = &lua_scripts();
-        options.peer_words = peer_words();
+        LiveOptions options = alone();
         options.network = [this, lockstep](const SystemSpec&, System& system) -> Expected<std::unique_ptr<Network>> {
             HostSettings settings;
             settings.name = "here";
@@ -45,11 +45,19 @@ connect("driver.target", "other/part.target")
             settings.lockstep = lockstep;
             return std::make_unique<SystemNetwork>(system, *transport, std::move(settings));
         };
-        options.network_of_past = make_silent_networks();
         auto loaded = RunningSystem::load(file, std::move(options));
         if (!loaded) FAIL(describe(loaded.error()));
         live = std::move(*loaded);
+        journal = std::move(Journal::create(folder.path("run.journal")).value());
+        journal->begin(*live, "test", false);
         live->activate();
+    }
+    static LiveOptions alone() {
+        LiveOptions options;
+        options.scripts = &lua_scripts();
+        options.peer_words = peer_words();
+        options.network = options.network_of_past = make_silent_networks();
+        return options;
     }
     // Both hosts tick; the other one counts.
     void pass_both(int times) {
@@ -70,6 +78,7 @@ connect("driver.target", "other/part.target")
     HostRig other{room, "other"};
     Scratch folder;
     std::unique_ptr<RunningSystem> live;
+    std::unique_ptr<Journal> journal;
     std::int32_t counted = 0;
 };
 
@@ -159,6 +168,35 @@ TEST_CASE("a restart in the past is the present of other hosts", "[dds][network]
     it.pass_both(15);
     REQUIRE(!it.other.part->targets.empty());
     CHECK(it.other.part->targets.back().data.vx == 0.25);
+}
+
+TEST_CASE("the journal of a system that went back and came back to its hosts repeats that", "[dds][network][past]") {
+    HostWithPast it;
+    it.pass_both(40);
+    REQUIRE(it.act(Seek{.tick = 20}) == "");
+    it.pass_both(5);
+    REQUIRE(it.act(SetParameter{"driver", "speed", 0.5}) == "");
+    it.pass_both(10);
+    REQUIRE(it.act(it.live->back()) == "");
+    it.pass_both(10);
+    REQUIRE(it.act(Seek{.tick = 45}) == "");
+    it.pass_both(20);  // beyond what is known
+    CHECK_FALSE(it.live->is_away());
+    it.journal->end(RunEnd::duration, "", it.live->when(), it.live->trace_hash());
+    auto replay = Replay::read(it.folder.path("run.journal"), "test");
+    REQUIRE(replay);
+    auto again = (*replay)->load(HostWithPast::alone());
+    REQUIRE(again);
+    (*again)->activate();
+    for (;;) {
+        const auto more = (*replay)->before_tick(**again);
+        INFO((more ? "" : describe(more.error())));
+        REQUIRE(more);
+        if (!*more) break;
+        (*again)->tick();
+    }
+    CHECK((*again)->trace_hash() == it.live->trace_hash());
+    CHECK((*again)->history().branches().size() == 2);
 }
 
 TEST_CASE("hosts in lockstep do not go back", "[dds][network][past]") {
