@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::size_t first_round = 12;
 constexpr std::size_t most_corners = 8;
-constexpr std::size_t corners_of_many = 4;  // of more than three values: few of all corners, so each says less
-constexpr std::size_t latest_rounds = 2;    // lines that ran for the first time before them are old
 // How far below the mean of the model a point counts, in standard deviations: near the best ones, and where few are.
 constexpr double least_optimism = 0.0;
 constexpr double exploring_optimism = 2.0;
@@ -89,11 +87,12 @@ std::vector<SweepPoint> Search::next(std::size_t most) {
     return points;
 }
 
-// Corners: many failures are where values are least or greatest. With more than three values, a part of the corners, as
-// in a fractional factorial design (Box and Hunter 1961).
+// Corners: many failures are where values are least or greatest. With more than three values, a part of the corners in
+// which each pair of values has all four combinations (a fractional factorial design, Box and Hunter 1961), up to
+// seven values.
 std::vector<SweepPoint> Search::first_points(std::size_t count) {
     const std::size_t keys = sweep_.keys.size();
-    const std::size_t corners = keys < 3 ? std::size_t{1} << keys : keys == 3 ? most_corners : corners_of_many;
+    const std::size_t corners = keys < 3 ? std::size_t{1} << keys : most_corners;
     constexpr std::array<unsigned, 7> masks{1, 2, 4, 7, 3, 5, 6};
     const std::uint64_t flips = random_.next();
     const auto first = static_cast<unsigned>(random_.next_up_to(corners - 1));
@@ -184,7 +183,8 @@ SweepPoint Search::near_least() {
 }
 
 SweepPoint Search::near_new_lines() {
-    if (had_new_lines_.empty() || new_lines_in_ + latest_rounds < rounds_) return random_point();
+    if (had_new_lines_.empty()) return near_least();
+    // The latest ones: the lines of earlier ones have run more often.
     const std::size_t back = random_.next_up_to(std::min(best_ones, had_new_lines_.size()) - 1);
     return near(had_new_lines_[had_new_lines_.size() - 1 - back]);
 }
@@ -251,10 +251,7 @@ void Search::add(const SweepPoint& point, const RunResult& result) {
         if (margin.left) seen.margins.emplace(name + " left", *margin.left);
         if (margin.margin && !met && !margin.comparison.empty()) seen.margins.emplace(name, *margin.margin);
     }
-    if (is_new(result.coverage)) {
-        had_new_lines_.push_back(seen.place);
-        new_lines_in_ = rounds_;
-    }
+    if (is_new(result.coverage)) had_new_lines_.push_back(seen.place);
     seen_.push_back(std::move(seen));
 }
 

@@ -30,8 +30,8 @@ public:
 
     /// Chooses the points of the next round, at most so many. The first round has corners of the values, and random
     /// points. In later rounds, two points are where a model of one condition's margins after the other has its least
-    /// value, one is near the least margin so far, one near the ends of some values, one near a run that had new lines
-    /// lately, and one is random.
+    /// value, one is near the least margin so far, one near the ends of some values, one near a run that had new lines,
+    /// and one is random.
     std::vector<SweepPoint> next(std::size_t most);
 
     /// Adds the result of a run, in the order of the points of its round.
@@ -70,7 +70,6 @@ private:
     std::set<std::string> names_;                           // of all points
     std::set<std::pair<std::string, std::int64_t>> lines_;  // that have run: files, and lines or ways of branches
     std::vector<Shares> had_new_lines_;
-    std::size_t new_lines_in_ = 0;                        // the number of the latest round that had new lines
     std::vector<std::pair<Shares, std::string>> chosen_;  // of this round by models, with their conditions
     std::string condition_;                               // of `next_condition`
 };
