@@ -92,14 +92,15 @@ Expected<CommandEnd> command_break_at(Session::Parts& parts, const Arguments& ar
     const auto line = parts.at_system([&] { return std::optional(line_of(parts.live.system(), *place)); });
     if (!line) return failure("interrupted");
     if (!*line) return Unexpected((*line).error());
+    // Before the first execution is shown, which real robots may make at once.
+    parts.show(fmt::format("{} {}: {}   (unwatch() ends it)",
+                           parts.is_hardware ? "traces" : "stops after a tick that runs", text_of(*place), **line));
     parts.at_system([&] {
         std::erase_if(parts.breaks, [&](const LineBreak& each) { return text_of(each.place) == text_of(*place); });
         parts.breaks.push_back({.place = *place, .condition = std::move(condition)});
         watch_lines(parts);
         return true;
     });
-    parts.show(fmt::format("{} {}: {}   (unwatch() ends it)",
-                           parts.is_hardware ? "traces" : "stops after a tick that runs", text_of(*place), **line));
     return CommandEnd::done;
 }
 

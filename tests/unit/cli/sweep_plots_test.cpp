@@ -1,6 +1,7 @@
 // Measures over the parameters of a sweep: which plots there are, what they group, what they draw.
 #include "bindings/cli/test/sweep_plots.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -59,8 +60,8 @@ TEST_CASE("values that are no numbers stand side by side", "[cli][plot]") {
 
 TEST_CASE("a second parameter with few values gives a plot with a series for each", "[cli][plot]") {
     const auto plots = sweep_plots({run("0.1", "a", 1), run("0.2", "a", 2), run("0.2", "a", 4), run("0.1", "b", 5)});
-    std::vector<std::string> files;
-    for (const SweepPlot& plot : plots) files.push_back(plot.file);
+    std::vector<std::string> files(plots.size());
+    std::transform(plots.begin(), plots.end(), files.begin(), [](const SweepPlot& plot) { return plot.file; });
     CHECK(files == std::vector<std::string>{"drives-time-over-kind.svg", "drives-time-over-kind-by-speed.svg",
                                             "drives-time-over-speed.svg", "drives-time-over-speed-by-kind.svg"});
     const SweepPlot& by_kind = plots.at(3);
