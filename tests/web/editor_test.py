@@ -182,6 +182,18 @@ class Writing(EditorCase):
         self.assertEqual(self.page.all(".files .file"), [])
 
 
+    def test_without_codemirror_the_page_says_how_to_install_it(self):
+        self.page.driver.execute_cdp_cmd("Network.enable", {})
+        self.page.driver.execute_cdp_cmd("Network.setBlockedURLs", {"urls": ["*/lib/codemirror/*"]})
+        self.addCleanup(self.page.driver.execute_cdp_cmd, "Network.setBlockedURLs", {"urls": []})
+        self.open(text=SYSTEM, scripts={"guide": GUIDE})
+        self.page.view("editor")
+        self.page.until("document.querySelector('.editor').textContent.includes('sudo apt install libjs-codemirror')", "it says so")
+        self.page.view("plots")
+        self.page.until("document.querySelector('.plots select').options.length > 0", "the others work")
+        self.page.errors()
+
+
 class Help(EditorCase):
     def offers(self, *names, only=False):
         """Waits until these names are offered."""
