@@ -294,6 +294,39 @@ class Running(EditorCase):
         self.assertEqual(page.errors(), [])
 
 
+class Access(EditorCase):
+    CONTRAST = """
+        const channels = (text) => text.match(/[\\d.]+/g).map(Number);
+        const light = ([r, g, b]) => [r, g, b].map((each) => each / 255).map((each) => (each <= 0.04045 ? each / 12.92 : ((each + 0.055) / 1.055) ** 2.4))
+          .reduce((sum, each, i) => sum + each * [0.2126, 0.7152, 0.0722][i], 0);
+        const behind = (node) => {
+          for (let at = node; at; at = at.parentElement) {
+            const color = channels(getComputedStyle(at).backgroundColor);
+            if (color.length === 3 || color[3] > 0.9) return color;
+          }
+          return [255, 255, 255];
+        };
+        return [...document.querySelectorAll(arguments[0])].filter((each) => each.offsetParent && each.textContent.trim()).map((each) => {
+          const [one, other] = [light(channels(getComputedStyle(each).color)), light(behind(each))];
+          return [each.className || each.tagName, each.textContent.slice(0, 20), (Math.max(one, other) + 0.05) / (Math.min(one, other) + 0.05)];
+        }).filter(([, , ratio]) => ratio < 4.5);"""
+
+    def test_everything_has_a_name_and_is_readable_in_light_and_dark(self):
+        self.begin()
+        page = self.page
+        self.addCleanup(page.resize, *self.size)
+        self.put(8, 1, "  owt:write {} -- a comment\n")
+        page.until("document.querySelector('.finding-row')", "it is found", 60)
+        without_name = page.js("return [...document.querySelectorAll('.editor button, .editor input, .editor select, .scenarios button')]"
+                               ".filter((each) => each.offsetParent && !each.textContent.trim() && !each.getAttribute('aria-label')).map((each) => each.outerHTML)")
+        self.assertEqual(without_name, [])
+        seen = ".editor h2, .editor h3, .file span, .finding-row b, .finding-row span, .CodeMirror-linenumber, .cm-keyword, .cm-string, .cm-number, .cm-comment, .cm-builtin, .finding-sign"
+        self.assertEqual(page.js(self.CONTRAST, seen), [])
+        page.resize(1500, 950, dark=True)
+        page.until("getComputedStyle(document.documentElement).colorScheme === 'dark'", "it is dark")
+        rig.wait_until(lambda: page.js(self.CONTRAST, seen) == [], lambda: "%s is readable" % page.js(self.CONTRAST, seen))  # colours change slowly
+
+
 class OnPhone(EditorCase):
     size = (390, 844)
 
