@@ -155,7 +155,7 @@ Expected<Descriptor> EditedFiles::open_folder_of(const std::string& path, bool m
     return folder;
 }
 
-Expected<MarkedText> EditedFiles::read(const std::string& name) const {
+Expected<EditedText> EditedFiles::read(const std::string& name) const {
     if (auto ok = check_name(name); !ok) return Unexpected(ok.error());
     const auto folder = open_folder_of(name, false);
     if (!folder) return failure(folder.error().message, {name});
@@ -163,7 +163,7 @@ Expected<MarkedText> EditedFiles::read(const std::string& name) const {
     if (!text) return failure(text.error().message, {name});
     if (!*text) return failure("there is no such file", {name});
     std::string mark = mark_of(**text);
-    return MarkedText{std::move(**text), std::move(mark)};
+    return EditedText{std::move(**text), std::move(mark)};
 }
 
 Expected<SavedText> EditedFiles::write(const std::string& name, const std::string& text,
@@ -178,7 +178,7 @@ Expected<SavedText> EditedFiles::write(const std::string& name, const std::strin
     const auto mark = [](const std::optional<std::string>& of) { return of ? mark_of(*of) : ""; };
     const auto refuse = [&] {
         SavedText refused{.is_refused = true};
-        if (*present) refused.present = MarkedText{**present, mark(*present)};
+        if (*present) refused.present = EditedText{**present, mark(*present)};
         return refused;
     };
     if (mark(*present) != before) return refuse();

@@ -15,7 +15,7 @@
 namespace nezumi::web {
 
 /// A text, and a mark that differs for another text.
-struct MarkedText {
+struct EditedText {
     std::string text;
     std::string mark;
 };
@@ -28,7 +28,7 @@ struct SavedText {
     /// The file is not the one that was read before: nothing was written.
     bool is_refused = false;
     /// Then its present text; nothing if the file is gone.
-    std::optional<MarkedText> present{};
+    std::optional<EditedText> present{};
     /// Otherwise the mark of the written text.
     std::string mark{};
     /// Why no version was kept in the history; "" if it was.
@@ -60,7 +60,7 @@ public:
 
     /// All files, sorted; at most `most_files`.
     std::vector<std::string> names() const;
-    Expected<MarkedText> read(const std::string& name) const;
+    Expected<EditedText> read(const std::string& name) const;
     /// Writes the whole file or nothing: it is on the disk when this returns. `before` is the mark of the text that the
     /// writer has read, "" for a new file; if the file has another text now, nothing is written.
     Expected<SavedText> write(const std::string& name, const std::string& text, const std::string& before) const;

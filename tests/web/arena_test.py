@@ -81,6 +81,26 @@ class Arena(rig.PageCase):
         self.assertIn("-- the table", self.on_disk())
         self.assertNotIn("{ 0.6, 0.3 }", self.on_disk())
 
+    def test_a_thing_is_dragged_by_a_finger_on_a_phone(self):
+        page = self.page
+        self.addCleanup(page.resize, *self.size)
+        page.resize(390, 844)
+        self.begin()
+        page.press("Top")
+        self.choose("box 1")
+        pixel = page.until("document.querySelector('.world canvas').dataset.chosen", "it is chosen")
+        left, top = page.js("const box = document.querySelector('.world canvas').getBoundingClientRect(); return [box.left, box.top]")
+        x, y = (each + edge for each, edge in zip((float(each) for each in pixel.split(",")), (left, top)))
+
+        def touch(kind, *points):
+            page.driver.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x + dx, "y": y} for dx in points]})
+        touch("touchStart", 0)
+        for dx in (-8, -16, -24):
+            touch("touchMove", dx)
+        touch("touchEnd")
+        rig.wait_until(lambda: self.on_disk() != ROOM, lambda: "the file changes: %s" % page.text(".arena-tools [role=status]"))
+        self.assertIn("-- the table", self.on_disk())
+
     def test_things_and_robots_are_added_and_removed(self):
         self.begin()
         page = self.page

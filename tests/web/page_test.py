@@ -146,6 +146,16 @@ class Words(rig.PageCase):
         page.until("[...document.querySelector('.plots select').options].some((each) => each.value === 'controller.out')", "all are offered again")
 
 
+    def test_ports_with_data_are_offered_first(self):
+        self.open(text=APART)
+        page = self.page
+        page.view("plots")
+        page.until("document.querySelector('.plots optgroup:last-child')?.label === 'no data yet'", "the others are apart")
+        groups = page.js("return [...document.querySelectorAll('.plots optgroup')].map((each) => [each.label, [...each.children].map((one) => one.value)])")
+        self.assertIn("mouse.ir_sensor_out", dict(groups)["mouse"])
+        self.assertIn("mouse.target_velocity_in", dict(groups)["no data yet"])
+
+
 class Messages(rig.PageCase):
     """Types that files define."""
 

@@ -6,6 +6,7 @@ import sys
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import editor_test
 import rig
 import rtcs_test
 
@@ -40,6 +41,18 @@ def take_rtcs(nezumi, page, folder):
         for each in started:
             each.kill()
         shutil.rmtree(data, ignore_errors=True)
+
+
+def take_editor(nezumi, page, folder):
+    system = rig.System(nezumi, text=editor_test.SYSTEM, scripts={"guide": editor_test.GUIDE, "lib/tools": "return { a = 1 }\n"})
+    try:
+        page.open(system.url)
+        page.view("editor")
+        page.press("Values")
+        page.until("document.querySelectorAll('.line-values').length > 2", "values are shown")
+        save(page, folder, "editor", ".stage")
+    finally:
+        system.end()
 
 
 def take(nezumi, folder):
@@ -85,6 +98,7 @@ def take(nezumi, folder):
         page.keys().move_to_element(page.find(".port[data-port='mouse.ir_sensor_out'] .dot")).perform()
         save(page, folder, "system", ".stage")
 
+        take_editor(nezumi, page, folder)
         take_rtcs(nezumi, page, folder)
 
         page.open(stick.url)

@@ -9,8 +9,11 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
+#include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/base/version.hpp"
@@ -60,7 +63,7 @@ std::map<std::string, std::vector<std::string>> names_of_files() {
     const auto add = [&](LuaKind kind, const auto& words) {
         std::vector<std::string>& all = names[std::string(kind_name(kind))];
         if (all.empty()) {
-            const KnownGlobals library = sandbox_globals();
+            const KnownGlobals& library = sandbox_globals();
             all.assign(library.readable.begin(), library.readable.end());
         }
         all.insert(all.end(), words.begin(), words.end());
@@ -69,6 +72,7 @@ std::map<std::string, std::vector<std::string>> names_of_files() {
     add(LuaKind::behavior, hook_names());
     add(LuaKind::module, std::vector<std::string>{"require"});
     add(LuaKind::system, system_word_names(peer_words()));
+    add(LuaKind::robot, std::vector<std::string>{"robot_model"});
     add(LuaKind::scenario, std::vector<std::string>{"scenario", "range"});
     return names;
 }

@@ -29,7 +29,8 @@ export function make_breaks(editor, parts) {
     if (is_there) here.delete(handle);
     else here.add(handle);
     show();
-    editor.say(is_there ? T.editor.no_break(line + 1) : T.editor.break_at(line + 1));
+    if (is_there) editor.say(T.editor.no_break(line + 1));
+    else if (!stopped) editor.say(T.editor.break_at(line + 1));  // time may have paused there already
   };
   const leave = () => {
     stopped?.doc.removeLineClass(stopped.handle, "background", "stopped-line");

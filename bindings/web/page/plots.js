@@ -9,6 +9,8 @@ const WINDOW = 60;  // s shown
 const MOST_ROWS = 12000;
 const STEP = 0.04;  // s between two rows
 const MOST_FIELDS = 12;
+const SURVEY = 700;  // ms
+const MOST_SURVEYED = 200;
 
 /// The data of a plot: rows [time, value of the first field, ...], null without a value.
 class Recording {
@@ -212,14 +214,26 @@ function make_chooser(plots, { model }) {
     add.disabled = paths.length === 0;
   });
   let all = [];
-  /// The ports whose names have all words that are searched, grouped by component.
+  let with_data = new Set();
+  /// Looks once at everything, to show first what has data.
+  const survey = () => {
+    model.watch("plot survey", model.wanted(all.slice(0, MOST_SURVEYED)));
+    setTimeout(() => {
+      with_data = new Set(all.filter((name) => model.values.get(name)?.count > 0 && numbers_in(model.values.get(name).value).length > 0));
+      model.watch("plot survey", null);
+      fill();
+    }, SURVEY);
+  };
+  /// The ports whose names have all words that are searched, grouped by component; those with data come first.
   const fill = () => {
     const words = search.value.toLowerCase().split(/[\s.]+/).filter(Boolean);
     const names = all.filter((name) => words.every((word) => name.toLowerCase().includes(word)));
     const before = port.value;
-    const owners = [...new Set(names.map((name) => name.split(".")[0]))];
-    port.replaceChildren(...owners.map((owner) => el("optgroup", { label: owner },
-      ...names.filter((name) => name.startsWith(`${owner}.`)).map((name) => el("option", { value: name, text: name })))));
+    const groups = new Map();  // label: names
+    const add_to = (label, name) => groups.set(label, [...groups.get(label) ?? [], name]);
+    for (const name of names.filter((each) => with_data.has(each))) add_to(name.split(".")[0], name);
+    for (const name of names.filter((each) => !with_data.has(each))) add_to(with_data.size > 0 ? T.plots.without_data : name.split(".")[0], name);
+    port.replaceChildren(...[...groups].map(([label, those]) => el("optgroup", { label }, ...those.map((name) => el("option", { value: name, text: name })))));
     if (names.includes(before)) port.value = before;
     if (port.value !== before || field.children.length === 0) look();
   };
@@ -234,7 +248,10 @@ function make_chooser(plots, { model }) {
     fill();
   });
   search.oninput = () => fill();
-  return { nodes: [search, port, field, add], look, stop: () => model.watch("plot chooser", null) };
+  return { nodes: [search, port, field, add], look: () => {
+    look();
+    survey();
+  }, stop: () => model.watch("plot chooser", null) };
 }
 
 export function make_plots(parts) {

@@ -100,7 +100,7 @@ const EN = {
   states: { INACTIVE: "inactive", ACTIVE: "active", ERROR: "error", CREATED: "created", REMOTE: "on another host",
     UNKNOWN: "without a state", SILENT: "does not answer", GONE: "gone", UNASKED: "not asked", MISSING: "not there" },
 
-  plots: { add: "Add a field", search: "Search", port: "Port", field: "Field", plot: "Plot", pause: "Pause", resume: "Resume", csv: "CSV",
+  plots: { add: "Add a field", search: "Search", without_data: "no data yet", port: "Port", field: "Field", plot: "Plot", pause: "Pause", resume: "Resume", csv: "CSV",
     svg: "SVG", clear: "Clear", remove: (name) => `Remove ${name}`, empty: "Choose a port and one of its numbers.",
     zoom_out: "Last minute", before: (name) => `${name}, before`, time: "time [s]", no_fields: "no message yet", zoom: "Drag across the plot to zoom; double-click shows all." },
 
@@ -164,7 +164,7 @@ const EN = {
     clear: "Clear", follow: "Newest", empty: "Nothing yet.", count: (n) => (n === 1 ? "1 line" : `${n} lines`) },
 
   failed: (what, text) => (text ? text : `${what} failed.`),
-  missing: (library) => `Debian's package ${library} is not installed where the engine runs: this view needs it.`,
+  missing: (library) => `Debian's package ${library} is not installed where the engine runs: this view needs it. There, type: sudo apt install ${library}`,
   close: "Close",
   cancel: "Cancel",
 };
