@@ -176,9 +176,6 @@ arena { maze { 'mazes/first.txt', rows = {} } }
 arena { maze { 'mazes/first.txt', generate = {} } }
 --                                ^ error: maze: field 'generate' is for a maze without a file
 
-arena { maze 'mazes/frist.txt' }
--- error: maze: there is no file 'mazes/frist.txt'
-
 arena { maze(5) }
 -- error: maze: expected a table, got number
 

@@ -89,6 +89,7 @@ const std::map<std::string, std::string> values{
     {"maze.rows", "{ '+--+--+', '|     |', '+--+--+' }"},
     {"maze.generate", "{ columns = 3, rows = 3 }"},
     {"maze.at", "{ 0.5, 0.25 }"},
+    {"maze.thickness", "0.02"},
     {"maze_plan.columns", "3"},
     {"maze_plan.rows", "3"},
     {"maze_plan.seed", "9"},
