@@ -137,8 +137,7 @@ Expected<Calibration> read_calibration_text(std::string_view text, const std::st
     if (auto ran = (*file)->run(text, shown, {{"calibration", CalibrationReader::word, &reader}}); !ran)
         return Unexpected(ran.error());
     if (!reader.calibration)
-        return failure("the file has no `calibration { ... }`: make it again with nezumi calibrate",
-                       {shown});
+        return failure("the file has no `calibration { ... }`: make it again with nezumi calibrate", {shown});
     return std::move(*reader.calibration);
 }
 

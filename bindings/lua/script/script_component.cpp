@@ -128,9 +128,10 @@ Expected<ScriptComponent::Version> ScriptComponent::prepare(const Loading& loadi
     auto state = script_->take_state(dropped);
     if (!state)
         return failure(
-            fmt::format("the new version can't take over the state, so the old version continues: {}. Keep less in state, or "
-                        "restart() the system",
-                        state.error().message),
+            fmt::format(
+                "the new version can't take over the state, so the old version continues: {}. Keep less in state, or "
+                "restart() the system",
+                state.error().message),
             state.error().place);
     describe_dropped(dropped, next.warnings);
 

@@ -77,7 +77,8 @@ TEST_CASE("no wheel turns unless somebody is there to see it", "[cli][doctor][sa
     write_mouse(machine);
     const Outcome outcome = doctor(machine, {"--move"});
     CHECK(outcome.status == 2);
-    CHECK(outcome.error == "nezumi: a person must stand beside the robot: run this command in a terminal, or add --yes\n");
+    CHECK(outcome.error ==
+          "nezumi: a person must stand beside the robot: run this command in a terminal, or add --yes\n");
     const Scratch nothing;
     const Outcome no_robot = doctor(nothing, {"--move", "--yes"});
     CHECK(no_robot.status == 2);

@@ -89,7 +89,7 @@ TEST_CASE("tables of a port are read-only, and the error says what to do", "[lua
             if (!member.called) tables += it.tables_of(fmt::format("{}.{}", port, member.name));
         }
     }
-    CHECK(tables == 4);
+    CHECK(tables == 6);
     CHECK(it.tables_of("mouse.current_pose_out.value") == 2);
     const std::string says = "is a copy: write controller.out:write(value), or hold it by controller.out:hold(value)";
     CHECK(it.run("controller.ports.out.value.vx = 3") ==
