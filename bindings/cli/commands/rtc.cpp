@@ -54,8 +54,10 @@ Expected<SourceText> read_behavior(const std::string& given) {
 int write_profile(const std::string& given) {
     const auto source = read_behavior(given);
     if (!source) return refuse(source.error());
+    const Project project = Project::of(source->path, installed_folders());
     ScriptContext context{.component = "component"};
-    context.find_module = modules_of(Project::of(source->path, installed_folders()));
+    context.find_module = modules_of(project);
+    context.find_message = messages_of(project);
     const auto script = Script::load(*source, std::move(context));
     if (!script) return refuse(script.error());
     const auto profile = profile_of(**script);
