@@ -14,13 +14,21 @@
 namespace nezumi::openrtm {
 namespace {
 
+// The reverse of how a profile's types are read: "TimedLong" is "RTC::TimedLong", "Img/CameraImage" "Img::CameraImage".
+std::string idl_type_of(const std::string& type) {
+    if (type.find('/') == std::string::npos) return "RTC::" + type;
+    std::string name;
+    for (const char c : type) name += c == '/' ? "::" : std::string(1, c);
+    return name;
+}
+
 void write_port(const ProfilePort& port, pugi::xml_node root) {
     const bool is_in = port.direction == Direction::in;
     pugi::xml_node node = root.append_child("rtc:DataPorts");
     node.append_attribute("xsi:type") = "rtcExt:dataport_ext";
     node.append_attribute("rtc:portType") = is_in ? "DataInPort" : "DataOutPort";
     node.append_attribute("rtc:name") = port.name.c_str();
-    node.append_attribute("rtc:type") = ("RTC::" + port.type).c_str();
+    node.append_attribute("rtc:type") = idl_type_of(port.type).c_str();
     for (const char* empty :
          {"rtc:idlFile", "rtc:interfaceType", "rtc:dataflowType", "rtc:subscriptionType", "rtc:unit"})
         node.append_attribute(empty) = "";
