@@ -279,20 +279,22 @@ PeerMessage read_peer(Fields& fields, const Json& json, const PartReader& parts)
         if (text->empty()) fields.wrong(name, "a text");
     }
     if (what == "configure") {
-        const Json* value = fields.find("value");
-        if (value == nullptr || value->is_null()) {
-            fields.wrong("value", "a number, a text, true, false, or an array");
-            return {};
-        }
         const auto set = act_from_json(
             "SetParameter",
-            Json{{"component", message.request.name}, {"parameter", fields.text("parameter")}, {"value", *value}},
+            Json{{"component", message.request.name}, {"parameter", fields.text("parameter")}, {"value", json.value("value", Json())}},
             parts);
         if (!set) {
             fields.refuse(set.error().message);
             return {};
         }
         const auto& given = std::get<SetParameter>(*set);
+        const Type& single = given.value.type().single();
+        const bool is_plain = single.is_integer() || single.is_floating() || single.kind == Type::Kind::boolean ||
+                              single.kind == Type::Kind::text;
+        if (!is_plain) {
+            fields.wrong("value", "a number, a text, a truth value, or a list of one kind of them");
+            return {};
+        }
         message.request.values.emplace(given.parameter, given.value);
     }
     Json shown = json;
