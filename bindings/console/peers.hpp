@@ -21,11 +21,14 @@ struct PeerRequest {
         configure,  ///< sets values of the configuration set in use
         exit,       ///< ends the component
         forget,     ///< removes the name of a component that is gone
+        connect,    ///< connects two ports of other programs
+        disconnect,
     };
     What what = What::look;
     std::string name{};  ///< without "rtm:"; "": all
     std::string set{};
     ParameterValues values{};
+    std::string from{}, to{};  ///< for `connect` and `disconnect`: "ConsoleIn0.out", without "rtm:"
 };
 
 /// Sends a request between two ticks, without waiting. The future gives the text to show, or the error.

@@ -142,20 +142,23 @@ struct PeerSnapshot {
         std::string name{};  ///< "out"
         std::string type{};  ///< "TimedLong"; "" if it is not a data port
         bool is_in = false;
-        int connections = 0;
+        std::vector<std::string> connections{};  ///< their ids, the same at both ends
+        std::string path{};                      ///< "controller.in" if it is a port of ours
     };
     std::string name{};  ///< "pc.host_cxt/ConsoleOut0"
+    bool is_ours = false;
     std::string type{};
     State state = State::unknown;
     std::vector<Port> ports{};
     std::string set{};                                  ///< the active configuration set; "" if none
-    std::vector<std::pair<std::string, Texts>> sets{};  ///< empty in a list of all RTCs
+    std::vector<std::pair<std::string, Texts>> sets{};  ///< empty in a list that is not whole
 };
 
 /// A question about all RTCs or one of them, or a request to one.
 struct PeerQuestion {
     std::string name{};                   ///< as in connections; "": all of them
     std::optional<RtcRequest> request{};  ///< the request, without its `component`; "" is the active set
+    bool is_whole = false;                ///< of all: with the configuration of each, and what is ours is marked
 };
 
 struct PeerAnswer {

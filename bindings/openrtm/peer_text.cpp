@@ -47,9 +47,10 @@ std::string port_lines(const PeerSnapshot& peer) {
     }
     for (const PeerSnapshot::Port& port : peer.ports) {
         const std::string_view direction = port.type.empty() ? "" : port.is_in ? "in" : "out";
-        const std::string connected = port.connections == 0   ? "not connected"
-                                      : port.connections == 1 ? "1 connection"
-                                                              : fmt::format("{} connections", port.connections);
+        const std::size_t count = port.connections.size();
+        const std::string connected = count == 0   ? "not connected"
+                                      : count == 1 ? "1 connection"
+                                                   : fmt::format("{} connections", count);
         text += fmt::format("\n  {:3} {:{}}  {:{}}  {}", direction, one_line(port.name), name_width,
                             port.type.empty() ? service : std::string_view(port.type), type_width, connected);
     }

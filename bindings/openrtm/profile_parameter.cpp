@@ -192,6 +192,8 @@ void keep_valid(ParameterSpec& spec, std::vector<std::string>& remarks) {
 
 }  // namespace
 
+std::optional<Value> zero_of_rtc_type(std::string_view name) { return value_like(named_type(name)); }
+
 std::optional<ParameterSpec> read_parameter(const pugi::xml_node& configuration, std::vector<std::string>& remarks) {
     ParameterSpec spec;
     spec.name = attribute_of(configuration, "name");
@@ -200,7 +202,7 @@ std::optional<ParameterSpec> read_parameter(const pugi::xml_node& configuration,
     };
     const std::string_view type_name = attribute_of(configuration, "type");
     const std::string_view text = attribute_of(configuration, "defaultValue");
-    const auto like = value_like(named_type(type_name));
+    const auto like = zero_of_rtc_type(type_name);
     if (!like) remark(fmt::format("its type '{}' is unknown and becomes a text", shown(type_name)));
     spec.initial = like.value_or(Value(std::string()));
     if (auto value = value_in(text, spec.initial)) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/components/parameter.hpp"
@@ -13,6 +14,9 @@ namespace nezumi::openrtm {
 /// Reads a `Configuration` element. The result is a valid declaration, but for its name. What of it can't be used is
 /// added to `remarks`; nothing if no part of it can.
 std::optional<ParameterSpec> read_parameter(const pugi::xml_node& configuration, std::vector<std::string>& remarks);
+
+/// The zero value of a type as RTCBuilder and RTCs name it: "double", "std::vector<long>"; nothing for an unknown one.
+std::optional<Value> zero_of_rtc_type(std::string_view name);
 
 /// Adds a `Configuration` element.
 void write_parameter(const ParameterSpec& spec, pugi::xml_node configuration_set);

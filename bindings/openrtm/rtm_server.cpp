@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "bindings/openrtm/host_context.hpp"
 #include "bindings/openrtm/peer_text.hpp"
+#include "bindings/openrtm/peers_json.hpp"
 #include "bindings/openrtm/rtm_word.hpp"
 #include "engine/values/cdr.hpp"
 
@@ -340,6 +342,15 @@ std::future<Expected<std::string>> RtmServer::ask(PeerQuestion question) {
     const auto promise = std::make_shared<std::promise<Expected<std::string>>>();
     orb_->ask(std::move(question), [promise](const PeerQuestion& asked, const PeerAnswer& answer) {
         promise->set_value(told_of_peers(asked, answer));
+    });
+    return promise->get_future();
+}
+
+std::future<std::string> RtmServer::look() {
+    const auto promise = std::make_shared<std::promise<std::string>>();
+    orb_->ask({.is_whole = true}, [this, promise](const PeerQuestion& /*asked*/, const PeerAnswer& answer) {
+        promise->set_value(peers_to_json(answer, own_context()));
+        if (host_.wake) host_.wake();
     });
     return promise->get_future();
 }

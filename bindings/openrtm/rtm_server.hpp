@@ -74,6 +74,8 @@ public:
     /// Asks about RTCs of other programs, or makes a request to one; the answer is text for people. Does not wait. The
     /// end of the server answers open questions.
     std::future<Expected<std::string>> ask(PeerQuestion question);
+    /// Asks about all RTCs; the answer is JSON for the page. As `ask` otherwise.
+    std::future<std::string> look();
 
     std::uint64_t malformed() { return inbox_.malformed(); }
     std::uint64_t dropped() { return inbox_.dropped(); }

@@ -15,6 +15,7 @@ struct Watch {
     std::vector<std::string> ports{};  ///< "name.port"
     bool truth = false;                ///< poses of robots
     bool rays = false;
+    bool peers = false;                   ///< components of other programs
     std::vector<std::string> pictures{};  ///< "name.port"
     std::vector<std::string> members{};   ///< "mouse.truth", "controller.probes", "controller.state"
     bool operator==(const Watch&) const = default;

@@ -160,6 +160,7 @@ void Hub::watch_anew() {
         all.members.insert(all.members.end(), client.watch.members.begin(), client.watch.members.end());
         all.truth = all.truth || client.watch.truth;
         all.rays = all.rays || client.watch.rays;
+        all.peers = all.peers || client.watch.peers;
     }
     remove_doubles(all.ports);
     remove_doubles(all.pictures);

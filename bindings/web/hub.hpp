@@ -73,7 +73,7 @@ public:
     /// admitted after it.
     void end(const std::string& text);
     /// Like `send_all`, but of each `slot` only the latest text counts; new browsers get it too.
-    enum class Slot { system, status };
+    enum class Slot { system, status, peers };
     void show(Slot slot, std::string text);
     /// Sets the picture file of the floor ("" for none), which browsers can request. The sockets' thread reads it.
     void show_floor(std::string file);

@@ -103,6 +103,7 @@ Watch read_watch(Fields& fields) {
     return {.ports = fields.texts("ports"),
             .truth = fields.flag("truth"),
             .rays = fields.flag("rays"),
+            .peers = fields.flag("peers"),
             .pictures = fields.texts("pictures"),
             .members = fields.texts("members")};
 }
@@ -173,6 +174,57 @@ ConsoleMessage read_console(Fields& fields) {
     return {.line = to_line(*request), .shown = evaluates ? cut(request->text) : ""};
 }
 
+constexpr std::array<std::pair<std::string_view, PeerRequest::What>, 9> peer_verbs{
+    {{"activate", PeerRequest::What::activate},
+     {"deactivate", PeerRequest::What::deactivate},
+     {"reset", PeerRequest::What::reset},
+     {"use", PeerRequest::What::use},
+     {"configure", PeerRequest::What::configure},
+     {"exit", PeerRequest::What::exit},
+     {"forget", PeerRequest::What::forget},
+     {"connect", PeerRequest::What::connect},
+     {"disconnect", PeerRequest::What::disconnect}}};
+
+PeerMessage read_peer(Fields& fields, const Json& json, const PartReader& parts) {
+    const std::string what = fields.text("what");
+    const auto* const verb =
+        std::find_if(peer_verbs.begin(), peer_verbs.end(), [&](const auto& each) { return each.first == what; });
+    if (verb == peer_verbs.end()) {
+        std::vector<std::string_view> names;
+        for (const auto& [name, number] : peer_verbs) names.push_back(name);
+        fields.wrong("what", fmt::format("one of {}", fmt::join(names, ", ")));
+        return {};
+    }
+    PeerMessage message{.request = {.what = verb->second}};
+    const bool is_of_ports = what == "connect" || what == "disconnect";
+    for (auto [name, text] : {std::pair{"name", &message.request.name}, std::pair{"set", &message.request.set},
+                              std::pair{"from", &message.request.from}, std::pair{"to", &message.request.to}}) {
+        const bool is_needed = is_of_ports
+                                   ? text == &message.request.from || text == &message.request.to
+                                   : text == &message.request.name || (what == "use" && text == &message.request.set);
+        if (!is_needed) continue;
+        *text = fields.text(name);
+        if (text->empty()) fields.wrong(name, "a text");
+    }
+    if (what == "configure") {
+        const auto set = act_from_json("SetParameter",
+                                       Json{{"component", message.request.name},
+                                            {"parameter", fields.text("parameter")},
+                                            {"value", json.value("value", Json())}},
+                                       parts);
+        if (!set) {
+            fields.refuse(set.error().message);
+            return {};
+        }
+        const auto& given = std::get<SetParameter>(*set);
+        message.request.values.emplace(given.parameter, given.value);
+    }
+    Json shown = json;
+    for (const char* known : {"do", "id", "what"}) shown.erase(known);
+    message.shown = cut(what + " " + dump_ascii(shown));
+    return message;
+}
+
 }  // namespace
 
 tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const PartReader& parts) {
@@ -213,8 +265,10 @@ tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const 
         message.body = SystemsMessage{};
     } else if (what == "explain") {
         message.body = ExplainMessage{fields.text("component")};
+    } else if (what == "peer") {
+        message.body = read_peer(fields, json, parts);
     } else {
-        fields.wrong("do", "one of watch, act, stop, rearm, time, drive, console, floor, explain, systems");
+        fields.wrong("do", "one of watch, act, stop, rearm, time, drive, console, floor, explain, systems, peer");
     }
     if (!fields.problem().empty()) return refuse(fields.problem());
     return message;

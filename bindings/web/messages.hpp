@@ -7,6 +7,7 @@
 #include <string_view>
 #include <variant>
 
+#include "bindings/console/peers.hpp"
 #include "bindings/web/changes.hpp"
 #include "engine/base/error.hpp"
 #include "engine/live/script_host.hpp"
@@ -40,6 +41,11 @@ struct ConsoleMessage {
 struct ExplainMessage {
     std::string component;
 };
+/// A request to a component of another program.
+struct PeerMessage {
+    PeerRequest request;
+    std::string shown;  ///< for the log
+};
 /// Requests the picture of the floor.
 struct FloorMessage {};
 
@@ -49,7 +55,7 @@ struct SystemsMessage {};
 struct BrowserMessage {
     std::int64_t id = 0;  ///< chosen by the page; the answer has the same id
     std::variant<Watch, ActMessage, TimeMessage, DriveMessage, ConsoleMessage, FloorMessage, ExplainMessage,
-                 SystemsMessage>
+                 SystemsMessage, PeerMessage>
         body{};
 };
 

@@ -245,6 +245,8 @@ Json system_to_json(const RunningSystem& live) {
     for (const std::string& name : tree.children()) json["components"].push_back(component_to_json(*tree.child(name)));
     for (const ConnectionSpec& connection : system.connections())
         json["connections"].push_back({{"from", connection.from}, {"to", connection.to}});
+    for (const ConnectionSpec& connection : system.foreign_connections())
+        json["connections"].push_back({{"from", connection.from}, {"to", connection.to}});
     json["arena"] = arena_to_json(live.spec().arena, system.world());
     json["robots"] = Json::array();
     for (const Robot* robot : system.robots()) json["robots"].push_back(robot_to_json(*robot));
@@ -281,6 +283,8 @@ std::uint64_t system_fingerprint(const RunningSystem& live) {
             for (const OutPortBase* source : port->sources()) mix(reinterpret_cast<std::uintptr_t>(source));
         }
     }
+    for (const ConnectionSpec& connection : system.foreign_connections())
+        mix(std::hash<std::string>{}(connection.from + " " + connection.to));
     if (system.network() != nullptr) mix(std::hash<std::string>{}(hosts_to_json(system).dump()));
     for_each_port(system, [&](const Component& component, const Port& port) {
         mix(static_cast<std::uint64_t>(port.override()));

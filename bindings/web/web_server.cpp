@@ -52,6 +52,8 @@ WebServer::WebServer(RunningSystem& live, ClockControl& clock, ConsoleServer& co
                  hub_.send(client, fmt::format(R"({{"is":"console","event":{}}})", line), true);
              }),
       seeks_(live, clock,
+             [this](ClientId client, std::int64_t id, const Expected<void>& done) { answer(client, id, done); }),
+      peers_(options.peers,
              [this](ClientId client, std::int64_t id, const Expected<void>& done) { answer(client, id, done); }) {}
 
 Expected<std::unique_ptr<WebServer>> WebServer::open(RunningSystem& live, ClockControl& clock, ConsoleServer& consoles,
@@ -113,6 +115,10 @@ bool WebServer::serve(Clock::time_point until, double late) {
     if (hub_.has_clients()) {
         describe_system(now);
         show(late, now);
+    }
+    if (auto news = peers_.serve(peers_.is_due(now) && hub_.has_clients() && hub_.wanted().peers, now)) {
+        hub_.show(Hub::Slot::peers, std::move(*news));
+        sockets_->wake();
     }
     explain();
     return seeks || dealt_ < waiting_.size();
@@ -189,6 +195,10 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
         if (!trace) return Unexpected(trace.error());
         explained_.push_back({client, wanted->component, *trace, live_.generation()});
         return Reply::now;
+    }
+    if (const auto* peer = std::get_if<PeerMessage>(&message.body)) {
+        note(browser, peer->shown);
+        return replied(peers_.ask(client, message.id, peer->request), Reply::later);
     }
     if (const auto* time = std::get_if<TimeMessage>(&message.body)) {
         if (time->what == TimeMessage::What::restart) return restart(client, message.id, browser);

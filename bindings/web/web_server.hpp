@@ -13,6 +13,7 @@
 #include "bindings/web/console_relay.hpp"
 #include "bindings/web/drives.hpp"
 #include "bindings/web/hub.hpp"
+#include "bindings/web/peer_desk.hpp"
 #include "bindings/web/pictures.hpp"
 #include "bindings/web/seeks.hpp"
 #include "bindings/web/sockets.hpp"
@@ -28,6 +29,7 @@ struct WebOptions {
     std::filesystem::path page{};  ///< folder of the page's files
     std::string version{};         ///< of nezumi
     Pictures::Encode encode{};     ///< pictures for browsers
+    PeerSource peers{};            ///< optional
 };
 
 /// Must be called from the ticking thread.
@@ -109,6 +111,7 @@ private:
     RestartRequest restart_;  // the restart being prepared
     ActWorker worker_;
     Seeks seeks_;
+    PeerDesk peers_;
     Clock::time_point shown_{};
     Clock::time_point described_{};
     std::uint64_t fingerprint_ = 0;

@@ -1,11 +1,13 @@
 """Takes the pictures of docs/browser.md from a real run. Usage: pictures.py NEZUMI [FOLDER]"""
 
 import os
+import shutil
 import sys
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig
+import rtcs_test
 
 WALL = "behaviors/systems/stop_at_wall.lua"
 
@@ -16,6 +18,28 @@ def save(page, folder, name, selector=None):
     with open(path, "wb") as file:
         file.write(page.find(selector).screenshot_as_png if selector else page.driver.get_screenshot_as_png())
     print("%s: %d KB" % (path, os.path.getsize(path) // 1024))
+
+
+def take_rtcs(nezumi, page, folder):
+    names, port, data = rtcs_test.start_names()
+    started = [names] + [rtcs_test.start_rtc(nezumi, port, *words) for words in (
+        ("Planner0", "velocity", "TimedVelocity2D", "out"), ("ConsoleIn0", "out", "TimedLong", "out"), ("ConsoleOut0", "in", "TimedLong", "in"))]
+    system = rig.System(nezumi, text=rtcs_test.SYSTEM % (port, 'connect("rtm:Planner0.velocity", "mouse.target_velocity_in")\n'))
+    try:
+        started[2].say("link ConsoleIn0 out ConsoleOut0 in")
+        started[1].say("activate Planner0")
+        page.open(system.url)
+        page.view("diagram")
+        page.until("document.querySelectorAll('.wire-group').length === 2", "the connections are drawn")
+        page.until("document.querySelector('.node.active.rtc') !== null", "the planner is active")
+        page.js("document.querySelector('.node.active.rtc .title').focus()")
+        page.until("document.querySelector('.rtc-card .slider') !== null", "its configuration is shown")
+        save(page, folder, "rtcs", ".stage")
+    finally:
+        system.end()
+        for each in started:
+            each.kill()
+        shutil.rmtree(data, ignore_errors=True)
 
 
 def take(nezumi, folder):
@@ -61,6 +85,9 @@ def take(nezumi, folder):
         page.keys().move_to_element(page.find(".port[data-port='mouse.ir_sensor_out'] .dot")).perform()
         save(page, folder, "system", ".stage")
 
+        take_rtcs(nezumi, page, folder)
+
+        page.open(stick.url)
         page.resize(390, 800, dark=True)
         page.view("drive")
         pad = page.find(".pad")

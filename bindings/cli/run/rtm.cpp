@@ -82,17 +82,23 @@ std::future<Expected<std::string>> RunRtm::ask(const PeerRequest& request) {
             case PeerRequest::What::configure: return What::set;
             case PeerRequest::What::exit: return What::exit;
             case PeerRequest::What::forget: return What::forget;
+            case PeerRequest::What::connect: return What::connect;
+            case PeerRequest::What::disconnect: return What::disconnect;
         }
         return std::nullopt;
     };
     openrtm::PeerQuestion question{.name = request.name};
     if (const auto what = to_be_done()) {
-        question.request = openrtm::RtcRequest{.what = *what, .set = request.set};
+        question.request =
+            openrtm::RtcRequest{.what = *what, .set = request.set, .from = request.from, .to = request.to};
+        if (*what == What::connect) question.request->component = request.from + "_" + request.to;
         for (const auto& [name, value] : request.values)
             question.request->values.emplace_back(name, openrtm::to_rtc_text(value));
     }
     return server_->ask(std::move(question));
 }
+
+std::future<std::string> RunRtm::look() { return server_->look(); }
 
 std::future<Expected<std::string>> refused_peers() {
     std::promise<Expected<std::string>> refused;

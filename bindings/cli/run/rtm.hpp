@@ -21,6 +21,8 @@ public:
 
     /// Passes a console's question or request to RTCs of other programs.
     std::future<Expected<std::string>> ask(const PeerRequest& request);
+    /// Asks about all RTCs; the answer is JSON for the page.
+    std::future<std::string> look();
 
     bool serve(Pacer::Clock::time_point until) override;
     void add_files(std::vector<int>& files) const override { files.push_back(bell_.get()); }

@@ -277,8 +277,7 @@ private:
     Expected<void> open_console() {
         console_.emplace(*loop_, name_of_system());
         loop_->add(*console_);
-        console_->server().ask_peers_by(
-            [this](const PeerRequest& request) { return rtm_ ? rtm_->ask(request) : refused_peers(); });
+        console_->server().ask_peers_by(peer_asker());
         loop_->after_tick([this] { console_->after_tick(); });
         if (options_.batch) loop_->end_waits_while([this] { return console_->batch_works(); });
         // A run that nobody can attach to is better than none.
@@ -294,11 +293,17 @@ private:
     // than none.
     std::string open_web() {
         if (!options_.web) return "";
-        auto web = RunWeb::open(*loop_, *console_, *options_.web);
+        auto web = RunWeb::open(
+            *loop_, *console_, *options_.web,
+            {.look = [this] { return rtm_ ? rtm_->look() : std::future<std::string>(); }, .ask = peer_asker()});
         if (!web) return visible("no page for browsers: " + web.error().message);
         web_ = std::move(*web);
         loop_->add(*web_);
         return (isatty(STDERR_FILENO) != 0 ? web_->picture() : "") + visible(web_->where());
+    }
+
+    PeerAsker peer_asker() {
+        return [this](const PeerRequest& request) { return rtm_ ? rtm_->ask(request) : refused_peers(); };
     }
 
     // A replay has what RTCs did in its journal.

@@ -59,11 +59,13 @@ RunWeb::RunWeb(RunLoop& loop, RunConsole& console, std::unique_ptr<web::WebServe
 
 RunWeb::~RunWeb() { console_.show_status_by({}); }
 
-Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& console, const Web& web) {
+Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& console, const Web& web,
+                                               web::PeerSource peers) {
     const auto folders = installed_folders();
     web::WebOptions options{.page = folders.empty() ? std::filesystem::path() : folders.front() / "bindings/web/page",
                             .version = version(),
-                            .encode = to_jpeg};
+                            .encode = to_jpeg,
+                            .peers = std::move(peers)};
     options.sockets.first_port = web.port;
     options.sockets.ports = std::min(most_ports, 65536 - web.port);
     std::string fingerprint;

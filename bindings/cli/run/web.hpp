@@ -17,7 +17,8 @@ namespace nezumi::cli {
 class RunWeb final : public Attendant {
 public:
     /// Starts to serve. Loop and console must outlive it. An error gives the reason.
-    static Expected<std::unique_ptr<RunWeb>> open(RunLoop& loop, RunConsole& console, const Web& web);
+    static Expected<std::unique_ptr<RunWeb>> open(RunLoop& loop, RunConsole& console, const Web& web,
+                                                  web::PeerSource peers);
     ~RunWeb() override;
     RunWeb(const RunWeb&) = delete;
     RunWeb& operator=(const RunWeb&) = delete;

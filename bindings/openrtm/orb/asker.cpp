@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bindings/openrtm/orb/peer_calls.hpp"
+#include "bindings/openrtm/orb/rtc_object.hpp"
 #include "engine/base/thread.hpp"
 
 namespace nezumi::openrtm {
@@ -26,6 +27,8 @@ std::string last_of(const std::string& name) { return name.substr(name.rfind('/'
 }  // namespace
 
 Asker::Asker(CORBA::ORB_ptr orb, const std::vector<std::string>& nameservers) : names_(orb, nameservers) {
+    const CORBA::Object_var root = orb->resolve_initial_references("RootPOA");
+    poa_ = PortableServer::POA::_narrow(root);
     thread_ = start_thread([this] { run(); });
 }
 
@@ -89,7 +92,7 @@ PeerAnswer Asker::of_connection(const RtcRequest& request) {
 PeerAnswer Asker::answer(const PeerQuestion& question) {
     try {
         if (question.request && !question.request->from.empty()) return of_connection(*question.request);
-        if (question.name.empty()) return look_at_all();
+        if (question.name.empty()) return look_at_all(question.is_whole);
         auto found = names_.find(question.name);
         if (!found) return unknown(question.name, found.error());
         try {
@@ -111,7 +114,28 @@ PeerAnswer Asker::answer(const PeerQuestion& question) {
     }
 }
 
-PeerAnswer Asker::look_at_all() {
+// Of ours the paths of its ports are known; its parameters are those of the system.
+PeerSnapshot Asker::look_at_one(const NameService::Named& named, bool is_whole) {
+    const RtcObject* ours = nullptr;
+    PortableServer::ServantBase_var servant;
+    try {
+        servant = poa_->reference_to_servant(named.rtc);
+        ours = dynamic_cast<const RtcObject*>(servant.in());
+    } catch (const CORBA::Exception&) {
+        ours = nullptr;  // it is of another program
+    }
+    PeerSnapshot snapshot = look_at(named, is_whole && ours == nullptr);
+    if (ours == nullptr) return snapshot;
+    snapshot.is_ours = true;
+    for (PeerSnapshot::Port& port : snapshot.ports) {
+        for (const RtcPort& known : ours->profile().ports) {
+            if (known.name == port.name) port.path = known.path;
+        }
+    }
+    return snapshot;
+}
+
+PeerAnswer Asker::look_at_all(bool is_whole) {
     const std::vector<NameService::Named> all = names_.all();
     PeerAnswer answer;
     answer.peers.resize(all.size());
@@ -120,7 +144,7 @@ PeerAnswer Asker::look_at_all() {
     const auto look = [&] {
         for (std::size_t i = next++; i < all.size(); i = next++) {
             const bool has_time = !ends_ && std::chrono::steady_clock::now() < end;
-            answer.peers[i] = has_time ? look_at(all[i], false)
+            answer.peers[i] = has_time ? look_at_one(all[i], is_whole)
                                        : PeerSnapshot{.name = all[i].name, .state = PeerSnapshot::State::unasked};
         }
     };

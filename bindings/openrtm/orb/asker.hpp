@@ -34,9 +34,11 @@ private:
     PeerAnswer answer(const PeerQuestion& question);
     PeerAnswer unknown(const std::string& name, const Error& error);
     PeerAnswer of_connection(const RtcRequest& request);
-    PeerAnswer look_at_all();
+    PeerAnswer look_at_all(bool is_whole);
+    PeerSnapshot look_at_one(const NameService::Named& named, bool is_whole);
 
     NameServers names_;  // used only by the thread
+    PortableServer::POA_var poa_;
     std::atomic<bool> ends_ = false;
     Mutex mutex_;  // for the next two
     std::condition_variable changed_;

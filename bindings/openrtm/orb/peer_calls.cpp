@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bindings/openrtm/orb/properties.hpp"
+#include "bindings/openrtm/orb/terms.hpp"
 
 namespace nezumi::openrtm {
 namespace {
@@ -37,10 +38,12 @@ PeerSnapshot::State state_of(RTC::RTObject_ptr rtc) {
 PeerSnapshot::Port look_at(const RTC::PortProfile& profile) {
     std::string name = profile.name.in();
     name.erase(0, name.rfind('.') + 1);  // "ConsoleOut0.out"
-    return {.name = std::move(name),
-            .type = data_type_of(profile),
-            .is_in = text_of(profile.properties, "port.port_type") == "DataInPort",
-            .connections = static_cast<int>(profile.connector_profiles.length())};
+    PeerSnapshot::Port port{.name = std::move(name),
+                            .type = data_type_of(profile),
+                            .is_in = text_of(profile.properties, "port.port_type") == "DataInPort"};
+    for (CORBA::ULong i = 0; i < profile.connector_profiles.length(); ++i)
+        port.connections.emplace_back(profile.connector_profiles[i].connector_id.in());
+    return port;
 }
 
 void look_at_sets(PeerSnapshot& snapshot, RTC::RTObject_ptr rtc) {
@@ -124,6 +127,13 @@ std::string connection_between(RTC::PortService_ptr one, RTC::PortService_ptr ot
         }
     }
     return "";
+}
+
+// For a connection between data ports that asks for nothing in particular.
+void add_usual_terms(RTC::ConnectorProfile& connection) {
+    const RTC::PortProfile_var port = connection.ports[0]->get_port_profile();
+    const std::string type = text_of(port->properties, "dataport.data_type");
+    if (!type.empty()) add_own_terms(connection.properties, type);
 }
 
 std::string prefixed(const std::string& at, std::string_view problem) {
@@ -216,6 +226,7 @@ PeerAnswer connect_peers(const std::array<PeerPort, 2>& ends, const RtcRequest& 
         }
         if (!connects) return {.problem = prefixed(at, connection_problem(profile.ports[0]->disconnect(made.c_str())))};
         for (const auto& [name, value] : request.values) add_text(profile.properties, name, value);
+        if (request.values.empty()) add_usual_terms(profile);
         return {.problem = prefixed(at, connection_problem(profile.ports[0]->connect(profile)))};
     } catch (const CORBA::TIMEOUT&) {
         return {.problem = at + " does not answer"};

@@ -43,6 +43,9 @@ export class Acts {
   remove = (component) => this.act("Remove", { component });
   connect = (from, to) => this.act("Connect", { from, to });
   disconnect = (from, to) => this.act("Disconnect", { from, to });
+  /// A request to an RTC of another program.
+  peer = (what, fields) => this.#ask({ do: "peer", what, ...fields }, what);
+  set_peer_parameter = (name, { name: parameter, type }, value) => this.peer("configure", { name, parameter, value: as_parameter(type, value) });
   teleport = (robot, { x, y, yaw }) =>
     this.act("Teleport", { robot, pose: { position: { x: round(x), y: round(y) }, heading: round(yaw) } });
   move_thing = (thing, { x, y, yaw }) =>

@@ -2,12 +2,14 @@
 import { lua_text, make_add_form } from "./add_form.js";
 import { ask } from "./ask.js";
 import { at_most_every, el, svg } from "./dom.js";
+import { connect_ports, disconnect_ports, make_chosen } from "./diagram_chosen.js";
 import { curve, place, port_at, route } from "./diagram_layout.js";
 import { Sheet } from "./diagram_view.js";
+import { carries_same } from "./rtcs.js";
 import { T } from "./texts.js";
 import { value_text } from "./value_text.js";
 
-const SIGNS = { ACTIVE: "▶", INACTIVE: "❚❚", ERROR: "!", CREATED: "○", REMOTE: "⇄" };
+const SIGNS = { ACTIVE: "▶", INACTIVE: "❚❚", ERROR: "!", CREATED: "○", REMOTE: "⇄", GONE: "✕", SILENT: "…" };
 
 /// The colour of a type of port, the same everywhere.
 export function type_color(type) {
@@ -19,9 +21,12 @@ export function type_color(type) {
 /// Returns { from, to } if these two ports can be connected, or null.
 export function fits(model, one, other) {
   const [a, b] = [model.port(one), model.port(other)];
-  if (!a || !b || a.way === b.way || a.type !== b.type || (a.component.host && b.component.host)) return null;
-  const pair = a.way === "out" ? { from: one, to: other } : { from: other, to: one };
-  const is_there = model.system.connections.some(({ from, to }) => from === pair.from && to === pair.to);
+  if (!a || !b || one === other || (a.way === b.way) !== (a.way === "service") || (a.component.host && b.component.host)) return null;
+  const is_of_rtc = a.component.kind === "rtc" || b.component.kind === "rtc";
+  if (is_of_rtc ? !carries_same(model.rtcs, [one, a], [other, b]) : a.type !== b.type) return null;
+  const is_first = a.way === "service" ? one < other : a.way === "out";
+  const pair = is_first ? { from: one, to: other } : { from: other, to: one };
+  const is_there = model.connections.some(({ from, to }) => from === pair.from && to === pair.to);
   return is_there ? null : pair;
 }
 
@@ -42,14 +47,20 @@ class Diagram {
     this.sheet = new Sheet(this.svg);
     this.sheet.on_size = () => this.sheet.fit(this.#boxes);
     this.tip = el("div", { class: "tip", role: "tooltip", hidden: true });
-    this.bar = el("div", { class: "chosen", role: "status" });
+    this.bar = make_chosen(parts);
     const { model, acts } = parts;
     model.on("system", () => this.#update());
+    model.on("rtcs", () => {
+      this.#update();
+      this.#show_chosen();
+    });
     model.on("port", at_most_every(60, () => this.#show_value()));
     this.svg.addEventListener("click", (event) => event.target === this.svg && this.#choose(null));
     this.svg.addEventListener("keydown", (event) => {
       if (event.key === "Escape") this.#begin(null);
-      if (event.key === "Delete" && this.#chosen?.from && model.may_act) acts.disconnect(this.#chosen.from, this.#chosen.to);
+      const { from, to } = this.#chosen ?? {};
+      const connection = from && model.connections.find((each) => each.from === from && each.to === to);
+      if (event.key === "Delete" && connection && model.may_act) disconnect_ports(acts, connection);
     });
   }
 
@@ -73,10 +84,12 @@ class Diagram {
 
   shown(is_shown) {
     if (!is_shown) this.#look(null);
+    this.#parts.model.watch("diagram's RTCs", is_shown && { peers: true });
   }
 
   #update(anyway = false) {
-    const { boxes: components, system: { connections } } = this.#parts.model;
+    const { boxes: components, connections, system } = this.#parts.model;
+    if (!system) return;
     const shape = JSON.stringify([components.map(({ parameters, ...rest }) => rest), connections]);
     if (shape === this.#shape && !anyway) return;
     const is_first = this.#boxes.size === 0;
@@ -94,7 +107,7 @@ class Diagram {
 
   #draw_wires() {
     const { model } = this.#parts;
-    this.wires.replaceChildren(...route(this.#boxes, model.system.connections).map(({ from, to, path }) => {
+    this.wires.replaceChildren(...route(this.#boxes, model.connections).map(({ from, to, path }) => {
       const choose = () => this.#choose({ from, to });
       const waits = model.port(from)?.waits || model.port(to)?.waits ? " waits" : "";
       const wire = svg("g", { class: `wire-group wire${waits}`, tabindex: 0, role: "button", "aria-label": T.diagram.connection(from, to, waits !== ""),
@@ -106,8 +119,8 @@ class Diagram {
   }
 
   #make_node(component) {
-    const { name, state, error, ports } = component;
-    const type = component.kind === "remote" ? T.diagram.remote(component) : component.type;
+    const { name, kind, state, error, ports } = component;
+    const type = kind === "remote" ? T.diagram.remote(component) : component.type;
     const box = this.#boxes.get(name);
     const title = svg("g", { class: "title", tabindex: 0, role: "button", data: { key: name },
       "aria-label": `${name}, ${type}, ${T.states[state] ?? state}`, onfocus: () => this.#choose({ component: name }) },
@@ -115,7 +128,7 @@ class Diagram {
     svg("text", { class: "sign", x: 12, y: 20, text: SIGNS[state] ?? "?" }),
     svg("text", { class: "name", x: 34, y: 20, text: name }),
     svg("text", { class: "type", x: box.w - 10, y: 20, "text-anchor": "end", text: type }));
-    const node = svg("g", { class: `node ${state.toLowerCase()}${component.host && !component.host.here ? " waits" : ""}`, transform: `translate(${box.x} ${box.y})`, data: { component: name } },
+    const node = svg("g", { class: `node ${kind} ${state.toLowerCase()}${component.host && !component.host.here ? " waits" : ""}`, transform: `translate(${box.x} ${box.y})`, data: { component: name } },
       svg("rect", { class: "body", width: box.w, height: box.h, rx: 8 }), title,
       ...ports.map((port) => this.#make_port(name, port, box.ports.get(port.name))));
     if (error) {
@@ -192,7 +205,7 @@ class Diagram {
       moved ||= Math.hypot(event.clientX - start[0], event.clientY - start[1]) > 5;
       const at = port_at(this.#boxes, port);
       const here = this.sheet.point(event);
-      this.loose.setAttribute("d", this.#parts.model.port(port).way === "out" ? curve(at, here) : curve(here, at));
+      this.loose.setAttribute("d", this.#parts.model.port(port)?.way !== "in" ? curve(at, here) : curve(here, at));
     };
     const up = (event) => {
       for (const [name, work] of [["pointermove", move], ["pointerup", up], ["pointercancel", up]]) removeEventListener(name, work);
@@ -217,7 +230,7 @@ class Diagram {
     if (!this.#begun) return this.#begin(port);
     const pair = fits(this.#parts.model, this.#begun, port);
     this.#begin(null);
-    if (pair) this.#parts.acts.connect(pair.from, pair.to);
+    if (pair) connect_ports(this.#parts.acts, pair);
   }
 
   /// While a connection is made, only ports that fit are bright.
@@ -249,8 +262,9 @@ class Diagram {
     const node = this.nodes.querySelector(`[data-port="${CSS.escape(this.#looked_at)}"]`);
     const now = model.values.get(this.#looked_at);
     this.tip.replaceChildren(el("b", { text: this.#looked_at }), el("small", { text: `${T.diagram[port.way]} ${port.type}` }),
-      port.waits ? el("p", { text: T.diagram.waits(port.component.host) }) : "",
-      port.doc ? el("p", { text: port.doc }) : "", el("code", { text: now ? value_text(now.value) : T.diagram.nothing_yet }),
+      port.waits && port.component.host ? el("p", { text: T.diagram.waits(port.component.host) }) : "",
+      port.doc ? el("p", { text: port.doc }) : "",
+      port.component.kind === "rtc" ? "" : el("code", { text: now ? value_text(now.value) : T.diagram.nothing_yet }),
       now && now.tm > 0 ? el("small", { text: T.diagram.age(Math.max(0, model.frame.time - now.tm).toFixed(2)) }) : "");
     const [box, frame] = [node.getBoundingClientRect(), this.svg.getBoundingClientRect()];
     const room = frame.width - this.tip.offsetWidth - 8;
@@ -261,31 +275,10 @@ class Diagram {
   }
 
   #show_chosen() {
-    const { model, acts } = this.#parts;
     const chosen = this.#chosen;
     for (const node of this.nodes.children) node.classList.toggle("chosen", chosen?.component === node.dataset.component);
     for (const wire of this.wires.children) wire.classList.toggle("chosen", chosen?.from === wire.dataset.from && chosen?.to === wire.dataset.to);
-    const button = (text, onclick, disabled = false) => el("button", { class: "acts", text, onclick, disabled });
-    if (this.#begun) {
-      this.bar.replaceChildren(el("span", { text: T.diagram.connecting(this.#begun, model.port(this.#begun).type) }));
-      return;
-    }
-    const component = chosen?.component && model.component(chosen.component);
-    if (component?.host) {
-      this.bar.replaceChildren(el("b", { text: component.name }), el("span", { text: T.diagram.of_host(component.host) }));
-    } else if (component) {
-      const { name, state, error, about, script } = component;
-      this.bar.replaceChildren(el("b", { text: name }), el("span", { class: `state ${state.toLowerCase()}`, text: T.states[state] ?? state }),
-        el("small", { text: script ?? "" }),
-        button(T.diagram.activate, () => acts.activate(name), state !== "INACTIVE"),
-        button(T.diagram.deactivate, () => acts.deactivate(name), state !== "ACTIVE"),
-        button(T.diagram.reset, () => acts.reset(name), state !== "ERROR"),
-        button(T.diagram.remove, async () => (await ask(T.diagram.remove_sure(name), T.diagram.remove)) && acts.remove(name)),
-        error ? el("code", { class: "error", text: error }) : about && typeof about === "string" ? el("small", { text: about }) : "");
-    } else if (chosen?.from && model.system?.connections.some(({ from, to }) => from === chosen.from && to === chosen.to)) {
-      this.bar.replaceChildren(el("b", { text: `${chosen.from} → ${chosen.to}` }),
-        button(T.diagram.disconnect, () => acts.disconnect(chosen.from, chosen.to)));
-    } else this.bar.replaceChildren(el("span", { class: "hint", text: T.diagram.about }));
+    this.bar.show(chosen, this.#begun);
   }
 }
 
@@ -311,6 +304,6 @@ export function make_diagram(parts) {
     button(T.diagram.fit, () => diagram.fit()), button(T.diagram.arrange, () => diagram.arrange()),
     el("button", { text: "+", "aria-label": T.diagram.zoom_in, onclick: () => diagram.sheet.zoom(1.25) }),
     el("button", { text: "−", "aria-label": T.diagram.zoom_out, onclick: () => diagram.sheet.zoom(0.8) }));
-  return { node: el("div", { class: "diagram" }, tools, el("div", { class: "stage-box" }, diagram.svg, diagram.tip), diagram.bar),
+  return { node: el("div", { class: "diagram" }, tools, el("div", { class: "stage-box" }, diagram.svg, diagram.tip, diagram.bar.card), diagram.bar.node),
     shown: (is_shown) => diagram.shown(is_shown) };
 }

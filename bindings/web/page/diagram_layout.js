@@ -1,4 +1,5 @@
 // Computes the places of boxes and connection lines: a source is left of its target.
+import { owner_of, split_port } from "./port_name.js";
 
 const HEAD = 34;  // px of a box's title
 const ROW = 22;  // px of a port
@@ -10,7 +11,7 @@ const APART = 56;  // px between unconnected groups
 /// The size of a component's box and the places of its ports: { w, h, ports: Map(name: [x, y]) }.
 export function box_of({ name, type, kind, ports, error }) {
   const ins = ports.filter((each) => each.way === "in");
-  const outs = ports.filter((each) => each.way === "out");
+  const outs = ports.filter((each) => each.way !== "in");
   const longest = (all) => Math.max(0, ...all.map((each) => each.name.length));
   const w = Math.max(170, 6.7 * (longest(ins) + longest(outs)) + 56, 8 * name.length + 6 * (kind === "remote" ? 14 : type.length) + 70);
   const rows = Math.max(1, ins.length, outs.length);
@@ -98,8 +99,7 @@ function place_group(names, links, boxes, starts) {
 export function place(components, connections, kept = {}) {
   const names = components.map((each) => each.name);
   const known = new Set(names);
-  const owner = (port) => port.slice(0, port.indexOf("."));
-  const links = connections.map(({ from, to }) => [owner(from), owner(to)]).filter(([a, b]) => known.has(a) && known.has(b));
+  const links = connections.map(({ from, to }) => [owner_of(from), owner_of(to)]).filter(([a, b]) => known.has(a) && known.has(b));
   const boxes = new Map(components.map((each) => [each.name, box_of(each)]));
   const starts = new Set(components.filter((each) => each.kind === "robot" || !each.ports.some((port) => port.way === "in")).map((each) => each.name));
   const groups = groups_of(names, links).map((each) => place_group(each, links.filter(([a]) => each.includes(a)), boxes, starts));
@@ -120,9 +120,9 @@ export function place(components, connections, kept = {}) {
 
 /// The place of a port: [x, y], or null.
 export function port_at(boxes, port) {
-  const dot = port.indexOf(".");
-  const box = boxes.get(port.slice(0, dot));
-  const at = box?.ports.get(port.slice(dot + 1));
+  const [owner, name] = split_port(port);
+  const box = boxes.get(owner);
+  const at = box?.ports.get(name);
   return at ? [box.x + at[0], box.y + at[1]] : null;
 }
 
@@ -133,7 +133,7 @@ export function route(boxes, connections) {
     const [a, b] = [port_at(boxes, from), port_at(boxes, to)];
     if (!a || !b) return [];
     if (b[0] > a[0] + 16) return [{ from, to, path: curve(a, b) }];
-    const [one, other] = [from, to].map((port) => boxes.get(port.slice(0, port.indexOf("."))));
+    const [one, other] = [from, to].map((port) => boxes.get(owner_of(port)));
     const low = Math.max(one.y + one.h, other.y + other.h);
     const [left, right] = [b[0] - 30, a[0] + 30];
     const lane = lanes.filter(([height, x0, x1]) => height === low && x0 < right && left < x1).length;

@@ -3,17 +3,17 @@
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 import { number_text } from "./value_text.js";
+import { owner_of } from "./port_name.js";
 
 const AGAIN = 500;  // ms between two requests in following mode
 
 /// The behaviour that drives a robot, or else one that reads from it.
 function behavior_of(model, robot) {
   const { connections } = model.system;
-  const owner = (port) => port.slice(0, port.indexOf("."));
   const is_behavior = (name) => model.component(name)?.kind === "behavior";
-  const drives = connections.find(({ from, to }) => owner(to) === robot && is_behavior(owner(from)));
-  const hears = connections.find(({ from, to }) => owner(from) === robot && is_behavior(owner(to)));
-  return drives ? owner(drives.from) : hears ? owner(hears.to) : null;
+  const drives = connections.find(({ from, to }) => owner_of(to) === robot && is_behavior(owner_of(from)));
+  const hears = connections.find(({ from, to }) => owner_of(from) === robot && is_behavior(owner_of(to)));
+  return drives ? owner_of(drives.from) : hears ? owner_of(hears.to) : null;
 }
 
 const stage = (name, kind, ...nodes) => el("section", { class: `step ${kind}` }, el("h3", { text: name }), ...nodes);

@@ -1,4 +1,5 @@
 // Other hosts in the diagram: their components are boxes with all their offered ports.
+import { split_port } from "./port_name.js";
 
 /// The components of the system and of other hosts. A port `waits` if its host is missing or has no port of this name.
 export function with_hosts({ components, hosts }) {
@@ -10,8 +11,8 @@ export function with_hosts({ components, hosts }) {
   };
   for (const host of hosts) {
     for (const { name, ...port } of host.ports) {
-      const dot = name.indexOf(".");
-      box_of(`${host.name}/${name.slice(0, dot)}`, host).ports.push({ name: name.slice(dot + 1), doc: "", waits: false, ...port });
+      const [component, own] = split_port(name);
+      box_of(`${host.name}/${component}`, host).ports.push({ name: own, doc: "", waits: false, ...port });
     }
   }
   const own = [];

@@ -2,15 +2,21 @@
 import { Cdr, to_message } from "./cdr.js";
 import { Emitter } from "./emitter.js";
 import { with_hosts } from "./hosts.js";
+import { split_port } from "./port_name.js";
+import { with_rtcs } from "./rtcs.js";
+
+const single_type = (type) => type.replace("array of ", "");
 
 const KEPT_EMPTY = 2000;  // ms
 
-/// Emits: hello, system, frame, port (name), picture, floor, restarted, chosen (a robot, in the world), and other
+/// Emits: hello, system, rtcs, frame, port (name), picture, floor, restarted, chosen (a robot, in the world), and other
 /// messages of the engine by their names.
 export class Model extends Emitter {
   hello = null;
   system = null;
-  boxes = [];   // the components of the system and of other hosts
+  boxes = [];   // the components of the system, of other hosts and other programs
+  connections = [];  // of all of them
+  rtcs = null;  // what the name services have, if the system is among RTCs
   frame = { time: 0, tick: 0, running: false, speed: 1, late: 0 };
   robots = [];   // poses by index
   things = [];
@@ -60,9 +66,9 @@ export class Model extends Emitter {
 
   /// "name.port" to the port's description, with its component.
   port(full) {
-    const dot = full.indexOf(".");
-    const component = this.component(full.slice(0, dot));
-    const port = component?.ports.find((each) => each.name === full.slice(dot + 1));
+    const [owner, name] = split_port(full);
+    const component = this.component(owner);
+    const port = component?.ports.find((each) => each.name === name);
     return port && { ...port, component };
   }
 
@@ -122,6 +128,7 @@ export class Model extends Emitter {
       members: all("members").sort(),
       truth: wanted.some((each) => each.truth),
       rays: wanted.some((each) => each.rays),
+      peers: wanted.some((each) => each.peers),
     };
     const text = JSON.stringify(next);
     if (text === this.#sent || !this.#link.send(next)) return;
@@ -153,15 +160,24 @@ export class Model extends Emitter {
     } else if (said.is === "system") {
       const before = this.system;
       this.system = said;
-      this.boxes = with_hosts(said);
+      this.#take_boxes();
       this.#cdr = new Cdr(this.types);
-      for (const { parameters } of said.components) for (const each of parameters) each.type = each.type.replace("array of ", "");
+      for (const { parameters } of said.components) for (const each of parameters) each.type = single_type(each.type);
       if (before && (before.start !== said.start || before.file !== said.file)) this.#forget();
       this.#ask_floor(said);
       this.emit("system", before);
+    } else if (said.is === "rtcs") {
+      this.rtcs = said;
+      for (const { parameters } of said.rtcs) for (const each of parameters) each.type = single_type(each.type);
+      if (this.system) this.#take_boxes();
+      this.emit("rtcs");
     } else {
       this.emit(said.is, said);
     }
+  }
+
+  #take_boxes() {
+    Object.assign(this, with_rtcs(with_hosts(this.system), this.system, this.rtcs));
   }
 
   /// The types of messages and frames: those of the program, and those that files of the system define.

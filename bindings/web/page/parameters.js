@@ -19,19 +19,21 @@ function make_row(component, parameter, acts) {
   return { node, show: (now) => {
     widget.show(now.value);
     given = now.given;
-    node.classList.toggle("changed", now.changed);
+    node.classList.toggle("changed", now.changed ?? false);
     back.hidden = !now.changed;
     back.title = T.parameters.back_to(JSON.stringify(given));
     back.setAttribute("aria-label", `${label}: ${back.title}`);
   } };
 }
 
-function make_card(component, acts) {
+/// A card of a component's parameters: { node, show(component) }. `set` and `use` as those of acts; `has_none`: all sets
+/// may be unused.
+export function make_card(component, acts, has_none = true) {
   const rows = new Map(component.parameters.map((each) => [each.name, make_row(component.name, each, acts)]));
   const state = el("span", { class: "state" });
   const sets = component.sets.length > 0 && el("select", { class: "acts", "aria-label": `${component.name}: ${T.parameters.set}`,
     onchange: () => sets.value && acts.use(component.name, sets.value) },
-  el("option", { value: "", text: T.parameters.no_set }), ...component.sets.map((each) => el("option", { value: each, text: each })));
+  has_none && el("option", { value: "", text: T.parameters.no_set }), ...component.sets.map((each) => el("option", { value: each, text: each })));
   const node = el("section", { class: "card", data: { component: component.name } },
     el("header", {}, el("h2", { text: component.name }), el("small", { text: component.type }), state,
       sets && el("label", { class: "sets" }, el("span", { text: T.parameters.set }), sets)),

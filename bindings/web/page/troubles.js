@@ -1,6 +1,7 @@
 // What went wrong: in the bar, as notices, at the tabs that tell more, and for the world at its robots.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
+import { owner_of } from "./port_name.js";
 
 const QUIET = 1000;  // ms after the connection began: the log's older lines make no notices
 
@@ -11,8 +12,7 @@ const failed = (model) => (model.system?.components ?? []).filter(({ state }) =>
 export function stranded_robots(model) {
   const names = new Set(failed(model).map(({ name }) => name));
   if (names.size === 0) return names;
-  const owner = (port) => port.slice(0, port.indexOf("."));
-  const ends = model.system.connections.filter(({ from }) => names.has(owner(from))).map(({ to }) => owner(to));
+  const ends = model.system.connections.filter(({ from }) => names.has(owner_of(from))).map(({ to }) => owner_of(to));
   return new Set(ends.filter((name) => model.system.robots.some((robot) => robot.name === name)));
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include <rtm.hh>
 #include "tests/fakes/openrtm/fake_port.hpp"
@@ -47,15 +48,18 @@ private:
     std::atomic<RTC::LifeCycleState> state_ = RTC::INACTIVE_STATE;
 };
 
-/// Two sets of one parameter. As in OpenRTM-aist a value counts when its set is chosen, or chosen again.
+/// Two sets of one parameter, and what its widget is. As in OpenRTM-aist a value counts when its set is chosen, or chosen again.
 class FakeConfiguration final : public POA_SDOPackage::Configuration {
 public:
     SDOPackage::ConfigurationSetList* get_configuration_sets() override {
         const std::lock_guard lock(mutex_);
         auto* list = new SDOPackage::ConfigurationSetList;
-        list->length(static_cast<CORBA::ULong>(sets_.size()));
+        list->length(static_cast<CORBA::ULong>(sets_.size() + 3));
         CORBA::ULong i = 0;
         for (const auto& [name, speed] : sets_) (*list)[i++] = set_of(name, speed);
+        for (const auto& [name, text] : {std::pair{"__constraints__", "0<=x<=2"}, std::pair{"__type__", "double"},
+                                         std::pair{"__widget__", "slider.0.1"}})
+            (*list)[i++] = set_of(name, text);
         return list;
     }
     SDOPackage::ConfigurationSet* get_active_configuration_set() override {

@@ -17,7 +17,7 @@ PeerSnapshot out0() {
     return {.name = "pc.host_cxt/Out0",
             .type = "ConsoleOut",
             .state = PeerSnapshot::State::active,
-            .ports = {{"in", "TimedLong", true, 2}, {"service", "", false, 0}},
+            .ports = {{"in", "TimedLong", true, {"a", "b"}}, {"service", "", false}},
             .set = "fast",
             .sets = {{"default", {{"speed", "1"}}}, {"fast", {{"speed", "2"}}}, {"__widget__", {{"speed", "text"}}}}};
 }

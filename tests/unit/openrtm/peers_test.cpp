@@ -181,3 +181,18 @@ TEST_CASE("an ambiguous name of two computers is refused with both", "[openrtm][
           "! 'Twin0' could be rtm:a.host_cxt/Twin0 or rtm:b.host_cxt/Twin0: write which");
     CHECK(asked(rig, {.name = "b.host_cxt/Twin0"}).starts_with("rtm:b.host_cxt/Twin0  Fake, INACTIVE"));
 }
+
+TEST_CASE("the page sees all RTCs with their configuration, and which are ours", "[openrtm][peers][wallclock]") {
+    WireRig rig;
+    const auto out = rig.rtc("Out0", "out", "TimedLong", "out");
+    const auto in = rig.rtc("In0", "in", "TimedLong", "in");
+    CHECK(rig.answer(*out, "connect In0 in dataflow_type=push", "connected") == "connected 0");
+    auto look = rig.server->look();
+    REQUIRE(rig.until([&] { return look.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }));
+    const std::string told = look.get();
+    CHECK(told.find(R"("name":"rtm:Out0","type":"Fake","state":"INACTIVE")") != std::string::npos);
+    CHECK(told.find(R"("connections":[{"from":"rtm:Out0.out","to":"rtm:In0.in"}])") != std::string::npos);
+    CHECK(told.find(R"("relay.in":"TimedLong")") != std::string::npos);
+    CHECK(told.find("relay0") == std::string::npos);  // it is a component of ours
+    CHECK(told.find(R"("min":0.0,"max":2.0,"step":0.1,"widget":"slider")") != std::string::npos);
+}
