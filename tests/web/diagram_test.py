@@ -89,7 +89,7 @@ class Wiring(rig.PageCase):
         page.until(state % "active", "it is active again")
 
     def test_hovering_shows_a_ports_value(self):
-        self.open(WALL)
+        self.open(text=APART)
         self.page.view("diagram")
         self.page.keys().move_to_element(self.port("controller.out")).perform()
         self.page.until("/vx = 0\\.1/.test(document.querySelector('.diagram .tip').textContent)",

@@ -144,17 +144,17 @@ class Diagram {
   #make_movable(title, node, name) {
     let grip = null;
     title.addEventListener("pointerdown", (event) => {
-      const [x, y] = this.sheet.point(event);
-      const box = this.#boxes.get(name);
-      grip = { dx: box.x - x, dy: box.y - y, x: event.clientX, y: event.clientY, moved: false };
+      grip = { x: event.clientX, y: event.clientY, moved: false };
       title.setPointerCapture(event.pointerId);
     });
     title.addEventListener("pointermove", (event) => {
       if (!grip) return;
-      grip.moved ||= Math.hypot(event.clientX - grip.x, event.clientY - grip.y) > 4;
-      if (!grip.moved) return;
       const [x, y] = this.sheet.point(event);
       const box = this.#boxes.get(name);
+      if (!grip.moved) {
+        if (Math.hypot(event.clientX - grip.x, event.clientY - grip.y) <= 4) return;
+        Object.assign(grip, { moved: true, dx: box.x - x, dy: box.y - y });  // the sheet may have changed its size since the press
+      }
       Object.assign(box, { x: Math.round(x + grip.dx), y: Math.round(y + grip.dy) });
       node.setAttribute("transform", `translate(${box.x} ${box.y})`);
       this.#draw_wires();
