@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "bindings/openrtm/rtm_wiring.hpp"
 #include "engine/ports/payload.hpp"
-#include "engine/values/cdr.hpp"
 #include "engine/values/limits.hpp"
 
 namespace nezumi::openrtm {
@@ -46,8 +46,7 @@ PutAnswer Inbox::put(std::string_view path, std::string_view from, std::span<con
         type = port->second.type;
     }
     Arrival arrival{std::string(path), std::string(from), make_payload(type)};
-    double tm = 0;
-    const auto read = read_cdr_message(bytes, arrival.value, tm, {.order = order});
+    const auto read = read_rtm_message(bytes, *type, arrival.value, order);
     problem = read ? find_misfit(ValueView(arrival.value)) : read.error().message;
     if (problem.empty() && !is_finite(arrival.value)) problem = "expected finite numbers";
     const bool is_fit = problem.empty();

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/values/cdr.hpp"
+
 namespace nezumi::openrtm {
 namespace {
 
@@ -17,6 +19,18 @@ std::string rtm_type_id(const MessageType& type) {
     if (!type.is_compiled()) return type.rtm;
     if (std::find(own_types.begin(), own_types.end(), type.name) != own_types.end()) return "";
     return fmt::format("IDL:RTC/{}:1.0", type.name);
+}
+
+void write_rtm_message(Octets& out, const MessageType& type, const ValueView& data, double tm, std::endian order) {
+    if (type.has_rtm_stamp) return write_cdr_message(out, data, tm, {.order = order});
+    write_cdr(out, {.order = order}, data);
+}
+
+Expected<void> read_rtm_message(std::span<const std::uint8_t> bytes, const MessageType& type, const ValuePlace& data,
+                                std::endian order) {
+    double tm = 0;
+    if (type.has_rtm_stamp) return read_cdr_message(bytes, data, tm, {.order = order});
+    return read_cdr(bytes, {.order = order}, data);
 }
 
 std::string needs_export(std::string_view end, std::string_view component) {

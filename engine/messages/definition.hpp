@@ -39,6 +39,7 @@ struct MessageDefinition {
     bool is_single = false;  ///< the payload is the value of its one field, not a structure
     std::string ros{};       ///< "" for none
     std::string rtm{};       ///< "" for none
+    bool has_rtm_stamp = true;
     std::map<std::string, Value, std::less<>> constants{};
     Place place{};
 };

@@ -362,7 +362,7 @@ MessageDefinition without_stamp(MessageDefinition message) {
     const FieldDefinition& first = message.fields.front();
     const bool is_time = first.kind == "Time" || first.kind.ends_with("/Time");
     if (first.name != "tm" || !is_time || !first.shape.empty() || message.fields.size() < 2) {
-        message.rtm.clear();  // OpenRTM's ports carry messages with a stamp
+        message.has_rtm_stamp = false;
         return message;
     }
     message.fields.erase(message.fields.begin());

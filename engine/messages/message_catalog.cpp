@@ -43,8 +43,8 @@ Unexpected wrong(const MessageDefinition& message, const FieldDefinition& field,
 
 // The key of a definition: definitions with the same key are the same type.
 std::string key_of(const MessageDefinition& definition, const std::vector<const Type*>& elements) {
-    std::string key = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", definition.name, definition.doc, definition.is_single,
-                                  definition.ros, definition.rtm, definition.place.file);
+    std::string key = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n", definition.name, definition.doc, definition.is_single,
+                                  definition.ros, definition.rtm, definition.has_rtm_stamp, definition.place.file);
     for (const auto& [name, value] : definition.constants) key += fmt::format("{} = {}\n", name, lua_text(value));
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const FieldDefinition& field = definition.fields[i];
@@ -173,6 +173,7 @@ Expected<const MessageType*> MessageCatalog::define(const MessageDefinition& def
                .file = definition.place.file,
                .ros = definition.ros,
                .rtm = definition.rtm,
+               .has_rtm_stamp = definition.has_rtm_stamp,
                .constants = definition.constants};
     Type& payload = definition.is_single ? made->types.like(*fields.front().type)
                                          : made->types.structure_of(definition.name, fields);

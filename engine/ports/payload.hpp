@@ -25,6 +25,8 @@ struct MessageType {
     std::string file{};  ///< that defines it, as messages show it
     std::string ros{};   ///< its name in ROS 2, as "my_msgs/msg/Obstacle"; "" for none
     std::string rtm{};   ///< its name in OpenRTM, as "IDL:Seen/Obstacle:1.0"; "" for none
+    /// Whether it begins with its stamp there, `Time tm`.
+    bool has_rtm_stamp = true;
     std::map<std::string, Value, std::less<>> constants{};
 
     bool is_compiled() const { return place < compiled_message_count; }

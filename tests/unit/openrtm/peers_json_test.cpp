@@ -87,10 +87,10 @@ TEST_CASE("connections of other RTCs are found by their ids, and have our names 
     ours.ports[0].path = "mouse.target_velocity_in";
     ours.ports[1].path = "mouse.pose";
     const SeenPage page = seen_page({{.name = "pc.host_cxt/Out0", .ports = {port("out", false, {"a", "b", "c"})}},
-                                 {.name = "far.host_cxt/In0", .ports = {port("in", true, {"a", "d"})}},
-                                 std::move(ours)});
+                                     {.name = "far.host_cxt/In0", .ports = {port("in", true, {"a", "d"})}},
+                                     std::move(ours)});
     CHECK(page["connections"] == SeenPage{{{"from", "rtm:Out0.out"}, {"to", "rtm:far.host_cxt/In0.in"}},
-                                      {{"from", "rtm:Out0.out"}, {"to", "mouse.target_velocity_in"}}});
+                                          {{"from", "rtm:Out0.out"}, {"to", "mouse.target_velocity_in"}}});
     CHECK(page["rtcs"].size() == 2);
     CHECK(page["rtcs"][0]["name"] == "rtm:Out0");
     CHECK(page["ports"] == SeenPage{{"mouse.target_velocity_in", "TimedLong"}, {"mouse.pose", "TimedLong"}});
