@@ -9,8 +9,8 @@
 #include "bindings/openrtm/host_context.hpp"
 #include "bindings/openrtm/peer_text.hpp"
 #include "bindings/openrtm/peers_json.hpp"
+#include "bindings/openrtm/rtm_wiring.hpp"
 #include "bindings/openrtm/rtm_word.hpp"
-#include "engine/values/cdr.hpp"
 
 namespace nezumi::openrtm {
 namespace {
@@ -56,13 +56,7 @@ Expected<void> RtmServer::show() {
     exported_.clear();
     paths_.clear();
     const RtmSpec* rtm = RtmWord::find(host_.spec());
-    RtmSpec all = rtm != nullptr ? *rtm : RtmSpec{};
-    std::erase_if(created_, [&](const std::string& name) { return system.find(name) == nullptr; });
-    for (const std::string& name : created_) {
-        if (std::find(all.exported.begin(), all.exported.end(), name) == all.exported.end())
-            all.exported.push_back(name);
-    }
-    auto profiles = profiles_of(system, all);
+    auto profiles = profiles_of(system, rtm != nullptr ? *rtm : RtmSpec{});
     std::vector<RtcLink> links;
     std::map<std::string, const Port*, std::less<>> in_ports;
     if (profiles) {
@@ -75,7 +69,7 @@ Expected<void> RtmServer::show() {
                 if (port.is_in) {
                     in_ports.emplace(port.path, component.find_in_port(name));
                 } else if (const OutPortBase* out = component.find_out_port(name)) {
-                    outlets_.push_back({port.path, Published(system, *out)});
+                    outlets_.push_back({port.path, out->type(), Published(system, *out)});
                 }
             }
         }
@@ -158,7 +152,7 @@ void RtmServer::after_tick() {
             for (const auto& [is_wanted, order] :
                  {std::pair{wanted.little, std::endian::little}, std::pair{wanted.big, std::endian::big}}) {
                 if (!is_wanted) continue;
-                write_cdr_message(buffer_, message.data, message.tm + ahead, {.order = order});
+                write_rtm_message(buffer_, *outlet.type, message.data, message.tm + ahead, order);
                 orb_->publish(outlet.path, buffer_, order);
             }
         });
@@ -240,7 +234,7 @@ void RtmServer::take_away(const std::vector<RtcLink>& ended) {
     follow_changes();
 }
 
-Expected<ActResult> RtmServer::act(const Act& act) { return host_.act(act, {Actor::Kind::network, "rtm"}); }
+Expected<ActResult> RtmServer::act(const Act& act) { return host_.act(act, rtm_actor); }
 
 RtcAnswer RtmServer::done(const Act& wanted) { return act(wanted) ? RtcAnswer::done : RtcAnswer::refused; }
 
@@ -252,9 +246,7 @@ RtcAnswer RtmServer::create(const RtcRequest& request) {
         return RtcAnswer::refused;
     }
     host_.say(false, fmt::format("rtm: a tool has added {} ({})", request.component, request.script));
-    created_.push_back(request.component);
-    layout_ = 0;  // it is exported at once
-    follow_changes();
+    follow_changes();  // it is exported at once
     return RtcAnswer::done;
 }
 

@@ -96,6 +96,7 @@ private:
 
     struct Outlet {
         std::string path;
+        const MessageType* type;
         Published published;
     };
     struct Line {
@@ -120,7 +121,6 @@ private:
     const RtmHost host_;
     std::vector<Outlet> outlets_;
     std::vector<std::string> exported_;
-    std::vector<std::string> created_;          // components that a manager's client has added
     std::set<std::string, std::less<>> paths_;  // of the exported ports
     std::vector<RtcInside> inside_;             // connections between them
     std::vector<ConnectionSpec> wanted_;        // connections, as exported

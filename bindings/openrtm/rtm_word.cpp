@@ -114,6 +114,15 @@ void RtmWord::remove_missing(SystemSpec& system) const {
     if (std::erase_if(rest.exported, is_missing) > 0) put(system, std::move(rest));
 }
 
+void RtmWord::note_added(SystemSpec& system, std::string_view component, const Actor& who) const {
+    const RtmSpec* rtm = find(system);
+    if (rtm == nullptr || who != rtm_actor) return;
+    if (std::find(rtm->exported.begin(), rtm->exported.end(), component) != rtm->exported.end()) return;
+    RtmSpec more = *rtm;
+    more.exported.emplace_back(component);
+    put(system, std::move(more));
+}
+
 Expected<void> RtmWord::check_port(std::string_view end) const {
     return rtm_path(end).map([](const RtmPath&) {});
 }

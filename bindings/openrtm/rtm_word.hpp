@@ -8,6 +8,7 @@
 #include "bindings/openrtm/rtm_spec.hpp"
 #include "engine/base/error.hpp"
 #include "engine/ports/setting.hpp"
+#include "engine/system/actor.hpp"
 #include "engine/system/peer_word_of.hpp"
 
 namespace nezumi {
@@ -38,11 +39,16 @@ struct Describe<openrtm::RtmSpec> {
 
 namespace openrtm {
 
+/// RTCs and their tools, as those who act.
+inline const Actor rtm_actor{Actor::Kind::network, "rtm"};
+
 class RtmWord final : public PeerWordOf<RtmSpec> {
 public:
     bool follows_components() const override { return true; }
     Expected<void> check(const SystemSpec& system) const override;
     void remove_missing(SystemSpec& system) const override;
+    /// What a tool of OpenRTM adds is exported.
+    void note_added(SystemSpec& system, std::string_view component, const Actor& who) const override;
     std::string_view port_form() const override { return "rtm:NAME.port"; }
     Expected<void> check_port(std::string_view end) const override;
     Expected<void> check_connection(const System& system, const PeerSpec* spec,

@@ -115,7 +115,7 @@ Expected<ActResult> RunningSystem::perform(const Rollback& act, const Actor& /*w
     return report;
 }
 
-Expected<ActResult> RunningSystem::perform(const Add& act, const Actor& /*who*/, PreparedAct* prepared) {
+Expected<ActResult> RunningSystem::perform(const Add& act, const Actor& who, PreparedAct* prepared) {
     SystemSpec& spec = running_->spec;
     SystemSpec& part = prepared->spec;
     const auto* robot = std::get_if<RobotEntry>(&act.entry);
@@ -134,6 +134,7 @@ Expected<ActResult> RunningSystem::perform(const Add& act, const Actor& /*who*/,
     auto added = add_entry(*running_->system, part.entries.front(), spec, running_->makers);
     if (!added) return Unexpected(added.error());
     spec.entries.push_back(std::move(part.entries.front()));
+    note_added(*running_->system, spec, (*added)->name(), who, running_->makers);
     watch_again();
     return ActResult{};
 }

@@ -247,6 +247,12 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
     return system;
 }
 
+void note_added(System& system, SystemSpec& spec, std::string_view component, const Actor& who, const Makers& makers) {
+    const auto peers = spec.peers;  // each may replace its own
+    for (const auto& [name, peer] : peers) peer->word().note_added(spec, component, who);
+    system.take_foreign_check(foreign_check(makers.peer_words, spec));
+}
+
 void activate_all(System& system, const SystemSpec& spec) {
     for (const Entry& entry : spec.entries) {
         if (!std::visit([](const auto& e) { return e.active; }, entry)) continue;

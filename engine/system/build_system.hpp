@@ -67,6 +67,9 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
 /// Adds one entry to an existing system without activating it (for scenarios that add while they run).
 Expected<Component*> add_entry(System& system, const Entry& entry, const SystemSpec& spec, const Makers& makers);
 
+/// Tells the words of peers that `who` has added a component.
+void note_added(System& system, SystemSpec& spec, std::string_view component, const Actor& who, const Makers& makers);
+
 /// Activates all components in order, except those that the file keeps inactive. A component that can't be activated
 /// goes to ERROR; the others continue.
 void activate_all(System& system, const SystemSpec& spec);

@@ -14,6 +14,7 @@ namespace nezumi {
 
 class Project;
 class System;
+struct Actor;
 class Value;
 struct RecordShape;
 struct WordCall;
@@ -67,6 +68,8 @@ public:
     virtual bool remove_at(SystemSpec& /*system*/, const Place& /*place*/) const { return false; }
     /// Removes names of components that the system does not have.
     virtual void remove_missing(SystemSpec& /*system*/) const {}
+    /// `who` has added this component to a running system. Called for each word that the system file uses.
+    virtual void note_added(SystemSpec& /*system*/, std::string_view /*component*/, const Actor& /*who*/) const {}
 
     /// The form of a port of such a peer, as an end of a connection: "rtm:NAME.port". It begins with "WORD:". "": these
     /// peers have no ports of this kind.

@@ -11,6 +11,7 @@
 
 #include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/files/system_words.hpp"
+#include "bindings/openrtm/rtm_word.hpp"
 #include "engine/project/script_source.hpp"
 
 namespace nezumi::cli {
@@ -25,7 +26,7 @@ Expected<void> add(RunningSystem& live, const openrtm::RtcRequest& request) {
     auto read = words.entry({"behavior", {live.spec().file}, nullptr}, request.component, Value(std::move(fields)));
     if (read) read = words.finish();
     if (!read) return read;
-    return live.act(Add{words.spec().entries.back()}, {Actor::Kind::network, "rtm"}).map([](const ActResult&) {});
+    return live.act(Add{words.spec().entries.back()}, openrtm::rtm_actor).map([](const ActResult&) {});
 }
 
 std::vector<openrtm::RtcModule> modules_of(const Project& project, const std::string& file) {

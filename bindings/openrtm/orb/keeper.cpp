@@ -250,8 +250,10 @@ void Keeper::register_all() {
         if (server.is_resting()) continue;
         const std::string about = "the name service at " + server.names.address();
         try {
-            for (const Rtc& rtc : rtcs_)
+            for (const Rtc& rtc : rtcs_) {
                 register_at(server.names, rtc->profile().component, rtc->instance() + rtc_kind, rtc->reference());
+                rtc->note_named();
+            }
             if (manager_.in() != nullptr)
                 register_at(server.names, "the manager", manager_->instance() + manager_kind, manager_->reference());
             told_.erase(about);

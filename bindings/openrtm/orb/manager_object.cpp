@@ -108,13 +108,16 @@ std::string ManagerObject::make(const std::string& script, const std::string& wa
 
 RTC::RTObject_ptr ManagerObject::find_soon(const std::string& component) {
     const auto end = std::chrono::steady_clock::now() + longest_export;
+    RTC::RTObject_var made;  // if no name service answers in time
     while (std::chrono::steady_clock::now() < end) {
         for (const auto& rtc : listed()) {
-            if (rtc->profile().component == component) return RTC::RTObject::_duplicate(rtc->reference());
+            if (rtc->profile().component != component) continue;
+            made = RTC::RTObject::_duplicate(rtc->reference());
+            if (rtc->is_named()) return made._retn();
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
-    return RTC::RTObject::_nil();
+    return made._retn();
 }
 
 RTC::RTObject_ptr ManagerObject::create_component(const char* text) {

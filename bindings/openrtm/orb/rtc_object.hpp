@@ -1,6 +1,7 @@
 // A component as an RTC: its profile, its execution context and its ports.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <string>
@@ -58,6 +59,9 @@ public:
     const RtcProfile& profile() const { return profile_; }
     const std::string& instance() const { return instance_; }
     RTC::RTObject_ptr reference() const { return self_.in(); }
+    /// Whether a name service has it.
+    bool is_named() const { return is_named_; }
+    void note_named() { is_named_ = true; }
     /// nullptr if there is no such path.
     PortObject* find_port(std::string_view path) const;
     const std::vector<PortableServer::Servant_var<PortObject>>& ports() const { return ports_; }
@@ -111,6 +115,7 @@ private:
     const RtcProfile profile_;
     const std::string instance_;
     const std::string name_;  // "pc.host_cxt/controller0.rtc"
+    std::atomic<bool> is_named_ = false;
     std::vector<PortableServer::Servant_var<PortObject>> ports_;
     PortableServer::Servant_var<ContextObject> context_;
     PortableServer::Servant_var<ConfigurationObject> configuration_;

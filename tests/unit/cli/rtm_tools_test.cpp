@@ -1,8 +1,6 @@
 // The CORBA calls of rtshell's tools and of RTSystemEditor, one after the other, on a running system.
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <string>
-#include <thread>
 
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
@@ -31,15 +29,6 @@ struct ToolRig {
     std::string ask(const std::string& line, const std::string& begin) {
         tool.say(line);
         return tool.heard(begin);
-    }
-
-    // A new component is in the name service soon after its creation.
-    void wait_for_name(const std::string& rtc) {
-        std::string all;
-        for (int i = 0; i < 200 && all.find(" " + rtc + ".rtc") == std::string::npos; ++i) {
-            if (i > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-            all = ask("names", "names");
-        }
     }
 
     Names names;
@@ -97,11 +86,10 @@ TEST_CASE("rtmgr makes and ends behaviours of the project, and ends the run", "[
     CHECK(manage("load robot_controller.lua", "loaded ") == "loaded 0");
     CHECK(manage("load unheard.so", "loaded ") == "loaded 2");  // BAD_PARAMETER
     CHECK(manage("create RobotController", "created ") == "created robot_controller0");
-    rig.wait_for_name("robot_controller0");
-    CHECK(rig.ask("state robot_controller0", "state ") == "state 1");  // INACTIVE
+    CHECK(rig.ask("names", "names").find(" robot_controller0.rtc") != std::string::npos);  // at once
+    CHECK(rig.ask("state robot_controller0", "state ") == "state 1");                      // INACTIVE
     CHECK(manage("create RobotController?instance_name=second0&conf.default.speed_x=0.5", "created ") ==
           "created second0");
-    rig.wait_for_name("second0");
     CHECK(rig.ask("sets second0", "sets ").starts_with("sets default | default speed_x=0.5 "));
     CHECK(manage("create RTC:Lab:Control:RobotController:1.0", "created ") == "created robot_controller_20");
     CHECK(manage("create Unheard", "created ") == "created nothing");

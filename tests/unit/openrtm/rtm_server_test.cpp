@@ -1,4 +1,5 @@
 // A live system among RTCs: what they see, send and change.
+#include "bindings/openrtm/rtm_word.hpp"
 #include "tests/unit/openrtm/server_rig.hpp"
 
 using namespace nezumi;
@@ -350,4 +351,25 @@ TEST_CASE("an emergency stop does not change a robot's measurements", "[openrtm]
     double tm = 0;
     REQUIRE(read_cdr_message(rig.told.sent[0].second, measured, tm, {.order = std::endian::little}));
     CHECK(measured.get<Velocity2D>().vx > 0.1);
+}
+
+TEST_CASE("what a tool adds is exported, connects to RTCs, and is exported again when a saved file is run",
+          "[openrtm][server]") {
+    ServerRig rig;
+    BehaviorEntry entry{.name = "second", .script = "counter"};
+    entry.path = rig.folder.path("behaviors/counter.lua").string();
+    REQUIRE(rig.live->act(Add{entry}, {Actor::Kind::console, "1"}));
+    rig.turn();
+    CHECK(rig.told.profiles.size() == 2);  // a person has added it, who has not exported it
+    REQUIRE(rig.live->act(Remove{"second"}, {Actor::Kind::console, "1"}));
+    REQUIRE(rig.live->act(Add{entry}, rtm_actor));
+    rig.turn();
+    REQUIRE(rig.told.profiles.size() == 3);
+    CHECK(rig.told.profiles[2].component == "second");
+    CHECK(rig.live->act(Connect{"rtm:Eye0.out", "second.in"}, rtm_actor));
+    const SystemSpec& spec = rig.live->spec();
+    CHECK(rtm_word().text(*spec.peers.at("rtm")) == "rtm { export = { \"mouse\", \"controller\", \"second\" } }\n");
+    REQUIRE(rig.live->act(Restart{}, {}));
+    rig.turn();
+    CHECK(rig.told.profiles.size() == 2);  // those of the file
 }
