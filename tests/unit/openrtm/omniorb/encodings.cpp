@@ -2,17 +2,12 @@
 // with random values, by type codes that are made of its fields. Prints a line for each that differs; exits 1 then.
 #include <omniORB4/CORBA.h>
 
-#include <cstdio>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
-#include <vector>
 
-#include "engine/messages/message_files.hpp"
 #include "engine/values/cdr.hpp"
-#include "tests/unit/random_message.hpp"
-#include "tests/unit/source_root.hpp"
+#include "tests/unit/foreign_encoder.hpp"
 
 using namespace nezumi;
 
@@ -193,28 +188,12 @@ int main() {
     int none = 0;
     const CORBA::ORB_var orb = CORBA::ORB_init(none, nullptr);
     Encoder encoder(orb);
-    const MessageFiles files(Project::of(source_root() + "/behaviors/it.lua"),
-                             [](const SourceText&, const Project&) { return failure("not here"); });
-    std::vector<const MessageType*> all = files.all("it.lua");
-    for (const MessageType& type : compiled_message_types()) all.push_back(&type);
-    int wrong = 0;
-    RandomMessages random(7);
-    for (const MessageType* type : all) {
-        for (int i = 0; i < 20; ++i) {
-            Value value = make_payload(type);
-            random.fill(value);
-            make_plain(value);
-            for (const std::endian order : {std::endian::little, std::endian::big}) {
-                try {
-                    if (encoder.agrees(value, order)) continue;
-                    std::printf("%s differs%s\n", type->name.c_str(), order == std::endian::big ? " (big-endian)" : "");
-                } catch (const CORBA::Exception& error) {
-                    std::printf("%s: %s\n", type->name.c_str(), error._name());
-                }
-                ++wrong;
-            }
+    const auto agrees = [&](const Value& value, std::endian order) {
+        try {
+            return encoder.agrees(value, order);
+        } catch (const CORBA::Exception& error) {
+            throw std::runtime_error(error._name());
         }
-    }
-    std::printf("%zu message types, %d differences\n", all.size(), wrong);
-    return wrong == 0 && all.size() > 100 ? 0 : 1;
+    };
+    return compare_shipped_types(agrees, [](Value& value) { make_plain(value); });
 }
