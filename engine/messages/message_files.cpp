@@ -220,12 +220,24 @@ private:
                         all.push_back({path, its.package, each.name});
                 }
             } else if (of_messages && package.empty() && (name.package.empty() || name.package == entry)) {
-                for (const fs::path& inner : {path, path / "msg"}) {
-                    for (Definition& each : in_folder(inner, entry, name, true)) of_packages.push_back(std::move(each));
-                }
+                add_inner(path, entry, name, of_packages);
+            }
+        }
+        // Modules of IDL need not have the name of their folder.
+        if (all.empty() && of_packages.empty() && of_messages && package.empty() && !name.package.empty()) {
+            for (const std::string& entry : project().files().names_in(folder)) {
+                if (entry != name.package && fs::path(entry).extension().empty())
+                    add_inner(folder / entry, entry, name, of_packages);
             }
         }
         return all.empty() ? of_packages : all;
+    }
+
+    void add_inner(const fs::path& path, const std::string& package, const TypeName& name,
+                   std::vector<Definition>& found) {
+        for (const fs::path& inner : {path, path / "msg"}) {
+            for (Definition& each : in_folder(inner, package, name, true)) found.push_back(std::move(each));
+        }
     }
 
     // A file that would redefine a built-in type, beside the file at `from` or among the messages.

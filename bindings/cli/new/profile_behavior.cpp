@@ -94,11 +94,17 @@ private:
 
     void write_port(const ProfilePort& port) {
         const bool is_in = port.direction == Direction::in;
-        const auto found = messages_(port.type, "behaviors/" + parts_.name + ".lua", nullptr);
+        const std::string file = "behaviors/" + parts_.name + ".lua";
+        auto found = messages_(port.type, file, nullptr);
+        // Other packages may have one of this name.
+        if (!found && port.type.find('/') == std::string::npos) found = messages_("RTC/" + port.type, file, nullptr);
         if (!found) {
-            remarks_.push_back(fmt::format("port '{}': there is no message type '{}'{}", shown(port.name),
-                                           shown(port.type),
-                                           port.idl_file.empty() ? "" : fmt::format(" of {}", port.idl_file)));
+            const std::string where =
+                port.idl_file.empty()
+                    ? ""
+                    : fmt::format(" of {} (put this file into behaviors/messages/ and try again)", port.idl_file);
+            remarks_.push_back(
+                fmt::format("port '{}': there is no message type '{}'{}", shown(port.name), shown(port.type), where));
             parts_.declarations.push_back(fmt::format("{}({}, {}, {})", is_in ? "input" : "output",
                                                       lua_quoted(port.name), lua_quoted(port.type),
                                                       lua_quoted(port.doc)));
