@@ -120,6 +120,7 @@ class Link:
         if printed is None:
             return None
         answer = json.loads(printed)
+        learn(self._types, answer["ports"])
         self._seen = dict(zip(self._asked, answer["ports"]))
         self._now = answer["now"]
         return answer
@@ -151,6 +152,13 @@ class Link:
         self._sheets.write(changes)
 
 
+def learn(types, ports):
+    """Takes the fields of types that are new, or have changed."""
+    for port in ports:
+        if port.get("fields") is not None:
+            types[port["type"]] = Type.of_texts(port["type"], port["fields"])
+
+
 def event_of_signals():
     """An event that Ctrl-C and the like set; when the office does not let go within 5 s, the link just leaves."""
     ended = threading.Event()
@@ -172,11 +180,12 @@ def event_of_signals():
 
 def run(options, office):
     console = Console(options.socket)
-    types = {name: Type(name, fields) for name, fields in json.loads(options.types).items()}
+    types = {}
     with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "ports.lua"), encoding="utf-8") as file:
         console.ask(file.read(), 60)
     console.ask("calc_check(%s)" % lua(options.port), 60)
     ports = json.loads(console.ask("calc_ports()", 60) or "[]")
+    learn(types, ports)
 
     ended = event_of_signals()
     desktop, process = office.start(options.profile, options.headless, ended)
@@ -231,7 +240,6 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--socket", type=int, required=True)
     parser.add_argument("--system", required=True)
-    parser.add_argument("--types", required=True)
     parser.add_argument("--file", default="")
     parser.add_argument("--profile", default="")
     parser.add_argument("--rate", type=float, required=True)

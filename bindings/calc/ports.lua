@@ -47,9 +47,16 @@ local function find_port(path)
   return world[component].ports[name]
 end
 
+local told = {} -- by type: its fields
+
+-- The fields only where they are new: a saved definition may change them.
 local function describe(port)
+  local fields = port.fields
+  local known = table.concat(fields, "\n")
+  if told[port.type] == known then fields = nil end
+  told[port.type] = known
   return {
-    type = port.type, direction = port.direction, value = port.value, came = port.count > 0, tm = port.tm,
+    type = port.type, fields = fields, direction = port.direction, value = port.value, came = port.count > 0, tm = port.tm,
     stale = port.stale, override = port.override, peers = port.peers,
   }
 end

@@ -44,6 +44,12 @@ class Type:
         self.is_picture = len(self._fields) < len(fields)  # cells show everything but the pixels
         self.is_sequence = bool(fields) and fields[0][3]  # what it carries first, or all of it
 
+    @classmethod
+    def of_texts(cls, name, texts):
+        """A type whose fields are texts of the system: "position.x: number [m]", "ranges[]: number [m]"."""
+        found = [re.fullmatch(r"(.*?)(\[\])?: (\w+)(?: \[(.*)\])?", text) for text in texts]
+        return cls(name, [[each[1], each[4] or "", each[3], each[2] is not None] for each in found])
+
     def part(self, name):
         """A part by its name; None when there is no such part."""
         found = re.fullmatch(r"([A-Za-z_][\w.]*)?\[?([1-9]\d*)?\]?", name, re.ASCII)

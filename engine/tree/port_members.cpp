@@ -1,4 +1,6 @@
 // The table of all members of ports.
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "engine/tree/read_member.hpp"
@@ -11,6 +13,29 @@ using namespace reads;
 std::string path_of_port(const TreeNode& node) { return path(*node.component(), *node.port()); }
 
 std::vector<std::string> peers_of(const TreeNode& node) { return node.system().peers(*node.component(), *node.port()); }
+
+// Adds "NAME: KIND [UNIT]" for every value in a message; of a sequence or an array "NAME[]".
+void add_fields(const Type& type, const std::string& name, std::string_view unit, std::vector<std::string>& fields) {
+    for (const Type::Field& field : type.fields)
+        add_fields(*field.type, name + (name.empty() ? "" : ".") + std::string(field.name), field.unit, fields);
+    const bool is_several = type.kind == Type::Kind::sequence || type.kind == Type::Kind::array;
+    const Type& single = is_several ? *type.element : type;
+    if (!single.is_single()) return;
+    const std::string_view kind = single.is_integer()                      ? "integer"
+                                  : single.is_floating()                   ? "number"
+                                  : single.kind == Type::Kind::boolean     ? "boolean"
+                                  : single.kind == Type::Kind::text        ? "text"
+                                  : single.kind == Type::Kind::enumeration ? "text"
+                                                                           : "octets";
+    fields.push_back(
+        fmt::format("{}{}: {}{}", name, is_several ? "[]" : "", kind, unit.empty() ? "" : fmt::format(" [{}]", unit)));
+}
+
+std::vector<std::string> fields_of_port(const TreeNode& node) {
+    std::vector<std::string> fields;
+    add_fields(*node.port()->type()->payload, "", "", fields);
+    return fields;
+}
 
 const std::vector<MemberInfo>& all_port_members() {
     static const std::vector<MemberInfo> members{
@@ -41,6 +66,10 @@ const std::vector<MemberInfo>& all_port_members() {
          .most = 0,
          .usage = "()",
          .doc = "no message gets through until release"},
+        {.name = "fields",
+         .type = "string[]",
+         .doc = R"(what its messages hold, as in "position.x: number [m]", "ranges[]: number [m]")",
+         .value = of_node<fields_of_port>},
         {.name = "freeze",
          .type = "fun(self: Port)",
          .called = true,

@@ -1029,6 +1029,7 @@ function robot_model(fields) end
 ---@field direction "in"|"out" whether its component reads or writes it
 ---@field doc string its description
 ---@field drop fun(self: Port) no message gets through until release
+---@field fields string[] what its messages hold, as in "position.x: number [m]", "ranges[]: number [m]"
 ---@field freeze fun(self: Port) the present value is repeated until release
 ---@field hold fun(self: Port, value: any, options?: HoldOptions) only this value gets through until release
 ---@field holder string? the actor that holds, drops or freezes it, or nil

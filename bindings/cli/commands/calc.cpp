@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "bindings/cli/base/environment.hpp"
-#include "bindings/cli/base/json_text.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/console/socket_directory.hpp"
 
@@ -31,31 +30,6 @@ struct CalcOptions {
     std::string profile;
     bool headless = false;
 };
-
-// Adds every number, boolean, text and picture of a type as [name, unit, kind, is a sequence].
-void add_fields(const Type& type, const std::string& name, std::string_view unit, std::vector<std::string>& fields) {
-    for (const Type::Field& field : type.fields)
-        add_fields(*field.type, name + (name.empty() ? "" : ".") + field.name, field.unit, fields);
-    const Type& single = type.single();
-    if (!single.is_single()) return;
-    const std::string_view kind = single.is_integer()                  ? "integer"
-                                  : single.is_floating()               ? "number"
-                                  : single.kind == Type::Kind::boolean ? "boolean"
-                                  : single.kind == Type::Kind::text    ? "text"
-                                                                       : "octets";
-    fields.push_back(fmt::format("[{},{},{},{}]", json_text(name), json_text(unit), json_text(kind),
-                                 type.kind == Type::Kind::sequence));
-}
-
-std::string types_as_json() {
-    std::vector<std::string> types;
-    for (const MessageType& message : compiled_message_types()) {
-        std::vector<std::string> fields;
-        add_fields(*message.payload, "", "", fields);
-        types.push_back(fmt::format("{}:[{}]", json_text(message.name), fmt::join(fields, ",")));
-    }
-    return fmt::format("{{{}}}", fmt::join(types, ","));
-}
 
 std::string link_program() {
     std::error_code none;
@@ -90,8 +64,6 @@ int link(const CalcOptions& options) {
                                    "--socket",
                                    std::to_string(socket),
                                    "--system=" + reached->system.name,
-                                   "--types",
-                                   types_as_json(),
                                    "--file=" + file,
                                    "--profile=" + options.profile,
                                    "--rate",

@@ -146,6 +146,10 @@ return type(controller.out.doc)  -- returns: string
 
 return type(controller.out.drop)  -- returns: function
 
+return controller.out.fields[1]  -- returns: vx: number [m/s]
+
+return controller.ports["in"].fields[1]  -- returns: []: integer
+
 return type(controller.out.freeze)  -- returns: function
 
 return type(controller.out.hold)  -- returns: function

@@ -15,9 +15,9 @@ from values import Type, Wrong, message_of
 
 VELOCITY = Type("TimedVelocity2D", [[name, "m/s", "number", False] for name in ("vx", "vy", "va")])
 POSE = Type("TimedPose2D", [[name, "m", "number", False] for name in ("position.x", "position.y", "heading")])
-RANGES = Type("RangeData", [["ranges", "m", "number", True], ["config.minRange", "m", "number", False]])
-SHORTS = Type("TimedShortSeq", [["", "", "integer", True]])
-TEXT = Type("TimedString", [["", "", "text", False]])
+RANGES = Type.of_texts("RangeData", ["ranges[]: number [m]", "config.minRange: number [m]"])
+SHORTS = Type.of_texts("TimedShortSeq", ["[]: integer"])
+TEXT = Type.of_texts("TimedString", [": text"])
 
 
 def message(kind, headings, *contents):

@@ -101,7 +101,7 @@ class OwnOfficeTest(unittest.TestCase):
         bare = dict(self.place.environment, PATH=self.place.folder)
         self.refuses([self.nezumi, "calc"], bare, "nezumi: LibreOffice Calc is not installed: " + needs)
         link = os.path.join(os.path.dirname(__file__), "../../../bindings/calc/link.py")
-        words = ["/usr/bin/python3", "-BEsS", link, "--socket", "0", "--system", "it", "--types", "{}", "--rate", "10"]
+        words = ["/usr/bin/python3", "-BEsS", link, "--socket", "0", "--system", "it", "--rate", "10"]
         self.refuses(words, None, "nezumi: the spreadsheet link needs LibreOffice Calc: " + needs)
 
     def test_files_that_are_no_spreadsheet_are_refused(self):
