@@ -48,7 +48,8 @@ private:
     std::atomic<RTC::LifeCycleState> state_ = RTC::INACTIVE_STATE;
 };
 
-/// Two sets of one parameter, and what its widget is. As in OpenRTM-aist a value counts when its set is chosen, or chosen again.
+/// Two sets of one parameter, and what its widget is. As in OpenRTM-aist a value counts when its set is chosen, or
+/// chosen again.
 class FakeConfiguration final : public POA_SDOPackage::Configuration {
 public:
     SDOPackage::ConfigurationSetList* get_configuration_sets() override {
