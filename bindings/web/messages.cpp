@@ -191,6 +191,7 @@ PeerMessage read_peer(Fields& fields, const Json& json, const PartReader& parts)
         std::find_if(peer_verbs.begin(), peer_verbs.end(), [&](const auto& each) { return each.first == what; });
     if (verb == peer_verbs.end()) {
         std::vector<std::string_view> names;
+        names.reserve(peer_verbs.size());
         for (const auto& [name, number] : peer_verbs) names.push_back(name);
         fields.wrong("what", fmt::format("one of {}", fmt::join(names, ", ")));
         return {};
