@@ -110,19 +110,19 @@ same([pieces(), last()], [600, [7.48, 0, 0.003, 7.49, 0, 0.003]], "the newest pi
 trails.forget();
 same(pieces(), 0, "a forgotten trail");
 
-const own = [{ name: "mouse", kind: "robot", ports: [{ name: "speed", way: "in", type: "TimedLong" }, { name: "pose", way: "out", type: "TimedPose2D" }] }];
-const rtc = (name, ...ports) => ({ name, type: "T", state: "ACTIVE", ports, parameters: [], sets: [] });
-const out = { name: "out", way: "out", type: "TimedLong" };
-const seen = { context: "pc.host_cxt", rtcs: [rtc("rtm:A0", out), rtc("rtm:far.host_cxt/B0", out)], ports: { "mouse.speed": "TimedLong" },
+const own_boxes = [{ name: "mouse", kind: "robot", ports: [{ name: "speed", way: "in", type: "TimedLong" }, { name: "pose", way: "out", type: "TimedPose2D" }] }];
+const rtc_box = (name, ...ports) => ({ name, type: "T", state: "ACTIVE", ports, parameters: [], sets: [] });
+const rtc_out = { name: "out", way: "out", type: "TimedLong" };
+const rtcs_seen = { context: "pc.host_cxt", rtcs: [rtc_box("rtm:A0", rtc_out), rtc_box("rtm:far.host_cxt/B0", rtc_out)], ports: { "mouse.speed": "TimedLong" },
   connections: [{ from: "rtm:A0.out", to: "mouse.speed" }, { from: "rtm:A0.out", to: "rtm:far.host_cxt/B0.in" }] };
-const wired = (rtcs, ...given) => with_rtcs(own, { connections: given.map(([from, to]) => ({ from, to })) }, rtcs);
-const names = ({ connections }) => connections.map(({ from, to, given }) => [from, to, given?.from ?? null]);
-same(names(wired(seen, ["rtm:pc.host_cxt/A0.out", "mouse.speed"])),
+const wired_rtcs = (rtcs, ...given) => with_rtcs(own_boxes, { connections: given.map(([from, to]) => ({ from, to })) }, rtcs);
+const names_of = ({ connections }) => connections.map(({ from, to, given }) => [from, to, given?.from ?? null]);
+same(names_of(wired_rtcs(rtcs_seen, ["rtm:pc.host_cxt/A0.out", "mouse.speed"])),
   [["rtm:A0.out", "mouse.speed", "rtm:pc.host_cxt/A0.out"], ["rtm:A0.out", "rtm:far.host_cxt/B0.in", null]], "an RTC by two of its names");
-same(names(wired(seen, ["rtm:B0.out", "mouse.speed"]))[0], ["rtm:far.host_cxt/B0.out", "mouse.speed", "rtm:B0.out"], "an RTC of another computer by its short name");
-const late = wired(null, ["mouse.pose", "rtm:Late0.in"]).boxes.find(({ name }) => name === "rtm:Late0");
-same([late.state, late.ports.map(({ name, way, type, waits }) => [name, way, type, waits])], ["MISSING", [["in", "in", "TimedPose2D", true]]], "an RTC that is waited for");
-const port = (name, kind, type) => [name, { component: { kind }, type }];
-same(carries_same(seen, port("rtm:A0.out", "rtc", "TimedLong"), port("mouse.speed", "robot", "TimedLong")), true, "an exported port");
-same(carries_same(seen, port("rtm:A0.out", "rtc", "TimedLong"), port("other.in", "behavior", "TimedLong")), false, "a port that is not exported");
+same(names_of(wired_rtcs(rtcs_seen, ["rtm:B0.out", "mouse.speed"]))[0], ["rtm:far.host_cxt/B0.out", "mouse.speed", "rtm:B0.out"], "an RTC of another computer by its short name");
+const late_rtc = wired_rtcs(null, ["mouse.pose", "rtm:Late0.in"]).boxes.find(({ name }) => name === "rtm:Late0");
+same([late_rtc.state, late_rtc.ports.map(({ name, way, type, waits }) => [name, way, type, waits])], ["MISSING", [["in", "in", "TimedPose2D", true]]], "an RTC that is waited for");
+const rtc_port = (name, kind, type) => [name, { component: { kind }, type }];
+same(carries_same(rtcs_seen, rtc_port("rtm:A0.out", "rtc", "TimedLong"), rtc_port("mouse.speed", "robot", "TimedLong")), true, "an exported port");
+same(carries_same(rtcs_seen, rtc_port("rtm:A0.out", "rtc", "TimedLong"), rtc_port("other.in", "behavior", "TimedLong")), false, "a port that is not exported");
 return count;
