@@ -99,9 +99,8 @@ TEST_CASE("a program without RTCs says so to a browser, and what is wrong in a r
     CHECK(refused({{"what", "use"}, {"name", "In0"}}) == "'set' must be a text");
     CHECK(refused({{"what", "connect"}, {"from", "Out0.out"}}) == "'to' must be a text");
     CHECK(refused({{"what", "configure"}, {"name", "In0"}, {"value", 1}}) == "'parameter' must be a text");
-    CHECK(
-        refused({{"what", "configure"}, {"name", "In0"}, {"parameter", "gain"}, {"value", nullptr}}).find("'value'") !=
-        std::string::npos);
+    CHECK(refused({{"what", "configure"}, {"name", "In0"}, {"parameter", "gain"}, {"value", nullptr}}) ==
+          "'value' must be a number, a text, a truth value, or a list of one kind of them");
 }
 
 TEST_CASE("a view-only browser asks nothing of RTCs", "[web][peers]") {
