@@ -48,7 +48,7 @@ std::string offered(const Scratch& files, const std::string& words, int count) {
 TEST_CASE("bash completes commands, options, words and files", "[cli][completion]") {
     const Scratch files;
     files.write("room.lua", "");
-    CHECK(offered(files, "nezumi ma", 2) == "manual marker\n");
+    CHECK(offered(files, "nezumi ma", 2) == "manual marker maze\n");
     CHECK(offered(files, "nezumi new \"\"", 3) == "behavior project robot scenario system\n");
     CHECK(offered(files, "nezumi new behaviour --pa", 4) == "--param\n");
     CHECK(offered(files, "nezumi run --he", 3) == "--headless --help\n");
@@ -80,7 +80,7 @@ TEST_CASE("the scripts are well-formed where their shell is there to say so", "[
     if (!missing.empty()) throw std::runtime_error("SKIPPED: not installed: sudo apt install" + missing);
     const std::string script = files.path("script.fish").string();
     CHECK(said_by("fish --no-config -c 'source " + script +
-                  "; complete -C \"nezumi ma\"' | cut -f 1 | LC_ALL=C sort") == "manual\nmarker\n");
+                  "; complete -C \"nezumi ma\"' | cut -f 1 | LC_ALL=C sort") == "manual\nmarker\nmaze\n");
     CHECK(said_by("fish --no-config -c 'source " + script +
                   "; complete -C \"nezumi new behaviour --pa\"' | cut -f 1") == "--param\n");
 }
