@@ -279,10 +279,11 @@ PeerMessage read_peer(Fields& fields, const Json& json, const PartReader& parts)
         if (text->empty()) fields.wrong(name, "a text");
     }
     if (what == "configure") {
-        const auto set = act_from_json(
-            "SetParameter",
-            Json{{"component", message.request.name}, {"parameter", fields.text("parameter")}, {"value", json.value("value", Json())}},
-            parts);
+        const auto set = act_from_json("SetParameter",
+                                       Json{{"component", message.request.name},
+                                            {"parameter", fields.text("parameter")},
+                                            {"value", json.value("value", Json())}},
+                                       parts);
         if (!set) {
             fields.refuse(set.error().message);
             return {};
