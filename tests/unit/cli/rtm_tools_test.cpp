@@ -1,6 +1,8 @@
 // The CORBA calls of rtshell's tools and of RTSystemEditor, one after the other, on a running system.
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <string>
+#include <thread>
 
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
