@@ -47,7 +47,7 @@ class World(rig.PageCase):
         x, _, heading = self.page.pose()
         self.assertAlmostEqual(x, 0, delta=0.05)
         self.assertAlmostEqual(heading, 0, delta=1)
-        self.assertIn("Teleport", self.log())
+        self.assertIn("teleport mouse", self.log())
 
     def log(self):
         self.page.view("log")

@@ -43,6 +43,7 @@ export class ArenaEdit {
   }
 
   async #read() {
+    this.say("");
     await this.#files.list();
     const found = this.#files.named(this.#parts.model.system.file);
     if (!found) return this.say(T.arena.no_file, true);
