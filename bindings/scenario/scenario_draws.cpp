@@ -30,7 +30,7 @@ int ScenarioRun::Methods::any(ScenarioRun& run, lua_State* lua) {
         if (!is_identifier(key.name))
             return raise(run, fmt::format("'{}': expected a name for each value, got '{}'", name, shown(key.name)));
         const std::string field = key.name;
-        key.name = name + "." + field;
+        key.name = fmt::format("{}.{}", name, field);
         const auto same = [&key](const auto& value) { return value.first == key.name; };
         const auto has_name = [&key](const DrawnValue& value) { return value.name == key.name; };
         if (std::any_of(run.result_.drawn.begin(), run.result_.drawn.end(), has_name))

@@ -358,6 +358,7 @@ tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const 
         std::find_if(kinds.begin(), kinds.end(), [&](const Kind& each) { return each.name == what; });
     if (kind == kinds.end()) {
         std::vector<std::string_view> names;
+        names.reserve(kinds.size());
         for (const Kind& each : kinds) names.push_back(each.name);
         fields.wrong("do", fmt::format("one of {}", fmt::join(names, ", ")));
     } else {
