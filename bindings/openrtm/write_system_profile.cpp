@@ -138,20 +138,20 @@ void write_connection(const ProfiledConnection& connection, const SystemProfile&
               {"rts:name", name.empty() ? usual_name : name}});
     if (is_data) {
         node.append_attribute("rts:dataType") = type.c_str();
-        for (const auto& [attribute, property, usual] : connection_terms) {
+        for (const ConnectionTerm& term : connection_terms) {
             const auto said = std::find_if(properties.begin(), properties.end(),
-                                           [&](const auto& each) { return each.first == property; });
-            node.append_attribute(attribute) = said == properties.end() ? usual : said->second.c_str();
+                                           [&](const auto& each) { return each.first == term.property; });
+            node.append_attribute(term.attribute) = said == properties.end() ? term.usual : said->second.c_str();
         }
     }
     write_end(from, profile, node.append_child(is_data ? "rts:sourceDataPort" : "rts:sourceServicePort"));
     write_end(to, profile, node.append_child(is_data ? "rts:targetDataPort" : "rts:targetServicePort"));
-    for (const auto& [property, value] : properties) {
-        if (property == "dataport.data_type" && is_data) continue;
+    for (const auto& each : properties) {
+        if (each.first == "dataport.data_type" && is_data) continue;
         if (is_data && std::any_of(connection_terms.begin(), connection_terms.end(),
-                                   [&](const ConnectionTerm& term) { return term.property == property; }))
+                                   [&](const ConnectionTerm& term) { return term.property == each.first; }))
             continue;
-        with(node.append_child("rtsExt:Properties"), {{"rtsExt:name", property}, {"rtsExt:value", value}});
+        with(node.append_child("rtsExt:Properties"), {{"rtsExt:name", each.first}, {"rtsExt:value", each.second}});
     }
 }
 
