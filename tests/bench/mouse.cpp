@@ -16,14 +16,6 @@ namespace {
 constexpr int ticks_a_round = 5000;
 constexpr int rounds = 41;
 
-// The tutorial's system, but that the mouse drives a circle: it sees the wall, and never comes so near that it stops.
-constexpr const char* system_text = R"(
-arena { box { at = { 0.55, 0.1, 0.15 }, size = { 0.1, 1.0, 0.3 } } }
-robot    "mouse"      { model = "raspimouse", pose = { x = 0, y = 0, heading = 0 } }
-behavior "controller" { script = "robot_controller", config = { speed_x = 0.1, speed_r = 0.8 } }
-connect("mouse.ir_sensor_out", "controller.in")
-connect("controller.out", "mouse.target_velocity_in")
-)";
 constexpr bench::BareBox box{0.5, 0.6, -0.4, 0.6};
 constexpr double speed = 0.1, turn = 0.8;
 
@@ -49,7 +41,7 @@ struct BareMouse {
 
 int main(int argc, char** argv) {
     if (argc == 2 && std::string_view(argv[1]) == "--profile") {
-        bench::WholeEngine engine(system_text);
+        bench::WholeEngine engine(bench::mouse_text);
         const double seconds = bench::time_of([&] { engine.run(500'000); });
         std::printf("%.3f us a tick\n", seconds / 500'000 * 1e6);
         return 0;
@@ -58,7 +50,7 @@ int main(int argc, char** argv) {
                         "tick 100 Hz, physics 5 ms, robot_controller.lua driving a circle, " + std::to_string(rounds) +
                             " rounds of " + std::to_string(ticks_a_round) + " ticks in turns");
     Trace trace;
-    bench::WholeEngine engine(system_text), traced(system_text);
+    bench::WholeEngine engine(bench::mouse_text), traced(bench::mouse_text);
     trace.start(*traced.system);
     trace.remember_ports();
     BareMouse bare;

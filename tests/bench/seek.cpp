@@ -116,14 +116,7 @@ void measure_keeping(const std::filesystem::path& folder, const char* name, cons
     std::fflush(stdout);
 }
 
-// As bench_mouse and bench_swarm have them.
-constexpr const char* mouse_text = R"(
-arena { box { at = { 0.55, 0.1, 0.15 }, size = { 0.1, 1.0, 0.3 } } }
-robot    "mouse"      { model = "raspimouse", pose = { x = 0, y = 0, heading = 0 } }
-behavior "controller" { script = "robot_controller", config = { speed_x = 0.1, speed_r = 0.8 } }
-connect("mouse.ir_sensor_out", "controller.in")
-connect("controller.out", "mouse.target_velocity_in")
-)";
+// As bench_swarm has it.
 constexpr const char* swarm_text = "require 'lib.swarm_arena' { count = 100, side = 10, model = 'swarm_robot' }";
 
 }  // namespace
@@ -147,7 +140,7 @@ int main(int argc, char** argv) {
         std::puts(
             "\n  a tick with the history / without, and with the time line's places and marks / with the history "
             "alone");
-        measure_keeping(folder, "mouse", mouse_text, 5000);
+        measure_keeping(folder, "mouse", bench::mouse_text, 5000);
         measure_keeping(folder, "swarm", swarm_text, 100);
     }
     std::filesystem::remove_all(folder);

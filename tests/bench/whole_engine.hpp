@@ -22,6 +22,15 @@ T must(Expected<T> expected) {
     std::exit(2);
 }
 
+/// The tutorial's system, but that the mouse drives a circle: it sees the wall, and never comes so near that it stops.
+inline constexpr const char* mouse_text = R"(
+arena { box { at = { 0.55, 0.1, 0.15 }, size = { 0.1, 1.0, 0.3 } } }
+robot    "mouse"      { model = "raspimouse", pose = { x = 0, y = 0, heading = 0 } }
+behavior "controller" { script = "robot_controller", config = { speed_x = 0.1, speed_r = 0.8 } }
+connect("mouse.ir_sensor_out", "controller.in")
+connect("controller.out", "mouse.target_velocity_in")
+)";
+
 struct WholeEngine {
     ChunkCache chunks;
     SystemSpec spec;

@@ -39,13 +39,7 @@ class Arena(rig.PageCase):
 
     def test_texts_of_system_files_are_changed_where_they_must(self):
         self.open(text=ROOM)
-        with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "arena_text_test.js")) as file:
-            checks = file.read()
-        result = self.page.driver.execute_async_script(
-            "const done = arguments[arguments.length - 1];"
-            "(async () => {" + checks + "})().then((count) => done({ count }), (wrong) => done({ wrong: String(wrong.stack) }))")
-        self.assertNotIn("wrong", result)
-        self.assertGreaterEqual(result["count"], 18)
+        self.check_modules("arena_text_test.js", 18)
 
     def test_a_thing_that_is_moved_and_turned_by_keys_is_written_with_its_comment(self):
         self.begin()

@@ -36,13 +36,7 @@ class Smoke(rig.PageCase):
 
     def test_messages_of_the_engine_are_read_as_they_were_written(self):
         self.open(WALL)
-        with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "modules_test.js")) as file:
-            checks = file.read()
-        result = self.page.driver.execute_async_script(
-            "const done = arguments[arguments.length - 1];"
-            "(async () => {" + checks + "})().then((count) => done({ count }), (wrong) => done({ wrong: String(wrong.stack) }))")
-        self.assertNotIn("wrong", result)
-        self.assertGreaterEqual(result["count"], 20)
+        self.check_modules("modules_test.js", 20)
 
 
 class Words(rig.PageCase):

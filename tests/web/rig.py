@@ -238,6 +238,16 @@ class PageCase(unittest.TestCase):
         self.addCleanup(self.page.driver.get, "about:blank")
         return system
 
+    def check_modules(self, name, least):
+        """Runs the checks of a file beside this one within the page; there are at least so many."""
+        with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), name)) as file:
+            checks = file.read()
+        result = self.page.driver.execute_async_script(
+            "const done = arguments[arguments.length - 1];"
+            "(async () => {" + checks + "})().then((count) => done({ count }), (wrong) => done({ wrong: String(wrong.stack) }))")
+        self.assertNotIn("wrong", result)
+        self.assertGreaterEqual(result["count"], least)
+
     def stands(self, page=None):
         """Nothing moves any more."""
         page = page or self.page

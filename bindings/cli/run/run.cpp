@@ -159,7 +159,7 @@ private:
             live_->trace().keep(std::max(static_cast<std::size_t>(samples), Series::usual_samples));
         }
         live_->trace().remember_ports();
-        live_->remember_run();
+        if (options_.web) live_->remember_run();  // for the page's time line
         if (auto open = results_.open(options_, *live_); !open) return Unexpected(open.error());
         signals_->watch_end({.give_up = [this] { give_up_files(); },
                              .at_once = [this] { end_at_once(); },
