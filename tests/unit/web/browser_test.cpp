@@ -294,6 +294,26 @@ TEST_CASE("a browser's act that reads files is answered when it has been prepare
     CHECK(rig.live->system().find("controller")->version() == 2);
 }
 
+TEST_CASE("while an act of a browser is prepared, a second one is refused", "[web]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    const auto reload = [](int id) {
+        const Json fields{{"files", Json::array()},
+                          {"component", "controller"},
+                          {"shown", "page.lua"},
+                          {"text", "output('out', 'TimedVelocity2D') for i = 1, 1e6 do end"}};
+        return Json{{"do", "act"}, {"id", id}, {"act", "Reload"}, {"fields", fields}};
+    };
+    // The first may be done before the second arrives, on a busy machine.
+    std::string refused;
+    for (int attempt = 0; attempt < 50 && refused.empty(); ++attempt) {
+        REQUIRE(browser.send_frame(reload(2 * attempt).dump()));
+        const auto answer = WebRig::answer(browser, reload(2 * attempt + 1));
+        if (answer["ok"] == false) refused = answer["text"];
+    }
+    CHECK(refused == "another act is still being prepared: try again when it is done");
+}
+
 TEST_CASE("each browser has its own console", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
