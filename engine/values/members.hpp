@@ -48,6 +48,7 @@ struct Nowhere {
 #ifdef __clang__
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wundefined-var-template"
+#pragma clang diagnostic ignored "-Wundefined-internal"  // of structures in anonymous namespaces
 #endif
 template <class T>
 extern const Nowhere<T> nowhere;
