@@ -58,8 +58,8 @@ private:
 
 class Judge {
 public:
-    Judge(const RecordedDrive& drive, double tolerance, Judgement& judgement)
-        : drive_(drive), tolerance_(tolerance), judgement_(judgement) {}
+    Judge(const RecordedDrive& drive, double tolerance, Judgement& judgement, JudgedCurves* curves)
+        : drive_(drive), tolerance_(tolerance), judgement_(judgement), curves_(curves) {}
 
     void follow(const Component& behavior) {
         for (const auto& [name, port] : drive_.published) ports_.push_back({name, Cursor(&port)});
@@ -78,8 +78,10 @@ public:
             const OutPortBase* port = behavior.find_out_port(name);
             std::optional<Value> written;
             if (port != nullptr && port->latched_tick() == now.tick) written = port->value();
-            for (DifferingValue& each :
-                 differing_values(behavior.name() + "." + name, then, written ? &*written : nullptr, tolerance_)) {
+            const std::string full = behavior.name() + "." + name;
+            if (curves_ != nullptr && then != nullptr) curves_->then.add(full, *then, now.seconds);
+            if (curves_ != nullptr && written) curves_->now.add(full, *written, now.seconds);
+            for (DifferingValue& each : differing_values(full, then, written ? &*written : nullptr, tolerance_)) {
                 add(std::move(each), now);
                 differs = true;
             }
@@ -108,6 +110,7 @@ private:
     const RecordedDrive& drive_;
     const double tolerance_;
     Judgement& judgement_;
+    JudgedCurves* const curves_;
     std::vector<std::pair<std::string, Cursor>> ports_;
 };
 
@@ -256,11 +259,11 @@ private:
 }  // namespace
 
 Expected<Judgement> judge(const RecordedDrive& drive, const Project& project, const LiveOptions& options,
-                          double tolerance) {
+                          double tolerance, JudgedCurves* curves) {
     auto judged = JudgedSystem::make(drive, project, options);
     if (!judged) return Unexpected(judged.error());
     Judgement judgement{.ticks = drive.ticks, .notes = drive.notes};
-    Judge each(drive, tolerance, judgement);
+    Judge each(drive, tolerance, judgement, curves);
     each.follow(judged->behavior());
     for (std::int64_t tick = 0; tick < drive.ticks; ++tick) {
         if (auto done = judged->act(); !done) return Unexpected(done.error());

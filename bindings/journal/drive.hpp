@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bindings/journal/compare_runs.hpp"
+#include "bindings/journal/field_curves.hpp"
 #include "bindings/journal/recorded_device.hpp"
 #include "bindings/journal/replay.hpp"
 #include "engine/base/error.hpp"
@@ -55,10 +56,16 @@ struct Judgement {
     std::vector<std::string> notes{};  ///< for the user
 };
 
+/// What a component wrote in the recorded run, and what its behaviour writes now.
+struct JudgedCurves {
+    FieldCurves then{}, now{};
+};
+
 /// Gives what was recorded to the behaviour of `drive.entry` as its file is now, tick by tick, and compares what it
 /// writes. Numbers are equal if they differ by at most `tolerance`. An error if the behaviour can't be loaded, if it
-/// has an in-port that the drive does not have in this type, or if an act of the drive fails now.
+/// has an in-port that the drive does not have in this type, or if an act of the drive fails now. `curves` gets all
+/// numbers, unless it is null.
 Expected<Judgement> judge(const RecordedDrive& drive, const Project& project, const LiveOptions& options,
-                          double tolerance);
+                          double tolerance, JudgedCurves* curves = nullptr);
 
 }  // namespace nezumi

@@ -70,10 +70,12 @@ struct EditMessage {
 /// A request about the project's scenarios.
 struct TestMessage {
     enum class What {
-        list,  ///< their names and places
-        run,   ///< runs those of `file`, or all, or only the one called `name`
-        stop,  ///< ends the present run
-        open,  ///< opens the failed run that is kept in the folder `file`, in a page of its own
+        list,        ///< their names and places
+        run,         ///< runs those of `file`, or all, or only the one called `name`
+        stop,        ///< ends the present run
+        open,        ///< opens the failed run that is kept in the folder `file`, in a page of its own
+        recordings,  ///< the names of the project's recordings and journals
+        judge,       ///< judges the behaviour in the file `name` by the recording `file`
     };
     What what = What::list;
     std::string file{};

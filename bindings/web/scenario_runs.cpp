@@ -12,9 +12,11 @@
 #include <vector>
 
 #include "bindings/web/edited_files.hpp"
+#include "engine/base/find_files.hpp"
 #include "engine/base/program.hpp"
 #include "engine/base/thread.hpp"
 #include "engine/base/trimmed.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi::web {
 namespace {
@@ -25,6 +27,9 @@ constexpr std::string_view kept_runs = "nezumi-test/";
 std::string to_line_of(const nlohmann::ordered_json& json) {
     return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
+
+constexpr double longest_judgement = 120;        // [s]
+constexpr std::size_t largest_plot = 4'000'000;  // [bytes]
 
 // With two cores one is left for the system that runs.
 std::string number_of_jobs() { return std::to_string(std::max(1U, std::thread::hardware_concurrency() / 2)); }
@@ -100,6 +105,18 @@ Expected<void> ScenarioRuns::start(ClientId client, std::int64_t id, const TestM
     const Unexpected busy = failure("too many requests wait: try again");
     if (message.what == TestMessage::What::list) {
         if (!lists_.put([this, client, id] { list(client, id); })) return busy;
+        return {};
+    }
+    if (message.what == TestMessage::What::recordings) {
+        const auto tell = [this, client, id] {
+            answer(client, id, true, "", nlohmann::ordered_json(recordings()).dump());
+        };
+        if (!lists_.put(tell)) return busy;
+        return {};
+    }
+    if (message.what == TestMessage::What::judge) {
+        const auto job = [this, client, id, message] { judge(client, id, message.file, message.name); };
+        if (!lists_.put(job)) return busy;
         return {};
     }
     if (message.what == TestMessage::What::open) {
@@ -192,6 +209,44 @@ void ScenarioRuns::open(ClientId client, std::int64_t id, const std::string& fol
                                  look);
     const std::string said(trimmed(output.text()));
     if (!is_answered) answer(client, id, false, said.empty() ? problem_of(end) : said);
+}
+
+std::vector<std::string> ScenarioRuns::recordings() const {
+    std::vector<std::string> names;
+    for (const std::string_view ending : {".mcap", ".journal"}) {
+        for (const auto& file : find_files(project_, ending).files) {
+            if (std::error_code problem; !std::filesystem::is_symlink(file, problem))
+                names.push_back(file.lexically_relative(project_).generic_string());
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+void ScenarioRuns::judge(ClientId client, std::int64_t id, const std::string& recording, const std::string& behavior) {
+    const auto is_in = [](const std::vector<std::string>& names, const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    // Only what was found: no name leads out of the project.
+    if (!is_in(recordings(), recording))
+        return answer(client, id, false, "'" + shown(recording) + "' is no recording of this project");
+    if (!behavior.ends_with(".lua") || !is_in(EditedFiles(project_).names(), behavior))
+        return answer(client, id, false, "'" + shown(behavior) + "' is no behaviour of this project");
+    const std::filesystem::path plot = project_ / kept_runs / "judged.svg";
+    std::error_code problem;
+    std::filesystem::create_directories(plot.parent_path(), problem);
+    std::filesystem::remove(plot, problem);
+    const UnnamedFile errors;
+    const auto end = run_program({.words = {"nice", "-n", "10", program_, "judge", (project_ / recording).string(),
+                                            "--behavior", (project_ / behavior).string(), "--plot", plot.string()},
+                                  .errors = errors.file(),
+                                  .keeps_output = true,
+                                  .longest = longest_judgement,
+                                  .give_up = &ends_});
+    const bool ok = end && end->status <= 1;
+    const std::string said(trimmed(errors.text()));
+    const auto picture = read_whole(plot, plot.string(), largest_plot);
+    answer(client, id, ok, ok ? end->out : said.empty() ? problem_of(end) : said, ok && picture ? *picture : "");
 }
 
 void ScenarioRuns::answer(ClientId client, std::int64_t id, bool ok, const std::string& text,

@@ -1,4 +1,5 @@
-// The scenarios of the page: lists them, and runs them beside the ticks as processes of their own.
+// The scenarios and recordings of the page: lists them, and runs and judges them beside the ticks as processes of their
+// own.
 #pragma once
 
 #include <array>
@@ -7,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "bindings/web/job_thread.hpp"
 #include "bindings/web/messages.hpp"
@@ -40,6 +42,9 @@ private:
     void list(ClientId client, std::int64_t id) const;
     void run(ClientId client, const TestMessage& message);
     void open(ClientId client, std::int64_t id, const std::string& folder);
+    // The project's recordings and journals, sorted.
+    std::vector<std::string> recordings() const;
+    void judge(ClientId client, std::int64_t id, const std::string& recording, const std::string& behavior);
     void answer(ClientId client, std::int64_t id, bool ok, const std::string& text,
                 const std::string& content = "") const;
 

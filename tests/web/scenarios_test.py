@@ -1,6 +1,7 @@
 """Scenarios in the browser's page. Usage: scenarios_test.py NEZUMI [TEST...]"""
 
 import os
+import subprocess
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -18,6 +19,9 @@ BAD = """scenario("stays near", function(s)
   s:always("is near", function() return world.mouse.truth.pose.position.x < 0.05 end)
   s:run(3)
 end)
+"""
+KEEPER = """local out = output("out", "TimedVelocity2D")
+function on_execute() out:write { vx = 0.1 } end
 """
 DRIVES = APART + 'connect("controller.out", "mouse.target_velocity_in")\n'
 
@@ -82,6 +86,35 @@ class Scenarios(rig.PageCase):
     def test_a_wrong_scenario_file_is_told(self):
         self.begin(wrong="scenaro('x')\n")
         self.page.until("document.querySelector('.scenarios .error')?.textContent.includes('scenaro')", "the reason is shown")
+
+    def test_a_behaviour_is_judged_by_a_recording_again_at_each_save(self):
+        system = self.begin()
+        page = self.page
+        behavior = os.path.join(system.folder, "behaviors", "keeper.lua")
+        with open(behavior, "w") as out:
+            out.write(KEEPER)
+        with open(os.path.join(system.folder, "kept.lua"), "w") as out:
+            out.write('behavior "keeper" { script = "keeper" }\n')
+        subprocess.run([self.nezumi, "run", "kept.lua", "--headless", "--speed", "max", "--duration", "1", "--record", "drive.mcap"],
+                       cwd=system.folder, check=True, capture_output=True)
+        page.find(".judge summary").click()
+        page.until("document.querySelector('.judge select')?.value === 'drive.mcap'", "the recording is offered")
+        page.choose(".judge [aria-label=Behaviour]", "behaviors/keeper.lua")
+        page.find(".judge [type=checkbox]").click()
+        page.press("Judge")
+        page.until("document.querySelector('.judge .told').textContent.startsWith('equal: what keeper writes in 1 s')", "it is equal", 60)
+        page.until("document.querySelector('.judge .plot').naturalWidth > 100", "both curves are drawn")
+        self.assertEqual(page.js("return document.querySelector('.judge .told').classList.contains('error')"), False)
+        page.view("editor")
+        page.until("document.querySelector('.editor [data-file=\"behaviors/keeper.lua\"]') !== null", "the file is listed")
+        page.find('.editor [data-file="behaviors/keeper.lua"]').click()
+        page.until("document.querySelector('.CodeMirror')?.CodeMirror.getValue().includes('vx = 0.1')", "its text is open")
+        page.js("const text = document.querySelector('.CodeMirror').CodeMirror; text.focus();"
+                "text.setValue(text.getValue().replace('vx = 0.1', 'vx = 0.2'))")
+        page.driver.switch_to.active_element.send_keys("\ue009s")
+        page.view("scenarios")
+        page.until("document.querySelector('.judge .told').textContent.startsWith('different in 100 of 100 ticks')", "it was judged again", 60)
+        self.assertEqual(page.errors(), [])
 
 
 if __name__ == "__main__":

@@ -3,11 +3,15 @@
 
 #include <memory>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/base/version.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/cli/files/run_file.hpp"
+#include "bindings/cli/files/run_plot.hpp"
 #include "bindings/journal/compare_runs.hpp"
 #include "engine/base/visible.hpp"
 
@@ -51,8 +55,33 @@ void show(const RunDifference& found, const std::string& first, const std::strin
     for (const DifferingLine& line : *found.lines) fmt::print("  {} {}\n", line.of_first ? '-' : '+', line.text);
 }
 
-int compare(const std::string& first, const std::string& second) {
+struct CompareWords {
+    std::string first, second, plot;
+};
+
+// Repeats both runs whole, and draws the fields that differ first.
+Expected<void> draw_difference(const CompareWords& words, const RunDifference& found) {
+    std::vector<std::string> fields;
+    for (const DifferingValue& value : found.values) fields.push_back(value.name);
+    FieldCurves first({fields.begin(), fields.end()}), second({fields.begin(), fields.end()});
+    for (const auto& [curves, file, start] : {std::tuple(&first, &words.first, found.when.start),
+                                              std::tuple(&second, &words.second, found.second_when.start)}) {
+        auto run = load(*file);
+        if (!run) return Unexpected(run.error());
+        if (auto done = add_curves(*curves, *run->replay, *run->system, start); !done) return done;
+    }
+    const RunPlot plot{.title = fmt::format("{} and {}", words.first, words.second),
+                       .fields = std::move(fields),
+                       .first = {"in " + words.first, first},
+                       .second = {"in " + words.second, second},
+                       .differ_at = found.seconds};
+    return draw_runs(plot, words.plot);
+}
+
+int compare(const CompareWords& words) {
+    const auto& [first, second, plot] = words;
     if (auto ok = need_simulation({{"compare", true}}); !ok) return refuse(ok.error());
+    if (auto ok = check_plot(plot); !ok) return refuse(ok.error());
     auto a = load(first);
     if (!a) return refuse(a.error());
     auto b = load(second);
@@ -62,8 +91,11 @@ int compare(const std::string& first, const std::string& second) {
     for (const std::string& file : compared->files) fmt::print("different files: {}\n", visible(file));
     if (compared->difference) {
         show(*compared->difference, first, second);
-        return exit_failed;
+        if (plot.empty()) return exit_failed;
+        const auto drawn = draw_difference(words, *compared->difference);
+        return drawn ? exit_failed : refuse(drawn.error());
     }
+    if (!plot.empty()) fmt::print("no plot: nothing differs\n");
     const double common = std::min(compared->first_end, compared->second_end);
     if (compared->first_end == compared->second_end) {
         fmt::print("equal: all messages published in {:g} s\n", common);
@@ -79,16 +111,19 @@ int compare(const std::string& first, const std::string& second) {
 }  // namespace
 
 SubCommand compare_command() {
-    struct Words {
-        std::string first, second;
-    };
-    auto words = std::make_shared<Words>();
+    auto words = std::make_shared<CompareWords>();
     return {
         .name = "compare",
         .help = "Compare two runs: the first tick that differs, and what differed there",
         .options = {{"FIRST", &words->first, "a journal that `nezumi run --journal` wrote", "", {}, FileUse::source},
-                    {"SECOND", &words->second, "the journal of the other run", "", {}, FileUse::source}},
-        .run = [words] { return compare(words->first, words->second); },
+                    {"SECOND", &words->second, "the journal of the other run", "", {}, FileUse::source},
+                    {"--plot",
+                     &words->plot,
+                     "draw both runs, with the first fields that differ",
+                     "FILE.png|svg",
+                     {},
+                     FileUse::result}},
+        .run = [words] { return compare(*words); },
         .footer =
             "Both runs are repeated, and every message is compared. Where the first one differs, the executed lines "
             "of the behaviour\nthat published it are compared too.\n"

@@ -19,6 +19,7 @@
 #include "bindings/cli/base/stop_signals.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/cli/files/judged_run.hpp"
+#include "bindings/cli/files/run_plot.hpp"
 #include "engine/base/visible.hpp"
 
 namespace nezumi::cli {
@@ -30,7 +31,7 @@ constexpr double usual_tolerance = 1e-6;
 constexpr std::chrono::milliseconds watch_period{100};
 
 struct JudgeWords {
-    std::string run, behavior, component, tolerance;
+    std::string run, behavior, component, tolerance, plot;
     std::vector<std::string> maps;
     bool watch = false;
 };
@@ -49,12 +50,33 @@ Expected<std::map<std::string, std::string>> read_maps(const std::vector<std::st
     return all;
 }
 
-int judge_once(const JudgedRun& run, double tolerance) {
-    const auto judged = run.judge(tolerance, [](const LogLine& line) {
+// Fields that differ; if none does, all.
+Expected<void> draw_judgement(const JudgeWords& words, const Judgement& judged, const JudgedCurves& curves) {
+    RunPlot plot{.title = fmt::format("{} in {}", words.behavior, words.run),
+                 .fields = {},
+                 .first = {"then", curves.then},
+                 .second = {"now", curves.now},
+                 .differ_at = {}};
+    for (const JudgedField& field : judged.fields) plot.fields.push_back(field.name);
+    if (judged.different > 0) {
+        plot.differ_at = judged.first_at;
+    } else {
+        plot.fields = curves.then.names();
+    }
+    return draw_runs(plot, words.plot);
+}
+
+int judge_once(const JudgedRun& run, double tolerance, const JudgeWords& words) {
+    JudgedCurves curves;
+    const auto log = [](const LogLine& line) {
         if (line.level == LogLevel::error) fmt::print(stderr, "{}: {}\n", visible(line.component), visible(line.text));
-    });
+    };
+    const auto judged = run.judge(tolerance, log, words.plot.empty() ? nullptr : &curves);
     if (!judged) return refuse(judged.error());
     for (const std::string& line : run.text_of(*judged)) fmt::print("{}\n", line);
+    if (!words.plot.empty()) {
+        if (auto drawn = draw_judgement(words, *judged, curves); !drawn) return refuse(drawn.error());
+    }
     return judged->different == 0 ? exit_done : exit_failed;
 }
 
@@ -79,19 +101,20 @@ int run_judge(const JudgeWords& words) {
             return refuse(fmt::format("--tolerance: expected a number from 0 on, got '{}'", shown(words.tolerance)));
     }
     if (words.behavior.empty()) return refuse("--behavior is missing: give --behavior FILE");
+    if (auto ok = check_plot(words.plot); !ok) return refuse(ok.error());
     auto map = read_maps(words.maps);
     if (!map) return refuse(map.error());
     auto run = JudgedRun::read(
         {.behavior = words.behavior, .component = words.component, .run = words.run, .map = std::move(*map)});
     if (!run) return refuse(run.error());
-    if (!words.watch) return judge_once(*run, tolerance);
+    if (!words.watch) return judge_once(*run, tolerance, words);
     const StopSignals signals;
     int status = exit_done;
     std::optional<fs::file_time_type> seen;
     while (signals.received() == 0) {
         if (const auto changed = changed_at(run->behavior()); changed != seen) {
             seen = changed;
-            status = judge_once(*run, tolerance);
+            status = judge_once(*run, tolerance, words);
             std::fflush(stdout);
         }
         std::this_thread::sleep_for(watch_period);
@@ -119,6 +142,12 @@ SubCommand judge_command() {
                     {"--map", &words->maps, "the topic of a port, as in /scan=keeper.rays (default: /COMPONENT/PORT)",
                      "TOPIC=NAME.PORT"},
                     {"--tolerance", &words->tolerance, "largest difference of equal numbers (default 1e-6)", "X"},
+                    {"--plot",
+                     &words->plot,
+                     "draw what differs: what was written then, and what is written now",
+                     "FILE.png|svg",
+                     {},
+                     FileUse::result},
                     {"--watch", &words->watch,
                      "judge again when the behaviour or a file beside it is saved, until Ctrl-C"}},
         .run = [words] { return run_judge(*words); },

@@ -118,12 +118,12 @@ Expected<JudgedRun> JudgedRun::read(const JudgeRequest& request) {
     return from_topics(*recording, request, behavior);
 }
 
-Expected<Judgement> JudgedRun::judge(double tolerance, LogSink log) const {
+Expected<Judgement> JudgedRun::judge(double tolerance, LogSink log, JudgedCurves* curves) const {
     LiveOptions options = simulated_systems();
     options.installed = installed_folders();
     options.build.log = std::move(log);
     options.budget = headless_budget;
-    return nezumi::judge(drive_, Project::of(behavior_, installed_folders()), options, tolerance);
+    return nezumi::judge(drive_, Project::of(behavior_, installed_folders()), options, tolerance, curves);
 }
 
 void JudgedRun::add_lines(std::vector<std::string>& lines, const Judgement& judged) const {

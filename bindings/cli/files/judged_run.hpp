@@ -22,8 +22,9 @@ public:
 
     /// The behaviour's file.
     const std::filesystem::path& behavior() const { return behavior_; }
-    /// Gives the recorded messages to the behaviour as its file is now. `log` gets what it logs.
-    Expected<Judgement> judge(double tolerance, LogSink log) const;
+    /// Gives the recorded messages to the behaviour as its file is now. `log` gets what it logs, `curves` all numbers,
+    /// unless it is null.
+    Expected<Judgement> judge(double tolerance, LogSink log, JudgedCurves* curves = nullptr) const;
     /// A judgement as text: whether it is equal, the first difference, the lines that were executed differently, and
     /// the fields that differ.
     std::vector<std::string> text_of(const Judgement& judged) const;

@@ -176,6 +176,7 @@ class Editor {
       else drafts.remove(file);
       this.#update();
       this.say(answer.text || T.editor.saved, answer.text ? "bad" : "");
+      this.#parts.model.emit("file_saved", file);
       this.#tell(await ends);
     } else if (answer.changed) {
       this.#waits = null;

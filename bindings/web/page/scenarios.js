@@ -1,5 +1,6 @@
 // The scenarios of the project: a list, runs beside the system, results with margins, and the failed ones to open.
 import { el } from "./dom.js";
+import { make_judge } from "./judge.js";
 import { read_report } from "./tap.js";
 import { T } from "./texts.js";
 
@@ -95,6 +96,6 @@ export function make_scenarios(parts) {
     is_running = false;
     show();
   });
-  return { node: el("div", { class: "scenarios" }, el("div", { class: "tools", role: "toolbar", "aria-label": T.views.scenarios }, all, stop, look, told), rows),
+  return { node: el("div", { class: "scenarios" }, el("div", { class: "tools", role: "toolbar", "aria-label": T.views.scenarios }, all, stop, look, told), rows, make_judge(parts)),
     shown: (is_shown) => is_shown && !is_known && list() };
 }

@@ -139,6 +139,11 @@ const EN = {
     running: (n) => `running, ${n} done`, ended: (passed, failed) => `${passed} passed, ${failed} failed`,
     margins: (n) => (n === 1 ? "1 margin" : `${n} margins`), states: { passed: "passed", failed: "failed", runs: "runs", skipped: "skipped", "": "not run yet" },
   },
+  judge: {
+    label: "Judge a behaviour by a recording", recording: "Recording", behavior: "Behaviour", start: "Judge", again: "again at each save",
+    judging: "Judging…", plot: "What the behaviour wrote then, and what it writes now",
+    none: "This project has no recording: nezumi run --record run.mcap, or --journal run.journal, writes one.",
+  },
   editor: {
     loading: "Loading…", files: "Files", search: "Search files", none: "No file", no_files: "No file has this name.", text: "Text of the file",
     kinds: { behaviors: "Behaviours", modules: "Modules", systems: "Systems", robots: "Robots", scenarios: "Scenarios", messages: "Messages", "": "Others" },

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "bindings/journal/compare_runs.hpp"
+#include "bindings/journal/field_curves.hpp"
 #include "engine/ports/messages.hpp"
 
 using namespace nezumi;
@@ -29,4 +30,17 @@ TEST_CASE("numbers that differ by no more than the tolerance are equal, and what
     CHECK(differing_values("keeper.out", &then, &now, 1e-6).empty());
     REQUIRE(differing_values("keeper.out", &then, &now, 0).size() == 1);
     CHECK(differing_values("keeper.out", &then, nullptr, 1).size() == 3);
+}
+
+TEST_CASE("curves have the numbers of messages at their times, only of the fields that are asked for",
+          "[journal][compare]") {
+    FieldCurves all, one({"keeper.out.vx"});
+    for (FieldCurves* curves : {&all, &one}) {
+        curves->add("keeper.out", Value(Velocity2D{0.1, 0, 0.5}), 0.01);
+        curves->add("keeper.out", Value(Velocity2D{0.2, 0, 0.5}), 0.02);
+    }
+    CHECK(all.names() == std::vector<std::string>{"keeper.out.va", "keeper.out.vx", "keeper.out.vy"});
+    CHECK(one.names() == std::vector<std::string>{"keeper.out.vx"});
+    CHECK(one.of("keeper.out.vx") == FieldCurves::Points{{0.01, 0.1}, {0.02, 0.2}});
+    CHECK(one.of("keeper.out.va").empty());
 }
