@@ -24,7 +24,7 @@ struct Mark {
     std::string text{};
 };
 
-double rounded(float value) { return std::round(static_cast<double>(value) * 1e4) / 1e4; }
+double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 std::string_view kind_of(const Act& act) {
     return std::holds_alternative<Reload>(act) || std::holds_alternative<Rollback>(act) ? "reload" : "act";
@@ -65,13 +65,21 @@ Expected<Json> remembered_to_json(RunningSystem& live, const std::string& branch
             marks.push_back({seconds(mark.when), mark.kind == Kind::error ? "error" : "collision", mark.text});
         if (rows) {
             const std::size_t robots = std::max<std::size_t>(1, live.system().robots().size());
-            json["rows"] = Json::array();
+            json["rows"] = json["things"] = Json::array();
             for (const auto& row : run->rows(history, *which, start, std::min(most_rows, most_poses / robots))) {
                 Json numbers = Json::array({seconds(row.when)});
                 for (const auto& pose : row.robots) {
-                    for (const float value : {pose.x, pose.y, pose.heading}) numbers.push_back(rounded(value));
+                    for (const float value : {pose.x, pose.y, pose.heading})
+                        numbers.push_back(rounded(static_cast<double>(value)));
                 }
                 json["rows"].push_back(std::move(numbers));
+                for (const auto& [index, pose] : row.things) {
+                    const auto& [place, turn] = pose;
+                    Json thing = Json::array({seconds(row.when), index});
+                    for (const double value : {place.x, place.y, place.z, turn.r, turn.p, turn.y})
+                        thing.push_back(rounded(value));
+                    json["things"].push_back(std::move(thing));
+                }
             }
         }
     }

@@ -8,8 +8,8 @@
 
 namespace nezumi::web {
 
-/// The marks of a branch (acts, reloads, errors, collisions) and, with `rows`, where its robots were, since the last
-/// start. An error if there is no such branch.
+/// The marks of a branch (acts, reloads, errors, collisions) and, with `rows`, where its robots and
+/// moving things were, since the last start. An error if there is no such branch.
 Expected<nlohmann::ordered_json> remembered_to_json(RunningSystem& live, const std::string& branch, bool rows);
 
 }  // namespace nezumi::web

@@ -14,7 +14,8 @@ namespace nezumi {
 namespace {
 
 std::size_t bytes_of(const RememberedRun::Row& row) {
-    return sizeof row + row.robots.size() * sizeof(RememberedRun::Pose);
+    return sizeof row + row.robots.size() * sizeof(RememberedRun::Pose) +
+           row.things.size() * sizeof(RememberedRun::MovedThing);
 }
 
 RememberedRun::Pose pose_of(const Robot& robot, const World* world) {
@@ -56,12 +57,32 @@ void RememberedRun::note(std::size_t branch, const ActTime& now, int generation,
 void RememberedRun::note_row(Branch& branch, const ActTime& now, const System& system) {
     const auto& robots = system.robots();
     if (robots.empty()) return;
-    Row row{now, {}};
+    Row row{now, {}, {}};
     row.robots.reserve(robots.size());
     for (const Robot* robot : robots) row.robots.push_back(pose_of(*robot, system.world()));
+    if (system.world() != nullptr) note_things(branch, row, *system.world());
     bytes_ += bytes_of(row);
     branch.rows.push_back(std::move(row));
     if (bytes_ > most_bytes) drop_oldest();
+}
+
+void RememberedRun::note_things(Branch& branch, Row& row, const World& world) {
+    const std::vector<ThingPose> things = world.things();
+    const std::size_t known = things_.size();
+    // After a restart or a seek, what stood there before is not this row's past.
+    const bool goes_on = std::exchange(things_generation_, generation_) == generation_ && !branch.rows.empty();
+    things_.resize(things.size());
+    for (std::size_t index = 0; index < things.size(); ++index) {
+        const Pose3D before = std::exchange(things_[index], things[index].pose);
+        if (index >= known || before == things_[index]) continue;
+        row.things.push_back({index, things_[index]});
+        if (!goes_on) continue;
+        std::vector<MovedThing>& last = branch.rows.back().things;
+        const auto is_it = [&](const MovedThing& each) { return each.index == index; };
+        if (std::any_of(last.begin(), last.end(), is_it)) continue;
+        last.push_back({index, before});
+        bytes_ += sizeof(MovedThing);
+    }
 }
 
 void RememberedRun::drop_oldest() {
@@ -107,10 +128,14 @@ std::vector<RememberedRun::Row> RememberedRun::rows(const RunHistory& history, s
             if (row.when.start == start && !is_earlier(until, row.when)) all.push_back(&row);
         }
     }
+    const std::size_t step = most == 0 ? 1 : std::max<std::size_t>(1, (all.size() + most - 1) / most);
     std::vector<Row> some;
-    const std::size_t step = most == 0 ? 1 : (all.size() + most - 1) / std::max<std::size_t>(1, most);
-    for (std::size_t index = 0; index < all.size(); index += std::max<std::size_t>(1, step))
-        some.push_back(*all[index]);
+    std::vector<MovedThing> moved;  // in rows that are left out
+    for (std::size_t index = 0; index < all.size(); ++index) {
+        moved.insert(moved.end(), all[index]->things.begin(), all[index]->things.end());
+        if (index % step != 0) continue;
+        some.push_back({all[index]->when, all[index]->robots, std::exchange(moved, {})});
+    }
     return some;
 }
 

@@ -25,10 +25,17 @@ public:
     struct Pose {
         float x = 0, y = 0, heading = 0;
     };
-    /// The robots at one time, in their order in the system.
+    /// A thing of the arena that has moved, by its index in the world's things.
+    struct MovedThing {
+        std::size_t index = 0;
+        Pose3D pose{};
+    };
+    /// The robots at one time, in their order in the system, and the things that have moved since the row before.
+    /// Before its first movement a thing is in one row as well.
     struct Row {
         ActTime when{};
         std::vector<Pose> robots{};
+        std::vector<MovedThing> things{};
     };
     struct Mark {
         enum class Kind : unsigned char { error, collision };
@@ -54,11 +61,14 @@ private:
     };
     void note_marks(Branch& branch, const ActTime& now, bool is_new, const System& system);
     void note_row(Branch& branch, const ActTime& now, const System& system);
+    void note_things(Branch& branch, Row& row, const World& world);
     void drop_oldest();
 
     std::deque<Branch> branches_;
     std::size_t bytes_ = 0;
     int generation_ = 0;
+    std::vector<Pose3D> things_;  // at the last row
+    int things_generation_ = 0;
     std::vector<bool> touching_;  // by robot, after the last tick
     std::vector<bool> failed_;    // by component
 };

@@ -8,6 +8,7 @@ const { what_is_wrong } = await import("/widgets.js");
 const { lines_of, lua_text } = await import("/add_form.js");
 const { Trails } = await import("/world_trails.js");
 const { Tracks, ghost_of } = await import("/past_tracks.js");
+const { Model } = await import("/model.js");
 const { Emitter } = await import("/emitter.js");
 const { number_text, value_text } = await import("/value_text.js");
 
@@ -128,14 +129,28 @@ const tracks = new Tracks({ model, link: { send: (what) => asked.push(what) } })
 tracks.ask("main", true);
 same(asked, [{ do: "remembered", branch: "main", rows: true }], "the question");
 same(tracks.at("main", 1), undefined, "nothing is known yet");
-model.emit("remembered", { branch: "main", rows: [[0.05, 1, 2, 3], [0.1, 4, 5, 6]], marks: [{ at: 0.1, kind: "act", text: "x" }] });
+model.emit("remembered", { branch: "main", rows: [[0.05, 1, 2, 3], [0.1, 4, 5, 6]], things: [[0.05, 2, 1, 0, 0, 0, 0, 0], [0.1, 2, 7, 0, 0, 0, 0, 0]], marks: [{ at: 0.1, kind: "act", text: "x" }] });
 same(tracks.at("main", 0), [{ x: 1, y: 2, yaw: 3 }], "before the first row");
 same(tracks.at("main", 0.09), [{ x: 1, y: 2, yaw: 3 }], "between rows");
 same(tracks.at("main", 7), [{ x: 4, y: 5, yaw: 6 }], "after the last row");
 model.emit("remembered", { branch: "main", marks: [] });
 same(tracks.rows("main").length, 2, "rows stay when only marks were asked for");
 same(tracks.marks("main").length, 0, "marks are new");
+const x_of_thing = (time) => tracks.things_at("main", time).get(2)?.position.x;
+same([0, 0.05, 0.09, 0.1, 9].map(x_of_thing), [1, 1, 1, 7, 7], "a thing before and after it moved");
+same(tracks.things_at("main", 1).size, 1, "only what moved is known");
 
+const shown = new Model({ on: () => {}, is_open: true });
+const then_of = (x) => ({ time: 1, robots: [{ x, y: 0, yaw: 0 }], things: new Map([[1, { position: { x, y: 0, z: 0 } }]]) });
+const places = () => [shown.robots[0].x, ...shown.things.map(({ pose }) => pose.position.x)];
+shown.robots = [{ index: 0, x: 5 }];
+shown.things = [{ index: 0, pose: { position: { x: 8 } } }, { index: 1, pose: { position: { x: 9 } } }];
+shown.look_at(then_of(1));
+same(places(), [1, 8, 1], "robots and things are shown where they were");
+shown.look_at(then_of(2));
+same(places(), [2, 8, 2], "at another time, too");
+shown.look_at(null);
+same(places(), [5, 8, 9], "then where they are");
 
 const own_boxes = [{ name: "mouse", kind: "robot", ports: [{ name: "speed", way: "in", type: "TimedLong" }, { name: "pose", way: "out", type: "TimedPose2D" }] }];
 const rtc_box = (name, ...ports) => ({ name, type: "T", state: "ACTIVE", ports, parameters: [], sets: [] });

@@ -277,6 +277,21 @@ class Past(rig.PageCase):
                 "select.dispatchEvent(new Event('change'))")
         page.until(clock + " === %r" % end, "the end of main is there")
 
+    def test_while_the_slider_is_moved_the_log_is_that_of_then(self):
+        self.open(text="""
+robot "mouse" { model = "raspimouse" }
+behavior "teller" { script = "teller" }
+""", scripts={"teller": "function on_activate() log.info('early') wait(1) log.info('late') end\n"})
+        page = self.page
+        page.view("log")
+        page.until("document.querySelector('.log .lines').textContent.includes('late')", "both lines are there")
+        slide = ("const slider = document.querySelector('.timeline input'); slider.dispatchEvent(new Event('pointerdown'));"
+                 "slider.value = 0.5; slider.dispatchEvent(new Event('input'))")
+        pale = "[...document.querySelectorAll('.entry.later .text')].map((each) => each.textContent).join()"
+        page.js(slide)  # what is remembered comes after this
+        rig.wait_until(lambda: page.js(slide + "; return " + pale) == "late", "what came later is pale")
+        page.js("const slider = document.querySelector('.timeline input'); slider.dispatchEvent(new Event('change'))")
+        page.until(pale + " === ''", "the system is there: nothing is pale")
 
     def test_what_happened_is_marked_and_the_other_branch_is_drawn_pale(self):
         self.open(WALL)

@@ -15,6 +15,7 @@ export function make_log(parts) {
   const search = el("input", { type: "search", placeholder: T.log.search, "aria-label": T.log.search });
   const count = el("span", { class: "hint" });
 
+  let start = 0;  // counts restarts: the lines before are of another time
   const fits = (line) => LEVELS.indexOf(line.dataset.level) >= LEVELS.indexOf(level.value) &&
     line.textContent.toLowerCase().includes(search.value.toLowerCase());
   const tell = () => {
@@ -23,7 +24,7 @@ export function make_log(parts) {
   const add = ({ level: how, component, text, at }) => {
     const is_low = lines.scrollHeight - lines.scrollTop - lines.clientHeight < 40;
     const name = LEVELS.includes(how) ? how : "info";
-    const line = el("div", { class: `entry ${name}`, data: { level: name } },
+    const line = el("div", { class: `entry ${name}`, data: { level: name, at: Number.isFinite(at) ? at : "", start } },
       el("time", { text: Number.isFinite(at) ? at.toFixed(2) : "" }), el("span", { class: "sign", title: T.log[name], text: SIGNS[name] }),
       el("b", { text: component ?? "" }), el("span", { class: "text", text }));
     const place = place_in(text);
@@ -40,6 +41,18 @@ export function make_log(parts) {
   };
   level.onchange = filter;
   search.oninput = filter;
+  // While the slider of time is moved: what came later is pale, and the last line before is in sight.
+  const look = () => {
+    let last = null;
+    for (const line of lines.children) {
+      const is_later = model.looked !== null && line.dataset.start === String(start) && Number(line.dataset.at) > model.looked.time + 1e-9;
+      line.classList.toggle("later", is_later);
+      if (!is_later && !line.hidden) last = line;
+    }
+    if (last) lines.scrollTop += last.getBoundingClientRect().bottom - lines.getBoundingClientRect().bottom;
+  };
+  model.on("looked", look);
+  model.on("restarted", () => ++start);
   model.on("log", add);
   model.on("lost", ({ count: lost }) => add({ level: "warn", text: T.link.lost(lost) }));
   const clear = el("button", { class: "quiet", text: T.log.clear, onclick: () => {

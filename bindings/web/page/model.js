@@ -23,9 +23,9 @@ export class Model extends Emitter {
   markers = [];
   rays = [];    // of each robot, by index
   floor = null;  // the address of the floor's picture, after it was received
-  looked = null;  // { time }: the robots are shown where they were then
+  looked = null;  // { time }: robots and things are shown where they were then
   values = new Map();  // of watched ports and members: { value, tm, at, count }
-  #present = [];  // poses of robots while others are shown
+  #present = { robots: [], things: [] };  // poses while others are shown
   #link;
   #cdr = null;
   #watchers = new Map();  // who: { ports, pictures, truth, rays }
@@ -187,11 +187,14 @@ export class Model extends Emitter {
     return { ...this.hello?.types, ...this.system?.types };
   }
 
-  /// Shows the robots where they were at a time: { time, robots }; null: where they are.
+  /// Shows robots and things where they were at a time: { time, robots, things: Map of poses by index }; null: where
+  /// they are.
   look_at(then) {
     if (!then && !this.looked) return;
-    if (!this.looked) this.#present = this.robots;
-    this.robots = then ? then.robots.map((pose, i) => ({ ...this.#present[i], ...pose, collided: false, touches: "", contacts: [] })) : this.#present;
+    if (!this.looked) this.#present = { robots: this.robots, things: this.things };
+    const { robots, things } = this.#present;
+    this.robots = then ? then.robots.map((pose, i) => ({ ...robots[i], ...pose, collided: false, touches: "", contacts: [] })) : robots;
+    this.things = then ? things.map((each, index) => (then.things.has(index) ? { index, pose: then.things.get(index) } : each)) : things;
     this.looked = then && { time: then.time };
     this.emit("looked");
   }
@@ -209,8 +212,9 @@ export class Model extends Emitter {
   #take_frame(bytes) {
     const { robots, things, markers, rays, ports, members, ...frame } = this.#cdr.read(this.hello.frame, bytes);
     this.frame = frame;
-    for (const each of robots) (this.looked ? this.#present : this.robots)[each.index] = each;
-    for (const each of things) this.things[each.index] = each;
+    const present = this.looked ? this.#present : this;
+    for (const each of robots) present.robots[each.index] = each;
+    for (const each of things) present.things[each.index] = each;
     for (const each of markers) this.markers[each.index] = each;
     this.#take_rays(rays);
     for (const each of ports) this.#take_port(each);

@@ -4,13 +4,16 @@ import { Emitter } from "./emitter.js";
 /// Emits: track (name of a branch), when news of it have come.
 export class Tracks extends Emitter {
   #link;
-  #known = new Map();  // branch: { rows: [[time, x, y, yaw, x, ...], ...], marks: [{ at, kind, text }, ...] }
+  // branch: { rows: [[time, x, y, yaw, x, ...], ...], things: [[time, index, x, y, z, roll, pitch, yaw], ...],
+  // marks: [{ at, kind, text }, ...] }
+  #known = new Map();
 
   constructor({ link, model }) {
     super();
     this.#link = link;
-    model.on("remembered", ({ branch, rows, marks }) => {
-      this.#known.set(branch, { rows: rows ?? this.rows(branch), marks });
+    model.on("remembered", ({ branch, rows, things, marks }) => {
+      const before = this.#known.get(branch);
+      this.#known.set(branch, { rows: rows ?? before?.rows ?? [], things: things ?? before?.things ?? [], marks });
       this.emit("track", branch);
     });
     model.on("restarted", () => this.#known.clear());
@@ -23,6 +26,16 @@ export class Tracks extends Emitter {
 
   rows = (branch) => this.#known.get(branch)?.rows ?? [];
   marks = (branch) => this.#known.get(branch)?.marks ?? [];
+
+  /// The poses of the things that have moved in this branch, at a time [s], by index.
+  things_at(branch, time) {
+    const poses = new Map();
+    for (const [at, index, x, y, z, r, p, yaw] of this.#known.get(branch)?.things ?? []) {
+      if (poses.has(index) && at > time + 1e-9) continue;  // the first one is where it stood before
+      poses.set(index, { position: { x, y, z }, orientation: { r, p, y: yaw } });
+    }
+    return poses;
+  }
 
   /// The places of robots at a time [s]: [{ x, y, yaw }, ...]; undefined if they are not known.
   at(branch, time) {

@@ -78,7 +78,7 @@ export function make_timeline({ model, acts, tracks }) {
     held = true;
     slider.value = time;
     const robots = tracks.at(name(), time);
-    if (robots) model.look_at({ time, robots });
+    if (robots) model.look_at({ time, robots, things: tracks.things_at(name(), time) });
     show();
   };
   const ask = at_most_every(NEWS, () => document.hidden || tracks.ask(name()));

@@ -299,6 +299,31 @@ TEST_CASE("what a time line shows is remembered for each branch, once", "[lua][p
     CHECK(run.marks(history, 1, 1)[0].when.tick > 150);
 }
 
+TEST_CASE("the time line knows where a thing was before it moved and after, also where rows are left out",
+          "[lua][past]") {
+    PastRig it;
+    it.live->remember_run();
+    it.tick(100);
+    const double before = std::as_const(*it.live).system().world()->things()[0].pose.position.x;
+    it.act(MoveThing{"box 1", {{1.5, 0.5}, 0}});
+    it.tick(100);
+    const RunHistory& history = it.live->history_until_now();
+    for (const std::size_t most : {1000, 7}) {
+        std::vector<std::pair<std::int64_t, double>> places;
+        for (const auto& row : it.live->remembered()->rows(history, 0, 1, most)) {
+            for (const auto& thing : row.things) {
+                CHECK(thing.index == 0);
+                places.emplace_back(row.when.tick, thing.pose.position.x);
+            }
+        }
+        REQUIRE(places.size() == 2);
+        CHECK(places[0].second == before);
+        CHECK(places[1].second == 1.5);
+        CHECK(places[1].first > 100);
+        if (most == 1000) CHECK(places[0].first == 100);
+    }
+}
+
 TEST_CASE("an error is a mark of the time line", "[lua][past]") {
     LiveRig it("behavior 'b' { script = 'b' }\n",
                {{"b", "function on_execute() if now() >= 0.1 then error('no') end end"}});
