@@ -1,4 +1,4 @@
-// The simulated world: the public interface of this room.
+// The simulated world: the public interface of sim/.
 #pragma once
 
 #include <functional>

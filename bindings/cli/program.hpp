@@ -1,4 +1,4 @@
-// The whole command line of `nezumi`, used by main() and by its descriptions.
+// The whole command line of `nezumi`, used by main(), the manual and the shell completion.
 #pragma once
 
 #include "bindings/cli/shell/command_line.hpp"

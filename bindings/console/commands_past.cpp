@@ -165,7 +165,8 @@ Expected<CommandEnd> command_seek(Session::Parts& parts, const Arguments& argume
     if (!has_branch || arguments.has(2)) {
         const auto given = arguments.number(has_branch ? 2 : 1, "a time in seconds");
         if (!given) return Unexpected(given.error());
-        if (!(*given >= 0 && *given < 1e9)) return failure(fmt::format("expected a time in seconds, got {:g}", *given));
+        if (!(*given >= 0 && *given < 1e9))
+            return failure(fmt::format("expected a time from 0 to 1e9 seconds, got {:g}", *given));
         seconds = *given;
     }
     return go_to(parts, [&]() -> Expected<Seek> {

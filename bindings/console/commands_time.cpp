@@ -15,7 +15,7 @@ namespace nezumi {
 namespace {
 
 Expected<void> refuse_hardware(const Session::Parts& parts) {
-    if (parts.clock.is_hardware()) return failure("real robots run only in real time: this works in simulation");
+    if (parts.clock.is_hardware()) return failure("this works only in simulation: real robots always run in real time");
     return {};
 }
 

@@ -56,7 +56,7 @@ using DrawingMaker = std::function<Drawing(Drawn what)>;
 
 /// A request to write a new behaviour. The author reads the texts.
 struct BehaviorRequest {
-    std::string name;                       ///< as line_follower
+    std::string name;                       ///< such as line_follower
     std::vector<std::string> inputs{};      ///< "name:Type" or "name:Type:doc"
     std::vector<std::string> outputs{};     ///< the same
     std::vector<std::string> parameters{};  ///< "gain=0.5"

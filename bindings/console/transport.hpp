@@ -108,7 +108,7 @@ private:
 
     Descriptor news_;  // eventfd: there is something for `take`
     Descriptor wake_;  // eventfd: there is something for the thread
-    int problem_ = 0;  // an errno: there is no thread
+    int problem_ = 0;  // errno of the failed start: then there is no thread
 
     Mutex mutex_;  // of all members below, and of the first part of each client
     std::optional<Listener> listener_;

@@ -46,12 +46,13 @@ Writer* HostRequests::writer_for(const Topic& topic) {
 
 Expected<std::uint64_t> HostRequests::ask(const Question& question, const HostTable& hosts, double now) {
     if (question.host == host_)
-        return failure(fmt::format("{} is this host: its components have their own names", host_));
+        return failure(fmt::format("{0} is this host: write the component's name without '{0}/'", host_));
     const Announcement* host = hosts.find(question.host);
     if (host == nullptr) {
         std::vector<std::string_view> names;
         for (const Announcement* each : hosts.all()) names.push_back(each->head.host);
-        return failure(fmt::format("host {} is not there{}", shown(question.host), did_you_mean(question.host, names)));
+        return failure(
+            fmt::format("no host '{}' is known{}", shown(question.host), did_you_mean(question.host, names)));
     }
     RemoteRequest request{.from = run_,
                           .to = host->run,

@@ -78,7 +78,7 @@ struct Announcement {
     std::uint64_t run = 0;                      ///< another number each time that a host starts
     std::uint64_t number = 0;                   ///< of this announcement in its run, from 1 on
     std::vector<std::uint64_t> heard;           ///< runs of the hosts whose announcements it has
-    std::vector<AnnouncedPort> ports;           ///< that it has
+    std::vector<AnnouncedPort> ports;           ///< the ports of this host
     std::vector<AnnouncedType> types;           ///< of these ports, but the compiled ones; large ones may be left out
     std::vector<AnnouncedConnection> wants;     ///< connections that it was asked for
     std::vector<AnnouncedConnection> refusals;  ///< of those that other hosts want with it

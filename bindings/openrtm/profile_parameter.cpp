@@ -220,7 +220,8 @@ std::optional<ParameterSpec> read_parameter(const pugi::xml_node& configuration,
         spec.doc += fmt::format("{}range: {}", spec.doc.empty() ? "" : "; ", range);
     read_properties(configuration, spec);
     if (spec.initial.type().kind == Type::Kind::sequence && ValueView(spec.initial).count() == 0) {
-        remark(fmt::format("its default is an empty array of '{}', which has no type here", shown(type_name)));
+        remark(fmt::format("its default is an empty array of '{}', so the type of its elements is unknown",
+                           shown(type_name)));
         return std::nullopt;
     }
 

@@ -49,7 +49,8 @@ Expected<RtmEnds> rtm_ends(const System& system, const ConnectionSpec& connectio
     const auto port = system.port(ours);
     if (!port) return Unexpected(port.error());
     if (((*port)->direction() == Direction::in) != is_from)
-        return failure(fmt::format("{} is an {}-port", ours, is_from ? "out" : "in"));
+        return failure(
+            fmt::format("{} is an {}-port: connect goes from an out-port to an in-port", ours, is_from ? "out" : "in"));
     const MessageType& type = *(*port)->type();
     if (rtm_type_id(type).empty()) {
         return failure(fmt::format("{} is a {}, which OpenRTM does not know{}", ours, type.name,

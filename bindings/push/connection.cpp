@@ -48,7 +48,9 @@ Expected<std::string> PushConnection::take() const {
     std::size_t length = 0;
     const auto [end, problem] = std::from_chars(digits->data(), digits->data() + length_digits, length, 16);
     if (problem != std::errc() || end != digits->data() + length_digits || length > longest_text)
-        return failure("expected the other nezumi, got other text: does a shell there print something at its start?");
+        return failure(
+            "expected an answer of nezumi on the other computer, got other text: does a shell there print something at "
+            "its start?");
     return take_bytes(length);
 }
 
@@ -58,7 +60,7 @@ Expected<std::size_t> PushConnection::take_number() const {
     std::size_t number = 0;
     const auto [end, problem] = std::from_chars(text->data(), text->data() + text->size(), number);
     if (problem != std::errc() || end != text->data() + text->size())
-        return failure("expected a number, got other text");
+        return failure("expected a number from nezumi on the other computer, got other text");
     return number;
 }
 

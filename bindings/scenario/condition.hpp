@@ -80,7 +80,7 @@ private:
     Function* helper(lua_State* lua, int index);
 
     FunctionTexts& texts_;
-    std::unique_ptr<Function> own_;  // null: it is not observed
+    std::unique_ptr<Function> own_;  // null: the condition is not observed
     std::map<const void*, std::unique_ptr<Function>> helpers_;
     static constexpr std::size_t deepest = 16;
     std::array<Function*, deepest> calls_{};  // the call stack; null: a function that is not observed

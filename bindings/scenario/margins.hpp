@@ -17,7 +17,7 @@ std::string text_of(const ConditionMargin& margin);
 /// In failure.txt: the line before its conditions, which are the last lines.
 inline constexpr std::string_view conditions_heading = "conditions:";
 
-/// A number of one run, and that run.
+/// The smallest value of all runs, and the run that has it.
 struct LeastOfRuns {
     double value = 0;
     double time = 0;  ///< [s] simulated

@@ -73,7 +73,7 @@ Expected<std::vector<Candidate>> candidates_of(const TestPlan& plan, const std::
     };
     interrupted = run_in_processes(tasks, options.jobs) == PoolEnd::interrupted;
     if (failed) return Unexpected(*failed);
-    if (candidates.empty() && !interrupted) return failure("--mutate: none of these scenarios loads it", {file});
+    if (candidates.empty() && !interrupted) return failure("--mutate: no selected scenario loads this file", {file});
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.seconds < b.seconds; });
     return candidates;

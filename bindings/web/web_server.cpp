@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 // Waiting requests for explanations.
 constexpr std::size_t most_explained = 64;
-constexpr std::string_view only_real_time = "real robots run only in real time: this works in simulation";
+constexpr std::string_view only_real_time = "this works only in simulation: real robots always run in real time";
 
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 

@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <system_error>
 
+#include "engine/base/own_program.hpp"
+
 namespace nezumi {
 namespace {
 
 std::filesystem::path path_of(const Module& module) {
-    std::error_code none;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
-    return (program.parent_path() / NEZUMI_MODULES / module.file).lexically_normal();
+    return (own_program().parent_path() / NEZUMI_MODULES / module.file).lexically_normal();
 }
 
 }  // namespace

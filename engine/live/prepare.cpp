@@ -89,7 +89,8 @@ PreparingWork work_of(const Reload& act, const RunningSystem& live, const Reload
 PreparingWork work_of(const Add& act, const RunningSystem& live) {
     const auto* robot = std::get_if<RobotEntry>(&act.entry);
     if (live.options().build.real_time && robot != nullptr)
-        return refuse({fmt::format("robot '{}': with --hw all robots are there from the start", name_of(act.entry))});
+        return refuse({fmt::format("robot '{}': can't be added to a run with --hw: write it in the system file",
+                                   name_of(act.entry))});
     SystemSpec part;
     part.file = live.spec().file;
     part.entries.push_back(act.entry);

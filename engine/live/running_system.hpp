@@ -46,7 +46,7 @@ struct LiveOptions {
     std::function<void(std::string_view)> print;  ///< gets the output of system files, a line at a time; may be empty
 };
 
-/// Observes everything that makes one run differ from another.
+/// Observes what a run depends on besides its files and its seed: acts, and calls of scripts that ran out of time.
 class ActObserver {
 public:
     virtual ~ActObserver() = default;

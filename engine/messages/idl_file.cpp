@@ -28,11 +28,14 @@ struct IdlType {
 struct Refused {
     std::string_view word, instead;
 };
-constexpr std::array refused{
-    Refused{"union", "a message has all of its fields"}, Refused{"valuetype", "a struct is data too"},
-    Refused{"any", "a message says what it holds"},      Refused{"fixed", "a double is near enough"},
-    Refused{"map", "a sequence of pairs says the same"}, Refused{"Object", "a message is data"},
-    Refused{"bitset", "an unsigned number holds bits"},  Refused{"bitmask", "an unsigned number holds bits"}};
+constexpr std::array refused{Refused{"union", "use a struct with all fields"},
+                             Refused{"valuetype", "use a struct"},
+                             Refused{"any", "use a field with a fixed type"},
+                             Refused{"fixed", "use double"},
+                             Refused{"map", "use a sequence of structs with a key and a value"},
+                             Refused{"Object", "use a struct"},
+                             Refused{"bitset", "use an unsigned integer"},
+                             Refused{"bitmask", "use an unsigned integer"}};
 
 class Parser : IdlTokens {
 public:
@@ -109,7 +112,7 @@ private:
     void refuse_word() {
         const auto word =
             std::find_if(refused.begin(), refused.end(), [&](const Refused& each) { return is(each.word); });
-        if (word != refused.end()) fail(fmt::format("nezumi has no {}: {}", word->word, word->instead));
+        if (word != refused.end()) fail(fmt::format("'{}' is not supported: {}", word->word, word->instead));
     }
 
     void read_include() {
@@ -271,7 +274,8 @@ private:
             const auto* whole = found != constants_.end() ? found->second.get_if<std::int64_t>() : nullptr;
             if (whole != nullptr) length = *whole;
         }
-        if (!length || *length < 1) return fail(fmt::format("expected a number of elements, got {}", found())), 1;
+        if (!length || *length < 1)
+            return fail(fmt::format("expected the array length (a whole number from 1), got {}", found())), 1;
         step();
         return static_cast<std::size_t>(*length);
     }

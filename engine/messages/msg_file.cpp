@@ -160,7 +160,7 @@ private:
         const std::string_view digits = take_word(text);
         const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), length);
         if (digits.empty() || read.ec != std::errc() || read.ptr != digits.data() + digits.size())
-            return wrong(fmt::format("expected a number of elements, got '{}'", shown(digits)));
+            return wrong(fmt::format("expected a length (a whole number), got '{}'", shown(digits)));
         return {};
     }
 

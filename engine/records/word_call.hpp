@@ -1,4 +1,4 @@
-// The call of a word of a file, for the errors of its reader.
+// A call of a function in a Lua description file, with its place for error messages.
 #pragma once
 
 #include <string>

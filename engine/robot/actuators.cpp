@@ -156,11 +156,11 @@ void Actuators::show(RobotBody& body, Channel& channel, const std::function<void
     if (bits > 0 && picture.pixels.size() == bytes) {
         body.show(channel.actuator, picture);
     } else if (!std::exchange(channel.has_warned, true)) {
-        const std::string expected =
-            bits > 0 ? fmt::format("{} bytes", bytes) : "a width, a height and bpp, its bits a pixel: 24 of rgb8";
+        const std::string expected = bits > 0 ? fmt::format("{} bytes", bytes)
+                                              : "width, height and bpp (bits per pixel, 24 for rgb8) greater than 0";
         warn(fmt::format(
-            "input '{}': a picture of {} x {} pixels of {} bits with {} bytes is not shown (reported once): expected "
-            "{}",
+            "input '{}': can't show a picture of {} x {} pixels with {} bits per pixel and {} bytes (reported once): "
+            "expected {}",
             channel.port->name(), picture.width, picture.height, picture.bpp, picture.pixels.size(), expected));
     }
 }

@@ -62,8 +62,8 @@ Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const Remo
         for (const auto& port : ports) {
             const auto peers = system.peers(**component, *port);
             if (!peers.empty())
-                result.notes.push_back(
-                    fmt::format("{}.{} was connected to {}", act.component, port->name(), fmt::join(peers, ", ")));
+                result.notes.push_back(fmt::format("{}.{} is no longer connected to {}", act.component, port->name(),
+                                                   fmt::join(peers, ", ")));
         }
     };
     note((*component)->in_ports());

@@ -25,8 +25,8 @@ Expected<void> apply(const Calibration& calibration, RobotSpec& spec) {
               std::tuple("right_radius", wheels.right_radius, model.radius_of_right())}) {
             if (measured > most_off * told || told > most_off * measured)
                 return failure(
-                    fmt::format("odometry.{} is {:g} m, and model '{}' has {:g} m: this is of another robot, "
-                                "or a mistake. Calibrate it again with nezumi calibrate odometry",
+                    fmt::format("odometry.{} is {:g} m, but model '{}' has {:g} m: the calibration is of another "
+                                "robot, or it is wrong. Calibrate it again with nezumi calibrate odometry",
                                 what, measured, spec.model, told));
         }
         spec.drive.track = wheels.track;

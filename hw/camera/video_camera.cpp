@@ -29,7 +29,8 @@ std::string with_advice(const NodeError& error) {
     switch (error.code) {
         case EACCES:
         case EPERM:
-            return describe(error) + ": this user may not use it. Try: sudo adduser $USER video, and log in again";
+            return describe(error) +
+                   ": this user has no permission to use it. Try: sudo adduser $USER video, and log in again";
         case ENOENT:
         case ENODEV:
         case ENXIO: return describe(error) + ": it is unplugged: plug it in again";

@@ -61,7 +61,7 @@ private:
             const int code = opening_fails_with(command, Node::Access::write);
             if (code != EACCES && code != EPERM) continue;
             const std::string group = group_that_may(command);
-            return say("permissions", wrong, "this user may not use the motors",
+            return say("permissions", wrong, "this user has no permission to use the motors",
                        group.empty() ? "sudo adduser $USER ev3dev, then log in again" : group);
         }
         for (const Holder& holder : holders_of(commands, proc_))

@@ -28,7 +28,8 @@ void examine_cameras(const MachineRoots& roots, Findings& findings) {
             case 0: findings.push_back({"camera", good, what, ""}); break;
             case EACCES:
             case EPERM:
-                findings.push_back({"camera", wrong, what + ": this user may not use it", for_group(node, "video")});
+                findings.push_back(
+                    {"camera", wrong, what + ": this user has no permission to use it", for_group(node, "video")});
                 break;
             default:
                 findings.push_back({"camera", wrong, fmt::format("{}: {} does not open", what, node),
@@ -60,7 +61,8 @@ void examine_sound(const MachineRoots& roots, Findings& findings) {
         const std::string path = fmt::format("{}/{}", folder, node);
         const int code = opening_fails_with(path, Node::Access::read);
         if (code != EACCES && code != EPERM) continue;
-        findings.push_back({"sound", wrong, listed(names) + ": this user may not use it", for_group(path, "audio")});
+        findings.push_back(
+            {"sound", wrong, listed(names) + ": this user has no permission to use it", for_group(path, "audio")});
         return;
     }
     findings.push_back({"sound", good, listed(names), ""});

@@ -131,7 +131,8 @@ private:
                       "then sudo modprobe rtmouse");
         if (!denied.empty()) {
             const std::string group = group_that_may(node(denied.front().c_str()));
-            say("permissions", wrong, "this user may not use " + listed(denied), group.empty() ? rule_advice() : group);
+            say("permissions", wrong, "this user has no permission to use " + listed(denied),
+                group.empty() ? rule_advice() : group);
         } else if (missing.empty()) {
             say("nodes", good, fmt::format("all {} can be used", count));
             look_at_rules();

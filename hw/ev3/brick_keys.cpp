@@ -16,7 +16,8 @@ constexpr std::array<unsigned, brick_keys.size()> codes{KEY_UP,    KEY_DOWN,  KE
 
 std::string why_not(const std::string& node, int code) {
     if (code == EACCES)
-        return describe(NodeError{node, code}) + ": this user may not use it. Try: sudo adduser $USER input";
+        return describe(NodeError{node, code}) +
+               ": this user has no permission to use it. Try: sudo adduser $USER input";
     return describe(NodeError{node, code}) + ": is this an EV3 brick with ev3dev?";
 }
 

@@ -61,7 +61,7 @@ std::string with_ev3_advice(const NodeError& error) {
         case ENODEV:
         case ENXIO: return describe(error) + ": it is unplugged: look at its cable";
         case EACCES:
-        case EPERM: return describe(error) + ": this user may not use it. Try: sudo adduser $USER ev3dev";
+        case EPERM: return describe(error) + ": this user has no permission to use it. Try: sudo adduser $USER ev3dev";
         case EISDIR: return describe(error) + " and no file of ev3dev's: is --sys-root right?";
         default: return describe(error) + ": look at its cable, and at what dmesg says";
     }

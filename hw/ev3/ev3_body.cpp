@@ -178,7 +178,7 @@ WheelReading Ev3Body::read_wheels(const Time& now, double /*period*/) {
     return wheel_reading(sample, clock_, now, spec_.drive);
 }
 
-// True if another touch sensor has been found: then the robot has only one, and this one is missing.
+// True if another touch sensor has been found. Then this one is not plugged in, and is read as not pressed.
 bool Ev3Body::is_touch_elsewhere(std::size_t sensor) const {
     for (std::size_t i = 0; i < channel_of_.size(); ++i) {
         if (i != sensor && spec_.sensors[i].kind == SensorKind::touch && (*channel_of_[i])->was_there()) return true;

@@ -90,8 +90,9 @@ Expected<std::unique_ptr<Guard>> Guard::start(const std::string& driver, const D
     const bool is_real = node.files().are_real();
     if (is_real && getpid() == 1)
         return failure(
-            "motors: this program is process 1 of its container, whose end would kill the guard of the motors as well: "
-            "start it by a shell that lives a second longer, as by sh -c 'nezumi run ...; sleep 1'");
+            "motors: nezumi is process 1 of its container. When it ends, the container ends too, and the motor guard "
+            "can't stop the motors. Start nezumi from a shell that ends later, for example: sh -c 'nezumi run ...; "
+            "sleep 1'");
     auto taken = is_real ? Lease::take(driver, node.text()) : Lease::of_nothing();
     if (!taken) return Unexpected(taken.error());
     std::array<int, 2> ends{};

@@ -268,7 +268,8 @@ Expected<DeviceLog> read_device_log(std::string_view text, const std::string& fi
             auto& mark = line.ends_with("start") ? start : end;
             const auto when = seconds(line.substr(0, std::min(blank, line.size())));
             if (!when || mark)
-                return wrong(fmt::format("expected one start and one end with their times, got '{}'", shown(line)));
+                return wrong(fmt::format("expected exactly one line 'TIME start' and one line 'TIME end', got '{}'",
+                                         shown(line)));
             mark = when;
             continue;
         }

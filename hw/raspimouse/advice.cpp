@@ -17,7 +17,8 @@ std::string with_advice(const NodeError& error) {
         case EACCES:
         case EPERM:
             return describe(error) +
-                   ": this user may not use it. Try: sudo chmod a+rw /dev/rt*, or write a udev rule for it";
+                   ": this user has no permission to use it. Try: sudo chmod a+rw /dev/rt*, or write a udev rule for "
+                   "it";
         case EISDIR: return describe(error) + " and no device: is --dev-root right?";
         default: return describe(error) + ": look at the robot's power and cables, and at what dmesg says";
     }

@@ -14,6 +14,7 @@
 #include "bindings/dds/ros/ros_word.hpp"
 #include "bindings/embed/simulation.hpp"
 #include "bindings/openrtm/rtm_word.hpp"
+#include "engine/base/own_program.hpp"
 #include "engine/base/visible.hpp"
 #include "hw/drivers.hpp"
 
@@ -23,9 +24,8 @@ std::vector<std::filesystem::path> installed_folders() {
     // bin/nezumi and share/nezumi are next to each other. In a build folder the second one is a link to the sources,
     // whose path is shown to people.
     std::error_code none;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
     std::filesystem::path folder =
-        std::filesystem::canonical(program.parent_path().parent_path() / "share/nezumi", none);
+        std::filesystem::canonical(own_program().parent_path().parent_path() / "share/nezumi", none);
     if (!std::filesystem::is_directory(folder / "engine/robots", none)) return {};
     return {std::move(folder)};
 }

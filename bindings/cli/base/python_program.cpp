@@ -30,9 +30,4 @@ void become_python(const std::string& file, const std::vector<std::string>& word
     execv(all.front().c_str(), pointers.data());
 }
 
-std::string own_program() {
-    std::error_code none;
-    return std::filesystem::read_symlink("/proc/self/exe", none).string();
-}
-
 }  // namespace nezumi::cli

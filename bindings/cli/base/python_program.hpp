@@ -15,7 +15,4 @@ Expected<std::string> python_file(const std::string& name);
 /// says why. Python writes no files beside the program and ignores the user's environment.
 void become_python(const std::string& file, const std::vector<std::string>& words);
 
-/// This program's own file.
-std::string own_program();
-
 }  // namespace nezumi::cli

@@ -13,6 +13,7 @@
 #include "bindings/cli/base/python_program.hpp"
 #include "bindings/cli/base/version.hpp"
 #include "bindings/cli/commands/commands.hpp"
+#include "engine/base/own_program.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -35,8 +36,8 @@ int run_mcp(const McpOptions& options) {
         (std::filesystem::path(*program).parent_path().parent_path().parent_path() / "docs").string();
     const std::string words =
         fmt::format(R"({{"program":{},"project":{},"docs":{},"version":{},"may_drive":{},"max_speed":{},"accept":{}}})",
-                    json_text(own_program()), json_text(options.project), json_text(docs), json_text(version()),
-                    options.may_drive, options.max_speed, options.accept);
+                    json_text(own_program().string()), json_text(options.project), json_text(docs),
+                    json_text(version()), options.may_drive, options.max_speed, options.accept);
     become_python(*program, {words});
     return refuse(fmt::format("mcp: Python is needed: sudo apt install python3 ({})", std::strerror(errno)));
 }

@@ -14,6 +14,7 @@
 #include "bindings/cli/base/python_program.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/cli/files/named_files.hpp"
+#include "engine/base/own_program.hpp"
 #include "engine/world/arena_fields.hpp"
 
 namespace nezumi::cli {
@@ -65,9 +66,9 @@ int run_mms(const MmsOptions& options) {
     const std::string words = fmt::format(
         R"({{"program":{},"system":{},"maze":{},"robot":{},"thickness":{},"run":{},"paced":{},"real":{},"sensors":{},)"
         R"("marks":{},"solver":{}}})",
-        json_text(own_program()), json_text(system->string()), json_text(options.maze), json_text(options.robot),
-        options.thickness, json_list(run), truth(is_paced), truth(is_real), truth(options.sensors || is_real),
-        truth(options.marks), json_list(options.solver));
+        json_text(own_program().string()), json_text(system->string()), json_text(options.maze),
+        json_text(options.robot), options.thickness, json_list(run), truth(is_paced), truth(is_real),
+        truth(options.sensors || is_real), truth(options.marks), json_list(options.solver));
     become_python(*program, {words});
     return refuse(fmt::format("mms: Python is needed: sudo apt install python3 ({})", std::strerror(errno)));
 }

@@ -1,4 +1,4 @@
-// Counts the words of each kind of file.
+// Decides the kind of a Lua file from the functions that it calls.
 #include "bindings/cli/files/lua_kind.hpp"
 
 #include <algorithm>

@@ -56,8 +56,7 @@ Expected<std::vector<const Channel*>> follow_channels(Trace& trace, const System
     for (const std::string& name : names) {
         if (name.find_first_of("*?") != name.npos) {
             const auto fitting = follow_fitting(trace, system, name);
-            if (fitting.empty())
-                return failure(fmt::format("--ports: there is nothing with the name '{}'", shown(name)));
+            if (fitting.empty()) return failure(fmt::format("--ports: no port or value matches '{}'", shown(name)));
             channels.insert(channels.end(), fitting.begin(), fitting.end());
             continue;
         }

@@ -27,6 +27,7 @@
 #include "bindings/terminal/input_history.hpp"
 #include "bindings/web/certificate.hpp"
 #include "bindings/web/qr_code.hpp"
+#include "engine/base/own_program.hpp"
 #include "engine/messages/message_files.hpp"
 #include "engine/vision/checked_image.hpp"
 
@@ -79,8 +80,7 @@ std::map<std::string, std::vector<std::string>> names_of_files() {
 
 // What the editor of the page needs of the other commands.
 web::EditorOptions editor_of(const Project& project) {
-    std::error_code none;
-    return {.program = std::filesystem::read_symlink("/proc/self/exe", none),
+    return {.program = own_program(),
             .kind = [](const std::filesystem::path& file,
                        const std::string& text) { return std::string(kind_name(kind_of_file(file, text))); },
             .words =

@@ -68,7 +68,7 @@ Expected<std::vector<BoxSpec>> SystemWords::read_ros_map(const WordCall& call, c
     return std::move(map->boxes);
 }
 
-// Values of the entry itself come before those of the calibration.
+// Values of the entry override those of the calibration.
 Expected<void> SystemWords::use_ros_calibration(const WordCall& call, const FieldCheck& check, ComponentEntry& entry) {
     const Place place = check.place_of({"calibration"});
     const auto refuse = [&](std::string_view why) {

@@ -102,7 +102,7 @@ private:
         std::string shown;
     };
     Expected<FoundFile> find_file(const WordCall& call, FileKind kind, const std::string& name);
-    // A file that a word named: its path, its name in messages, and its content.
+    // A file that the system file names: its path, its name in messages, and its content.
     struct ReadFile {
         std::filesystem::path path;
         std::string shown, text;

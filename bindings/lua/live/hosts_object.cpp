@@ -52,7 +52,7 @@ Expected<Host> find_host(const System& system, std::string_view name) {
 Expected<void> check_offered(const System& system, std::string_view path) {
     const auto host = find_host(system, host_of(path));
     if (!host) return Unexpected(host.error());
-    if (!host->here) return failure(fmt::format("{} is not there", host->name));
+    if (!host->here) return failure(fmt::format("host '{}' is offline", host->name));
     const std::string_view port = without_host(path);
     std::vector<std::string_view> names;
     for (const OfferedPort& each : host->ports) {
@@ -82,7 +82,7 @@ int host_tostring(lua_State* L) {
         const ObjectRef& ref = *to_object(L, 1);
         const auto host = find_host(ref.live()->system(), ref.component());
         if (!host) return Answer{host.error().message};
-        if (!host->here) return Answer{fmt::format("{} is not there", host->name)};
+        if (!host->here) return Answer{fmt::format("host '{}' is offline", host->name)};
         return Answer{fmt::format("{}: {}", host->name, fmt::join(component_names(*host), ", "))};
     });
 }
@@ -104,7 +104,7 @@ int hosts_tostring(lua_State* L) {
         Names lines;
         for (const Host& host : hosts_of(system))
             lines.push_back(host.here ? fmt::format("{}: {}", host.name, fmt::join(component_names(host), ", "))
-                                      : fmt::format("{} is not there", host.name));
+                                      : fmt::format("host '{}' is offline", host.name));
         return Answer{lines.empty() ? "there are no other hosts" : fmt::format("{}", fmt::join(lines, "\n"))};
     });
 }

@@ -210,7 +210,7 @@ void Reloader::let_ports_go(ScriptComponent& component, const ScriptComponent::V
         const auto& ports = next.script->ports();
         const auto successor =
             std::find_if(ports.begin(), ports.end(), [&](const PortDeclaration& d) { return d.name == port->name(); });
-        std::string what = fmt::format("{} went", path);
+        std::string what = fmt::format("{} was removed", path);
         if (successor != ports.end() && successor->direction != port->direction()) {
             what = fmt::format("{} is an {} now", path, in ? "output" : "input");
         } else if (successor != ports.end()) {

@@ -73,7 +73,7 @@ int last_level(lua_State* lua) {
     return there;
 }
 
-// Whether an activation is one of Lua code; if so, gives its place.
+// Whether a stack frame is a Lua function; if so, returns its place.
 bool is_lua(lua_State* lua, lua_Debug& activation, CallRecord::ScriptPlace& place) {
     if (lua_getinfo(lua, "Sl", &activation) == 0 || activation.currentline <= 0) return false;
     place.set(activation);

@@ -53,7 +53,7 @@ public:
         std::vector<bool> ran;  ///< by mark
     };
 
-    /// Only files of this project count.
+    /// Only files below the root of this project are measured.
     explicit Coverage(const std::filesystem::path& root);
     Coverage(const Coverage&) = delete;
     Coverage& operator=(const Coverage&) = delete;

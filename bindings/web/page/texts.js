@@ -128,14 +128,14 @@ const EN = {
     no_file: "The system file is not within the project: it can't be changed here.", changed: "Another program has changed the file: look at it, and try again.",
     no_call: (line) => `Line ${line} of the file has no such call: it is made by a map or a function. Edit the text.`,
     loop: (line) => `Line ${line} of the file makes several things, as in a loop. Edit the text.`,
-    no_robot: (name) => `The file has no single robot "${name}" { ... }. Edit the text.`, no_place: (name) => `${name} stands in no line of the file.`,
+    no_robot: (name) => `The file does not contain exactly one robot "${name}" { ... }. Edit the text.`, no_place: (name) => `${name} stands in no line of the file.`,
     not_number: (name) => `'${name}' is computed, or missing. Edit the text.`, choose: "Select what is to be removed.",
   },
   devices: { press: (sensor) => `Press ${sensor}`, led: (i, is_on) => `light ${i} is ${is_on ? "on" : "off"}`, tone: (hertz) => `♪ ${hertz} Hz` },
 
   scenarios: {
     run_all: "Run all", run: "Run", run_one: (name) => `Run ${name}`, stop: "Stop these", look: "Look again", open: "Open", open_hint: "Open this run, paused where it failed",
-    none: "This project has no scenarios: files that end in _test.lua.", count: (n) => (n === 1 ? "1 scenario" : `${n} scenarios`),
+    none: "This project has no scenarios. A scenario file has a name that ends in _test.lua.", count: (n) => (n === 1 ? "1 scenario" : `${n} scenarios`),
     running: (n) => `running, ${n} done`, ended: (passed, failed) => `${passed} passed, ${failed} failed`,
     margins: (n) => (n === 1 ? "1 margin" : `${n} margins`), states: { passed: "passed", failed: "failed", runs: "runs", skipped: "skipped", "": "not run yet" },
   },

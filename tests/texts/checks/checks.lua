@@ -218,7 +218,7 @@ return robot_model { mass = math.flor(1) }
 robot 'mouse' { model = 'raspimouse' }
 rtm { export = 'mouse', rename = { ['mouse.pose_updat'] = 'pose_update_in' } }
 -- error: rtm: field 'rename': there is no exported port 'mouse.pose_updat' (did you mean 'mouse.pose_update'?)
-connect('rtm:Out0.out', 'mouse.current_pose_out')  -- error: connect: mouse.current_pose_out is an out-port
+connect('rtm:Out0.out', 'mouse.current_pose_out')  -- error: connect: mouse.current_pose_out is an out-port: connect goes from an out-port to an in-port
 connect('rtm:Out0.out', 'mouse.target_velocity_inn')
 -- error: connect: mouse has no port 'target_velocity_inn' (did you mean 'target_velocity_in'?)
 connect('rtm:Out0.out', 'mouse.target_velocity_in')

@@ -182,7 +182,7 @@ TEST_CASE("the pages tell all that disturb takes", "[cli][fields]") {
                                usage_of<VelocityConstraint>(Describe<VelocityConstraint>::in_scenarios) + ")"));
 }
 
-TEST_CASE("a page that asks for fields or members that nobody described is refused", "[cli][fields]") {
+TEST_CASE("a page of documentation that asks for unknown fields or members is an error", "[cli][fields]") {
     CHECK(
         with_field_tables("a\n<!-- fields: bxo -->\n<!-- end -->\n", file_records(cli::peer_words())).error().message ==
         "there are no fields of 'bxo'");

@@ -123,7 +123,7 @@ TEST_CASE("a folder there that a project would be mixed into is refused by ssh a
     CHECK(server.there("demo/behaviors/drive.lua") == "-- first\n");
 }
 
-TEST_CASE("names that a shell or an option would read otherwise come over as they are", "[cli][push]") {
+TEST_CASE("file names with special characters of shells or options are copied unchanged", "[cli][push]") {
     const SshServer server;
     const PushedProject project;
     const std::vector<std::string> names{"-rf", "--delete", ":x", "a b", "new\nline", "it's \"q\"", "$(touch x)", "*"};

@@ -45,7 +45,7 @@ connect("crier.out", "ev3.sound")
     CHECK(refused.error == "nezumi: '" + file + "/x' can't be made as a folder for sounds: Not a directory\n");
 }
 
-TEST_CASE("a picture of the floor that can't be read is told with its line, running or checking", "[cli][floor]") {
+TEST_CASE("`run` and `check` report a picture of the floor that can't be read, with its line", "[cli][floor]") {
     const Scratch scratch;
     scratch.write("bad.png", "no picture");
     const std::string file =

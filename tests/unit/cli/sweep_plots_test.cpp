@@ -86,7 +86,8 @@ TEST_CASE("a second parameter with few values gives a plot with a series for eac
     }
 }
 
-TEST_CASE("series share the ranges of numbers, and there are at most six series", "[cli][plot]") {
+TEST_CASE("all series use the same ranges of a parameter, and one with more than six values gives no series",
+          "[cli][plot]") {
     std::vector<MeasuredRun> runs;
     for (int i = 0; i <= 100; ++i) runs.push_back(run(std::to_string(i), i % 2 == 0 ? "a" : "b", i));
     const auto plots = sweep_plots(runs);  // not over kind by speed, which has 101 values

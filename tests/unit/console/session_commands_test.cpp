@@ -115,7 +115,7 @@ TEST_CASE("on hardware, commands about time are refused", "[console][session]") 
     SessionRig it;
     it.hardware = true;
     for (const char* text : {"step(1)", "run(1)", "speed(2)", "restart()"}) {
-        CHECK_THAT(it.type(text), Contains("real robots run only in real time: this works in simulation"));
+        CHECK_THAT(it.type(text), Contains("this works only in simulation: real robots always run in real time"));
     }
     CHECK(it.type("teleport(mouse, {})") ==
           "! teleport: real robots can't be teleported: this works only in simulation");

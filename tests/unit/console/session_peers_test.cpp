@@ -109,7 +109,8 @@ TEST_CASE("connections to RTCs are made at the console, shown and saved", "[cons
     CHECK_THAT(it.type("ls(controller)"), Contains("<- mouse.ir_sensor_out, rtm:Out0.out") &&
                                               Contains("rtm:pc.host_cxt/Mouse0.target_velocity_in"));
     CHECK(it.type("controller.out.peers[2]") == "\"rtm:pc.host_cxt/Mouse0.target_velocity_in\"");
-    CHECK(it.type("connect('rtm:Out0.out', 'controller.out')") == "! connect: controller.out is an out-port");
+    CHECK(it.type("connect('rtm:Out0.out', 'controller.out')") ==
+          "! connect: controller.out is an out-port: connect goes from an out-port to an in-port");
     const auto saved = present_system(*it.live)->spec.connections;
     REQUIRE(saved.size() == 4);
     CHECK(saved[2] == ConnectionSpec{"rtm:Out0.out", "controller.in", {}});
@@ -125,6 +126,6 @@ TEST_CASE("connections to RTCs are made at the console, shown and saved", "[cons
 TEST_CASE("removing a component removes its connections to RTCs", "[console][rtm]") {
     SessionRig it(counter_system + "rtm { export = \"controller\" }\nconnect(\"rtm:Out0.out\", \"controller.in\")\n");
     CHECK_THAT(it.type("remove 'controller'"),
-               Contains("controller.in was connected to mouse.ir_sensor_out, rtm:Out0.out"));
+               Contains("controller.in is no longer connected to mouse.ir_sensor_out, rtm:Out0.out"));
     CHECK(present_system(*it.live)->spec.connections.empty());
 }

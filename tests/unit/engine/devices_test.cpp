@@ -143,9 +143,10 @@ TEST_CASE("a screen shows whole pictures, and says once why not the others", "[e
     run.send("lcd", picture(0, 0, 0));
     run.send("lcd", picture(4, 2, 7));
     CHECK(run.hull().pictures.empty());
-    CHECK(run.log == std::vector<std::string>{
-                         "mouse: input 'lcd': a picture of 0 x 0 pixels of 8 bits with 0 bytes is not shown "
-                         "(reported once): expected a width, a height and bpp, its bits a pixel: 24 of rgb8"});
+    CHECK(run.log ==
+          std::vector<std::string>{
+              "mouse: input 'lcd': can't show a picture of 0 x 0 pixels with 8 bits per pixel and 0 bytes "
+              "(reported once): expected width, height and bpp (bits per pixel, 24 for rgb8) greater than 0"});
     run.send("lcd", picture(4, 2, 8));
     REQUIRE(run.hull().pictures.size() == 1);
     CHECK(run.hull().pictures[0].width == 4);

@@ -65,7 +65,8 @@ TEST_CASE("the wheels' speeds are the stick's place turned by 45 degrees", "[eng
     CHECK(it.port("vel").read() == Floats{0, 0});
 }
 
-TEST_CASE("a stick held at no place stands in the middle, and one beyond the pad at its edge", "[engine][joystick]") {
+TEST_CASE("an invalid position of the stick is its centre, and one outside of the pad is its edge",
+          "[engine][joystick]") {
     Stick it;
     for (const Floats& odd : {Floats{}, Floats{100}, Floats{std::nanf(""), 1}}) {
         it.hold(odd);

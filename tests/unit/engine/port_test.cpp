@@ -31,7 +31,7 @@ TEST_CASE("a latch with nothing written publishes nothing and keeps the value", 
     CHECK(p.in.read() == 5);
 }
 
-TEST_CASE("an in-port takes what was published when it is latched, and not before", "[engine][port]") {
+TEST_CASE("an in-port receives published values only when it is latched", "[engine][port]") {
     Pair p;
     p.out.write(3);
     p.in.latch(at(0));
@@ -146,7 +146,7 @@ TEST_CASE("a port is stale after three periods of its sender, at least 0.1 s, an
     CHECK(in.stale_after() == Approx(0.6));
 }
 
-TEST_CASE("an in-port receives messages of a new source from then on", "[engine][port]") {
+TEST_CASE("an in-port receives only messages that a source publishes after it was connected", "[engine][port]") {
     OutPort<std::int32_t> out{"out"};
     out.write(1);
     out.latch(at(1));

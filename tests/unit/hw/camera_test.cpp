@@ -165,7 +165,8 @@ TEST_CASE("a camera's fault is reported once with what to do, and pictures come 
         std::string name, said;
     };
     const auto fault = GENERATE(values<Fault>({
-        {"denied", "permission denied: this user may not use it. Try: sudo adduser $USER video, and log in again"},
+        {"denied",
+         "permission denied: this user has no permission to use it. Try: sudo adduser $USER video, and log in again"},
         {"busy", "device or resource busy: another program uses it: fuser -v DEV/video0 says which"},
         {"enodev", "no such device: it is unplugged: plug it in again"},
         {"small",

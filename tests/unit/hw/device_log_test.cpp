@@ -95,11 +95,11 @@ TEST_CASE("a file that is not a device log is refused with line, content and exp
         {"1 0 read /dev/x = \"1\" 2", "expected a text in quotes, or an error such as EIO, got '\"1\" 2'"},
         {"1 0 open-read /dev/x = 3", "expected ok or an error as EIO, got '3'"},
         {"1 never read /dev/x = \"1\"", "expected the end of the line, got '\"1\"'"},
-        {"late end", "expected one start and one end with their times, got 'late end'"},
+        {"late end", "expected exactly one line 'TIME start' and one line 'TIME end', got 'late end'"},
     }));
     CHECK(refused(with_header(line + "\n")) == "x.log:2: " + why);
     CHECK(refused(with_header("1 end\n2 end\n")) ==
-          "x.log:3: expected one start and one end with their times, got '2 end'");
+          "x.log:3: expected exactly one line 'TIME start' and one line 'TIME end', got '2 end'");
     CHECK(refused(with_header("2 start\n1 end\n")) == "x.log:3: ends at 1 s, before it starts at 2 s");
 }
 

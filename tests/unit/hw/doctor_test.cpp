@@ -263,7 +263,7 @@ TEST_CASE("for nodes without permission the advice is the udev rule", "[hw][doct
     }
     const std::string text = not_well(machine.examine());
     if (was_root) REQUIRE(seteuid(0) == 0);
-    CHECK(text.find("permissions: this user may not use rtmotoren0") != text.npos);
+    CHECK(text.find("permissions: this user has no permission to use rtmotoren0") != text.npos);
     CHECK(text.find(
               "-> sudo cp /usr/share/nezumi/60-nezumi.rules /etc/udev/rules.d/, then sudo udevadm control --reload, "
               "sudo udevadm trigger, and sudo adduser $USER dialout\n") != text.npos);

@@ -191,9 +191,10 @@ TEST_CASE("the requested gamepad is used, and what it lacks is reported", "[hw][
                                            "/input/event9: no such file or directory: it is unplugged: plug it in "
                                            "again\n");
     fake.say("fault denied");
-    CHECK(told("") == "gamepad: " + fake.mount() +
-                          "/input/event3: permission denied: this user may not use it. Try: sudo adduser $USER input, "
-                          "and log in again\n");
+    CHECK(told("") ==
+          "gamepad: " + fake.mount() +
+              "/input/event3: permission denied: this user has no permission to use it. Try: sudo adduser $USER input, "
+              "and log in again\n");
 }
 
 TEST_CASE("a gamepad that fails or hangs releases its stick and is used again",

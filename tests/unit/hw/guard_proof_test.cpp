@@ -237,8 +237,9 @@ TEST_CASE("as process 1 of a container the motors get no power, and the error sa
     std::string said(1000, '\0');
     said.resize(static_cast<std::size_t>(std::max<ssize_t>(0, read(ends[0], said.data(), said.size()))));
     close(ends[0]);
-    CHECK(said ==
-          "motors: this program is process 1 of its container, whose end would kill the guard of the motors as well: "
-          "start it by a shell that lives a second longer, as by sh -c 'nezumi run ...; sleep 1'");
+    CHECK(
+        said ==
+        "motors: nezumi is process 1 of its container. When it ends, the container ends too, and the motor guard can't "
+        "stop the motors. Start nezumi from a shell that ends later, for example: sh -c 'nezumi run ...; sleep 1'");
     CHECK(guarded_text(node) == "1");
 }

@@ -28,9 +28,10 @@ TEST_CASE("without permission for the mouse's nodes, nothing moves and the error
     fake.fault(node, "denied");
     const Outcome outcome = run_on(fake.folder, "raspimouse", fake.roots());
     CHECK(outcome.status == 2);
-    CHECK(outcome.error == "system.lua:1: motors: " + fake.dev() + "/" + node +
-                               ": permission denied: this user may not use it. Try: sudo chmod a+rw /dev/rt*, or write "
-                               "a udev rule for it\n");
+    CHECK(outcome.error ==
+          "system.lua:1: motors: " + fake.dev() + "/" + node +
+              ": permission denied: this user has no permission to use it. Try: sudo chmod a+rw /dev/rt*, or write "
+              "a udev rule for it\n");
     CHECK(fake.writes().empty());
 }
 
@@ -43,8 +44,9 @@ TEST_CASE("without permission for an EV3's motor, nothing moves and the error sa
     CHECK(outcome.status == 2);
     CHECK(std::count(outcome.error.begin(), outcome.error.end(), '\n') == 1);
     CHECK(outcome.error.starts_with("system.lua:1: motors: " + fake.roots().sys + "/class/tacho-motor/motor"));
-    CHECK(outcome.error.ends_with(node.substr(node.find('/')) +
-                                  ": permission denied: this user may not use it. Try: sudo adduser $USER ev3dev\n"));
+    CHECK(outcome.error.ends_with(
+        node.substr(node.find('/')) +
+        ": permission denied: this user has no permission to use it. Try: sudo adduser $USER ev3dev\n"));
     CHECK(fake.writes().empty());
     CHECK_FALSE(fake.moves());
 }

@@ -35,7 +35,7 @@ TEST_CASE("parameters come back with their types", "[journal]") {
     }
 }
 
-TEST_CASE("messages of every type come back", "[journal]") {
+TEST_CASE("messages of every type are unchanged after JSON encoding and decoding", "[journal]") {
     const auto check = [](const Value& value) { CHECK(back(Hold{"a.b", value, true}).value == value); };
     for (const MessageType& message : compiled_message_types()) check(Value(*message.payload));
     check(Velocity2D{.vx = 0.1, .va = -2});

@@ -120,8 +120,8 @@ TEST_CASE("the serial number of the computer distinguishes two robots", "[lua][c
 TEST_CASE("wheels of twice or half the model's size are refused", "[lua][calibration]") {
     const CalibratedProject project;
     CHECK(project.refused(head + "odometry = { track = 0.0925, left_radius = 2.4, right_radius = 0.024 } }") ==
-          "mouse.calibration.lua: odometry.left_radius is 2.4 m, and model 'raspimouse' has 0.024 m: this is of "
-          "another robot, or a mistake. Calibrate it again with nezumi calibrate odometry");
+          "mouse.calibration.lua: odometry.left_radius is 2.4 m, but model 'raspimouse' has 0.024 m: the "
+          "calibration is of another robot, or it is wrong. Calibrate it again with nezumi calibrate odometry");
     CHECK(project.refused(head + "odometry = { track = 0.04, left_radius = 0.024, right_radius = 0.024 } }")
               .find("odometry.track is 0.04 m") != std::string::npos);
     CHECK(project.refused(head + "odometry = { track = 0.1, left_radius = 0.03, right_radius = 0.02 } }").empty());

@@ -160,7 +160,7 @@ TEST_CASE("an error in a traced execution is the same, and the trace has the lin
     CHECK(numbers_of(looked.component->latest_trace()) == std::vector<int>{2, 3});
 }
 
-TEST_CASE("an endless loop that is traced still ends with its time", "[lua][explain][wallclock]") {
+TEST_CASE("an endless loop that is traced still ends at its time limit", "[lua][explain][wallclock]") {
     ScriptRig rig("function on_execute()\n  while true do local x = 1 end\nend\n");
     rig.activate();
     rig.component->trace_next();

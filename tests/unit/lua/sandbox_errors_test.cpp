@@ -156,7 +156,7 @@ TEST_CASE("a memory error while the stack grows has its line", "[lua][memory]") 
     }
 }
 
-TEST_CASE("an error value that is a number is reported without memory for its text", "[lua][memory]") {
+TEST_CASE("an error value that is a number is reported even if there is no memory for its text", "[lua][memory]") {
     Box box;
     REQUIRE(box.run("function raise() error(0.1234567890123) end") == "");
     std::set<std::string> said;

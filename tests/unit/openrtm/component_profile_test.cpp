@@ -129,7 +129,9 @@ TEST_CASE("constraints are bounds and choices; what can't be said here is a rema
     CHECK(said(motion, "channels") == "{ \"left\", \"right\" } \"left\" \"right\" \"both\" checkbox");
     CHECK(said(motion, "start") == "0");
     CHECK(remarks(motion, "parameter 'start' (integer): 0 is below its minimum 1, in its default"));
-    CHECK(remarks(motion, "parameter 'ids': its default is an empty array of 'vector<int>', which has no type here"));
+    CHECK(remarks(
+        motion,
+        "parameter 'ids': its default is an empty array of 'vector<int>', so the type of its elements is unknown"));
 }
 
 TEST_CASE("what has no counterpart is a remark, once", "[openrtm][profile]") {

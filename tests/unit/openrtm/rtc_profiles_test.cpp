@@ -167,8 +167,10 @@ TEST_CASE("a text that is not a value of the type is refused", "[openrtm][profil
 TEST_CASE("a connection to an RTC needs a fitting port of ours", "[openrtm][profiles]") {
     const std::string exported = "rtm { export = \"c\" }\n";
     CHECK(error_of(exported + "connect(\"rtm:Out0.out\", \"c.in\") connect(\"c.out\", \"rtm:In0.in\")") == "no error");
-    CHECK(error_of(exported + "connect(\"rtm:Out0.out\", \"c.out\")") == "connect: c.out is an out-port");
-    CHECK(error_of(exported + "connect(\"c.in\", \"rtm:In0.in\")") == "connect: c.in is an in-port");
+    CHECK(error_of(exported + "connect(\"rtm:Out0.out\", \"c.out\")") ==
+          "connect: c.out is an out-port: connect goes from an out-port to an in-port");
+    CHECK(error_of(exported + "connect(\"c.in\", \"rtm:In0.in\")") ==
+          "connect: c.in is an in-port: connect goes from an out-port to an in-port");
     CHECK(error_of(exported + "connect(\"rtm:Out0.out\", \"c.lens\")") ==
           "connect: c.lens is a CameraIntrinsics, which OpenRTM does not know");
     CHECK(error_of(exported + "connect(\"rtm:Out0.out\", \"c.inn\")").find("(did you mean 'in'?)") !=

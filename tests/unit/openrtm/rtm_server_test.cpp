@@ -166,7 +166,8 @@ TEST_CASE("an impossible connection to an RTC is refused with the reason", "[ope
         return done ? "no error" : done.error().message;
     };
     CHECK(error(Connect{"rtm:Out0.out", "controller.inn"}) == "controller has no port 'inn' (did you mean 'in'?)");
-    CHECK(error(Connect{"rtm:Out0.out", "controller.out"}) == "controller.out is an out-port");
+    CHECK(error(Connect{"rtm:Out0.out", "controller.out"}) ==
+          "controller.out is an out-port: connect goes from an out-port to an in-port");
     CHECK(error(Connect{"rtm:Out0", "controller.in"}) ==
           "expected \"rtm:NAME.port\" or \"rtm:HOST.host_cxt/NAME.port\", got 'rtm:Out0'");
     CHECK(error(Connect{"rtm:Out0.out", "rtm:In0.in"}) ==

@@ -163,7 +163,7 @@ TEST_CASE("the EV3 sees the floor's picture, and nothing outside it", "[sim][ev3
     look(-5, FloorColor::none, 0);
 }
 
-TEST_CASE("the EV3 sees the floor's colour up to 18 mm", "[sim][ev3][floor]") {
+TEST_CASE("the EV3's colour sensor reads the floor from at most 18 mm above it", "[sim][ev3][floor]") {
     const FloorFile file({255, 0, 0});
     ArenaSpec arena;
     arena.floor = FloorSpec{.image = file.path.string(), .size = {3, 3}};

@@ -160,7 +160,7 @@ TEST_CASE("a distance beyond the range has no noise", "[sim][sensor]") {
     for (int i = 0; i < 100; ++i) REQUIRE(body.tick()[metre].physical == 0.6);
 }
 
-TEST_CASE("a gyro integrates the yaw rate up to its limit", "[sim][sensor]") {
+TEST_CASE("a gyro integrates the yaw rate, limited to its largest rate", "[sim][sensor]") {
     for (const double rate : {100.0, 50.0}) {
         Felt body(fake_mouse(), 1, rate);
         const auto after_a_second = [&](double turns) {

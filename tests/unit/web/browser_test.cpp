@@ -275,7 +275,7 @@ TEST_CASE("a browser controls time as the console does", "[web]") {
     CHECK(rig.live->starts() == 2);
     rig.hardware = true;
     for (const char* what : {"step", "speed", "restart"})
-        CHECK(time(what)["text"] == "real robots run only in real time: this works in simulation");
+        CHECK(time(what)["text"] == "this works only in simulation: real robots always run in real time");
     CHECK(time("pause")["ok"] == true);
     CHECK(time("quit")["ok"] == true);
     CHECK(rig.quitting);
