@@ -4,6 +4,7 @@ import csv
 import io
 import math
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -37,6 +38,45 @@ class Smoke(rig.PageCase):
     def test_messages_of_the_engine_are_read_as_they_were_written(self):
         self.open(WALL)
         self.check_modules("modules_test.js", 20)
+
+    def test_each_text_is_there_in_both_languages_and_only_there(self):
+        self.open(WALL)
+        self.check_modules("texts_test.js", 250)
+
+
+class Japanese(rig.PageCase):
+    """Who reads Japanese sees the page in Japanese."""
+
+    language = "ja,en"
+
+    def test_the_language_is_that_of_the_browser_until_another_one_is_chosen(self):
+        self.open(WALL)
+        page = self.page
+        self.assertEqual(page.js("return document.documentElement.lang"), "ja")
+        self.assertEqual(page.text(".stop"), "■停止")
+        self.assertEqual([each.text for each in page.all(".stage > .tabs .tab")], ["ワールド", "システム", "グラフ", "エディタ"])
+        self.assertEqual(page.js("return document.querySelector('.world canvas').getAttribute('aria-label')")[:9], "上から見たワールド")
+        page.press("English")
+        page.until("document.querySelector('.dot.open') && document.querySelector('.stop')?.textContent === '■Stop'", "it is in English")
+        page.driver.refresh()
+        page.ready()
+        self.assertEqual(page.text(".stop"), "■Stop")
+        self.assertEqual(page.js("return document.documentElement.lang"), "en")
+        page.press("日本語")
+        page.until("document.querySelector('.dot.open') && document.querySelector('.stop')?.textContent === '■停止'", "it is in Japanese again")
+        self.assertEqual(page.errors(), [])
+
+    def test_no_view_shows_an_english_word_that_is_not_a_name(self):
+        self.open(WALL)
+        page = self.page
+        names = {"nezumi", "Lua", "CSV", "SVG", "English", "Enter", "Esc", "Shift", "Tab", "Page", "Down", "wall", "stop"}
+        for view in ("world", "diagram", "plots", "scenarios", "drive", "parameters", "cameras", "explain", "console"):
+            page.view(view)
+            shown = page.js("""return [...document.querySelectorAll('body > header button, body > header [title]:not(h1), .tab, .tools button, .view:not([hidden]) > .hint, .view:not([hidden]) .empty')]
+              .filter((each) => each.offsetParent && !each.querySelector('input, select'))
+              .map((each) => each.textContent + ' ' + each.title + ' ' + (each.getAttribute('aria-label') ?? ''))""")
+            words = {word for text in shown for word in re.findall(r"[A-Za-z]{3,}", text)}
+            self.assertLessEqual(words, names, view)
 
 
 class Words(rig.PageCase):

@@ -104,9 +104,9 @@ class System:
 
 
 class Page:
-    """A browser's window."""
+    """A browser's window. `language`: what its person prefers."""
 
-    def __init__(self, size=(1500, 950)):
+    def __init__(self, size=(1500, 950), language="en-US"):
         from selenium import webdriver
         from selenium.webdriver.chrome.service import Service
 
@@ -115,6 +115,7 @@ class Page:
         self.profile = tempfile.mkdtemp(prefix="nezumi-browser-")
         for each in CHROMIUM + ["--user-data-dir=" + self.profile, "--window-size=%d,%d" % size]:
             options.add_argument(each)
+        options.add_experimental_option("prefs", {"intl.accept_languages": language})
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(options=options, service=Service(shutil.which("chromedriver")))
         self.driver.set_script_timeout(PATIENCE)
@@ -220,10 +221,11 @@ class PageCase(unittest.TestCase):
 
     nezumi = None
     size = (1500, 950)
+    language = "en-US"
 
     @classmethod
     def setUpClass(cls):
-        cls.page = Page(cls.size)
+        cls.page = Page(cls.size, cls.language)
         cls.addClassCleanup(cls.page.close)
 
     def system(self, *arguments, **named):

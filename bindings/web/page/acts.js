@@ -18,19 +18,19 @@ export class Acts {
     this.#notices = notices;
   }
 
-  async #ask(what, name) {
+  async #ask(what) {
     if (!this.#model.may_act) return false;
     const { ok, text } = await this.#link.ask(what);
-    if (!ok) this.#notices.say(T.failed(name, text || T.link.no_answer), "error");
+    if (!ok) this.#notices.say(text || T.link.no_answer, "error");
     return ok;
   }
 
-  act = (name, fields = {}) => this.#ask({ do: "act", act: name, fields }, name);
-  time = (what, value) => this.#ask({ do: "time", what, ...(value === undefined ? {} : { value }) }, what);
+  act = (name, fields = {}) => this.#ask({ do: "act", act: name, fields });
+  time = (what, value) => this.#ask({ do: "time", what, ...(value === undefined ? {} : { value }) });
 
   /// Does not wait, and is sent even before the page knows its permissions.
   stop = () => this.#link.send({ do: "stop" }) || this.#notices.say(T.stop.not_sent, "error");
-  rearm = () => this.#ask({ do: "rearm" }, T.stop.rearm);
+  rearm = () => this.#ask({ do: "rearm" });
 
   set_parameter = (component, { name, type }, value) =>
     this.act("SetParameter", { component, parameter: name, value: as_parameter(type, value) });
@@ -44,7 +44,7 @@ export class Acts {
   connect = (from, to) => this.act("Connect", { from, to });
   disconnect = (from, to) => this.act("Disconnect", { from, to });
   /// A request to an RTC of another program.
-  peer = (what, fields) => this.#ask({ do: "peer", what, ...fields }, what);
+  peer = (what, fields) => this.#ask({ do: "peer", what, ...fields });
   set_peer_parameter = (name, { name: parameter, type }, value) => this.peer("configure", { name, parameter, value: as_parameter(type, value) });
   teleport = (robot, { x, y, yaw }) =>
     this.act("Teleport", { robot, pose: { position: { x: round(x), y: round(y) }, heading: round(yaw) } });

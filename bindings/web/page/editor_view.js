@@ -278,7 +278,7 @@ class Editor {
     };
     const rows = el("div", { class: "rows" }, ...answer.versions.map(({ number, saved_at, bytes }) => {
       const button = el("button", { class: "file", onclick: () => choose(number, button) }, el("b", { text: T.editor.version(number) }),
-        el("span", { text: new Date(saved_at * 1000).toLocaleString() }), el("small", { text: T.editor.bytes(bytes) }));
+        el("span", { text: new Date(saved_at * 1000).toLocaleString() }), el("small", { text: T.bytes(bytes) }));
       return button;
     }));
     this.sheet.show(T.editor.versions_of(file), [el("div", { class: "versions" }, rows, about)], []);

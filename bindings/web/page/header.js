@@ -1,7 +1,7 @@
 // The bar that is always visible: the system's name, time, and the emergency stop.
 import { ask } from "./ask.js";
 import { at_most_every, el, is_typing, svg } from "./dom.js";
-import { T } from "./texts.js";
+import { choose_language, language, LANGUAGES, T } from "./texts.js";
 import { make_timeline } from "./timeline.js";
 import { make_troubles } from "./troubles.js";
 
@@ -29,6 +29,13 @@ function make_theme_button() {
   dark.addEventListener("change", show);
   show();
   return button;
+}
+
+/// Shows the page in the next language; its name is written in itself.
+function make_language_button() {
+  const all = Object.keys(LANGUAGES);
+  const next = all[(all.indexOf(language) + 1) % all.length];
+  return el("button", { class: "quiet language", lang: next, text: LANGUAGES[next], title: T.language, onclick: () => choose_language(next) });
 }
 
 function make_time({ model, acts }) {
@@ -141,5 +148,5 @@ export function make_header(parts) {
     kind.textContent = words.filter(Boolean).join(" · ");
   });
   return el("header", {}, el("div", { class: "title" }, dot, systems, kind, make_troubles(parts)), make_time(parts),
-    make_share(parts), make_theme_button(), make_stop(parts), make_timeline(parts));
+    make_share(parts), make_language_button(), make_theme_button(), make_stop(parts), make_timeline(parts));
 }

@@ -1,4 +1,5 @@
 // Exports a plot: CSV for spreadsheets, SVG for documents.
+import { T } from "./texts.js";
 
 const quoted = (text) => (/[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
@@ -32,7 +33,7 @@ export function to_svg(names, rows, colors) {
   const parts = [
     ...ticks(t0, t1, 8).map((t) => `<path class="g" d="M${x(t).toFixed(1)} ${top}V${h - bottom}"/>` + text(x(t).toFixed(1), h - bottom + 18, String(t), 'text-anchor="middle"')),
     ...ticks(low, high, 6).map((v) => `<path class="g" d="M${left} ${y(v).toFixed(1)}H${w - right}"/>` + text(left - 8, (y(v) + 4).toFixed(1), String(v), 'text-anchor="end"')),
-    text((left + w - right) / 2, h - 8, "time [s]", 'text-anchor="middle"'),
+    text((left + w - right) / 2, h - 8, T.plots.time, 'text-anchor="middle"'),
     ...names.map((name, i) => {
       let pen = "M";
       const path = rows.map((row) => {

@@ -1,4 +1,5 @@
 // Formats values with few characters.
+import { T } from "./texts.js";
 
 /// A number with its significant decimals.
 export function number_text(value) {
@@ -13,7 +14,7 @@ export function value_text(value, most = 120) {
   let text;
   if (value === undefined || value === null) text = "–";
   else if (typeof value === "number") text = number_text(value);
-  else if (ArrayBuffer.isView(value)) text = `${value.length} bytes`;
+  else if (ArrayBuffer.isView(value)) text = T.bytes(value.length);
   else if (typeof value !== "object") text = typeof value === "string" ? `"${value}"` : String(value);
   else if (Array.isArray(value)) text = `{ ${value.slice(0, 64).map((each) => value_text(each)).join(", ")} }`;
   else text = `{ ${Object.entries(value).map(([name, each]) => `${name} = ${value_text(each)}`).join(", ")} }`;
