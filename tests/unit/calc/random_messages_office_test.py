@@ -38,7 +38,7 @@ def random_cell(dice, kind):
     if kind == "float32":
         return struct.unpack("f", struct.pack("f", dice.gauss(0, 1e3)))[0]
     if kind == "float64":
-        return dice.choice([-0.5, 1e300, dice.gauss(0, 1e3)])
+        return dice.choice([-0.5, 1e300, float("%.15g" % dice.gauss(0, 1e3))])  # a file of Calc has 15 digits
     bits = min(8 * struct.calcsize(PACKED[kind]), 53)
     return float(dice.randrange(0 if kind.startswith("u") else -(1 << (bits - 1)), 1 << (bits - 1)))
 
