@@ -58,8 +58,8 @@ class Log:
         if self._waits or "type" not in seen:
             self.state = EARLIER if self._waits else seen.get("error", "no answer")
             return
-        if kind.is_picture:
-            self.state = "a picture is not logged"
+        if kind.has_bytes:
+            self.state = "bytes are not logged"
             return
         samples = seen.get("samples")
         if self._since is not None and now < self._since:

@@ -59,7 +59,7 @@ def tables_of(ports, direction, types):
     """Tables in the order of the first use of their headings."""
     tables = {}
     for port in ports:
-        if port.get("direction", "out") != direction or (direction == "in" and types[port["type"]].is_picture):
+        if port.get("direction", "out") != direction or (direction == "in" and types[port["type"]].has_bytes):
             continue
         headings = headings_of(port, types)
         if headings:

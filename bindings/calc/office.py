@@ -212,7 +212,8 @@ def pieces(changes, content):
     text), and numbers that lie beside or under each other (sheet, row, column, rows of values)."""
     texts, blocks = [], []
     for sheet, row, column, values in changes:
-        values = ["" if value is None else float(value) if isinstance(value, bool) else value for value in values]
+        # An integer beyond 32 bits is nothing that a cell takes.
+        values = ["" if value is None else value if isinstance(value, str) else float(value) for value in values]
         for is_text, group in itertools.groupby(enumerate(values, column), lambda place: isinstance(place[1], str)):
             group = list(group)
             if is_text:

@@ -148,8 +148,8 @@ class Linked:
             self.state = "%s feeds it already" % taken[row.path]
             return False
         taken[row.path] = address(row.row, row.column)
-        if types[seen["type"]].is_picture:
-            self.state = "a picture does not come from cells"
+        if types[seen["type"]].has_bytes:
+            self.state = "bytes do not come from cells"
             return False
         return True
 

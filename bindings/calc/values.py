@@ -41,7 +41,7 @@ class Type:
     def __init__(self, name, fields):
         self.name = name
         self._fields = [field for field in fields if field[2] != OCTETS]
-        self.is_picture = len(self._fields) < len(fields)  # cells show everything but the pixels
+        self.has_bytes = len(self._fields) < len(fields)  # cells show everything else
         self.is_sequence = bool(fields) and fields[0][3]  # what it carries first, or all of it
 
     @classmethod

@@ -149,6 +149,7 @@ struct PeerSnapshot {
     bool is_ours = false;
     std::string type{};
     State state = State::unknown;
+    bool is_stopped = false;  ///< its execution context does not run: the state stays as it is
     std::vector<Port> ports{};
     std::string set{};                                  ///< the active configuration set; "" if none
     std::vector<std::pair<std::string, Texts>> sets{};  ///< empty in a list that is not whole

@@ -81,6 +81,7 @@ std::string title(const PeerSnapshot& peer) {
     std::string text = "rtm:" + one_line(peer.name) + "  ";
     if (!answers(peer)) return text + std::string(to_text(peer.state));
     text += fmt::format("{}, {}", one_line(peer.type), to_text(peer.state));
+    if (peer.is_stopped) text += ", its execution context is stopped";
     if (!peer.set.empty() && peer.set != "default") text += ", set " + one_line(peer.set);
     return text;
 }

@@ -26,8 +26,10 @@ std::string server_text(const RtmSpec& rtm) {
     return first.ends_with(usual_port) ? first.substr(0, first.size() - usual_port.size()) : first;
 }
 
+// An RTC that is named without its computer is on this one, as far as is known.
 std::string path_text(const std::string& server, const std::string& component) {
-    return fmt::format("{}/{}.rtc", server, component);
+    const std::string context = component.find('/') == std::string::npos ? own_context() + "/" : "";
+    return fmt::format("{}/{}{}.rtc", server, context, component);
 }
 
 ProfiledComponent profiled(const RtcProfile& profile, const Component& component, const std::string& server) {
@@ -39,7 +41,7 @@ ProfiledComponent profiled(const RtcProfile& profile, const Component& component
                               .vendor = std::move(now.vendor),
                               .category = std::move(now.category),
                               .version = std::move(now.version),
-                              .path = path_text(server, own_context() + "/" + instance_of(profile.component)),
+                              .path = path_text(server, instance_of(profile.component)),
                               .sets = std::move(now.sets)};
     for (const RtcPort& port : profile.ports) written.ports.push_back(port.name);
     return written;

@@ -42,7 +42,7 @@ public:
     explicit Parser(const IdlIncluder& include) : include_(include) {}
 
     void read(const SourceText& source) {
-        included_.insert(source.path);
+        included_.insert(file_name(source));
         const SourceText* const outer = std::exchange(source_, &source);
         IdlLexer lexer(source);
         IdlLexer* const outer_lexer = std::exchange(lexer_, &lexer);
@@ -115,11 +115,15 @@ private:
         if (word != refused.end()) fail(fmt::format("'{}' is not supported: {}", word->word, word->instead));
     }
 
+    // Of two files of one name the first is read, as include guards have it: a project may have its own copy of an
+    // installed file, and include other installed ones.
+    static std::string file_name(const SourceText& source) { return source.path.substr(source.path.rfind('/') + 1); }
+
     void read_include() {
         const std::string name(token_.text);
         auto found = include_(name, *source_);
         if (!found) return fail(fmt::format("#include \"{}\": {}", shown(name), found.error().message));
-        if (included_.insert(found->path).second && !found->text.empty()) {
+        if (included_.insert(file_name(*found)).second && !found->text.empty()) {
             if (included_.size() > 64) return fail("expected at most 64 files that include each other");
             const std::string outer = std::exchange(module_, "");
             read(*found);

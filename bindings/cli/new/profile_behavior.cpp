@@ -97,14 +97,13 @@ private:
         const std::string file = "behaviors/" + parts_.name + ".lua";
         auto found = messages_(port.type, file, nullptr);
         // Other packages may have one of this name.
-        if (!found && port.type.find('/') == std::string::npos) found = messages_("RTC/" + port.type, file, nullptr);
+        if (!found && port.type.find('/') == std::string::npos) {
+            if (auto of_rtc = messages_("RTC/" + port.type, file, nullptr)) found = of_rtc;
+        }
         if (!found) {
-            const std::string where =
-                port.idl_file.empty()
-                    ? ""
-                    : fmt::format(" of {} (put this file into behaviors/messages/ and try again)", port.idl_file);
-            remarks_.push_back(
-                fmt::format("port '{}': there is no message type '{}'{}", shown(port.name), shown(port.type), where));
+            const bool is_unknown = found.error().message.starts_with("unknown type");
+            remarks_.push_back(fmt::format("port '{}': {}", shown(port.name),
+                                           is_unknown ? unknown_type(port) : with_file_name(found.error())));
             parts_.declarations.push_back(fmt::format("{}({}, {}, {})", is_in ? "input" : "output",
                                                       lua_quoted(port.name), lua_quoted(port.type),
                                                       lua_quoted(port.doc)));
@@ -120,6 +119,20 @@ private:
             written.options = fmt::format("queue = {}", std::min<std::size_t>(port.queue, 100'000));
         if (!is_in && !port.safe.empty()) written.options = safe_text(port, found->type);
         (is_in ? parts_.inputs : parts_.outputs).push_back(std::move(written));
+    }
+
+    static std::string unknown_type(const ProfilePort& port) {
+        const std::string where =
+            port.idl_file.empty()
+                ? ""
+                : fmt::format(" of {} (put this file into behaviors/messages/ and try again)", port.idl_file);
+        return fmt::format("there is no message type '{}'{}", shown(port.type), where);
+    }
+
+    // Why its definition can't be used; without the folder, which may be one of this computer.
+    static std::string with_file_name(Error error) {
+        error.place.file = error.place.file.substr(error.place.file.rfind('/') + 1);
+        return describe(error);
     }
 
     std::string safe_text(const ProfilePort& port, const MessageType* type) {

@@ -290,11 +290,7 @@ void Keeper::look_after_connections() {
             // These were not ended by anyone else.
             for (Link& link : links_) {
                 if (std::find(lost.begin(), lost.end(), link.id) == lost.end()) continue;
-                if (link.is_joined) {
-                    end(link);
-                } else {
-                    link = {link.wanted};
-                }
+                lose(link, link.is_joined);
             }
         }
     }
@@ -314,18 +310,15 @@ bool Keeper::is_to_be_made(Link& link, PortObject& port) {
     const Life life = life_of(link.theirs);
     if (life == Life::silent) return false;
     const bool is_over = life == Life::lives || link.is_joined;
-    if (is_over) {
-        end(link);
-    } else {
-        link = {link.wanted};
-    }
+    lose(link, is_over);
     return !is_over;
 }
 
-void Keeper::end(Link& link) {
-    told_.erase(about(link.wanted));  // a later loss is reported again
-    home_.site.ended(link.wanted);
-    link = {.wanted = link.wanted, .is_ended = true};
+// What becomes of it next is reported, even if it is the same as before.
+void Keeper::lose(Link& link, bool is_over) {
+    told_.erase(about(link.wanted));
+    if (is_over) home_.site.ended(link.wanted);
+    link = {.wanted = link.wanted, .is_ended = is_over};
 }
 
 // What is there and was not requested, RTCs or tools have made.

@@ -70,7 +70,7 @@ private:
     void make_links();
     void look_for_joined();
     void connect_inside();
-    void end(Link& link);
+    void lose(Link& link, bool is_over);
     void note_made();
     bool is_to_be_made(Link& link, PortObject& port);
     void tell_once(const std::string& about, bool is_problem, const std::string& text);

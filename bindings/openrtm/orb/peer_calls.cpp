@@ -23,16 +23,21 @@ RTC::ExecutionContext_ptr context_of(RTC::RTObject_ptr rtc) {
     return RTC::ExecutionContext::_duplicate(contexts[0]);
 }
 
-PeerSnapshot::State state_of(RTC::RTObject_ptr rtc) {
-    const RTC::ExecutionContext_var context = context_of(rtc);
-    if (CORBA::is_nil(context)) return PeerSnapshot::State::unknown;
-    switch (context->get_component_state(rtc)) {
+PeerSnapshot::State state_of(RTC::LifeCycleState state) {
+    switch (state) {
         case RTC::CREATED_STATE: return PeerSnapshot::State::created;
         case RTC::INACTIVE_STATE: return PeerSnapshot::State::inactive;
         case RTC::ACTIVE_STATE: return PeerSnapshot::State::active;
         case RTC::ERROR_STATE: return PeerSnapshot::State::error;
     }
     return PeerSnapshot::State::unknown;
+}
+
+void look_at_state(PeerSnapshot& snapshot, RTC::RTObject_ptr rtc) {
+    const RTC::ExecutionContext_var context = context_of(rtc);
+    if (CORBA::is_nil(context)) return;
+    snapshot.state = state_of(context->get_component_state(rtc));
+    snapshot.is_stopped = !context->is_running();
 }
 
 PeerSnapshot::Port look_at(const RTC::PortProfile& profile) {
@@ -76,9 +81,15 @@ std::string change_state(RTC::RTObject_ptr rtc, RtcRequest::What what) {
     if (what == RtcRequest::What::exit) return problem_of(rtc->exit());
     const RTC::ExecutionContext_var context = context_of(rtc);
     if (CORBA::is_nil(context)) return "it has no execution context";
-    if (what == RtcRequest::What::activate) return problem_of(context->activate_component(rtc));
-    if (what == RtcRequest::What::deactivate) return problem_of(context->deactivate_component(rtc));
-    return problem_of(context->reset_component(rtc));
+    const RTC::ReturnCode_t code = what == RtcRequest::What::activate     ? context->activate_component(rtc)
+                                   : what == RtcRequest::What::deactivate ? context->deactivate_component(rtc)
+                                                                          : context->reset_component(rtc);
+    if (code == RTC::PRECONDITION_NOT_MET && context->get_component_state(rtc) == RTC::ERROR_STATE)
+        return "it is in ERROR: reset it (PRECONDITION_NOT_MET)";
+    if (code != RTC::RTC_ERROR) return problem_of(code);
+    // OpenRTM-aist waits half a second for the new state, and keeps the request while an execution lasts.
+    return context->is_running() ? "it executes for long, and may follow later (RTC_ERROR)"
+                                 : "its execution context is stopped: start that first (RTC_ERROR)";
 }
 
 template <class Pairs>
@@ -153,7 +164,7 @@ PeerSnapshot look_at(const NameService::Named& named, bool whole) {
             const RTC::PortProfile_var port = ports[i]->get_port_profile();
             snapshot.ports.push_back(look_at(port.in()));
         }
-        snapshot.state = state_of(rtc);
+        look_at_state(snapshot, rtc);
         if (whole) look_at_sets(snapshot, rtc);
     } catch (const CORBA::TIMEOUT&) {
         snapshot.state = PeerSnapshot::State::silent;

@@ -153,6 +153,8 @@ void Commands::run(const std::string& line) {
         port_.boast(count);
     } else if (command == "fail") {
         self_.fail();
+    } else if (command == "busy" || command == "idle") {
+        self_.be_busy(command == "busy");
     } else if (command == "names") {
         list_names();
     } else if (command == "manager") {
@@ -254,6 +256,8 @@ void Commands::of_rtc(const std::string& command, RTC::RTObject_ptr found, std::
     if (command == "activate") print("done " + std::to_string(context->activate_component(rtc)));
     if (command == "deactivate") print("done " + std::to_string(context->deactivate_component(rtc)));
     if (command == "reset") print("done " + std::to_string(context->reset_component(rtc)));
+    if (command == "start") print("done " + std::to_string(context->start()));
+    if (command == "stop") print("done " + std::to_string(context->stop()));
 }
 
 void Commands::connect(RTC::RTObject_ptr rtc, std::istringstream& words) {

@@ -15,6 +15,7 @@ public:
     FakeRtc(std::string name, RTC::PortService_ptr reference, const FakePort& port)
         : name_(std::move(name)), port_(reference), context_(new FakeContext(port)) {}
     void fail() { context_->fail(); }
+    void be_busy(bool is_busy) { context_->be_busy(is_busy); }
 
     RTC::PortServiceList* get_ports() override {
         auto* list = new RTC::PortServiceList;

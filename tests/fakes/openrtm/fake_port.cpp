@@ -168,6 +168,7 @@ void FakePort::read_once() {
     if (cdr_->read(message)) print("reads " + to_hex(message));
     for (Connection& each : connections()) {
         if (!each.pull) continue;
+        const std::lock_guard lock(reading_);
         OpenRTM::CdrData_var data;
         if (each.peer_out->get(data.out()) == OpenRTM::PORT_OK)
             print("reads " + to_hex({data->get_buffer(), data->get_buffer() + data->length()}));
@@ -378,6 +379,7 @@ RTC::ReturnCode_t FakePort::notify_disconnect(const char* id) {
         connections_.erase(profile.connector_id.in());
     }
     cdr_->forget();
+    const std::lock_guard reading(reading_);  // what was fetched before is told before
     print("left " + std::string(profile.name.in()));
     return told;
 }

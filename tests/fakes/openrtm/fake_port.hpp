@@ -120,6 +120,7 @@ private:
     std::atomic<bool> reads_back_ = false;
     std::atomic<int> executions_ = 0;  // that were begun; each ends with the next
     std::atomic<double> rate_ = 1000;
+    std::mutex reading_;  // a message is fetched and told
     std::mutex mutex_;
     std::map<std::string, Connection> connections_;
     int made_ = 0;

@@ -1,12 +1,13 @@
 // An RTC with one data port, as a program of its own: fake_rtc NAMESERVER NAME PORT TYPE in|out. It reads commands, a
 // line each, and prints what happens; on the end of its input it leaves the name service.
-//   send HEX, fetch, hang SECONDS, fail: goes into ERROR
+//   send HEX, fetch, hang SECONDS, fail: goes into ERROR; busy: executes for long, till idle
 //   execute RATE [HEX [stamped]]: its in-port reads, its out-port writes; stall: no longer; readback: its buffer does
 //   so connect RTC PORT [name=NAME] [id=ID] [last] [PROPERTY=VALUE ...], disconnect: a number of ReturnCode_t race RTC
 //   PORT ROUNDS: connects twice at once, so often; in how many rounds not just one came to be boast COUNT: tells who
 //   connects so many letters about RTC, ports RTC, state RTC, activate RTC, deactivate RTC, reset RTC, sets RTC, set
 //   RTC SET NAME VALUE, use RTC SET link RTC PORT RTC PORT, profiles RTC PORT, unlink RTC PORT: what tools do with
 //   connections flood COUNT HEX: sends so often, prints how long it took in all, and one of them
+//   start RTC, stop RTC: its execution context
 //   names: all of this computer in the name service, as rtls lists them; exit RTC; manager NAME create TEXT | delete
 //   INSTANCE | load TEXT | modules | components | profile | shutdown: what rtmgr and RTSystemEditor do
 #include <iostream>

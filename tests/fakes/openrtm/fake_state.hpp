@@ -1,6 +1,7 @@
 // State and configuration of the RTC that is a program of its own.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <mutex>
 #include <string>
@@ -11,13 +12,20 @@
 
 namespace nezumi::fakes {
 
-/// An execution context: INACTIVE, ACTIVE, and nothing that could go wrong but an order that does not fit.
+/// An execution context. As in OpenRTM-aist 2.1 a state changes only while it runs and executes nothing else; an order
+/// that has to wait is answered by RTC_ERROR. It is followed later, but a start forgets an activation.
 class FakeContext final : public POA_RTC::ExecutionContextService {
 public:
     explicit FakeContext(const FakePort& port) : port_(port) {}
-    CORBA::Boolean is_running() override { return true; }
-    RTC::ReturnCode_t start() override { return RTC::UNSUPPORTED; }
-    RTC::ReturnCode_t stop() override { return RTC::UNSUPPORTED; }
+    CORBA::Boolean is_running() override { return runs_; }
+    RTC::ReturnCode_t start() override {
+        if (runs_.exchange(true)) return RTC::PRECONDITION_NOT_MET;
+        const std::lock_guard lock(mutex_);
+        if (waiting_.first == RTC::ACTIVE_STATE) waiting_ = {};
+        follow();
+        return RTC::RTC_OK;
+    }
+    RTC::ReturnCode_t stop() override { return runs_.exchange(false) ? RTC::RTC_OK : RTC::PRECONDITION_NOT_MET; }
     CORBA::Double get_rate() override { return port_.rate(); }
     RTC::ReturnCode_t set_rate(CORBA::Double) override { return RTC::UNSUPPORTED; }
     RTC::ReturnCode_t add_component(RTC::LightweightRTObject_ptr) override { return RTC::UNSUPPORTED; }
@@ -36,16 +44,34 @@ public:
     RTC::ExecutionContextProfile* get_profile() override { return new RTC::ExecutionContextProfile; }
     /// Into ERROR.
     void fail() { state_ = RTC::ERROR_STATE; }
+    /// Executes for long, as one that waits for a person, or no longer.
+    void be_busy(bool is_busy) {
+        is_busy_ = is_busy;
+        const std::lock_guard lock(mutex_);
+        follow();
+    }
 
 private:
     RTC::ReturnCode_t change(RTC::LifeCycleState from, RTC::LifeCycleState to, const char* said) {
-        RTC::LifeCycleState expected = from;
-        if (!state_.compare_exchange_strong(expected, to)) return RTC::PRECONDITION_NOT_MET;
-        print(said);
-        return RTC::RTC_OK;
+        const std::lock_guard lock(mutex_);
+        if (state_ != from) return RTC::PRECONDITION_NOT_MET;
+        waiting_ = {to, said};
+        return follow() ? RTC::RTC_OK : RTC::RTC_ERROR;
+    }
+    bool follow() {
+        if (!runs_ || is_busy_) return false;
+        if (waiting_.second != nullptr) {
+            state_ = waiting_.first;
+            print(waiting_.second);
+        }
+        waiting_ = {};
+        return true;
     }
     const FakePort& port_;
+    std::mutex mutex_;
     std::atomic<RTC::LifeCycleState> state_ = RTC::INACTIVE_STATE;
+    std::atomic<bool> runs_ = true, is_busy_ = false;
+    std::pair<RTC::LifeCycleState, const char*> waiting_{};
 };
 
 /// Two sets of one parameter, and what its widget is. As in OpenRTM-aist a value counts when its set is chosen, or

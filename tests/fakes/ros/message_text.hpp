@@ -136,4 +136,10 @@ inline void show(Text& to, const of_sensor::Joy_& m) {
     to("header", m.header())("axes", m.axes())("buttons", m.buttons());
 }
 
+inline void show(Text& to, const my_msgs::msg::dds_::Corner_& m) { to("x", m.x())("y", m.y()); }
+inline void show(Text& to, const my_msgs::msg::dds_::Obstacle_& m) {
+    to("distance", m.distance())("label", m.label())("corners", m.corners())("colour", m.colour());
+    to("count", m.count())("seen", m.seen());
+}
+
 }  // namespace ros_peer

@@ -133,6 +133,7 @@ const std::map<std::string, MakeType, std::less<>> types{
     {"std_msgs/msg/Int32MultiArray", make<std_msgs::msg::dds_::Int32MultiArray_PubSubType>},
     {"std_msgs/msg/Float32MultiArray", make<std_msgs::msg::dds_::Float32MultiArray_PubSubType>},
     {"std_msgs/msg/Float64MultiArray", make<std_msgs::msg::dds_::Float64MultiArray_PubSubType>},
+    {"my_msgs/msg/Obstacle", make<my_msgs::msg::dds_::Obstacle_PubSubType>},
 };
 
 /// A message of tests/golden/ros_messages.

@@ -94,9 +94,9 @@ class CellsTest(unittest.TestCase):
 
     def test_of_a_picture_all_but_the_pixels_is_shown(self):
         picture = Type("CameraImage", [["width", "px", "integer", False], ["pixels", "", "octets", False]])
-        self.assertTrue(picture.is_picture)
+        self.assertTrue(picture.has_bytes)
         self.assertEqual([part.name for part in picture.parts(8)], ["width"])
-        self.assertFalse(SHORTS.is_picture)
+        self.assertFalse(SHORTS.has_bytes)
 
     def test_tables_begin_with_port_and_state_and_end_at_the_first_empty_row(self):
         data = [

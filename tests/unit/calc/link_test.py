@@ -122,7 +122,7 @@ class LinkTest(rig.OfficeCase):
         rows = [["Port", "State", "width", "format"], ["watch ev3.lcd"], ["ev3.lcd", "", 640]]
         link = self.link(system, rows)
         link.shows("B2", "nothing has come yet")
-        link.shows("B3", "a picture does not come from cells")
+        link.shows("B3", "bytes do not come from cells")
         system.ask('inject("ev3.lcd", { width = 2, height = 1, bpp = 8, format = "gray", pixels = "\\0\\255" })')
         link.shows("C2", "2")
         link.shows("D2", "gray")

@@ -22,11 +22,17 @@ def leaves(types, name, path=""):
         is_value = kind in PACKED or kind == "string"
         if is_value and shape is None:
             yield at, kind
-        elif is_value and (kind, shape) != ("uint8", 0):  # bytes are not shown
+        elif is_value:
             for i in range(shape or 3):
                 yield "%s[%d]" % (at, i + 1), kind
         elif shape is None:
             yield from leaves(types, kind, at + ".")
+
+
+def has_bytes(types, name):
+    """True if cells can't hold all of it: they show a message without its bytes, and feed none."""
+    return any((kind, shape) == ("uint8", 0) or (shape is None and kind in types and has_bytes(types, kind))
+               for kind, shape, _ in types[name])
 
 
 def random_cell(dice, kind):
@@ -38,7 +44,7 @@ def random_cell(dice, kind):
     if kind == "float32":
         return struct.unpack("f", struct.pack("f", dice.gauss(0, 1e3)))[0]
     if kind == "float64":
-        return dice.choice([-0.5, 1e300, dice.gauss(0, 1e3)])
+        return dice.choice([-0.5, 1e300, float("%.15g" % dice.gauss(0, 1e3))])  # a file of Calc has 15 digits
     bits = min(8 * struct.calcsize(PACKED[kind]), 53)
     return float(dice.randrange(0 if kind.startswith("u") else -(1 << (bits - 1)), 1 << (bits - 1)))
 
@@ -54,7 +60,8 @@ class RandomMessages(rig.OfficeCase):
         for name, fields in types.items():
             self.place.write(os.path.join("behaviors", "messages", "rnd", name + ".msg"), definition_text(fields))
         columns = {name: list(leaves(types, name)) for name in types}
-        usable = [name for name, all_leaves in columns.items() if 0 < len(all_leaves) <= MOST_COLUMNS]
+        usable = [name for name, all_leaves in columns.items()
+                  if 0 < len(all_leaves) <= MOST_COLUMNS and not has_bytes(types, name)]
         drawn = dice.sample(usable, DRAWN)
         self.place.write("behaviors/echo.lua", "--- Sends what comes.\nlocal all = {\n" + "".join(
             '  { input("i%s", "rnd/%s"), output("o%s", "rnd/%s") },\n' % (name, name, name, name) for name in drawn) + """}

@@ -30,7 +30,7 @@ CONTROLLER = [
 ]
 STANDS = "math.abs(mouse.truth.velocity.vx) < 0.001"
 DRIVE = [["Port", "State", "vx", "va"], ["mouse.target_velocity_in"]]
-PATIENCE = 90  # [s] for anything to happen: machines may be slow, and busy
+PATIENCE = 240  # [s] for anything to happen: machines may be slow, and busy: the office alone took more than 90 to start
 
 
 def explain_missing():

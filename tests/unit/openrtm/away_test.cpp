@@ -35,6 +35,16 @@ TEST_CASE("a connection waits for its RTC, and is made again when that was kille
     CHECK(gets(rig, *out, seven + 1));
 }
 
+TEST_CASE("a connection that is made again at once is reported again", "[openrtm][away][wallclock]") {
+    WireRig rig("TimedLong", "connect(\"rtm:Out0.out\", \"relay.in\")");
+    auto out = rig.rtc("Out0", "out", "TimedLong", "out");
+    REQUIRE(rig.tells_line("connected: rtm:Out0.out to relay.in"));
+    rig.told = "\n";
+    out->kill();
+    out = rig.rtc("Out0", "out", "TimedLong", "out");
+    CHECK(rig.tells_line("connected: rtm:Out0.out to relay.in"));
+}
+
 TEST_CASE("a connection to an RTC carries what a port publishes", "[openrtm][away][wallclock]") {
     WireRig rig("TimedLong", "connect(\"relay.out\", \"rtm:In0.in\")");
     const auto in = rig.rtc("In0", "in", "TimedLong", "in");

@@ -54,7 +54,7 @@ public:
     }
     /// Waits for the next line that begins so, and returns it; "" when none comes. `meanwhile` is called again and
     /// again.
-    std::string heard(const std::string& begin, const std::function<void()>& meanwhile = {}, double seconds = 20) {
+    std::string heard(const std::string& begin, const std::function<void()>& meanwhile = {}, double seconds = 60) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
         while (std::chrono::steady_clock::now() < end) {
             const std::size_t line_end = text_.find('\n', at_);

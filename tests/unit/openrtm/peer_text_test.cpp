@@ -33,6 +33,11 @@ TEST_CASE("an RTC is shown with state, ports and the set in use", "[openrtm][pee
           "  other sets: default");
 }
 
+TEST_CASE("an RTC whose execution context is stopped is shown as such", "[openrtm][peers]") {
+    CHECK(told({}, {.peers = {{.name = "a", .type = "A", .state = PeerSnapshot::State::active, .is_stopped = true}}}) ==
+          "rtm:a  A, ACTIVE, its execution context is stopped");
+}
+
 TEST_CASE("RTCs that are gone or hang are listed as such", "[openrtm][peers]") {
     const auto snapshot = [](const std::string& name, PeerSnapshot::State state) {
         return PeerSnapshot{.name = name, .state = state};

@@ -67,6 +67,34 @@ TEST_CASE("a console activates, deactivates and resets an RTC", "[openrtm][peers
           "! there is no RTC 'Pear0' in the name service (did you mean 'Peer0'?)");
 }
 
+TEST_CASE("a console says why the state of an RTC can't change yet", "[openrtm][peers][wallclock]") {
+    WireRig rig;
+    const auto peer = rig.rtc("Peer0", "out", "TimedLong", "out");
+    const std::string name = "rtm:" + host() + ".host_cxt/Peer0";
+    REQUIRE(rig.answer(*peer, "stop Peer0", "done") == "done 0");
+    CHECK(done(rig, "Peer0", {.what = What::activate}) ==
+          "! " + name + ": its execution context is stopped: start that first (RTC_ERROR)");
+    CHECK(asked(rig, {.name = "Peer0"}).starts_with(name + "  Fake, INACTIVE, its execution context is stopped\n"));
+    REQUIRE(rig.answer(*peer, "start Peer0", "done") == "done 0");
+    CHECK(asked(rig, {.name = "Peer0"}).starts_with(name + "  Fake, INACTIVE\n"));
+    CHECK(done(rig, "Peer0", {.what = What::activate}) == name + "  Fake, ACTIVE");
+    peer->say("busy");
+    CHECK(rig.answer(*peer, "state Peer0", "state") == "state 2");
+    CHECK(done(rig, "Peer0", {.what = What::deactivate}) ==
+          "! " + name + ": it executes for long, and may follow later (RTC_ERROR)");
+    peer->say("idle");
+    CHECK(rig.hears(*peer, "deactivated") == "deactivated");
+}
+
+TEST_CASE("an RTC in ERROR has to be reset first", "[openrtm][peers][wallclock]") {
+    WireRig rig;
+    const auto peer = rig.rtc("Peer0", "out", "TimedLong", "out");
+    peer->say("fail");
+    CHECK(rig.until([&] { return asked(rig, {.name = "Peer0"}).find("ERROR") != std::string::npos; }));
+    CHECK(done(rig, "Peer0", {.what = What::activate}) ==
+          "! rtm:" + host() + ".host_cxt/Peer0: it is in ERROR: reset it (PRECONDITION_NOT_MET)");
+}
+
 TEST_CASE("a console reads and sets the configuration of an RTC", "[openrtm][peers][wallclock]") {
     WireRig rig;
     const auto peer = rig.rtc("Peer0", "out", "TimedLong", "out");

@@ -53,7 +53,7 @@ struct WireRig : Names, LiveRig {
         server->after_tick();
     }
     template <class Condition>
-    bool until(const Condition& condition, double seconds = 20) {
+    bool until(const Condition& condition, double seconds = 60) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
         while (!condition()) {
             if (std::chrono::steady_clock::now() > end) return false;
