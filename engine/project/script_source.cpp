@@ -44,7 +44,8 @@ std::string type_of_file(std::string_view path) {
     bool starts_word = true;
     for (const char c : name) {
         const auto byte = static_cast<unsigned char>(c);
-        if (std::isalnum(byte) == 0) {
+        const bool is_of_other_script = byte >= 0x80;  // as in a Japanese name
+        if (std::isalnum(byte) == 0 && !is_of_other_script) {
             starts_word = true;
             continue;
         }

@@ -1,6 +1,7 @@
 """The editor of the browser's page, in a real browser. Usage: editor_test.py NEZUMI [TEST...]"""
 
 import os
+import subprocess
 import sys
 import time
 
@@ -200,6 +201,54 @@ class Help(EditorCase):
         """Waits until these names are offered."""
         seen = lambda: self.page.js("return [...document.querySelectorAll('.CodeMirror-hint > span')].map((each) => each.textContent)")
         rig.wait_until(lambda: seen() == list(names) if only else set(names) <= set(seen()), lambda: "%s is offered, not %s" % (names, seen()))
+
+    def test_a_snippet_is_filled_in_place_after_place_by_tab(self):
+        self.begin()
+        page = self.page
+        self.put(4, 1, "outp")
+        self.offers("output …", "output(name, type, doc, options)")
+        keys = page.driver.switch_to.active_element
+        keys.send_keys("\n")
+        self.assertIn('local target = output("out", "TimedVelocity2D", "target velocity")', self.text())
+        keys.send_keys("lamp" + TAB + "lamp_out" + TAB + TAB + "light" + TAB + " -- done")
+        self.assertIn('local lamp = output("lamp_out", "TimedVelocity2D", "light") -- done\n', self.text())
+        self.put(4, 1, TAB)
+        self.assertIn('  local lamp = ', self.text())  # Tab indents again
+        self.put(4, 1, "config.sp")
+        self.offers("speed", only=True)
+        self.assertEqual(page.errors(), [])
+
+    def test_each_snippet_is_what_check_accepts_and_begins_with_a_word_that_is_offered(self):
+        system = self.begin()
+        page = self.page
+        snippets = page.driver.execute_async_script("""const done = arguments[0];
+            import("/editor_snippets.js").then(({ SNIPPETS, places_in }) => done(Object.entries(SNIPPETS).flatMap(([kind, all]) =>
+              Object.entries(all).map(([word, snippet]) => [kind, word, places_in(snippet).text]))))""")
+        self.assertGreater(len(snippets), 8)
+        texts = {}
+        for kind, _, text in snippets:
+            texts[kind] = texts.get(kind, "") + text + "\n"
+        texts["systems"] += 'behavior "other" { script = "guide" }\n'
+        with open(os.path.join(system.folder, "behaviors", "robot_controller.lua"), "w") as out:
+            out.write(GUIDE)
+        for kind, name in (("behaviors", "behaviors/filled.lua"), ("systems", "filled.lua"), ("scenarios", "filled_test.lua")):
+            with open(os.path.join(system.folder, name), "w") as out:
+                out.write(texts[kind])
+            checked = subprocess.run([self.nezumi, "check", name], cwd=system.folder, capture_output=True, text=True)
+            self.assertIn("nothing wrong", checked.stdout, texts[kind] + checked.stderr)
+        with open(os.path.join(system.folder, "filled_test.lua"), "w") as out:
+            out.write("\n")
+        page.driver.refresh()
+        page.ready()
+        page.view("editor")
+        for file, kind in (("behaviors/guide.lua", "behaviors"), ("tried.lua", "systems"), ("filled_test.lua", "scenarios")):
+            page.until("document.querySelector('[data-file=\"%s\"]')" % file, "%s is listed" % file).click()
+            page.until("document.querySelector('.editor .tools h2').textContent === %r" % file.split("/")[-1], "it is open")
+            for word in [each for of, each, _ in snippets if of == kind]:
+                self.put(1, 1, word)
+                self.offers(word + " …")
+                self.put(1, 1, ESCAPE)
+                page.js("document.querySelector('.CodeMirror').CodeMirror.undo()")
 
     def test_names_are_offered_with_what_they_mean(self):
         self.begin()

@@ -1,5 +1,6 @@
 // Completion and documentation in the editor: from the annotations, the file, and the running system.
 import { el } from "./dom.js";
+import { put_snippet, snippets_for } from "./editor_snippets.js";
 import { complete, describe, Words } from "./editor_words.js";
 import { T } from "./texts.js";
 
@@ -56,6 +57,7 @@ export function make_help(editor, parts) {
   const to_hint = ({ name, doc, usage }) => ({ text: name, displayText: usage || name, doc, render: (node) => {
     node.append(el("span", { text: usage || name }), doc && el("small", { text: doc }));
   } });
+  const to_snippet = (word, snippet) => ({ ...to_hint({ name: `${word} …`, doc: T.editor.snippet }), hint: (_, { from, to }) => put_snippet(text, snippet, from, to) });
   /// What the running system knows of a name, as in its console.
   const ask_system = async (whole, cursor) => {
     const before = whole.slice(0, cursor);
@@ -68,7 +70,9 @@ export function make_help(editor, parts) {
     const cursor = text.indexFromPos(text.getCursor());
     let found = complete(words, whole, cursor, editor.kind);
     if ((found.quoted || found.unknown) && found.items.length === 0) found = { ...found, ...await ask_system(whole, cursor) };
-    return { from: text.posFromIndex(found.from), to: text.posFromIndex(cursor), list: found.items.slice(0, MOST).map(to_hint) };
+    const [from, to] = [text.posFromIndex(found.from), text.posFromIndex(cursor)];
+    const snippets = found.quoted || found.chained ? [] : snippets_for(words, editor.kind, whole.slice(found.from, cursor));
+    return { from, to, list: [...snippets.map(({ word, text: snippet }) => to_snippet(word, snippet)), ...found.items.slice(0, MOST).map(to_hint)] };
   };
   const offer = () => text.showHint({ hint, completeSingle: false, alignWithWord: true, container: document.body });
   const map = { "Ctrl-Space": () => text.showHint({ hint, completeSingle: true, container: document.body }), F1: show_at_cursor };

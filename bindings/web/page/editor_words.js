@@ -149,7 +149,7 @@ function table_fields(words, declared, text) {
 const chain_before = new RegExp(`((?:${NAME}[.:])*)(${NAME})?$`);
 
 /// Completes the text before the cursor: { from, items: [{ name, doc }], quoted } where `from` is the begin of the part;
-/// `quoted`: the cursor is in a text, whose candidates the running system may know.
+/// `quoted`: the cursor is in a text, whose candidates the running system may know; `chained`: after a dot or colon, or in a table.
 export function complete(words, text, cursor, kind) {
   const before = without_comments(text.slice(0, cursor));
   const line = before.slice(before.lastIndexOf("\n") + 1);
@@ -168,10 +168,10 @@ export function complete(words, text, cursor, kind) {
   const add = (name, { usage, doc } = {}) => name.startsWith(part) && !found.has(name) && found.set(name, { name, usage, doc: doc ?? "" });
   if (chain) {
     for (const [name, field] of members(words, declared, chain.slice(0, -1).split(/[.:]/))) add(name, field);
-    return { from, items: sorted(found), quoted: false, unknown: found.size === 0 };
+    return { from, items: sorted(found), quoted: false, chained: true, unknown: found.size === 0 };
   }
   for (const [name, field] of table_fields(words, declared, before)) add(name, field);
-  if (found.size > 0 && /[{,]\s*[A-Za-z_0-9]*$/.test(before)) return { from, items: sorted(found), quoted: false };
+  if (found.size > 0 && /[{,]\s*[A-Za-z_0-9]*$/.test(before)) return { from, items: sorted(found), quoted: false, chained: true };
   for (const name of words.scope(kind)) add(name, words.globals.get(name));
   if (part) {
     for (const name of KEYWORDS) add(name);

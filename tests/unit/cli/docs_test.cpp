@@ -142,7 +142,7 @@ void follow(const std::string& name, const std::string& folder = "") {
 
 std::vector<fs::path> pages() {
     std::vector<fs::path> all{root / "README.md", root / "CONTRIBUTING.md"};
-    for (const auto& entry : fs::directory_iterator(root / "docs")) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / "docs")) {
         if (entry.path().extension() == ".md") all.push_back(entry.path());
     }
     return all;
@@ -310,6 +310,35 @@ TEST_CASE("the page about the seminar's systems does what it says", "[cli][docs]
 }
 
 TEST_CASE("the tutorial does what it says", "[cli][docs][wallclock]") { follow("tutorial.md"); }
+
+TEST_CASE("the tutorial in Japanese does what it says", "[cli][docs][wallclock]") { follow("ja/tutorial.md"); }
+
+TEST_CASE("the seminar's page in Japanese does what it says", "[cli][docs]") { follow("ja/seminar.md", source_root()); }
+
+TEST_CASE("each page in Japanese and its English one lead to each other and have as many commands", "[cli][docs]") {
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(root / "docs/ja")) {
+        const std::string name = entry.path().filename().string();
+        const bool is_readme = name == "README.md";
+        const std::string japanese = text_of_file(entry.path());
+        const std::string english = text_of_file(is_readme ? root / name : root / "docs" / name);
+        CAPTURE(name);
+        CHECK(english.find("[日本語](" + std::string(is_readme ? "docs/" : "") + "ja/" + name + ")") !=
+              std::string::npos);
+        CHECK(japanese.find("[English](" + std::string(is_readme ? "../../" : "../") + name + ")") !=
+              std::string::npos);
+        const auto commands = [](const std::string& page) {
+            std::size_t found = 0;
+            for (const Block& block : blocks_of(page)) {
+                for (const std::string& line : block.lines) found += line.starts_with("$ ") ? 1 : 0;
+            }
+            return found;
+        };
+        CHECK(commands(japanese) == commands(english));
+        ++count;
+    }
+    CHECK(count >= 4);
+}
 
 TEST_CASE("the page about behaviours does what it says", "[cli][docs][watchdog]") { follow("behaviors.md"); }
 
