@@ -135,7 +135,6 @@ Expected<void> collect_class(const fs::path& folder, const std::vector<Exercise>
     std::vector<PupilResult> results;
     for (const auto& pupil : pupils->all()) {
         if (pupil->exercise.empty()) continue;
-        if (auto ok = collect_work(*pupils, *pupil, to); !ok) return ok;
         PupilResult result{.number = pupil->number,
                            .name = pupil->name,
                            .exercise = pupil->exercise,
@@ -143,7 +142,10 @@ Expected<void> collect_class(const fs::path& folder, const std::vector<Exercise>
                            .comment = pupil->comment};
         const auto exercise = std::find_if(exercises.begin(), exercises.end(),
                                            [&](const Exercise& each) { return each.name == pupil->exercise; });
-        auto checked = exercise == exercises.end()
+        // The others' work counts, whatever is wrong with one.
+        const auto copied = collect_work(*pupils, *pupil, to);
+        auto checked = !copied ? Unexpected(copied.error())
+                       : exercise == exercises.end()
                            ? failure("the exercise is not there any more")
                            : check_work({.exercise = *exercise,
                                          .work = pupils->work_of(*pupil),

@@ -52,10 +52,12 @@ Expected<Classroom::Json> Classroom::join(Client& client, const Json& request) {
     if (!code.empty()) {
         if (!tries_.may_try(client.source, now)) return failure("too many wrong codes: wait a minute");
         const Pupil* pupil = pupils_.find_code(code);
-        if (pupil == nullptr) {
+        Seat* seat = pupil == nullptr ? nullptr : seat_of(pupil->number);
+        if (seat == nullptr) {
             tries_.was_wrong(client.source, now);
             return failure("there is no such code in this class");
         }
+        seat->is_wanted = true;
         return Json{{"token", pupil->token}};
     }
     if (!door_is_open_) return failure("the teacher lets no more pupils in");
@@ -66,6 +68,7 @@ Expected<Classroom::Json> Classroom::join(Client& client, const Json& request) {
     if (!pupil) return Unexpected(pupil.error());
     joins_.push_back(now);
     Seat& seat = add_seat(**pupil);
+    seat.is_wanted = true;
     if (auto given = give_exercise(seat, first_exercise_); !given) return Unexpected(given.error());
     return Json{{"token", seat.pupil.token}, {"code", seat.pupil.code}};
 }

@@ -20,8 +20,11 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// A process that ends sooner than this after its start has failed.
+// A process that ends sooner than this after its start has failed; after so many of them the system file is taken for
+// the reason.
 constexpr std::chrono::seconds short_run{5};
+constexpr int most_failures = 3;
+constexpr int could_not_run = 2;  // as exit status of `nezumi run`
 constexpr std::chrono::seconds longest_wait{30};
 constexpr std::chrono::milliseconds states_every{250};
 constexpr std::chrono::seconds repeated_every{2};
@@ -112,8 +115,9 @@ void Classroom::ended(Seat& seat) {
     seat.problem = std::string(trimmed(seat.run->said()));
     if (const auto line = seat.problem.rfind("nezumi: "); line != std::string::npos)
         seat.problem = seat.problem.substr(line + 8);
+    const bool can_not_run = seat.run->has_ended() && seat.run->status() == could_not_run;
     restart(seat);
-    if (was_short && !seat.is_repairing) {
+    if (!seat.is_repairing && (can_not_run || seat.failures >= most_failures)) {
         seat.is_repairing = true;
     } else {
         const int doublings = std::min(seat.failures, 5);
@@ -122,13 +126,13 @@ void Classroom::ended(Seat& seat) {
 }
 
 void Classroom::upkeep(Clock::time_point now) {
+    for (auto& run : ending_) run->hurry(now);
     std::erase_if(ending_, [&](const auto& run) { return run->has_ended(); });
     for (auto& [number, seat] : seats_) {
+        if (seat->run) seat->run->hurry(now);
         if (seat->run && seat->run->has_ended()) ended(*seat);
         // A class that was opened again starts the systems of those who come back.
-        const bool is_wanted = std::any_of(clients_.begin(), clients_.end(),
-                                           [&, at = number](const auto& each) { return each.second.pupil == at; });
-        if (!seat->run && is_wanted && !seat->pupil.exercise.empty() && now >= seat->next_start) start(*seat);
+        if (!seat->run && seat->is_wanted && !seat->pupil.exercise.empty() && now >= seat->next_start) start(*seat);
     }
     if (now - looked_ > saves_every) {
         looked_ = now;
@@ -300,11 +304,11 @@ Expected<Classroom::Json> Classroom::collect() {
     for (const auto& [number, seat] : seats_) {
         const Pupil& pupil = seat->pupil;
         if (pupil.exercise.empty()) continue;
-        if (auto ok = collect_work(pupils_, pupil, folder); !ok) return Unexpected(ok.error());
+        const auto copied = collect_work(pupils_, pupil, folder);
         results.push_back({.number = number,
                            .name = pupil.name,
                            .exercise = pupil.exercise,
-                           .problem = seat->check,
+                           .problem = copied ? seat->check : describe(copied.error()),
                            .mark = pupil.mark,
                            .comment = pupil.comment,
                            .checked = seat->checked});

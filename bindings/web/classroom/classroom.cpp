@@ -99,7 +99,7 @@ void Classroom::serve_once() {
     {
         const std::lock_guard lock(mutex_);
         for (const auto& [number, seat] : seats_) {
-            if (!seat->run || seat->run->socket() < 0) continue;
+            if (!seat->run || seat->run->socket() < 0 || seat->run->is_ending()) continue;
             files.push_back({seat->run->socket(), static_cast<short>(POLLIN | (seat->out.empty() ? 0 : POLLOUT)), 0});
             numbers.push_back(number);
         }
@@ -124,7 +124,7 @@ void Classroom::read_from(Seat& seat) {
     std::array<char, 1 << 16> piece{};
     const ssize_t got = recv(seat.run->socket(), piece.data(), piece.size(), MSG_DONTWAIT);
     if (got < 0 && (errno == EAGAIN || errno == EINTR)) return;
-    if (got <= 0) return ended(seat);
+    if (got <= 0) return seat.run->end();  // `upkeep` sees the end of the process
     seat.reader.add({piece.data(), static_cast<std::size_t>(got)});
     while (auto frame = seat.reader.next()) {
         if (frame->client == own_client) {
@@ -176,6 +176,11 @@ Admission Classroom::lets_in(const HttpRequest& request) {
             }
         }
         if (pupil == 0) return {.refused = forbidden};
+    }
+    if (Seat* seat = role == Role::visitor ? nullptr : seat_of(pupil)) {
+        seat->is_wanted = true;
+        // What a browser sends before there is a process would be lost: it tries again.
+        if (!seat->run || seat->run->is_ending()) return {.refused = unavailable};
     }
     const auto alike = static_cast<std::size_t>(std::count_if(clients_.begin(), clients_.end(), [&](const auto& each) {
         return each.second.role == role && each.second.pupil == pupil;

@@ -164,7 +164,8 @@ std::vector<fs::path> readable_parts(const fs::path& program, const std::vector<
                                 "/etc/ld.so.cache",
                                 "/etc/localtime",
                                 "/usr/share/zoneinfo",
-                                program.parent_path()};
+                                program.parent_path(),
+                                program.parent_path().parent_path() / "lib"};
     const auto add_all_in = [&](const fs::path& folder, const char* except) {
         std::error_code none;
         for (fs::directory_iterator entry(folder, none), end; !none && entry != end; entry.increment(none)) {

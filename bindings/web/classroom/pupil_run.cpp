@@ -31,12 +31,13 @@ PupilRun::PupilRun(std::vector<std::string> words) {
     try {
         thread_ = start_thread([this, words = std::move(words), theirs = theirs.get()] {
             const Descriptor closes(theirs);
-            [[maybe_unused]] const auto end = run_program({.words = words,
-                                                           .input = theirs,
-                                                           .errors = errors_.file(),
-                                                           .longest = std::numeric_limits<double>::infinity(),
-                                                           .give_up = &give_up_,
-                                                           .process = &process_});
+            const auto end = run_program({.words = words,
+                                          .input = theirs,
+                                          .errors = errors_.file(),
+                                          .longest = std::numeric_limits<double>::infinity(),
+                                          .give_up = &give_up_,
+                                          .process = &process_});
+            if (end) status_ = end->status;
             has_ended_ = true;
         });
         theirs.release();
@@ -54,7 +55,12 @@ PupilRun::~PupilRun() {
 }
 
 void PupilRun::end() {
+    if (!asked_) asked_ = Clock::now();
     if (socket_) shutdown(socket_.get(), SHUT_RDWR);
+}
+
+void PupilRun::hurry(Clock::time_point now) {
+    if (asked_ && now - *asked_ > longest_end) give_up_ = true;
 }
 
 std::string PupilRun::said() const {

@@ -77,7 +77,7 @@ TEST_CASE("a confined system can't read files beside its folder, by any word or 
 TEST_CASE("hidden scenarios of the shipped exercises are out of reach", "[cli][class]") {
     if (!web::can_confine()) return;
     const std::string hidden =
-        std::filesystem::absolute("behaviors/exercises/stop_at_wall/hidden/tests/other_walls_test.lua").string();
+        std::filesystem::absolute("behaviors/exercises/part2_stop_at_wall/hidden/tests/other_walls_test.lua").string();
     CHECK(Neighbours().run("behavior \"b\" { script = \"" + hidden + "\" }\n").error.find("scenario(") ==
           std::string::npos);
     const Outcome read = Neighbours().run("arena { csv \"" + hidden + "\" }\n");

@@ -1,5 +1,5 @@
 scenario("stops at every speed", { timeout = 40, sweep = { speed = { 0.05, 0.2, 0.3 } } }, function(s, p)
-  local world = s:load "systems/stop_at_wall.lua"
+  local world = s:load "systems/part2_stop_at_wall.lua"
   world.controller.config.speed_x = p.speed
   s:never("touches the wall", function() return world.mouse.collided end)
   s:wait_until("comes near", { within = 20 }, function() return world.mouse.truth.pose.position.x > 0.4 end)
