@@ -97,6 +97,8 @@ class ClassCase(rig.PageCase):
         page.until("document.querySelector('input[name=%s]') !== null" % field, "it asks")
         page.find("input[name=%s]" % field).send_keys(name + "\n")
         if waits:
+            # A pupil's process comes last, so it begins late on a busy machine.
+            page.until("document.title.includes('·')", "the pupil's system is there", 90)
             page.ready()
             page.until("document.querySelector('.class-bar b')?.textContent", "the bar is there")
 
