@@ -31,7 +31,7 @@ export function markdown(text) {
 function make_bar({ link, notices }) {
   document.head.append(el("link", { rel: "stylesheet", href: "class.css" }));
   const title = el("b", {});
-  const who = el("span", { class: "who" });
+  const who = el("span", { class: "pupil" });
   const code = el("span", { class: "code", title: C.bar.code_hint });
   const told = el("span", { class: "told" });
   const mark = el("span", { class: "mark-text" });
@@ -41,9 +41,9 @@ function make_bar({ link, notices }) {
   const broken = el("p", { class: "broken", role: "alert", hidden: true }, why, again);
   const check = el("button", { class: "check acts", onclick: () => request("check") });
   const results = el("div", { class: "results" });
-  const text = el("div", { class: "text" });
+  const text = el("div", { class: "task-text" });
   const hints = el("div", { class: "hints" });
-  const open = el("details", { class: "paper" }, el("summary", { text: C.bar.exercise }), el("div", { class: "sheet" }, text, hints, results));
+  const open = el("details", { class: "task" }, el("summary", { text: C.bar.exercise }), el("div", { class: "task-sheet" }, text, hints, results));
   const leave = el("button", { class: "quiet", text: C.bar.leave, title: C.bar.leave_hint, onclick: () => {
     sessionStorage.removeItem("nezumi.token");
     location.assign("/");
