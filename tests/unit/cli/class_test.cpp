@@ -22,7 +22,7 @@ public:
         const std::string folder = "pupils/0" + std::to_string(++count_);
         scratch_.write(folder + "/pupil.json", R"({"name":")" + name + R"(","code":"abcdef","token":"t","exercise":")" +
                                                    exercise + R"(","mark":"A","comment":"good, go on","hints":[]})");
-        const fs::path work = scratch_.path(folder) / "work" / exercise;
+        fs::path work = scratch_.path(folder) / "work" / exercise;
         fs::create_directories(work.parent_path());
         fs::copy(fs::path(source_root()) / "behaviors/exercises" / exercise / "start", work,
                  fs::copy_options::recursive);

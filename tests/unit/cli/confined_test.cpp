@@ -63,10 +63,10 @@ TEST_CASE("a confined system can't read files beside its folder, by any word or 
         CHECK(ended.status == 2);
         CHECK(ended.error.find("simulated") == std::string::npos);
     }
-    for (const std::string& script :
+    for (const char* script :
          {"../../02/behaviors/theirs", "../../../02/behaviors/theirs.lua", "../next/behaviors/theirs.lua"}) {
         INFO(script);
-        CHECK(class_of_two.run("behavior \"b\" { script = \"" + script + "\" }\n").status == 2);
+        CHECK(class_of_two.run(std::string("behavior \"b\" { script = \"") + script + "\" }\n").status == 2);
     }
     CHECK(class_of_two.run("arena { floor { image = \"" + other + "/x.png\", size = { 1, 1 } } }\n").status == 2);
     CHECK(class_of_two
@@ -88,7 +88,7 @@ TEST_CASE("hidden scenarios of the shipped exercises are out of reach", "[cli][c
 TEST_CASE("a confined system reaches no host and no device", "[cli][class]") {
     if (!web::can_confine()) return;
     Neighbours neighbours;
-    for (const char* word : {"network { name = \"evil\" }\n", "ros {}\n", "rtm {}\n"}) {
+    for (const char* word : {"network { name = \"evil\" }\n", "ros { node = \"evil\" }\n", "rtm {}\n"}) {
         INFO(word);
         const Outcome ended = neighbours.run(std::string(word) + drives);
         CHECK(ended.error.find("simulated") == std::string::npos);
