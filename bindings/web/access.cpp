@@ -63,12 +63,17 @@ bool AccessControl::is_own_host(std::string_view host) const {
     return !address_.empty() && name == address_;
 }
 
+std::optional<std::string_view> AccessControl::offered_token(const HttpRequest& request) const {
+    if (request.path != "/ws" || !is_own_host(request.host)) return std::nullopt;
+    if (request.origin != scheme_ + "://" + std::string(request.host)) return std::nullopt;
+    return token_in(request.protocols);
+}
+
 Admission AccessControl::check(const HttpRequest& request) const {
-    if (request.path != "/ws" || !is_own_host(request.host)) return {.refused = forbidden};
-    if (request.origin != scheme_ + "://" + std::string(request.host)) return {.refused = forbidden};
-    const std::string_view token = token_in(request.protocols);
-    const bool acts = is_same_secret(token, token_);
-    const bool views = is_same_secret(token, view_token_);
+    const auto token = offered_token(request);
+    if (!token) return {.refused = forbidden};
+    const bool acts = is_same_secret(*token, token_);
+    const bool views = is_same_secret(*token, view_token_);
     if (!acts && !views) return {.refused = forbidden};
     return {.refused = 0, .view_only = !acts};
 }

@@ -1,6 +1,7 @@
 // Access of browsers to a running system: two tokens, and checks of request headers.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,14 @@ public:
     explicit AccessControl(std::string scheme = "http", std::string address = "")
         : scheme_(std::move(scheme)), address_(std::move(address)) {}
 
+    /// Admits no browser: another program decides.
+    static AccessControl closed() {
+        AccessControl none;
+        none.token_.clear();
+        none.view_token_.clear();
+        return none;
+    }
+
     /// The tokens for full access and for viewing only. An empty token admits no browser.
     const std::string& token() const { return token_; }
     const std::string& view_token() const { return view_token_; }
@@ -27,6 +36,8 @@ public:
     /// True if a Host header names this computer's loopback, with any port (a tunnel has its own), or the address that
     /// is listened on. Other names are refused: a foreign page may have led the browser here.
     bool is_own_host(std::string_view host) const;
+    /// The token of such a request for a WebSocket as `check` needs; nothing for any other request.
+    std::optional<std::string_view> offered_token(const HttpRequest& request) const;
     /// A request for a WebSocket must ask for /ws of our host, come from a page of exactly that host, and offer the
     /// protocols "nezumi" and "token.TOKEN".
     Admission check(const HttpRequest& request) const;

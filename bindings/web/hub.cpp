@@ -187,7 +187,8 @@ Admission Hub::lets_in(const HttpRequest& request) {
     return admission;
 }
 
-void Hub::opened(ClientId id, bool view_only) {
+void Hub::opened(ClientId id, const Admission& admission) {
+    const bool view_only = admission.view_only;
     const std::lock_guard lock(mutex_);
     Client& client = clients_[id];
     client.view_only = view_only;

@@ -84,7 +84,7 @@ public:
 
     HttpReply reply_to(const HttpRequest& request) override;
     Admission lets_in(const HttpRequest& request) override;
-    void opened(ClientId client, bool view_only) override;
+    void opened(ClientId client, const Admission& admission) override;
     bool received(ClientId client, std::string_view text) override;
     std::optional<Outgoing> next(ClientId client) override;
     void closed(ClientId client) override;

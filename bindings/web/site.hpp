@@ -26,6 +26,7 @@ struct HttpRequest {
     std::string_view host;
     std::string_view origin;
     std::string_view protocols;  ///< offered by a WebSocket
+    std::string_view source{};   ///< the browser's address, of a WebSocket
 };
 
 struct HttpReply {
@@ -39,6 +40,7 @@ struct HttpReply {
 struct Admission {
     int refused = 0;  ///< an HTTP status, or 0: admitted
     bool view_only = false;
+    int seat = 0;  ///< for the site's own use
 };
 
 /// A message to a browser.
@@ -56,7 +58,7 @@ public:
     virtual HttpReply reply_to(const HttpRequest& request) = 0;
     /// Called before a connection becomes a WebSocket.
     virtual Admission lets_in(const HttpRequest& request) = 0;
-    virtual void opened(ClientId client, bool view_only) = 0;
+    virtual void opened(ClientId client, const Admission& admission) = 0;
     /// Takes a complete message; false closes the connection.
     virtual bool received(ClientId client, std::string_view message) = 0;
     /// Returns the next message to a browser that can receive one; nothing if there is none.

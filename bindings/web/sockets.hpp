@@ -20,9 +20,11 @@ public:
 
 struct SocketOptions {
     std::string address = "127.0.0.1";
-    int first_port = 8765;             ///< 0: any free port
-    int ports = 1;                     ///< number of ports to try, from the first
-    std::string certificate{}, key{};  ///< files for TLS, then plain HTTP is not served; "": plain HTTP
+    int first_port = 8765;               ///< 0: any free port
+    int ports = 1;                       ///< number of ports to try, from the first
+    std::size_t clients = most_clients;  ///< browsers at once
+    int relay = -1;                      ///< a socket of `open_relay`, then there is no port; -1: none
+    std::string certificate{}, key{};    ///< files for TLS, then plain HTTP is not served; "": plain HTTP
 };
 
 /// Starts to listen. `site` must outlive the sockets. An error gives the reason in one line.

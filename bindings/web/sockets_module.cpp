@@ -30,7 +30,9 @@ namespace {
 // Time for browsers to receive the rest when the run ends.
 constexpr std::chrono::milliseconds farewell{300};
 // Connections of all kinds: browsers, connections without a token, and those of the latter that are being closed.
-constexpr unsigned most_connections = most_clients + 2 * Unadmitted::most;
+unsigned most_connections(const SocketOptions& options) {
+    return static_cast<unsigned>(options.clients + 2 * Unadmitted::most);
+}
 // [bytes] given to a socket at once.
 constexpr std::size_t portion = std::size_t{1} << 16;
 // The longest accepted header [bytes].
@@ -47,7 +49,7 @@ struct FilePart {
 struct BrowserPart {
     ClientId id;
     std::string* message;  // part received so far
-    bool view_only;
+    Admission admission;
 };
 
 // The peer's address; "" if unknown.
@@ -143,7 +145,7 @@ std::string WebSockets::open(const SocketOptions& options) {
     info.user = this;
     info.gid = static_cast<gid_t>(-1);
     info.uid = static_cast<uid_t>(-1);
-    info.fd_limit_per_thread = most_connections;
+    info.fd_limit_per_thread = most_connections(options);
     info.timeout_secs = Unadmitted::longest_stay.count();
     info.retry_and_idle_policy = &patience_;
     context_ = lws_create_context(&info);
@@ -211,7 +213,8 @@ Admission WebSockets::lets_in(lws* socket) const {
     const std::string host = header(socket, WSI_TOKEN_HOST);
     const std::string origin = header(socket, WSI_TOKEN_ORIGIN);
     const std::string protocols = header(socket, WSI_TOKEN_PROTOCOL);
-    return site_.lets_in({.path = path, .host = host, .origin = origin, .protocols = protocols});
+    const std::string source = address_of(lws_get_socket_fd(socket));
+    return site_.lets_in({.path = path, .host = host, .origin = origin, .protocols = protocols, .source = source});
 }
 
 int WebSockets::answer(lws* socket, FilePart& part, std::string_view path) const {
@@ -219,7 +222,7 @@ int WebSockets::answer(lws* socket, FilePart& part, std::string_view path) const
     const std::string host = header(socket, WSI_TOKEN_HOST);
     HttpReply reply{.status = 405, .body = "only GET\n"};
     if (lws_hdr_total_length(socket, WSI_TOKEN_GET_URI) > 0)
-        reply = site_.reply_to({.path = path, .host = host, .origin = {}, .protocols = {}});
+        reply = site_.reply_to({.path = path, .host = host, .origin = {}, .protocols = {}, .source = {}});
 
     std::array<unsigned char, LWS_PRE + 4096> head{};
     unsigned char* const begin = head.data() + LWS_PRE;
@@ -321,7 +324,7 @@ int WebSockets::browser_event(lws* socket, lws_callback_reasons reason, void* us
     switch (reason) {
         case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION: {
             const Admission admission = self(socket).lets_in(socket);
-            if (part != nullptr) part->view_only = admission.view_only;
+            if (part != nullptr) part->admission = admission;
             return admission.refused != 0 || part == nullptr ? -1 : 0;
         }
         case LWS_CALLBACK_ESTABLISHED:
@@ -329,7 +332,7 @@ int WebSockets::browser_event(lws* socket, lws_callback_reasons reason, void* us
             lws_set_timer_usecs(socket, LWS_SET_TIMER_USEC_CANCEL);
             part->id = ++self(socket).last_id_;
             ++self(socket).browsers_;
-            self(socket).site_.opened(part->id, part->view_only);
+            self(socket).site_.opened(part->id, part->admission);
             lws_callback_on_writable(socket);
             return 0;
         case LWS_CALLBACK_RECEIVE: return self(socket).receive(socket, *part, {static_cast<const char*>(in), length});

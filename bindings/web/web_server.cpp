@@ -41,8 +41,9 @@ WebServer::WebServer(RunningSystem& live, ClockControl& clock, ConsoleServer& co
     : live_(live),
       clock_(clock),
       origin_(scheme_of(options.sockets) + "://" + options.sockets.address),
-      hub_(AccessControl(scheme_of(options.sockets), options.sockets.address), StaticFiles(options.page),
-           live.part_reader(), hello(live, options)),
+      hub_(options.sockets.relay >= 0 ? AccessControl::closed()
+                                      : AccessControl(scheme_of(options.sockets), options.sockets.address),
+           StaticFiles(options.page), live.part_reader(), hello(live, options)),
       state_reader_(live, clock),
       drives_(live,
               [this](ClientId client, const std::string& port, const std::string& why) {
@@ -61,7 +62,7 @@ Expected<std::unique_ptr<WebServer>> WebServer::open(RunningSystem& live, ClockC
                                                      const WebOptions& options) {
     std::unique_ptr<WebServer> server(new WebServer(live, clock, consoles, options));
     const AccessControl& access = server->hub_.access();
-    if (access.token().empty() || access.view_token().empty())
+    if (options.sockets.relay < 0 && (access.token().empty() || access.view_token().empty()))
         return failure("the kernel gives no random numbers for the secret in its address");
     auto sockets = open_sockets(options.sockets, server->hub_);
     if (!sockets) return Unexpected(sockets.error());

@@ -108,6 +108,29 @@ tl::expected<pid_t, int> start(const ProgramRun& run, int output) {
     return child;
 }
 
+// Waits for the end of a process that was started.
+Expected<ProgramEnd> wait_for(pid_t child, const ProgramRun& run) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    const auto give_up = [&] { return run.give_up != nullptr && *run.give_up; };
+    const auto is_too_long = [&] { return std::chrono::duration<double>(Clock::now() - begin).count() > run.longest; };
+    int status = 0;
+    for (auto nap = std::chrono::milliseconds(1);; nap = std::min(2 * nap, std::chrono::milliseconds(20))) {
+        const pid_t ended = waitpid(child, &status, WNOHANG);
+        if (ended == child) break;
+        if (ended < 0 && errno != EINTR) return failure(std::strerror(errno));
+        if (give_up() || is_too_long()) {
+            kill(run.is_in_front ? child : -child, SIGKILL);  // including its child processes
+            waitpid(child, &status, 0);
+            return failure(give_up() ? "it was given up" : fmt::format("it took more than {} s", run.longest));
+        }
+        std::this_thread::sleep_for(nap);
+    }
+    ProgramEnd end{.signal = WIFEXITED(status) ? 0 : WTERMSIG(status)};
+    end.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + end.signal;
+    return end;
+}
+
 }  // namespace
 
 Expected<ProgramEnd> run_program(const ProgramRun& run) {
@@ -115,26 +138,10 @@ Expected<ProgramEnd> run_program(const ProgramRun& run) {
     if (run.keeps_output) kept.emplace();
     const auto child = start(run, kept ? kept->file() : run.output);
     if (!child) return failure(std::strerror(child.error()));
-
-    using Clock = std::chrono::steady_clock;
-    const auto begin = Clock::now();
-    const auto give_up = [&] { return run.give_up != nullptr && *run.give_up; };
-    const auto is_too_long = [&] { return std::chrono::duration<double>(Clock::now() - begin).count() > run.longest; };
-    int status = 0;
-    for (auto nap = std::chrono::milliseconds(1);; nap = std::min(2 * nap, std::chrono::milliseconds(20))) {
-        const pid_t ended = waitpid(*child, &status, WNOHANG);
-        if (ended == *child) break;
-        if (ended < 0 && errno != EINTR) return failure(std::strerror(errno));
-        if (give_up() || is_too_long()) {
-            kill(run.is_in_front ? *child : -*child, SIGKILL);  // including its child processes
-            waitpid(*child, &status, 0);
-            return failure(give_up() ? "it was given up" : fmt::format("it took more than {} s", run.longest));
-        }
-        std::this_thread::sleep_for(nap);
-    }
-    ProgramEnd end{.signal = WIFEXITED(status) ? 0 : WTERMSIG(status)};
-    end.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + end.signal;
-    if (kept) end.out = kept->text();
+    if (run.process != nullptr) *run.process = *child;
+    auto end = wait_for(*child, run);
+    if (run.process != nullptr) *run.process = 0;
+    if (end && kept) end->out = kept->text();
     return end;
 }
 

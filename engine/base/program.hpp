@@ -48,6 +48,7 @@ struct ProgramRun {
     bool is_in_front = false;                    ///< it owns the terminal: it reads there, and Ctrl-C also stops it
     double longest = 20;                         ///< [s] after this it is killed
     const std::atomic<bool>* give_up = nullptr;  ///< it is killed as soon as this is true
+    std::atomic<int>* process = nullptr;         ///< gets its number while it runs, then 0
 };
 
 /// The end of a program.

@@ -9,6 +9,8 @@ namespace nezumi::cli {
 SubCommand run_command();
 SubCommand attach_command();
 SubCommand calc_command();
+SubCommand class_command();
+SubCommand confined_command();
 SubCommand types_command();
 SubCommand check_command();
 SubCommand list_command();

@@ -14,6 +14,7 @@
 #include "bindings/cli/files/named_files.hpp"
 #include "bindings/cli/new/arguments.hpp"
 #include "bindings/cli/new/behavior.hpp"
+#include "bindings/cli/new/exercise.hpp"
 #include "bindings/cli/new/files.hpp"
 #include "bindings/cli/new/profile_behavior.hpp"
 #include "bindings/cli/new/profile_system.hpp"
@@ -196,6 +197,14 @@ int new_project(const std::string& given) {
     return write_files(files, folder == "." ? "nezumi test" : fmt::format("cd {} && nezumi test", shell_text(given)));
 }
 
+int new_exercise(const std::string& given) {
+    const auto name = new_file_name("new exercise", given);
+    if (!name) return refuse("new exercise: " + name.error().message);
+    std::vector<NewFile> files = exercise_files(*name);
+    for (NewFile& file : files) file.path = "exercises" / (*name / file.path);
+    return write_files(files, "nezumi class .");
+}
+
 }  // namespace
 
 SubCommand new_command() {
@@ -265,9 +274,16 @@ SubCommand new_command() {
         .options = {{"NAME", &scenario->name, "of the file in tests/, NAME_test.lua"},
                     {"--system", &scenario->system, "the system file, by path or name (default: NAME)", "FILE"}},
         .run = [scenario] { return new_scenario(*scenario); }};
+    auto exercise = std::make_shared<std::string>();
+    const SubCommand exercises{
+        .name = "exercise",
+        .help = "Write an exercise for a class: a text, files to start with, shown and hidden scenarios",
+        .options = {{"NAME", exercise.get(), "of the folder in exercises/, and of the system file"}},
+        .run = [exercise] { return new_exercise(*exercise); },
+        .footer = "Type it in the folder of the class. See docs/classroom.md."};
     return {.name = "new",
-            .help = "Write a new behaviour, system, robot, scenario or project",
-            .commands = {behavior, systems, robots, scenarios, project}};
+            .help = "Write a new behaviour, system, robot, scenario, exercise or project",
+            .commands = {behavior, systems, robots, scenarios, exercises, project}};
 }
 
 }  // namespace nezumi::cli

@@ -94,7 +94,7 @@ Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
         if (words.no_web) return failure(fmt::format("{}: --no-web serves no page: leave out one of them", option));
     }
     if (headless || words.no_web) return std::nullopt;
-    Web web{.open = words.open, .listen = words.listen};
+    Web web{.open = words.open, .on_input = words.page_on_input, .listen = words.listen};
     in_addr address{};
     if (!words.listen.empty() && (inet_pton(AF_INET, words.listen.c_str(), &address) != 1 || address.s_addr == 0))
         return wrong("--listen", "the IPv4 address at which others reach this computer, as in 192.168.1.20",
@@ -133,6 +133,8 @@ std::vector<Option> run_options(RunWords& words) {
         {"--listen", &words.listen,
          "serve the page to other computers, too, at this address of this computer, by TLS with its own certificate",
          "ADDRESS"},
+        {"--page-on-input", &words.page_on_input,
+         "serve the page over the socket that is standard input: for `nezumi class`, which has the browsers"},
         {"--realtime", &words.real_time, "real-time priority for the ticks: SCHED_FIFO and locked memory"},
         {"--duration", &words.duration, "end at this simulated time [s] (default: at Ctrl-C)", "S"},
         {"--seed", &words.seed, "the seed of all random numbers, instead of the file's seed(n) (default 124)", "N"},

@@ -34,6 +34,7 @@ struct RunWords {
     bool twin = false;
     bool no_web = false;
     bool open = false;
+    bool page_on_input = false;
     bool opens_replay = false;  ///< of `nezumi open`
 };
 
@@ -44,9 +45,10 @@ std::vector<Option> open_options(RunWords& words);
 
 /// Where the page for browsers is served.
 struct Web {
-    int port = 8765;       ///< or the next free one
-    bool open = false;     ///< the page is shown in the desktop's browser, where there is one
-    std::string listen{};  ///< IPv4 address at which other computers reach it, by TLS; "": only this computer does
+    int port = 8765;        ///< or the next free one
+    bool open = false;      ///< the page is shown in the desktop's browser, where there is one
+    bool on_input = false;  ///< standard input is a socket of `nezumi class`, which has the browsers
+    std::string listen{};   ///< IPv4 address at which other computers reach it, by TLS; "": only this computer does
 };
 
 struct RunOptions {

@@ -99,8 +99,38 @@ std::string host_name() {
 
 }  // namespace
 
-RunWeb::RunWeb(RunLoop& loop, RunConsole& console, std::unique_ptr<web::WebServer> server, std::string fingerprint)
-    : loop_(loop), console_(console), server_(std::move(server)), fingerprint_(std::move(fingerprint)) {
+Expected<PageSockets> sockets_of(const Web& web) {
+    PageSockets sockets;
+    if (web.on_input) {
+        sockets.options.relay = STDIN_FILENO;
+        return sockets;
+    }
+    sockets.options.first_port = web.port;
+    sockets.options.ports = std::min(most_ports, 65536 - web.port);
+    if (web.listen.empty()) return sockets;
+    if (history_path().empty()) return failure("a certificate needs a folder of yours: set HOME");
+    const auto certificate =
+        web::find_certificate({.folder = history_path().parent_path(), .address = web.listen, .host = host_name()});
+    if (!certificate) return Unexpected(certificate.error());
+    sockets.options.address = web.listen;
+    sockets.options.certificate = certificate->file;
+    sockets.options.key = certificate->key;
+    sockets.fingerprint = certificate->fingerprint;
+    return sockets;
+}
+
+std::string about_certificate(const std::string& fingerprint) {
+    return "its certificate was made by this computer: a browser that warns must show this fingerprint (SHA-256)\n" +
+           fingerprint;
+}
+
+RunWeb::RunWeb(RunLoop& loop, RunConsole& console, std::unique_ptr<web::WebServer> server, std::string fingerprint,
+               bool on_input)
+    : loop_(loop),
+      console_(console),
+      server_(std::move(server)),
+      fingerprint_(std::move(fingerprint)),
+      on_input_(on_input) {
     console_.show_status_by([this](const std::string& text, bool running) { server_->show_status(text, running); });
 }
 
@@ -115,22 +145,14 @@ Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& consol
                             .peers = std::move(peers),
                             .editor = editor_of(loop.live().project()),
                             .conditions = std::move(conditions)};
-    options.sockets.first_port = web.port;
-    options.sockets.ports = std::min(most_ports, 65536 - web.port);
-    std::string fingerprint;
-    if (!web.listen.empty()) {
-        if (history_path().empty()) return failure("a certificate needs a folder of yours: set HOME");
-        const auto certificate =
-            web::find_certificate({.folder = history_path().parent_path(), .address = web.listen, .host = host_name()});
-        if (!certificate) return Unexpected(certificate.error());
-        options.sockets.address = web.listen;
-        options.sockets.certificate = certificate->file;
-        options.sockets.key = certificate->key;
-        fingerprint = certificate->fingerprint;
-    }
+    auto sockets = sockets_of(web);
+    if (!sockets) return Unexpected(sockets.error());
+    options.sockets = std::move(sockets->options);
     auto server = web::WebServer::open(loop.live(), loop, console.server(), options);
     if (!server) return Unexpected(server.error());
-    std::unique_ptr<RunWeb> run(new RunWeb(loop, console, std::move(*server), std::move(fingerprint)));
+    std::unique_ptr<RunWeb> run(
+        new RunWeb(loop, console, std::move(*server), std::move(sockets->fingerprint), web.on_input));
+    if (web.on_input) return run;
     // Without it the page works, but other pages do not list it.
     auto entry = web::PageEntry::open({.name = loop.live().file().stem().string(),
                                        .process = getpid(),
@@ -142,12 +164,8 @@ Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& consol
 }
 
 std::string RunWeb::where() const {
-    std::string text = "in a browser: " + url();
-    if (!fingerprint_.empty())
-        text +=
-            "\nits certificate was made by this computer: a browser that warns must show this fingerprint (SHA-256)\n" +
-            fingerprint_;
-    return text;
+    if (on_input_) return "";
+    return "in a browser: " + url() + (fingerprint_.empty() ? "" : "\n" + about_certificate(fingerprint_));
 }
 
 std::string RunWeb::picture() const {

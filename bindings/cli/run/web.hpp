@@ -14,6 +14,15 @@
 
 namespace nezumi::cli {
 
+/// How pages are served.
+struct PageSockets {
+    web::SocketOptions options{};
+    std::string fingerprint{};  ///< of the certificate; "" for none
+};
+Expected<PageSockets> sockets_of(const Web& web);
+/// What is said of a certificate, with its fingerprint.
+std::string about_certificate(const std::string& fingerprint);
+
 class RunWeb final : public Attendant {
 public:
     /// Starts to serve. `conditions` are those of a failed scenario that is opened. Loop and console must outlive it.
@@ -26,7 +35,8 @@ public:
 
     /// The page's address, with the token for full access.
     std::string url() const { return server_->url(); }
-    /// The address for people, and if other computers have access, the certificate's fingerprint.
+    /// The address for people ("" if another program has the browsers), and if other computers have access, the
+    /// certificate's fingerprint.
     std::string where() const;
     /// The address as a QR code for a terminal; "" if only this computer has access.
     std::string picture() const;
@@ -37,13 +47,15 @@ public:
     void add_files(std::vector<int>& files) const override { server_->add_files(files); }
 
 private:
-    RunWeb(RunLoop& loop, RunConsole& console, std::unique_ptr<web::WebServer> server, std::string fingerprint);
+    RunWeb(RunLoop& loop, RunConsole& console, std::unique_ptr<web::WebServer> server, std::string fingerprint,
+           bool on_input);
 
     RunLoop& loop_;
     RunConsole& console_;
     std::unique_ptr<web::WebServer> server_;
     std::optional<web::PageEntry> entry_;
     std::string fingerprint_;  // of the certificate; "" for none
+    bool on_input_;
 };
 
 }  // namespace nezumi::cli

@@ -124,6 +124,9 @@ function make_share({ model, notices }) {
       notices.say(T.share.here(address));  // the page has no access to the clipboard
     }
   };
+  model.on("hello", () => {
+    button.hidden = !model.hello.view_token;  // the class decides who sees it
+  });
   return button;
 }
 

@@ -62,6 +62,7 @@ async function start() {
   model.on("system", () => {
     document.title = `${model.system.name} · nezumi`;
   });
+  model.on("class", async (state) => (await import("./class_bar.js")).show_class(parts, state));
   model.on("bye", ({ text }) => notices.say(T.link.bye(text), "warn"));
   link.on("open", () => notices.clear_lasting("link", T.link.back));
   link.on("lost", (why, wait) => {

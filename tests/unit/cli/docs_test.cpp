@@ -364,6 +364,8 @@ TEST_CASE("the page about Micromouse does what it says", "[cli][docs]") { follow
 
 TEST_CASE("the page about agents does what it says", "[cli][docs]") { follow("agents.md"); }
 
+TEST_CASE("the page about a class does what it says", "[cli][docs]") { follow("classroom.md"); }
+
 TEST_CASE("every example has a picture", "[cli][docs]") {
     const std::string page = text_of_file(root / "docs/examples.md");
     const auto names = parts_between(page, "\n| [", ']');

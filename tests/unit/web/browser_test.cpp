@@ -234,7 +234,7 @@ TEST_CASE("after half a second of silence a drive is zero for a tick, then relea
 TEST_CASE("a stop is processed before all waiting messages", "[web]") {
     const WebRig rig;
     Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
-    hub.opened(1, false);
+    hub.opened(1, {});
     CHECK(hub.take().size() == 1);
     for (int i = 0; i < 20; ++i)
         CHECK(hub.received(1, R"({"do":"act","id":1,"act":"Deactivate","fields":{"component":"controller"}})"));

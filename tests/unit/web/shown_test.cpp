@@ -38,7 +38,7 @@ TEST_CASE("a new browser gets the latest lines of the log, each once", "[web]") 
     const WebRig rig;
     Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     for (std::size_t i = 0; i < Hub::most_kept + 5; ++i) hub.log("line " + std::to_string(i));
-    hub.opened(1, false);
+    hub.opened(1, {});
     hub.log("the last");
     CHECK(hub.next(1)->bytes.find("hello") != std::string::npos);
     for (std::size_t i = 5; i < Hub::most_kept + 5; ++i) CHECK(hub.next(1)->bytes == "line " + std::to_string(i));
@@ -50,7 +50,7 @@ TEST_CASE("the size of stored log lines is limited", "[web]") {
     const WebRig rig;
     Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     for (int i = 0; i < 10; ++i) hub.log(std::string(Hub::longest_kept / 2, 'x'));
-    hub.opened(1, false);
+    hub.opened(1, {});
     CHECK(hub.next(1)->bytes.find("hello") != std::string::npos);
     int lines = 0;
     while (hub.next(1)) ++lines;
@@ -61,7 +61,7 @@ TEST_CASE("a browser that connects while the run ends is told so and closed", "[
     const WebRig rig;
     Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     hub.end("goodbye");
-    hub.opened(1, false);
+    hub.opened(1, {});
     CHECK(hub.next(1)->bytes.find("hello") != std::string::npos);
     CHECK(hub.next(1)->bytes == "goodbye");
     CHECK(hub.next(1)->closes);
@@ -86,7 +86,7 @@ robot "mouse" { model = "raspimouse" }
 TEST_CASE("a request for the floor's picture without one gets none", "[web]") {
     const WebRig rig;
     Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
-    hub.opened(1, false);
+    hub.opened(1, {});
     CHECK(hub.next(1));
     hub.show(Hub::Slot::system, "the system");
     CHECK(hub.next(1)->bytes == "the system");

@@ -1,0 +1,170 @@
+// What visitors, pupils and the teacher ask of the class. Paths are made of numbers and of names of exercises only.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "bindings/web/classroom/classroom.hpp"
+
+namespace nezumi::web {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string text_in(const Json& request, const char* name) {
+    const auto found = request.find(name);
+    return found != request.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+Expected<Json> said(const Expected<void>& done) {
+    if (!done) return Unexpected(done.error());
+    return Json::object();
+}
+
+constexpr std::string_view stop_message = R"({"do":"stop"})";
+constexpr std::string_view pause_message = R"({"do":"time","what":"pause"})";
+constexpr std::string_view resume_message = R"({"do":"time","what":"resume"})";
+
+}  // namespace
+
+Expected<Classroom::Json> Classroom::perform(Client& client, const Json& request) {
+    if (client.role == Role::visitor) return join(client, request);
+    if (client.role == Role::teacher) return teach(request);
+    Seat* seat = seat_of(client.pupil);
+    if (seat == nullptr) return failure("there is no such pupil any more");
+    const std::string what = text_in(request, "what");
+    const bool may_act = client.role == Role::pupil || client.role == Role::helper;
+    if (may_act && what == "check") return said(check_later(*seat));
+    if (may_act && what == "restart") {
+        seat->is_repairing = false;
+        seat->failures = 0;
+        restart(*seat);
+        return Json::object();
+    }
+    return failure("this link can't do that");
+}
+
+Expected<Classroom::Json> Classroom::join(Client& client, const Json& request) {
+    const auto now = Clock::now();
+    const std::string code = text_in(request, "code");
+    if (!code.empty()) {
+        if (!tries_.may_try(client.source, now)) return failure("too many wrong codes: wait a minute");
+        const Pupil* pupil = pupils_.find_code(code);
+        Seat* seat = pupil == nullptr ? nullptr : seat_of(pupil->number);
+        if (seat == nullptr) {
+            tries_.was_wrong(client.source, now);
+            return failure("there is no such code in this class");
+        }
+        seat->is_wanted = true;
+        return Json{{"token", pupil->token}};
+    }
+    if (!door_is_open_) return failure("the teacher lets no more pupils in");
+    if (seats_.size() >= most_pupils) return failure("the class is full");
+    while (!joins_.empty() && now - joins_.front() > std::chrono::minutes(1)) joins_.pop_front();
+    if (joins_.size() >= most_joins) return failure("too many join at once: wait a minute");
+    auto pupil = pupils_.join(text_in(request, "name"));
+    if (!pupil) return Unexpected(pupil.error());
+    joins_.push_back(now);
+    Seat& seat = add_seat(**pupil);
+    seat.is_wanted = true;
+    if (auto given = give_exercise(seat, first_exercise_); !given) return Unexpected(given.error());
+    return Json{{"token", seat.pupil.token}, {"code", seat.pupil.code}};
+}
+
+void Classroom::tell_all(const std::string& message) {
+    for (auto& [number, seat] : seats_)
+        seat->tell({.kind = RelayFrame::Kind::message, .client = own_client, .bytes = message});
+}
+
+Expected<Classroom::Json> Classroom::teach(const Json& request) {
+    const std::string what = text_in(request, "what");
+    if (what == "stop") {
+        tell_all(std::string(stop_message));
+    } else if (what == "freeze" || what == "thaw") {
+        is_frozen_ = what == "freeze";
+        tell_all(std::string(is_frozen_ ? pause_message : resume_message));
+    } else if (what == "door") {
+        door_is_open_ = request.value("open", Json()) == true;
+    } else if (what == "collect") {
+        return collect();
+    } else if (what == "project") {
+        const Json number = request.value("pupil", Json());
+        projected_ = number.is_number_integer() && seat_of(number.get<int>()) != nullptr ? number.get<int>() : 0;
+        for (auto& [id, client] : clients_) {
+            if (client.role == Role::spectator) close(client);
+        }
+    } else {
+        const Json number = request.value("pupil", Json());
+        if (!number.is_number_integer()) return failure("'pupil' must be a number");
+        if (number.get<int>() != 0) {
+            Seat* seat = seat_of(number.get<int>());
+            if (seat == nullptr) return failure("there is no such pupil");
+            return teach_one(*seat, what, request);
+        }
+        // All of them; also those who come later start with the exercise.
+        if (what == "exercise" && exercise_called(text_in(request, "exercise")) != nullptr)
+            first_exercise_ = text_in(request, "exercise");
+        for (auto& [number_of, seat] : seats_) {
+            if (auto done = teach_one(*seat, what, request); !done) return done;
+        }
+    }
+    return Json::object();
+}
+
+Expected<Classroom::Json> Classroom::teach_one(Seat& seat, const std::string& what, const Json& request) {
+    const std::string text = text_in(request, "text");
+    if (text.size() > Pupils::longest_comment) return failure("the text is too long");
+    if (what == "exercise") return said(give_exercise(seat, text_in(request, "exercise")));
+    if (what == "check") return said(check_later(seat));
+    if (what == "restart") {
+        seat.is_repairing = false;
+        restart(seat);
+        return Json::object();
+    }
+    if (what == "renew") {
+        auto done = pupils_.renew(seat.pupil);
+        for (auto& [id, client] : clients_) {
+            if (client.role == Role::pupil && client.pupil == seat.pupil.number) close(client);
+        }
+        return said(done);
+    }
+    if (what == "hint") {
+        if (text.empty()) return failure("the hint has no text");
+        seat.pupil.hints.push_back(text);
+        if (seat.pupil.hints.size() > Pupils::most_hints) seat.pupil.hints.erase(seat.pupil.hints.begin());
+        return said(pupils_.save(seat.pupil));
+    }
+    if (what == "mark") {
+        seat.pupil.mark = text_in(request, "mark").substr(0, 40);
+        seat.pupil.comment = text;
+        return said(pupils_.save(seat.pupil));
+    }
+    return failure("unknown request '" + what + "'");
+}
+
+const Exercise* Classroom::exercise_called(std::string_view name) const {
+    const auto found =
+        std::find_if(exercises_.begin(), exercises_.end(), [&](const Exercise& each) { return each.name == name; });
+    return found == exercises_.end() ? nullptr : &*found;
+}
+
+Expected<void> Classroom::give_exercise(Seat& seat, const std::string& name) {
+    const Exercise* exercise = exercise_called(name);
+    if (exercise == nullptr) return failure("there is no exercise '" + name + "'");
+    seat.pupil.exercise = name;
+    // What the pupil has changed of it before stays.
+    if (auto ok = copy_files(exercise->start(), pupils_.work_of(seat.pupil), false); !ok) return ok;
+    std::error_code problem;
+    std::filesystem::create_directories(pupils_.work_of(seat.pupil) / "behaviors", problem);
+    if (auto ok = pupils_.save(seat.pupil); !ok) return ok;
+    seat.checked.clear();
+    seat.check.clear();
+    seat.is_repairing = false;
+    seat.failures = 0;
+    restart(seat);
+    return {};
+}
+
+}  // namespace nezumi::web

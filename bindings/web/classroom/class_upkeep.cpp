@@ -1,0 +1,321 @@
+// Starts and restarts pupils' processes, runs checks beside them, and tells browsers what has changed.
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "bindings/web/classroom/check_work.hpp"
+#include "bindings/web/classroom/classroom.hpp"
+#include "engine/base/trimmed.hpp"
+#include "engine/base/whole_file.hpp"
+
+namespace nezumi::web {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+// A process that ends sooner than this after its start has failed; after so many of them the system file is taken for
+// the reason.
+constexpr std::chrono::seconds short_run{5};
+constexpr int most_failures = 3;
+constexpr int could_not_run = 2;  // as exit status of `nezumi run`
+constexpr std::chrono::seconds longest_wait{30};
+constexpr std::chrono::milliseconds states_every{250};
+constexpr std::chrono::seconds repeated_every{2};
+constexpr std::chrono::seconds saves_every{2};
+// States of the class that may wait for a slow browser.
+constexpr std::size_t most_states = 4;
+// Shown while the pupil's own system file can't run: it has nothing, so that the file can be corrected in the editor.
+constexpr const char* stand_in = ".nezumi/repair.lua";
+constexpr std::string_view stand_in_text = "--- Shown while your own system file can't run.\narena {}\n";
+
+// When a file of the project was last saved [s since 1970]; 0: never.
+std::int64_t last_save_in(const fs::path& project) {
+    std::int64_t last = 0;
+    std::error_code problem;
+    int count = 0;
+    for (fs::recursive_directory_iterator entry(project, problem), end; !problem && entry != end;
+         entry.increment(problem)) {
+        if (++count > most_copied) break;
+        if (entry->path().filename().string().starts_with('.')) {
+            entry.disable_recursion_pending();
+            continue;
+        }
+        struct stat status {};
+        if (lstat(entry->path().c_str(), &status) == 0 && S_ISREG(status.st_mode))
+            last = std::max(last, static_cast<std::int64_t>(status.st_mtime));
+    }
+    return last;
+}
+
+std::size_t passed(const Seat& seat) {
+    return static_cast<std::size_t>(std::count_if(seat.checked.begin(), seat.checked.end(),
+                                                  [](const CheckedScenario& each) { return each.passed; }));
+}
+
+}  // namespace
+
+Seat& Classroom::add_seat(Pupil& pupil) {
+    auto& seat = seats_[pupil.number];
+    seat.reset(new Seat{.pupil = pupil, .help_token = make_token(), .look_token = make_token()});
+    return *seat;
+}
+
+void Classroom::start(Seat& seat) {
+    const fs::path work = pupils_.work_of(seat.pupil);
+    std::error_code none;
+    fs::create_directories(work / ".nezumi", none);
+    fs::path file = work / system_of(seat.pupil.exercise);
+    if (seat.is_repairing) {
+        file = work / stand_in;
+        [[maybe_unused]] const auto written = write_whole(file, stand_in_text);
+    }
+    std::vector<std::string> words = confined_words(options_.program, work, options_.trust);
+    words.insert(words.end(), {"run", file.string(), "--keep-going", "--page-on-input"});
+    seat.out.clear();
+    seat.reader = {};
+    seat.view.forget();
+    seat.view_is_ready = true;
+    seat.run = std::make_unique<PupilRun>(std::move(words));
+    const auto comes = [&](ClientId id, bool views) {
+        seat.tell({.kind = views ? RelayFrame::Kind::viewer : RelayFrame::Kind::opened, .client = id});
+        if (id != own_client) seat.tell({.kind = RelayFrame::Kind::ready, .client = id});
+    };
+    comes(own_client, false);
+    for (const auto& [id, client] : clients_) {
+        if (client.pupil == seat.pupil.number) comes(id, client.role == Role::looker || client.role == Role::spectator);
+    }
+    if (is_frozen_)
+        seat.tell(
+            {.kind = RelayFrame::Kind::message, .client = own_client, .bytes = R"({"do":"time","what":"pause"})"});
+}
+
+void Classroom::restart(Seat& seat) {
+    if (seat.run) {
+        seat.run->end();
+        ending_.push_back(std::move(seat.run));
+    }
+    for (auto& [id, client] : clients_) {
+        if (client.pupil == seat.pupil.number) close(client);  // the page connects again
+    }
+    seat.view.forget();
+    seat.next_start = Clock::now();
+}
+
+void Classroom::ended(Seat& seat) {
+    const auto now = Clock::now();
+    const bool was_short = now - seat.run->begin() < short_run;
+    seat.failures = was_short ? seat.failures + 1 : 0;
+    seat.problem = std::string(trimmed(seat.run->said()));
+    if (const auto line = seat.problem.rfind("nezumi: "); line != std::string::npos)
+        seat.problem = seat.problem.substr(line + 8);
+    const bool can_not_run = seat.run->has_ended() && seat.run->status() == could_not_run;
+    restart(seat);
+    if (!seat.is_repairing && (can_not_run || seat.failures >= most_failures)) {
+        seat.is_repairing = true;
+    } else {
+        const int doublings = std::min(seat.failures, 5);
+        seat.next_start = now + std::min<Clock::duration>(longest_wait, std::chrono::seconds(1) * (1 << doublings));
+    }
+}
+
+void Classroom::upkeep(Clock::time_point now) {
+    for (auto& run : ending_) run->hurry(now);
+    std::erase_if(ending_, [&](const auto& run) { return run->has_ended(); });
+    for (auto& [number, seat] : seats_) {
+        if (seat->run) seat->run->hurry(now);
+        if (seat->run && seat->run->has_ended()) ended(*seat);
+        // A class that was opened again starts the systems of those who come back.
+        if (!seat->run && seat->is_wanted && !seat->pupil.exercise.empty() && now >= seat->next_start) start(*seat);
+    }
+    if (now - looked_ > saves_every) {
+        looked_ = now;
+        for (auto& [number, seat] : seats_) {
+            if (seat->run) seat->last_save = last_save_in(pupils_.work_of(seat->pupil));
+        }
+    }
+    if (now - shown_ < states_every) return;
+    shown_ = now;
+    for (auto& [number, seat] : seats_) {
+        if (std::exchange(seat->view_is_ready, false))
+            seat->tell({.kind = RelayFrame::Kind::ready, .client = own_client});
+    }
+    show_states();
+}
+
+void Classroom::show_states() {
+    std::string teacher;
+    for (auto& [id, client] : clients_) {
+        if (client.waiting.size() > most_states) continue;
+        std::string state;
+        if (client.role == Role::visitor) {
+            state = R"({"is":"class","role":"visitor"})";
+        } else if (client.role == Role::teacher) {
+            if (teacher.empty()) teacher = state_for_teacher().dump(-1, ' ', false, Json::error_handler_t::replace);
+            state = teacher;
+        } else {
+            state = state_for_pupil(client).dump(-1, ' ', false, Json::error_handler_t::replace);
+        }
+        // A page takes a silent connection for a lost one.
+        if (state == client.shown && shown_ - client.shown_at < repeated_every) continue;
+        client.shown = state;
+        client.shown_at = shown_;
+        client.waiting.push_back({{.bytes = std::move(state)}, false});
+    }
+}
+
+Classroom::Json Classroom::tile(const Seat& seat) const {
+    const auto count = [&](Role role) {
+        return std::count_if(clients_.begin(), clients_.end(), [&](const auto& each) {
+            return each.second.role == role && each.second.pupil == seat.pupil.number;
+        });
+    };
+    return {{"number", seat.pupil.number},
+            {"name", seat.pupil.name},
+            {"code", seat.pupil.code},
+            {"exercise", seat.pupil.exercise},
+            {"here", count(Role::pupil)},
+            {"state", !seat.run           ? "off"
+                      : seat.is_repairing ? "broken"
+                                          : seat.view.state()},
+            {"error", seat.is_repairing ? seat.problem : seat.view.error()},
+            {"since", seat.view.error_since()},
+            {"saved", seat.last_save},
+            {"passed", passed(seat)},
+            {"scenarios", seat.checked.size()},
+            {"check", seat.check},
+            {"memory", seat.run ? seat.run->memory() >> 20U : 0},
+            {"mark", seat.pupil.mark},
+            {"comment", seat.pupil.comment},
+            {"help", seat.help_token},
+            {"look", seat.look_token}};
+}
+
+Classroom::Json Classroom::state_for_teacher() const {
+    Json state{{"is", "class"},
+               {"role", "teacher"},
+               {"frozen", is_frozen_},
+               {"open", door_is_open_},
+               {"projected", projected_},
+               {"collected", collected_},
+               {"first", first_exercise_},
+               {"spectator", access_.view_token()}};
+    state["address"] = origin_;
+    Json exercises = Json::array();
+    for (const Exercise& each : exercises_)
+        exercises.push_back({{"name", each.name},
+                             {"title", each.text.substr(0, each.text.find('\n'))},
+                             {"title_ja", each.text_ja.substr(0, each.text_ja.find('\n'))}});
+    state["exercises"] = std::move(exercises);
+    Json tiles = Json::array();
+    for (const auto& [number, seat] : seats_) tiles.push_back(tile(*seat));
+    state["pupils"] = std::move(tiles);
+    return state;
+}
+
+Classroom::Json Classroom::state_for_pupil(const Client& client) const {
+    const Seat& seat = *seats_.at(client.pupil);
+    const auto is_there = [&](Role role) {
+        return std::any_of(clients_.begin(), clients_.end(), [&](const auto& each) {
+            return each.second.role == role && each.second.pupil == client.pupil;
+        });
+    };
+    Json state{{"is", "class"},
+               {"name", seat.pupil.name},
+               {"frozen", is_frozen_},
+               {"helps", is_there(Role::helper)},
+               {"looks", is_there(Role::looker)},
+               {"projected", projected_ == client.pupil},
+               {"broken", seat.is_repairing ? seat.problem : ""}};
+    if (client.role == Role::spectator) {
+        state["role"] = "spectator";
+        return state;
+    }
+    const bool is_own = client.role == Role::pupil;
+    state["role"] = is_own ? "pupil" : client.role == Role::helper ? "helper" : "looker";
+    if (is_own) state["code"] = seat.pupil.code;
+    state["exercise"] = seat.pupil.exercise;
+    if (const Exercise* exercise = exercise_called(seat.pupil.exercise)) {
+        state["text"] = exercise->text;
+        state["text_ja"] = exercise->text_ja;
+    }
+    state["hints"] = seat.pupil.hints;
+    state["mark"] = seat.pupil.mark;
+    state["comment"] = seat.pupil.comment;
+    state["check"] = seat.check;
+    // Of hidden scenarios only how many pass.
+    Json checked = Json::array();
+    std::size_t hidden = 0, hidden_passed = 0;
+    for (const CheckedScenario& each : seat.checked) {
+        if (each.hidden) {
+            ++hidden;
+            hidden_passed += each.passed ? 1U : 0U;
+        } else {
+            checked.push_back({{"name", each.name}, {"passed", each.passed}});
+        }
+    }
+    state["checked"] = std::move(checked);
+    state["hidden"] = {{"passed", hidden_passed}, {"count", hidden}};
+    return state;
+}
+
+Expected<void> Classroom::check_later(Seat& seat) {
+    if (seat.check == "waits" || seat.check == "runs") return {};
+    if (!jobs_->put([this, number = seat.pupil.number] { check_now(number); }))
+        return failure("too many checks wait: try again in a minute");
+    seat.check = "waits";
+    return {};
+}
+
+void Classroom::check_now(int pupil) {
+    WorkToCheck wanted{.program = options_.program, .trust = options_.trust};
+    {
+        const std::lock_guard lock(mutex_);
+        Seat* seat = seat_of(pupil);
+        const Exercise* exercise = seat == nullptr ? nullptr : exercise_called(seat->pupil.exercise);
+        if (exercise == nullptr) return;
+        seat->check = "runs";
+        wanted.exercise = *exercise;
+        wanted.work = pupils_.work_of(seat->pupil);
+        wanted.scratch = options_.folder / "checks" / std::to_string(pupil);
+    }
+    auto checked = check_work(wanted, ends_);
+    const std::lock_guard lock(mutex_);
+    Seat* seat = seat_of(pupil);
+    if (seat == nullptr || seat->pupil.exercise != wanted.exercise.name) return;
+    seat->check = checked ? "" : describe(checked.error());
+    seat->checked = checked ? std::move(*checked) : std::vector<CheckedScenario>();
+}
+
+Expected<Classroom::Json> Classroom::collect() {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    std::array<char, 32> stamp{};
+    std::strftime(stamp.data(), stamp.size(), "%Y-%m-%d_%H%M%S", &local);
+    const fs::path folder = options_.folder / "collected" / stamp.data();
+    std::vector<PupilResult> results;
+    for (const auto& [number, seat] : seats_) {
+        const Pupil& pupil = seat->pupil;
+        if (pupil.exercise.empty()) continue;
+        const auto copied = collect_work(pupils_, pupil, folder);
+        results.push_back({.number = number,
+                           .name = pupil.name,
+                           .exercise = pupil.exercise,
+                           .problem = copied ? seat->check : describe(copied.error()),
+                           .mark = pupil.mark,
+                           .comment = pupil.comment,
+                           .checked = seat->checked});
+    }
+    if (auto ok = write_results(folder, results); !ok) return Unexpected(ok.error());
+    collected_ = folder.string();
+    return Json{{"folder", collected_}};
+}
+
+}  // namespace nezumi::web

@@ -1,0 +1,293 @@
+// Browsers' messages go to the pupils' processes as they are; only those to the class are read here.
+#include "bindings/web/classroom/classroom.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "bindings/web/classroom/confinement.hpp"
+
+namespace nezumi::web {
+namespace {
+
+constexpr int forbidden = 403, unavailable = 503;
+// Visitors have this token: it is no secret.
+constexpr std::string_view visitors = "join";
+constexpr std::string_view for_the_class = R"("do":"class")";
+// A frozen pupil may still send these.
+constexpr std::array<std::string_view, 5> while_frozen{"watch", "floor", "stop", "remembered", "systems"};
+
+std::string dump(const nlohmann::ordered_json& json) {
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+Classroom::Classroom(ClassOptions options, Pupils pupils)
+    : options_(std::move(options)),
+      access_(options_.sockets.certificate.empty() ? "http" : "https", options_.sockets.address),
+      files_(options_.page),
+      exercises_(exercises_of(options_)),
+      news_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
+      pupils_(std::move(pupils)) {}
+
+std::vector<Exercise> exercises_of(const ClassOptions& options) {
+    std::vector<std::filesystem::path> folders{options.folder / "exercises"};
+    folders.insert(folders.end(), options.exercises.begin(), options.exercises.end());
+    return find_exercises(folders);
+}
+
+Expected<std::unique_ptr<Classroom>> Classroom::open(ClassOptions options) {
+    if (!options.trust && !can_confine())
+        return failure(
+            "this kernel can't confine the programs of pupils (Landlock, Linux 5.13): they could read all files of "
+            "yours. "
+            "Use another computer, or --trust if you trust all pupils");
+    auto pupils = Pupils::load(options.folder);
+    if (!pupils) return Unexpected(pupils.error());
+    options.sockets.clients = most_browsers;
+    std::unique_ptr<Classroom> room(new Classroom(std::move(options), std::move(*pupils)));
+    if (room->exercises_.empty()) return failure("there is no exercise: write one with nezumi new exercise NAME");
+    if (room->access_.token().empty() || room->access_.view_token().empty())
+        return failure("the kernel gives no random numbers for the secret in its address");
+    room->first_exercise_ = room->exercises_.front().name;
+    room->jobs_ = std::make_unique<JobThread>();
+    for (const auto& pupil : room->pupils_.all()) room->add_seat(*pupil);
+    auto sockets = open_sockets(room->options_.sockets, *room);
+    if (!sockets) return Unexpected(sockets.error());
+    const std::lock_guard lock(room->mutex_);
+    room->sockets_ = std::move(*sockets);
+    room->origin_ = fmt::format("{}://{}:{}/", room->options_.sockets.certificate.empty() ? "http" : "https",
+                                room->options_.sockets.address, room->sockets_->port());
+    return room;
+}
+
+Classroom::~Classroom() {
+    ends_ = true;
+    jobs_.reset();
+    if (sockets_) {
+        const std::lock_guard lock(mutex_);
+        for (auto& [id, client] : clients_) {
+            send(client, {{"is", "bye"}, {"text", "the class has ended"}});
+            close(client);
+        }
+        sockets_->wake();
+    }
+    sockets_.reset();
+    for (auto& [number, seat] : seats_) {
+        if (seat->run) seat->run->end();  // all at once; the destructors wait
+    }
+}
+
+std::string Classroom::url() const { return origin_; }
+std::string Classroom::teacher_url() const { return origin_ + "class.html#" + access_.token(); }
+
+void Classroom::run(const std::function<bool()>& ends) {
+    while (!ends()) serve_once();
+}
+
+void Classroom::serve_once() {
+    std::vector<pollfd> files{{news_.get(), POLLIN, 0}};
+    std::vector<int> numbers{0};
+    {
+        const std::lock_guard lock(mutex_);
+        for (const auto& [number, seat] : seats_) {
+            if (!seat->run || seat->run->socket() < 0 || seat->run->is_ending()) continue;
+            files.push_back({seat->run->socket(), static_cast<short>(POLLIN | (seat->out.empty() ? 0 : POLLOUT)), 0});
+            numbers.push_back(number);
+        }
+    }
+    poll(files.data(), files.size(), 50);
+    eventfd_t none = 0;
+    eventfd_read(news_.get(), &none);
+    const std::lock_guard lock(mutex_);
+    for (std::size_t i = 1; i < files.size(); ++i) {
+        const auto found = seats_.find(numbers[i]);
+        if (files[i].revents == 0 || found == seats_.end()) continue;
+        Seat& seat = *found->second;
+        if (!seat.run || seat.run->socket() != files[i].fd) continue;
+        seat.flush();
+        read_from(seat);
+    }
+    upkeep(Clock::now());
+    sockets_->wake();
+}
+
+void Classroom::read_from(Seat& seat) {
+    std::array<char, 1 << 16> piece{};
+    const ssize_t got = recv(seat.run->socket(), piece.data(), piece.size(), MSG_DONTWAIT);
+    if (got < 0 && (errno == EAGAIN || errno == EINTR)) return;
+    if (got <= 0) return seat.run->end();  // `upkeep` sees the end of the process
+    seat.reader.add({piece.data(), static_cast<std::size_t>(got)});
+    while (auto frame = seat.reader.next()) {
+        if (frame->client == own_client) {
+            seat.view.take(*frame);
+            // After a text there may be more; a frame of a tick says that there is not.
+            if (frame->kind == RelayFrame::Kind::text)
+                seat.tell({.kind = RelayFrame::Kind::ready, .client = own_client});
+            else
+                seat.view_is_ready = true;
+            continue;
+        }
+        const auto client = clients_.find(frame->client);
+        if (client == clients_.end() || client->second.pupil != seat.pupil.number) continue;
+        if (frame->kind == RelayFrame::Kind::closes) {
+            close(client->second);
+            continue;
+        }
+        client->second.waiting.push_back(
+            {{.binary = frame->kind == RelayFrame::Kind::binary, .bytes = std::move(frame->bytes)}, true});
+    }
+    if (seat.reader.is_broken()) seat.run->end();
+}
+
+HttpReply Classroom::reply_to(const HttpRequest& request) {
+    if (!access_.is_own_host(request.host)) return {.status = 403, .body = "this page is not served under that name\n"};
+    return files_.get(request.path == "/" ? "/join.html" : request.path);
+}
+
+Admission Classroom::lets_in(const HttpRequest& request) {
+    const auto token = access_.offered_token(request);
+    if (!token) return {.refused = forbidden};
+    const std::lock_guard lock(mutex_);
+    Role role = Role::visitor;
+    int pupil = 0;
+    if (is_same_secret(*token, access_.token())) {
+        role = Role::teacher;
+    } else if (is_same_secret(*token, access_.view_token())) {
+        role = Role::spectator;
+        pupil = projected_;
+        if (pupil == 0) return {.refused = unavailable};
+    } else if (*token != visitors) {
+        for (const auto& [number, seat] : seats_) {
+            for (const auto& [secret, its] : {std::pair{&seat->pupil.token, Role::pupil},
+                                              {&seat->help_token, Role::helper},
+                                              {&seat->look_token, Role::looker}}) {
+                if (!is_same_secret(*token, *secret)) continue;
+                role = its;
+                pupil = number;
+            }
+        }
+        if (pupil == 0) return {.refused = forbidden};
+    }
+    if (Seat* seat = role == Role::visitor ? nullptr : seat_of(pupil)) {
+        seat->is_wanted = true;
+        // What a browser sends before there is a process would be lost: it tries again.
+        if (!seat->run || seat->run->is_ending()) return {.refused = unavailable};
+    }
+    const auto alike = static_cast<std::size_t>(std::count_if(clients_.begin(), clients_.end(), [&](const auto& each) {
+        return each.second.role == role && each.second.pupil == pupil;
+    }));
+    const std::size_t most = role == Role::visitor ? most_visitors : most_of_pupil;
+    if (alike >= most || clients_.size() >= most_browsers) return {.refused = unavailable};
+    const bool views = role == Role::looker || role == Role::spectator;
+    if (role == Role::visitor) {
+        // A visitor's number is that of the address.
+        next_source_ = (next_source_ + 1) % sources_.size();
+        sources_[next_source_] = request.source;
+        pupil = static_cast<int>(next_source_);
+    }
+    return {.view_only = views, .seat = pupil * 8 + static_cast<int>(role)};
+}
+
+void Classroom::opened(ClientId id, const Admission& admission) {
+    const std::lock_guard lock(mutex_);
+    Client& client = clients_[id];
+    client.role = static_cast<Role>(admission.seat % 8);
+    if (client.role == Role::visitor)
+        client.source = sources_[static_cast<std::size_t>(admission.seat / 8)];
+    else
+        client.pupil = admission.seat / 8;
+    client.came = Clock::now();
+    if (Seat* seat = seat_of(client.pupil); seat != nullptr && seat->run) {
+        seat->tell({.kind = admission.view_only ? RelayFrame::Kind::viewer : RelayFrame::Kind::opened, .client = id});
+        seat->tell({.kind = RelayFrame::Kind::ready, .client = id});
+    }
+    eventfd_write(news_.get(), 1);
+}
+
+bool Classroom::is_too_fast(Client& client) const {
+    const auto now = Clock::now();
+    const double passed = std::chrono::duration<double>(now - client.came).count();
+    client.came = now;
+    client.allowance = std::min(most_at_once, client.allowance + passed * most_requests) - 1;
+    return client.allowance < 0;
+}
+
+bool Classroom::received(ClientId id, std::string_view text) {
+    const std::lock_guard lock(mutex_);
+    const auto found = clients_.find(id);
+    if (found == clients_.end()) return false;
+    Client& client = found->second;
+    const bool is_ours = !shows_system(client) || text.find(for_the_class) != std::string_view::npos;
+    if (!is_ours) {
+        relay(client, id, text);
+        return true;
+    }
+    if (is_too_fast(client)) return false;
+    const Json request = Json::parse(text.begin(), text.end(), nullptr, false);
+    if (!request.is_object()) return false;
+    const auto done = perform(client, request);
+    Json answer{{"is", "answer"}, {"id", request.value("id", Json())}, {"ok", done.has_value()}};
+    if (!done)
+        answer["text"] = describe(done.error());
+    else
+        answer.update(*done);
+    send(client, answer);
+    eventfd_write(news_.get(), 1);
+    return true;
+}
+
+void Classroom::relay(Client& client, ClientId id, std::string_view text) {
+    Seat* seat = seat_of(client.pupil);
+    if (seat == nullptr) return;
+    if (is_frozen_ && client.role == Role::pupil) {
+        const Json request = Json::parse(text.begin(), text.end(), nullptr, false);
+        const std::string what = request.is_object() ? request.value("do", Json()).dump() : "";
+        const bool may = std::any_of(while_frozen.begin(), while_frozen.end(),
+                                     [&](std::string_view each) { return what == fmt::format("\"{}\"", each); });
+        if (!may)
+            return send(client, {{"is", "answer"},
+                                 {"id", request.is_object() ? request.value("id", Json()) : Json()},
+                                 {"ok", false},
+                                 {"text", "the teacher has paused the class"}});
+    }
+    seat->tell({.kind = RelayFrame::Kind::message, .client = id, .bytes = std::string(text)});
+}
+
+std::optional<Outgoing> Classroom::next(ClientId id) {
+    const std::lock_guard lock(mutex_);
+    const auto found = clients_.find(id);
+    if (found == clients_.end() || found->second.waiting.empty()) return std::nullopt;
+    Waiting waiting = std::move(found->second.waiting.front());
+    found->second.waiting.pop_front();
+    Seat* seat = waiting.relayed ? seat_of(found->second.pupil) : nullptr;
+    if (seat != nullptr) seat->tell({.kind = RelayFrame::Kind::ready, .client = id});
+    return std::move(waiting.message);
+}
+
+void Classroom::closed(ClientId id) {
+    const std::lock_guard lock(mutex_);
+    const auto found = clients_.find(id);
+    if (found == clients_.end()) return;
+    if (Seat* seat = seat_of(found->second.pupil)) seat->tell({.kind = RelayFrame::Kind::closed, .client = id});
+    clients_.erase(found);
+}
+
+void Classroom::send(Client& client, const Json& json) { client.waiting.push_back({{.bytes = dump(json)}, false}); }
+
+void Classroom::close(Client& client) { client.waiting.push_back({{.closes = true}, false}); }
+
+Seat* Classroom::seat_of(int pupil) {
+    const auto found = seats_.find(pupil);
+    return found == seats_.end() ? nullptr : found->second.get();
+}
+
+}  // namespace nezumi::web

@@ -1,0 +1,154 @@
+// A class: joins pupils, gives each a system of their own, and shows the teacher how they do.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bindings/web/access.hpp"
+#include "bindings/web/classroom/exercises.hpp"
+#include "bindings/web/classroom/seat.hpp"
+#include "bindings/web/job_thread.hpp"
+#include "bindings/web/sockets.hpp"
+#include "bindings/web/static_files.hpp"
+#include "engine/base/descriptor.hpp"
+#include "engine/base/mutex.hpp"
+
+namespace nezumi::web {
+
+struct ClassOptions {
+    std::filesystem::path folder{};                  ///< of the class: pupils/, exercises/, collected/
+    std::vector<std::filesystem::path> exercises{};  ///< folders of exercises beside `folder`/exercises
+    std::filesystem::path page{};                    ///< folder of the page's files
+    std::string program{};                           ///< nezumi
+    bool trust = false;                              ///< the kernel does not confine pupils' processes
+    SocketOptions sockets{};
+};
+
+/// Those in the class's folder, and the others.
+std::vector<Exercise> exercises_of(const ClassOptions& options);
+
+class Classroom final : public Site {
+public:
+    static constexpr std::size_t most_pupils = 60;
+    /// Browsers that are no pupil yet, and of one pupil.
+    static constexpr std::size_t most_visitors = 40, most_of_pupil = 6;
+    /// Browsers at once.
+    static constexpr std::size_t most_browsers = 2 * most_pupils + most_visitors;
+    /// New pupils in a minute.
+    static constexpr std::size_t most_joins = 40;
+    /// Requests to the class of one browser: [1/s], and how many at once.
+    static constexpr double most_requests = 5, most_at_once = 20;
+
+    /// Starts to serve. An error gives the reason in one line.
+    static Expected<std::unique_ptr<Classroom>> open(ClassOptions options);
+    ~Classroom() override;
+    Classroom(const Classroom&) = delete;
+    Classroom& operator=(const Classroom&) = delete;
+
+    /// The addresses for pupils, and with its token for the teacher.
+    std::string url() const;
+    std::string teacher_url() const;
+
+    /// Serves until `ends` is true.
+    void run(const std::function<bool()>& ends);
+
+    // The site; runs in the sockets' thread.
+
+    HttpReply reply_to(const HttpRequest& request) override;
+    Admission lets_in(const HttpRequest& request) override;
+    void opened(ClientId client, const Admission& admission) override;
+    bool received(ClientId client, std::string_view text) override;
+    std::optional<Outgoing> next(ClientId client) override;
+    void closed(ClientId client) override;
+
+private:
+    using Json = nlohmann::ordered_json;
+    using Clock = std::chrono::steady_clock;
+    enum class Role { visitor, teacher, pupil, helper, looker, spectator };
+
+    struct Waiting {
+        Outgoing message;
+        bool relayed = false;  // from a pupil's process, which waits until it is sent
+    };
+    struct Client {
+        Role role = Role::visitor;
+        int pupil = 0;  // whose system it shows; 0: none
+        std::string source{};
+        std::deque<Waiting> waiting{};
+        std::string shown{};  // the last state of the class that it got
+        Clock::time_point shown_at{};
+        double allowance = most_at_once;
+        Clock::time_point came{};
+    };
+
+    explicit Classroom(ClassOptions options, Pupils pupils);
+
+    // All of these need the lock.
+    Seat* seat_of(int pupil);
+    bool shows_system(const Client& client) const { return client.pupil != 0; }
+    void send(Client& client, const Json& json);
+    void close(Client& client);
+    void relay(Client& client, ClientId id, std::string_view text);
+    bool is_too_fast(Client& client) const;
+    Expected<Json> perform(Client& client, const Json& request);
+    Expected<Json> join(Client& client, const Json& request);
+    Expected<Json> teach(const Json& request);
+    Expected<Json> teach_one(Seat& seat, const std::string& what, const Json& request);
+    Expected<void> give_exercise(Seat& seat, const std::string& name);
+    Expected<void> check_later(Seat& seat);
+    Expected<Json> collect();
+    void tell_all(const std::string& message);
+    Seat& add_seat(Pupil& pupil);
+    void start(Seat& seat);
+    void restart(Seat& seat);
+    void ended(Seat& seat);
+    void read_from(Seat& seat);
+    void upkeep(Clock::time_point now);
+    void show_states();
+    Json state_for_teacher() const;
+    Json state_for_pupil(const Client& client) const;
+    Json tile(const Seat& seat) const;
+    const Exercise* exercise_called(std::string_view name) const;
+
+    void serve_once();
+    void check_now(int pupil);
+
+    const ClassOptions options_;
+    const AccessControl access_;  // its token is the teacher's, the other the spectators'
+    const StaticFiles files_;
+    const std::vector<Exercise> exercises_;
+    std::string origin_;
+    Descriptor news_;  // eventfd
+
+    mutable Mutex mutex_;  // for all members below
+    Pupils pupils_;
+    std::map<int, std::unique_ptr<Seat>> seats_;
+    std::vector<std::unique_ptr<PupilRun>> ending_;
+    std::map<ClientId, Client> clients_;
+    std::array<std::string, 256> sources_;  // addresses of the latest visitors
+    std::size_t next_source_ = 0;
+    Tries tries_;
+    std::deque<Clock::time_point> joins_;
+    std::string first_exercise_;  // that a new pupil gets
+    bool door_is_open_ = true;
+    bool is_frozen_ = false;
+    int projected_ = 0;  // the pupil whose system spectators see
+    std::string collected_;
+    Clock::time_point looked_{};
+    Clock::time_point shown_{};
+    std::atomic<bool> ends_ = false;
+    std::unique_ptr<Sockets> sockets_;
+    std::unique_ptr<JobThread> jobs_;
+};
+
+}  // namespace nezumi::web

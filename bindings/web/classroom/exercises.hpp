@@ -1,0 +1,37 @@
+// Exercises are folders: a text, the files to start with, and hidden scenarios that check the work.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/error.hpp"
+
+namespace nezumi::web {
+
+struct Exercise {
+    std::string name;              ///< of its folder, and of its system file
+    std::filesystem::path folder;  ///< text.md, text.ja.md, start/, hidden/
+    std::string text{};            ///< Markdown; the first line is its title
+    std::string text_ja{};         ///< in Japanese; "" for none
+
+    /// The project that pupils get.
+    std::filesystem::path start() const { return folder / "start"; }
+    /// Files that replace the pupil's when the work is checked.
+    std::filesystem::path hidden() const { return folder / "hidden"; }
+};
+
+/// The system file of an exercise, from the project's folder.
+std::filesystem::path system_of(std::string_view exercise);
+
+/// The exercises in these folders, the first of each name; sorted. A folder without text.md or without its system
+/// file is none.
+std::vector<Exercise> find_exercises(const std::vector<std::filesystem::path>& folders);
+
+/// Copies files and folders, not links, nor names that begin with a dot. Existing files are replaced if `replaces`,
+/// else kept. At most `most_copied` files. The error names the file.
+Expected<void> copy_files(const std::filesystem::path& from, const std::filesystem::path& to, bool replaces);
+inline constexpr int most_copied = 2000;
+
+}  // namespace nezumi::web

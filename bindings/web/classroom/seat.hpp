@@ -1,0 +1,73 @@
+// One pupil's place in a class: the process, and what the class sees of it through a connection of its own.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "bindings/web/classroom/pupil_run.hpp"
+#include "bindings/web/classroom/pupils.hpp"
+#include "bindings/web/relay.hpp"
+
+namespace nezumi::web {
+
+/// What a check of a pupil's work found.
+struct CheckedScenario {
+    std::string name;
+    bool passed = false;
+    bool hidden = false;
+};
+
+/// The state of a pupil's system, from the messages of its page.
+class SeatView {
+public:
+    using Clock = std::chrono::system_clock;
+
+    /// Takes a text or a frame of a tick.
+    void take(const RelayFrame& frame);
+    void forget() { *this = {}; }
+
+    /// "starting", "runs", "paused", "stopped" (emergency stop), "error".
+    std::string state() const;
+    /// The error of a component; "" for none.
+    const std::string& error() const { return error_; }
+    /// [s] since 1970: when the error began; 0: none.
+    std::int64_t error_since() const { return error_since_; }
+
+private:
+    bool described_ = false;
+    bool running_ = true;
+    bool stopped_ = false;
+    std::string error_;
+    std::int64_t error_since_ = 0;
+};
+
+struct Seat {
+    Pupil& pupil;
+    std::string help_token{}, look_token{};  ///< of the teacher, and of viewers
+    std::unique_ptr<PupilRun> run{};
+    RelayReader reader{};
+    std::string out{};  ///< frames that are not sent yet
+    SeatView view{};
+    bool is_wanted = false;      ///< somebody has come for it since the class was opened
+    bool view_is_ready = false;  ///< the class's own connection waits for a message
+    bool is_repairing = false;   ///< the system file can't run: an empty system is shown instead
+    std::string problem{};       ///< why
+    int failures = 0;            ///< short runs, one after the other
+    PupilRun::Clock::time_point next_start{};
+    std::int64_t last_save = 0;  ///< [s] since 1970
+    std::vector<CheckedScenario> checked{};
+    std::string check{};  ///< "waits", "runs", "" or why it could not be done
+
+    /// Queues a frame for the process, and sends what it takes now.
+    void tell(const RelayFrame& frame);
+    void flush();
+};
+
+/// The class's own connection: browsers have numbers from 1.
+inline constexpr ClientId own_client = 0;
+
+}  // namespace nezumi::web

@@ -1,0 +1,156 @@
+// The teacher's page: a tile for each pupil, and what is done for one or for all.
+import { el } from "./dom.js";
+import { Link } from "./link.js";
+import { C, in_language, shown_code } from "./class_texts.js";
+
+const T = C.teacher;
+
+function take_token() {
+  const given = location.hash.slice(1);
+  if (given) {
+    sessionStorage.setItem("nezumi.class", given);
+    history.replaceState(null, "", location.pathname);
+  }
+  return sessionStorage.getItem("nezumi.class") ?? "";
+}
+
+const link = new Link(take_token());
+const told = el("p", { class: "told", role: "status", "aria-live": "polite" });
+
+async function request(what, more = {}) {
+  const answer = await link.ask({ do: "class", what, pupil: 0, ...more });
+  told.textContent = answer.ok ? "" : T.failed(answer.text);
+  return answer;
+}
+
+/// Asks for texts, { name: label }; the last one may be long. Resolves to an object, or null.
+function ask_for(title, fields, values = {}) {
+  return new Promise((resolve) => {
+    const names = Object.keys(fields);
+    const inputs = names.map((name, i) => el(i === names.length - 1 ? "textarea" : "input", { name, value: values[name] ?? "", "aria-label": fields[name], placeholder: fields[name] }));
+    const end = (result) => {
+      dialog.remove();
+      resolve(result);
+    };
+    const form = el("form", { onsubmit: (event) => {
+      event.preventDefault();
+      end(Object.fromEntries(names.map((name, i) => [name, inputs[i].value])));
+    } }, el("b", { text: title }), ...inputs, el("div", { class: "row" }, el("button", { type: "submit", class: "primary", text: T.save })));
+    const dialog = el("dialog", { onkeydown: ({ key }) => key === "Escape" && end(null) }, form);
+    document.body.append(dialog);
+    dialog.show();
+    inputs[0].focus();
+  });
+}
+
+async function give_hint(pupil, name) {
+  const given = await ask_for(name ? T.hint_to(name) : T.hint_all, { text: T.hint });
+  if (given?.text && (await request("hint", { pupil, text: given.text })).ok) told.textContent = T.hint_sent;
+}
+
+const time_text = (seconds) => new Date(seconds * 1000).toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
+
+/// A tile is made once and filled anew, so that a button keeps the focus.
+class Tile {
+  #name = el("span", {});
+  #here = el("small", {});
+  #state = el("span", { class: "state-text" });
+  #error = el("p", { class: "error-text" });
+  #facts = el("p", { class: "facts" });
+  #look = el("a", { class: "button", target: "_blank", rel: "noopener", text: T.look });
+  #help = el("a", { class: "button", target: "_blank", rel: "noopener", text: T.help });
+  pupil = {};
+  node = null;
+
+  constructor() {
+    const button = (text, press) => el("button", { text, onclick: press });
+    const one = (what) => () => request(what, { pupil: this.pupil.number });
+    this.node = el("article", {}, el("h2", {}, this.#name, this.#here), this.#error, this.#facts,
+      el("div", { class: "row" }, this.#look, this.#help, button(T.hint, () => give_hint(this.pupil.number, this.pupil.name)), button(T.check_one, one("check")),
+        button(T.mark_it, () => this.#mark()), button(T.projector, one("project")), button(T.restart, one("restart")),
+        button(T.exercise_one, () => request("exercise", { pupil: this.pupil.number, exercise: chooser.value })),
+        button(T.renew, () => confirm(T.renew_sure(this.pupil.name)) && request("renew", { pupil: this.pupil.number }))));
+  }
+
+  async #mark() {
+    const { number, mark, comment } = this.pupil;
+    const given = await ask_for(this.pupil.name, { mark: T.mark, text: T.comment }, { mark, text: comment });
+    if (given) request("mark", { pupil: number, ...given });
+  }
+
+  show(pupil) {
+    this.pupil = pupil;
+    this.node.className = `tile ${pupil.state}`;
+    this.node.dataset.name = pupil.name;
+    this.#name.textContent = pupil.name;
+    this.#here.textContent = pupil.here ? T.windows(pupil.here) : T.away;
+    this.#error.textContent = pupil.error;
+    this.#error.hidden = !pupil.error;
+    this.#state.textContent = T.states[pupil.state] + (pupil.since ? ` ${T.since(time_text(pupil.since))}` : "");
+    const checked = pupil.check || (pupil.scenarios ? T.passed(pupil.passed, pupil.scenarios) : T.unchecked);
+    const facts = [pupil.exercise, pupil.saved ? T.saved(time_text(pupil.saved)) : T.never, checked, pupil.memory ? T.memory(pupil.memory) : "",
+      pupil.mark ? `${T.mark}: ${pupil.mark}` : "", T.code(shown_code(pupil.code))].filter(Boolean);
+    this.#facts.replaceChildren(this.#state, ...facts.map((text) => el("span", { text })));
+    this.#look.href = `/index.html#${pupil.look}`;
+    this.#help.href = `/index.html#${pupil.help}`;
+  }
+}
+
+const count = el("span", { class: "hint" });
+const address = el("span", { class: "address" });
+const freeze = el("button", { onclick: () => request(state.frozen ? "thaw" : "freeze") });
+const door = el("button", { onclick: () => request("door", { open: !state.open }) });
+const chooser = el("select", { "aria-label": T.exercise });
+const project = el("button", { text: T.stop_projecting, onclick: () => request("project", { pupil: 0 }) });
+const frozen = el("p", { class: "told frozen", text: T.frozen, hidden: true });
+const projector = el("p", { class: "told projector", hidden: true });
+const collected = el("p", { class: "told collected", hidden: true });
+const tiles = el("div", { class: "tiles" });
+const nobody = el("p", { class: "empty", text: T.nobody });
+const shown = new Map();
+let state = {};
+
+document.body.append(el("div", { class: "class" },
+  el("header", {}, el("h1", { text: T.title }), count, el("span", { class: "hint", text: T.address }), address,
+    el("button", { class: "stop", text: T.stop, title: T.stop_hint, onclick: () => request("stop") }),
+    el("div", { class: "row" }, freeze, door, chooser, el("button", { text: T.send, onclick: () => request("exercise", { exercise: chooser.value }) }),
+      el("button", { text: T.hint_all, onclick: () => give_hint(0, "") }), el("button", { text: T.check, onclick: () => request("check") }),
+      el("button", { text: T.collect, onclick: () => request("collect") }), project)),
+  told, frozen, projector, collected, nobody, tiles));
+
+function show(next) {
+  state = next;
+  const { pupils } = state;
+  count.textContent = `${T.pupils(pupils.length)}, ${T.here(pupils.filter(({ here }) => here).length)}`;
+  address.textContent = state.address;
+  freeze.textContent = state.frozen ? T.thaw : T.freeze;
+  door.textContent = state.open ? T.door_open : T.door_closed;
+  frozen.hidden = !state.frozen;
+  project.hidden = projector.hidden = !state.projected;
+  projector.textContent = T.projector_link(`${location.origin}/index.html#${state.spectator}`);
+  collected.hidden = !state.collected;
+  collected.textContent = T.collected(state.collected);
+  nobody.hidden = pupils.length > 0;
+  if (chooser.options.length !== state.exercises.length) {
+    chooser.replaceChildren(...state.exercises.map(({ name, title, title_ja }) => el("option", { value: name, text: in_language(title, title_ja).replace(/^#+ /, "") })));
+    chooser.value = state.first;
+  }
+  for (const pupil of pupils) {
+    if (!shown.has(pupil.number)) {
+      const tile = new Tile();
+      shown.set(pupil.number, tile);
+      tiles.append(tile.node);
+    }
+    shown.get(pupil.number).show(pupil);
+  }
+}
+
+link.on("said", (said) => said.is === "class" && show(said));
+link.on("lost", () => {
+  told.textContent = T.lost;
+});
+link.on("open", () => {
+  told.textContent = "";
+  document.title = `${T.title} · nezumi`;
+});
+link.connect();

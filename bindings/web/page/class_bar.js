@@ -1,0 +1,109 @@
+// The bar of a pupil's page in a class: exercise, hints, checks, mark, and what the teacher does.
+import { el } from "./dom.js";
+import { C, in_language, shown_code } from "./class_texts.js";
+
+/// Markdown as exercises use it: headings, lists, code, paragraphs, `code` and **words** in lines.
+export function markdown(text) {
+  const inline = (line) => line.split(/(`[^`]+`|\*\*[^*]+\*\*)/).map((part) => {
+    if (/^`.+`$/.test(part)) return el("code", { text: part.slice(1, -1) });
+    if (/^\*\*.+\*\*$/.test(part)) return el("b", { text: part.slice(2, -2) });
+    return part;
+  });
+  const blocks = [];
+  for (const [i, part] of text.split(/^```.*$/m).entries()) {
+    if (i % 2 === 1) {
+      blocks.push(el("pre", { text: part.replace(/^\n|\n$/g, "") }));
+      continue;
+    }
+    for (const block of part.split(/\n\s*\n/).map((each) => each.trim()).filter(Boolean)) {
+      const lines = block.split("\n");
+      const heading = /^(#+) (.*)/.exec(block);
+      if (heading) blocks.push(el(heading[1].length === 1 ? "h2" : "h3", {}, ...inline(heading[2])));
+      else if (/^([-*]|\d+\.) /.test(block)) {
+        const items = block.split(/\n(?=(?:[-*]|\d+\.) )/).map((item) => item.replace(/^([-*]|\d+\.) /, "").replaceAll("\n", " "));
+        blocks.push(el(/^\d/.test(block) ? "ol" : "ul", {}, ...items.map((item) => el("li", {}, ...inline(item)))));
+      } else blocks.push(el("p", {}, ...inline(lines.join(" "))));
+    }
+  }
+  return blocks;
+}
+
+function make_bar({ link, notices }) {
+  document.head.append(el("link", { rel: "stylesheet", href: "class.css" }));
+  const title = el("b", {});
+  const who = el("span", { class: "pupil" });
+  const code = el("span", { class: "code", title: C.bar.code_hint });
+  const told = el("span", { class: "told" });
+  const mark = el("span", { class: "mark-text" });
+  const frozen = el("span", { class: "frozen", role: "alert", text: C.bar.frozen, hidden: true });
+  const again = el("button", { text: C.bar.again, onclick: () => request("restart") });
+  const why = el("span", {});
+  const broken = el("p", { class: "broken", role: "alert", hidden: true }, why, again);
+  const check = el("button", { class: "check acts", onclick: () => request("check") });
+  const results = el("div", { class: "results" });
+  const text = el("div", { class: "task-text" });
+  const hints = el("div", { class: "hints" });
+  const open = el("details", { class: "task" }, el("summary", { text: C.bar.exercise }), el("div", { class: "task-sheet" }, text, hints, results));
+  const leave = el("button", { class: "quiet", text: C.bar.leave, title: C.bar.leave_hint, onclick: () => {
+    sessionStorage.removeItem("nezumi.token");
+    location.assign("/");
+  } });
+  const node = el("section", { class: "class-bar" }, title, open, check, code, who, told, mark, frozen, leave, broken);
+  document.body.querySelector("header").after(node);
+  document.body.classList.add("in-class");
+  let hints_before = -1;
+  let text_before = null;
+
+  async function request(what) {
+    const { ok, text: reason } = await link.ask({ do: "class", what });
+    if (!ok && reason) notices.say(reason, "error");
+  }
+
+  function show_results({ check: state, checked = [], hidden = { count: 0 } }) {
+    check.disabled = state === "waits" || state === "runs";
+    check.textContent = state === "runs" ? C.bar.checking : state === "waits" ? C.bar.waits : C.bar.check;
+    const all = checked.length + hidden.count;
+    results.replaceChildren(
+      ...(state && !check.disabled ? [el("p", { class: "wrong", text: C.bar.could_not(state) })] : []),
+      all ? el("ul", {}, ...checked.map(({ name, passed }) => el("li", { class: passed ? "passed" : "failed", text: name })),
+        hidden.count ? el("li", { class: hidden.passed === hidden.count ? "passed" : "failed", text: C.bar.hidden(hidden.passed, hidden.count) }) : null)
+        : el("p", { class: "hint", text: C.bar.not_checked }));
+  }
+
+  return (state) => {
+    const own = state.role === "pupil";
+    const written = in_language(state.text ?? "", state.text_ja ?? "");
+    const [first, ...rest] = written.split("\n");
+    title.textContent = own || state.role === "helper" ? first.replace(/^#+ /, "") : C.bar.of(state.name);
+    who.textContent = own ? state.name : state.role === "helper" ? C.bar.of(state.name) : "";
+    code.hidden = !own;
+    leave.hidden = !own;
+    if (own) code.textContent = C.bar.code(shown_code(state.code));
+    told.textContent = [own && state.helps && C.bar.helps, own && state.looks && C.bar.looks, own && state.projected && C.bar.projected].filter(Boolean).join(" · ");
+    mark.textContent = state.mark ? C.bar.mark(state.mark) : "";
+    frozen.hidden = !state.frozen;
+    document.body.classList.toggle("frozen", state.frozen && own);
+    broken.hidden = !state.broken;
+    why.textContent = C.bar.broken(state.broken);
+    check.hidden = open.hidden = state.role === "spectator";
+    if (state.role === "spectator") return;
+    show_results(state);
+    if (written !== text_before) {
+      text.replaceChildren(...markdown(rest.join("\n")));
+      open.open = own && text_before !== null && text_before !== written;  // a new exercise
+      text_before = written;
+    }
+    hints.replaceChildren(...(state.hints.length ? [el("h3", { text: C.bar.hints }), ...state.hints.map((hint) => el("p", { text: hint }))] : []),
+      ...(state.comment ? [el("h3", { text: C.bar.comment }), el("p", { class: "comment", text: state.comment })] : []));
+    if (own && hints_before >= 0 && state.hints.length > hints_before) notices.say(C.bar.new_hint(state.hints.at(-1)), "good");
+    hints_before = state.hints.length;
+  };
+}
+
+let show = null;
+
+/// Shows the state of the class; the first one makes the bar.
+export function show_class(parts, state) {
+  show ??= make_bar(parts);
+  show(state);
+}

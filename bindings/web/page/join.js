@@ -1,0 +1,37 @@
+// Joins a class by a name, or comes back by a code.
+import { el } from "./dom.js";
+import { Link } from "./link.js";
+import { C } from "./class_texts.js";
+
+const link = new Link("join");
+const problem = el("p", { class: "problem", role: "alert", hidden: true });
+
+const show = (text) => {
+  problem.textContent = text;
+  problem.hidden = !text;
+};
+
+async function go(what) {
+  const { ok, token, text } = await link.ask({ do: "class", ...what });
+  if (!ok) return show(text || C.join.away);
+  sessionStorage.removeItem("nezumi.token");
+  location.assign(`/index.html#${token}`);
+}
+
+function make_form(label, hint, button, field, key) {
+  return el("form", { onsubmit: (event) => {
+    event.preventDefault();
+    show("");
+    go({ [key]: field.value });
+  } }, el("label", {}, el("span", { text: label }), field), el("small", { text: hint }), el("button", { type: "submit", class: "primary", text: button }));
+}
+
+const name = el("input", { type: "text", name: "name", required: true, maxlength: 40, autocomplete: "off" });
+const code = el("input", { type: "text", name: "code", required: true, maxlength: 12, autocomplete: "off", autocapitalize: "none", spellcheck: "false" });
+document.body.append(el("main", { class: "join" }, el("h1", { text: C.join.title }), problem,
+  make_form(C.join.name, C.join.name_hint, C.join.go, name, "name"), el("h2", { text: C.join.or }),
+  make_form(C.join.code, C.join.code_hint, C.join.back, code, "code")));
+link.on("lost", () => show(C.join.away));
+link.on("open", () => show(""));
+link.connect();
+name.focus();
