@@ -7,7 +7,6 @@
 #include <system_error>
 #include <utility>
 
-#include "engine/base/own_program.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi::web {
@@ -49,12 +48,6 @@ HttpReply with_headers(HttpReply reply, bool keeps) {
 HttpReply not_found() { return with_headers({.status = 404, .body = "there is no such file\n"}, false); }
 
 }  // namespace
-
-std::filesystem::path StaticFiles::installed_libraries() {
-    std::error_code none;
-    std::filesystem::path own = own_program().parent_path().parent_path() / "share/javascript";
-    return std::filesystem::is_directory(own, none) ? own : "/usr/share/javascript";
-}
 
 HttpReply StaticFiles::get(std::string_view path) const {
     if (path.empty() || path.front() != '/' || path.size() > 256) return not_found();

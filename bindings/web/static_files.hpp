@@ -11,7 +11,7 @@ namespace nezumi::web {
 class StaticFiles {
 public:
     /// `page` is the folder of the page's own files, `libraries` that of the scripts which Debian's packages install.
-    explicit StaticFiles(std::filesystem::path page, std::filesystem::path libraries = installed_libraries())
+    explicit StaticFiles(std::filesystem::path page, std::filesystem::path libraries = "/usr/share/javascript")
         : page_(std::move(page)), libraries_(std::move(libraries)) {}
 
     /// Returns the file at "/", "/main.js", "/lib/three/three.module.js". Folders are not listed. Names that begin with
@@ -22,9 +22,6 @@ public:
     static constexpr std::size_t longest_file = std::size_t{16} << 20;
 
 private:
-    // Those of a portable folder, or else Debian's.
-    static std::filesystem::path installed_libraries();
-
     std::filesystem::path page_;
     std::filesystem::path libraries_;
 };

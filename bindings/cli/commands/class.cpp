@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "bindings/cli/base/environment.hpp"
-#include "bindings/cli/base/python_program.hpp"
 #include "bindings/cli/base/stop_signals.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/cli/run/options.hpp"
@@ -20,6 +19,7 @@
 #include "bindings/web/classroom/check_work.hpp"
 #include "bindings/web/classroom/classroom.hpp"
 #include "bindings/web/qr_code.hpp"
+#include "engine/base/own_program.hpp"
 #include "engine/base/visible.hpp"
 
 namespace nezumi::cli {

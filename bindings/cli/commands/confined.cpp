@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "bindings/cli/base/environment.hpp"
-#include "bindings/cli/base/python_program.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/web/classroom/confinement.hpp"
+#include "engine/base/own_program.hpp"
 
 namespace nezumi::cli {
 namespace {
