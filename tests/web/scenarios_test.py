@@ -19,6 +19,13 @@ BAD = """scenario("stays near", function(s)
   s:run(3)
 end)
 """
+MEASURED = """scenario("is fast", { sweep = { speed = { 0.1, 0.2 } } }, function(s, p)
+  local world = s:load("tried")
+  world.controller.config.speed_x = p.speed
+  s:run(1)
+  s:measure("distance", world.mouse.truth.pose.position.x, "m")
+end)
+"""
 DRIVES = APART + 'connect("controller.out", "mouse.target_velocity_in")\n'
 
 
@@ -82,6 +89,19 @@ class Scenarios(rig.PageCase):
     def test_a_wrong_scenario_file_is_told(self):
         self.begin(wrong="scenaro('x')\n")
         self.page.until("document.querySelector('.scenarios .error')?.textContent.includes('scenaro')", "the reason is shown")
+
+    def test_measures_of_a_sweep_are_shown_as_plots(self):
+        system = self.begin(fast=MEASURED)
+        page = self.page
+        page.press("Run all")
+        page.until("document.querySelector('.measures img')?.complete", "the plot is shown", 60)
+        self.assertEqual(page.text(".measures summary"), "1 plot of measures")
+        self.assertIn("distance", page.find(".measures img").get_attribute("alt"))
+        self.assertGreater(page.js("return document.querySelector('.measures img').naturalWidth"), 100)
+        lines = page.js("return [...document.querySelectorAll('.scenario pre')].map((each) => each.textContent).join()")
+        self.assertNotIn("2 runs", lines)  # what is said of all runs is not said of the last one
+        self.assertEqual(os.listdir(os.path.join(system.folder)).count("nezumi-test"), 0)
+        self.assertEqual(page.errors(), [])
 
 
 if __name__ == "__main__":

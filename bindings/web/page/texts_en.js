@@ -138,7 +138,7 @@ export const EN = {
     run_all: "Run all", run: "Run", run_one: (name) => `Run ${name}`, stop: "Stop these", look: "Look again", open: "Open", open_hint: "Open this run, paused where it failed",
     none: "This project has no scenarios: files that end in _test.lua.", count: (n) => (n === 1 ? "1 scenario" : `${n} scenarios`),
     running: (n) => `running, ${n} done`, ended: (passed, failed) => `${passed} passed, ${failed} failed`,
-    margins: (n) => (n === 1 ? "1 margin" : `${n} margins`), states: { passed: "passed", failed: "failed", runs: "runs", skipped: "skipped", "": "not run yet" },
+    measures: (n) => (n === 1 ? "1 plot of measures" : `${n} plots of measures`), margins: (n) => (n === 1 ? "1 margin" : `${n} margins`), states: { passed: "passed", failed: "failed", runs: "runs", skipped: "skipped", "": "not run yet" },
   },
   editor: {
     loading: "Loading…", files: "Files", search: "Search files", none: "No file", no_files: "No file has this name.", text: "Text of the file",
