@@ -77,6 +77,22 @@ std::string address_in(const std::string& said) {
     return end == std::string::npos ? "" : said.substr(begin + before.size(), end - begin - before.size());
 }
 
+// The plots of measures in a folder, by their names; empty without measures.
+nlohmann::ordered_json plots_in(const std::filesystem::path& folder) {
+    constexpr std::size_t most = 12;
+    constexpr std::size_t longest = std::size_t{256} << 10;  // [bytes]
+    auto plots = nlohmann::ordered_json::object();
+    std::error_code problem;
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, problem)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const auto& file : files) {
+        const auto text = read_whole(file, file.string(), longest);
+        if (text && file.extension() == ".svg" && plots.size() < most) plots[file.stem().string()] = *text;
+    }
+    return plots;
+}
+
 // True for the folder of a failed run, as the report of a run names it.
 bool is_kept_run(std::string_view folder) {
     if (!folder.starts_with(kept_runs)) return false;
@@ -162,6 +178,11 @@ void ScenarioRuns::list(ClientId client, std::int64_t id) const {
 void ScenarioRuns::run(ClientId client, const TestMessage& message) {
     std::vector<std::string> words{
         "nice", "-n", "10", program_, "test", "--project", project_.string(), "--tap", "--jobs", number_of_jobs()};
+    // Not the folder of a failed run: those do not begin with a dot.
+    const std::filesystem::path plots = project_ / kept_runs / ".plots";
+    std::error_code ignored;
+    std::filesystem::remove_all(plots, ignored);
+    words.insert(words.end(), {"--plots", plots.string()});
     if (!message.name.empty()) words.push_back("--filter=" + message.name);
     if (!message.file.empty()) words.push_back(message.file);
     const UnnamedFile output;
@@ -186,8 +207,11 @@ void ScenarioRuns::run(ClientId client, const TestMessage& message) {
         problem = trimmed(errors.text());
         if (problem.empty()) problem = stops_ ? "stopped" : problem_of(end);
     }
+    const auto drawn = plots_in(plots);
+    std::filesystem::remove_all(plots, ignored);
+    std::filesystem::remove(plots.parent_path(), ignored);  // if nothing else is in it
     is_running_ = false;
-    send_(client, to_line_of({{"is", "tests"}, {"done", true}, {"problem", problem}}));
+    send_(client, to_line_of({{"is", "tests"}, {"done", true}, {"problem", problem}, {"plots", drawn}}));
 }
 
 void ScenarioRuns::open(ClientId client, std::int64_t id, const std::string& folder) {

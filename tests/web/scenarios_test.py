@@ -23,6 +23,13 @@ end)
 KEEPER = """local out = output("out", "TimedVelocity2D")
 function on_execute() out:write { vx = 0.1 } end
 """
+MEASURED = """scenario("is fast", { sweep = { speed = { 0.1, 0.2 } } }, function(s, p)
+  local world = s:load("tried")
+  world.controller.config.speed_x = p.speed
+  s:run(1)
+  s:measure("distance", world.mouse.truth.pose.position.x, "m")
+end)
+"""
 DRIVES = APART + 'connect("controller.out", "mouse.target_velocity_in")\n'
 
 
@@ -114,6 +121,19 @@ class Scenarios(rig.PageCase):
         page.driver.switch_to.active_element.send_keys("\ue009s")
         page.view("scenarios")
         page.until("document.querySelector('.judge .told').textContent.startsWith('different in 100 of 100 ticks')", "it was judged again", 60)
+        self.assertEqual(page.errors(), [])
+
+    def test_measures_of_a_sweep_are_shown_as_plots(self):
+        system = self.begin(fast=MEASURED)
+        page = self.page
+        page.press("Run all")
+        page.until("document.querySelector('.measures img')?.complete", "the plot is shown", 60)
+        self.assertEqual(page.text(".measures summary"), "1 plot of measures")
+        self.assertIn("distance", page.find(".measures img").get_attribute("alt"))
+        self.assertGreater(page.js("return document.querySelector('.measures img').naturalWidth"), 100)
+        lines = page.js("return [...document.querySelectorAll('.scenario pre')].map((each) => each.textContent).join()")
+        self.assertNotIn("2 runs", lines)  # what is said of all runs is not said of the last one
+        self.assertEqual(os.listdir(os.path.join(system.folder)).count("nezumi-test"), 0)
         self.assertEqual(page.errors(), [])
 
 

@@ -17,6 +17,7 @@ export function make_scenarios(parts) {
 
   const told = el("span", { class: "hint", role: "status" });
   const rows = el("div", { class: "rows", role: "list" });
+  const plots = el("details", { class: "measures", hidden: true, open: true });
   const all = el("button", { class: "primary acts", text: T.scenarios.run_all, onclick: () => run({}) });
   const stop = el("button", { class: "acts", text: T.scenarios.stop, disabled: true, onclick: () => link.ask({ do: "test", what: "stop" }) });
   const look = el("button", { class: "acts", text: T.scenarios.look, onclick: () => list() });
@@ -72,6 +73,13 @@ export function make_scenarios(parts) {
     show();
     if (!ok) rows.prepend(el("p", { class: "error", text: text || T.link.no_answer }));
   };
+  /// Drawings of the measures, by their names, as `nezumi test --plots` makes them.
+  const show_plots = (drawn) => {
+    const names = Object.keys(drawn);
+    plots.hidden = names.length === 0;
+    plots.replaceChildren(el("summary", { text: T.scenarios.measures(names.length) }),
+      ...names.map((name) => el("img", { alt: name, title: name, src: `data:image/svg+xml,${encodeURIComponent(drawn[name])}` })));
+  };
   const run = async ({ name, file }) => {
     const { ok, text } = await link.ask({ do: "test", what: "run", ...(name ? { name, file } : {}) });
     if (!ok) return notices.say(text || T.link.no_answer, "error");
@@ -82,11 +90,12 @@ export function make_scenarios(parts) {
     for (const each of those) results.set(key(each), { state: "runs" });
     show();
   };
-  model.on("tests", ({ text = "", done = false, problem = "" }) => {
+  model.on("tests", ({ text = "", done = false, problem = "", plots: drawn = {} }) => {
     report += text;
     for (const each of read_report(report)) results.set(key(each), each);
     if (done) {
       is_running = false;
+      show_plots(drawn);
       for (const [name, { state }] of results) if (state === "runs") results.delete(name);
       if (problem && problem !== "stopped") notices.say(problem.split("\n")[0], "error");
     }
@@ -96,6 +105,6 @@ export function make_scenarios(parts) {
     is_running = false;
     show();
   });
-  return { node: el("div", { class: "scenarios" }, el("div", { class: "tools", role: "toolbar", "aria-label": T.views.scenarios }, all, stop, look, told), rows, make_judge(parts)),
+  return { node: el("div", { class: "scenarios" }, el("div", { class: "tools", role: "toolbar", "aria-label": T.views.scenarios }, all, stop, look, told), plots, rows, make_judge(parts)),
     shown: (is_shown) => is_shown && !is_known && list() };
 }

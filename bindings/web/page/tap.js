@@ -9,6 +9,7 @@ export function read_report(text) {
     const found = /^(not )?ok \d+ - ([^:]+): (.*?)( # SKIP.*)?$/.exec(line);
     const last = results.at(-1);
     if (found) results.push({ file: found[2], name: found[3], state: found[4] ? "skipped" : found[1] ? "failed" : "passed", message: "", lines: [], folder: "" });
+    else if (/^# seed \d+, /.test(line)) break;  // what follows is about all of them
     else if (!last) continue;
     else if (line === "  ---") in_details = true;
     else if (line === "  ...") in_details = false;
@@ -18,7 +19,7 @@ export function read_report(text) {
       const kept = /^files: (\S+)/.exec(detail);
       if (kept) last.folder = kept[1];
       last.lines.push(detail);
-    } else if (line.startsWith("# ") && !/^# seed \d+, /.test(line)) last.lines.push(line.slice(2));
+    } else if (line.startsWith("# ")) last.lines.push(line.slice(2));
   }
   return results;
 }

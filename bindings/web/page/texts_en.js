@@ -138,7 +138,7 @@ export const EN = {
     run_all: "Run all", run: "Run", run_one: (name) => `Run ${name}`, stop: "Stop these", look: "Look again", open: "Open", open_hint: "Open this run, paused where it failed",
     none: "This project has no scenarios. A scenario file has a name that ends in _test.lua.", count: (n) => (n === 1 ? "1 scenario" : `${n} scenarios`),
     running: (n) => `running, ${n} done`, ended: (passed, failed) => `${passed} passed, ${failed} failed`,
-    margins: (n) => (n === 1 ? "1 margin" : `${n} margins`), states: { passed: "passed", failed: "failed", runs: "runs", skipped: "skipped", "": "not run yet" },
+    measures: (n) => (n === 1 ? "1 plot of measures" : `${n} plots of measures`), margins: (n) => (n === 1 ? "1 margin" : `${n} margins`), states: { passed: "passed", failed: "failed", runs: "runs", skipped: "skipped", "": "not run yet" },
   },
   judge: {
     label: "Judge a behaviour by a recording", recording: "Recording", behavior: "Behaviour", start: "Judge", again: "again at each save",

@@ -138,7 +138,7 @@ export const JA = {
     run_all: "すべて実行", run: "実行", run_one: (name) => `${name} を実行`, stop: "実行を中止", look: "一覧を更新", open: "開く", open_hint: "失敗した時刻で止めて、この実行を開く",
     none: "このプロジェクトにはシナリオ (名前が _test.lua で終わるファイル) がありません。", count: (n) => `シナリオ ${n} 件`,
     running: (n) => `実行中、${n} 件終了`, ended: (passed, failed) => `合格 ${passed} 件、不合格 ${failed} 件`,
-    margins: (n) => `余裕 ${n} 件`, states: { passed: "合格", failed: "不合格", runs: "実行中", skipped: "省略", "": "未実行" },
+    measures: (n) => `測定値のグラフ ${n} 件`, margins: (n) => `余裕 ${n} 件`, states: { passed: "合格", failed: "不合格", runs: "実行中", skipped: "省略", "": "未実行" },
   },
   judge: {
     label: "記録を使ってふるまいを確かめる", recording: "記録", behavior: "ふるまい", start: "確かめる", again: "保存するたびに",
