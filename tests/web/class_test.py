@@ -309,7 +309,10 @@ class Attacks(ClassCase):
           };
           socket.onmessage = ({ data }) => {
             if (typeof data === "string") got.push(JSON.parse(data));
-            if (got.filter((each) => each.is === "answer").length === messages.length) done({ closed: false, got });
+            if (got.filter((each) => each.is === "answer").length === messages.length) {
+              done({ closed: false, got });
+              socket.close();
+            }
           };
           socket.onclose = () => (was_open || !retries || Date.now() > end ? done({ closed: true, got }) : setTimeout(open, 200));
         }

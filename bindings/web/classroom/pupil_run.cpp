@@ -48,7 +48,7 @@ PupilRun::PupilRun(std::vector<std::string> words) {
 
 PupilRun::~PupilRun() {
     end();
-    const auto until = Clock::now() + longest_end;
+    const auto until = asked_.value_or(begin_) + longest_end;  // many that were asked together take no longer than one
     while (!has_ended_ && Clock::now() < until) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     give_up_ = true;
     if (thread_.joinable()) thread_.join();
