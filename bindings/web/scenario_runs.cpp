@@ -256,10 +256,10 @@ void ScenarioRuns::judge(ClientId client, std::int64_t id, const std::string& re
         return answer(client, id, false, "'" + shown(recording) + "' is no recording of this project");
     if (!behavior.ends_with(".lua") || !is_in(EditedFiles(project_).names(), behavior))
         return answer(client, id, false, "'" + shown(behavior) + "' is no behaviour of this project");
-    const std::filesystem::path plot = project_ / kept_runs / "judged.svg";
-    std::error_code problem;
-    std::filesystem::create_directories(plot.parent_path(), problem);
-    std::filesystem::remove(plot, problem);
+    const std::filesystem::path plot = project_ / kept_runs / ".judged.svg";
+    std::error_code ignored;
+    std::filesystem::create_directories(plot.parent_path(), ignored);
+    std::filesystem::remove(plot, ignored);
     const UnnamedFile errors;
     const auto end = run_program({.words = {"nice", "-n", "10", program_, "judge", (project_ / recording).string(),
                                             "--behavior", (project_ / behavior).string(), "--plot", plot.string()},
@@ -270,6 +270,8 @@ void ScenarioRuns::judge(ClientId client, std::int64_t id, const std::string& re
     const bool ok = end && end->status <= 1;
     const std::string said(trimmed(errors.text()));
     const auto picture = read_whole(plot, plot.string(), largest_plot);
+    std::filesystem::remove(plot, ignored);
+    std::filesystem::remove(plot.parent_path(), ignored);  // if nothing else is in it
     answer(client, id, ok, ok ? end->out : said.empty() ? problem_of(end) : said, ok && picture ? *picture : "");
 }
 
