@@ -10,7 +10,7 @@ import sys
 def first_sentence(lines):
     paragraph = []
     for line in lines[1:]:
-        if line.startswith(("#", "|", "```", "!", "<", "- ")):
+        if line.startswith(("#", "|", "```", "!", "<", "- ", "[日本語]")):
             if paragraph:
                 break
             continue

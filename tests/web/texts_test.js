@@ -20,7 +20,7 @@ for (const [key, text] of english) {
 for (const key of japanese.keys()) if (!english.has(key)) wrong.push(`texts_en.js has no ${key}`);
 if (Object.keys(LANGUAGES).join() !== "en,ja") wrong.push(`the languages are ${Object.keys(LANGUAGES)}`);
 
-/// The page's own modules, from the first one on.
+/// The pages' own modules, from the first one of each page on.
 const sources = new Map();
 async function read(name) {
   if (sources.has(name)) return;
@@ -29,7 +29,7 @@ async function read(name) {
   sources.set(name, text);
   await Promise.all([...text.matchAll(/"\.\/([a-z_]+\.js)"/g)].map((found) => read(found[1])));
 }
-await read("main.js");
+for (const first of ["main.js", "class.js", "join.js"]) await read(first);
 if (sources.size < 50) wrong.push(`only ${sources.size} modules were found`);
 
 const LITERAL = /"(?:[^"\\\n]|\\.)*"|`(?:[^`\\$]|\\.|\$(?!\{)|\$\{[^{}]*\})*`/g;

@@ -1,9 +1,8 @@
 // The teacher's page: a tile for each pupil, and what is done for one or for all.
 import { el } from "./dom.js";
 import { Link } from "./link.js";
-import { C, in_language, shown_code } from "./class_texts.js";
-
-const T = C.teacher;
+import { in_language, shown_code } from "./class_bar.js";
+import { make_language_button, T } from "./texts.js";
 
 function take_token() {
   const given = location.hash.slice(1);
@@ -19,7 +18,7 @@ const told = el("p", { class: "told", role: "status", "aria-live": "polite" });
 
 async function request(what, more = {}) {
   const answer = await link.ask({ do: "class", what, pupil: 0, ...more });
-  told.textContent = answer.ok ? "" : T.failed(answer.text);
+  told.textContent = answer.ok ? "" : T.class.failed(answer.text);
   return answer;
 }
 
@@ -35,7 +34,7 @@ function ask_for(title, fields, values = {}) {
     const form = el("form", { onsubmit: (event) => {
       event.preventDefault();
       end(Object.fromEntries(names.map((name, i) => [name, inputs[i].value])));
-    } }, el("b", { text: title }), ...inputs, el("div", { class: "row" }, el("button", { type: "submit", class: "primary", text: T.save })));
+    } }, el("b", { text: title }), ...inputs, el("div", { class: "row" }, el("button", { type: "submit", class: "primary", text: T.class.save })));
     const dialog = el("dialog", { onkeydown: ({ key }) => key === "Escape" && end(null) }, form);
     document.body.append(dialog);
     dialog.show();
@@ -44,8 +43,8 @@ function ask_for(title, fields, values = {}) {
 }
 
 async function give_hint(pupil, name) {
-  const given = await ask_for(name ? T.hint_to(name) : T.hint_all, { text: T.hint });
-  if (given?.text && (await request("hint", { pupil, text: given.text })).ok) told.textContent = T.hint_sent;
+  const given = await ask_for(name ? T.class.hint_to(name) : T.class.hint_all, { text: T.class.hint });
+  if (given?.text && (await request("hint", { pupil, text: given.text })).ok) told.textContent = T.class.hint_sent;
 }
 
 const time_text = (seconds) => new Date(seconds * 1000).toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
@@ -57,8 +56,8 @@ class Tile {
   #state = el("span", { class: "state-text" });
   #error = el("p", { class: "error-text" });
   #facts = el("p", { class: "facts" });
-  #look = el("a", { class: "button", target: "_blank", rel: "noopener", text: T.look });
-  #help = el("a", { class: "button", target: "_blank", rel: "noopener", text: T.help });
+  #look = el("a", { class: "button", target: "_blank", rel: "noopener", text: T.class.look });
+  #help = el("a", { class: "button", target: "_blank", rel: "noopener", text: T.class.help });
   pupil = {};
   node = null;
 
@@ -66,15 +65,15 @@ class Tile {
     const button = (text, press) => el("button", { text, onclick: press });
     const one = (what) => () => request(what, { pupil: this.pupil.number });
     this.node = el("article", {}, el("h2", {}, this.#name, this.#here), this.#error, this.#facts,
-      el("div", { class: "row" }, this.#look, this.#help, button(T.hint, () => give_hint(this.pupil.number, this.pupil.name)), button(T.check_one, one("check")),
-        button(T.mark_it, () => this.#mark()), button(T.projector, one("project")), button(T.restart, one("restart")),
-        button(T.exercise_one, () => request("exercise", { pupil: this.pupil.number, exercise: chooser.value })),
-        button(T.renew, () => confirm(T.renew_sure(this.pupil.name)) && request("renew", { pupil: this.pupil.number }))));
+      el("div", { class: "row" }, this.#look, this.#help, button(T.class.hint, () => give_hint(this.pupil.number, this.pupil.name)), button(T.class.check_one, one("check")),
+        button(T.class.mark_it, () => this.#mark()), button(T.class.projector, one("project")), button(T.class.restart, one("restart")),
+        button(T.class.exercise_one, () => request("exercise", { pupil: this.pupil.number, exercise: chooser.value })),
+        button(T.class.renew, () => confirm(T.class.renew_sure(this.pupil.name)) && request("renew", { pupil: this.pupil.number }))));
   }
 
   async #mark() {
     const { number, mark, comment } = this.pupil;
-    const given = await ask_for(this.pupil.name, { mark: T.mark, text: T.comment }, { mark, text: comment });
+    const given = await ask_for(this.pupil.name, { mark: T.class.mark, text: T.class.comment }, { mark, text: comment });
     if (given) request("mark", { pupil: number, ...given });
   }
 
@@ -83,13 +82,13 @@ class Tile {
     this.node.className = `tile ${pupil.state}`;
     this.node.dataset.name = pupil.name;
     this.#name.textContent = pupil.name;
-    this.#here.textContent = pupil.here ? T.windows(pupil.here) : T.away;
+    this.#here.textContent = pupil.here ? T.class.windows(pupil.here) : T.class.away;
     this.#error.textContent = pupil.error;
     this.#error.hidden = !pupil.error;
-    this.#state.textContent = T.states[pupil.state] + (pupil.since ? ` ${T.since(time_text(pupil.since))}` : "");
-    const checked = pupil.check || (pupil.scenarios ? T.passed(pupil.passed, pupil.scenarios) : T.unchecked);
-    const facts = [pupil.exercise, pupil.saved ? T.saved(time_text(pupil.saved)) : T.never, checked, pupil.memory ? T.memory(pupil.memory) : "",
-      pupil.mark ? `${T.mark}: ${pupil.mark}` : "", T.code(shown_code(pupil.code))].filter(Boolean);
+    this.#state.textContent = T.class.states[pupil.state] + (pupil.since ? ` ${T.class.since(time_text(pupil.since))}` : "");
+    const checked = (T.class.checks[pupil.check] ?? pupil.check) || (pupil.scenarios ? T.class.passed(pupil.passed, pupil.scenarios) : T.class.unchecked);
+    const facts = [pupil.exercise, pupil.saved ? T.class.saved(time_text(pupil.saved)) : T.class.never, checked, pupil.memory ? T.class.memory(pupil.memory) : "",
+      pupil.mark ? `${T.class.mark}: ${pupil.mark}` : "", T.class.code(shown_code(pupil.code))].filter(Boolean);
     this.#facts.replaceChildren(this.#state, ...facts.map((text) => el("span", { text })));
     this.#look.href = `/index.html#${pupil.look}`;
     this.#help.href = `/index.html#${pupil.help}`;
@@ -100,36 +99,36 @@ const count = el("span", { class: "hint" });
 const address = el("span", { class: "address" });
 const freeze = el("button", { onclick: () => request(state.frozen ? "thaw" : "freeze") });
 const door = el("button", { onclick: () => request("door", { open: !state.open }) });
-const chooser = el("select", { "aria-label": T.exercise });
-const project = el("button", { text: T.stop_projecting, onclick: () => request("project", { pupil: 0 }) });
-const frozen = el("p", { class: "told frozen", text: T.frozen, hidden: true });
+const chooser = el("select", { "aria-label": T.class.exercise });
+const project = el("button", { text: T.class.stop_projecting, onclick: () => request("project", { pupil: 0 }) });
+const frozen = el("p", { class: "told frozen", text: T.class.frozen, hidden: true });
 const projector = el("p", { class: "told projector", hidden: true });
 const collected = el("p", { class: "told collected", hidden: true });
 const tiles = el("div", { class: "tiles" });
-const nobody = el("p", { class: "empty", text: T.nobody });
+const nobody = el("p", { class: "empty", text: T.class.nobody });
 const shown = new Map();
 let state = {};
 
 document.body.append(el("div", { class: "class" },
-  el("header", {}, el("h1", { text: T.title }), count, el("span", { class: "hint", text: T.address }), address,
-    el("button", { class: "stop", text: T.stop, title: T.stop_hint, onclick: () => request("stop") }),
-    el("div", { class: "row" }, freeze, door, chooser, el("button", { text: T.send, onclick: () => request("exercise", { exercise: chooser.value }) }),
-      el("button", { text: T.hint_all, onclick: () => give_hint(0, "") }), el("button", { text: T.check, onclick: () => request("check") }),
-      el("button", { text: T.collect, onclick: () => request("collect") }), project)),
+  el("header", {}, el("h1", { text: T.class.title }), count, el("span", { class: "hint", text: T.class.address }), address,
+    el("button", { class: "stop", text: T.class.stop, title: T.class.stop_hint, onclick: () => request("stop") }), make_language_button(),
+    el("div", { class: "row" }, freeze, door, chooser, el("button", { text: T.class.send, onclick: () => request("exercise", { exercise: chooser.value }) }),
+      el("button", { text: T.class.hint_all, onclick: () => give_hint(0, "") }), el("button", { text: T.class.check, onclick: () => request("check") }),
+      el("button", { text: T.class.collect, onclick: () => request("collect") }), project)),
   told, frozen, projector, collected, nobody, tiles));
 
 function show(next) {
   state = next;
   const { pupils } = state;
-  count.textContent = `${T.pupils(pupils.length)}, ${T.here(pupils.filter(({ here }) => here).length)}`;
+  count.textContent = `${T.class.pupils(pupils.length)}, ${T.class.here(pupils.filter(({ here }) => here).length)}`;
   address.textContent = state.address;
-  freeze.textContent = state.frozen ? T.thaw : T.freeze;
-  door.textContent = state.open ? T.door_open : T.door_closed;
+  freeze.textContent = state.frozen ? T.class.thaw : T.class.freeze;
+  door.textContent = state.open ? T.class.door_open : T.class.door_closed;
   frozen.hidden = !state.frozen;
   project.hidden = projector.hidden = !state.projected;
-  projector.textContent = T.projector_link(`${location.origin}/index.html#${state.spectator}`);
+  projector.textContent = T.class.projector_link(`${location.origin}/index.html#${state.spectator}`);
   collected.hidden = !state.collected;
-  collected.textContent = T.collected(state.collected);
+  collected.textContent = T.class.collected(state.collected);
   nobody.hidden = pupils.length > 0;
   if (chooser.options.length !== state.exercises.length) {
     chooser.replaceChildren(...state.exercises.map(({ name, title, title_ja }) => el("option", { value: name, text: in_language(title, title_ja).replace(/^#+ /, "") })));
@@ -147,10 +146,10 @@ function show(next) {
 
 link.on("said", (said) => said.is === "class" && show(said));
 link.on("lost", () => {
-  told.textContent = T.lost;
+  told.textContent = T.class.lost;
 });
 link.on("open", () => {
   told.textContent = "";
-  document.title = `${T.title} · nezumi`;
+  document.title = `${T.class.title} · nezumi`;
 });
 link.connect();

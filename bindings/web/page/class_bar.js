@@ -1,6 +1,12 @@
 // The bar of a pupil's page in a class: exercise, hints, checks, mark, and what the teacher does.
 import { el } from "./dom.js";
-import { C, in_language, shown_code } from "./class_texts.js";
+import { language, T } from "./texts.js";
+
+/// "abcdef" as people read it.
+export const shown_code = (code) => `${code.slice(0, 3)}-${code.slice(3)}`;
+
+/// The text of an exercise in the page's language.
+export const in_language = (english, japanese) => (language === "ja" && japanese ? japanese : english);
 
 /// Markdown as exercises use it: headings, lists, code, paragraphs, `code` and **words** in lines.
 export function markdown(text) {
@@ -32,19 +38,19 @@ function make_bar({ link, notices }) {
   document.head.append(el("link", { rel: "stylesheet", href: "class.css" }));
   const title = el("b", {});
   const who = el("span", { class: "pupil" });
-  const code = el("span", { class: "code", title: C.bar.code_hint });
+  const code = el("span", { class: "code", title: T.class.bar.code_hint });
   const told = el("span", { class: "told" });
   const mark = el("span", { class: "mark-text" });
-  const frozen = el("span", { class: "frozen", role: "alert", text: C.bar.frozen, hidden: true });
-  const again = el("button", { text: C.bar.again, onclick: () => request("restart") });
+  const frozen = el("span", { class: "frozen", role: "alert", text: T.class.bar.frozen, hidden: true });
+  const again = el("button", { text: T.class.bar.again, onclick: () => request("restart") });
   const why = el("span", {});
   const broken = el("p", { class: "broken", role: "alert", hidden: true }, why, again);
   const check = el("button", { class: "check acts", onclick: () => request("check") });
   const results = el("div", { class: "results" });
   const text = el("div", { class: "task-text" });
   const hints = el("div", { class: "hints" });
-  const open = el("details", { class: "task" }, el("summary", { text: C.bar.exercise }), el("div", { class: "task-sheet" }, text, hints, results));
-  const leave = el("button", { class: "quiet", text: C.bar.leave, title: C.bar.leave_hint, onclick: () => {
+  const open = el("details", { class: "task" }, el("summary", { text: T.class.bar.exercise }), el("div", { class: "task-sheet" }, text, hints, results));
+  const leave = el("button", { class: "quiet", text: T.class.bar.leave, title: T.class.bar.leave_hint, onclick: () => {
     sessionStorage.removeItem("nezumi.token");
     location.assign("/");
   } });
@@ -61,30 +67,30 @@ function make_bar({ link, notices }) {
 
   function show_results({ check: state, checked = [], hidden = { count: 0 } }) {
     check.disabled = state === "waits" || state === "runs";
-    check.textContent = state === "runs" ? C.bar.checking : state === "waits" ? C.bar.waits : C.bar.check;
+    check.textContent = state === "runs" ? T.class.bar.checking : state === "waits" ? T.class.bar.waits : T.class.bar.check;
     const all = checked.length + hidden.count;
     results.replaceChildren(
-      ...(state && !check.disabled ? [el("p", { class: "wrong", text: C.bar.could_not(state) })] : []),
+      ...(state && !check.disabled ? [el("p", { class: "wrong", text: T.class.bar.could_not(state) })] : []),
       all ? el("ul", {}, ...checked.map(({ name, passed }) => el("li", { class: passed ? "passed" : "failed", text: name })),
-        hidden.count ? el("li", { class: hidden.passed === hidden.count ? "passed" : "failed", text: C.bar.hidden(hidden.passed, hidden.count) }) : null)
-        : el("p", { class: "hint", text: C.bar.not_checked }));
+        hidden.count ? el("li", { class: hidden.passed === hidden.count ? "passed" : "failed", text: T.class.bar.hidden(hidden.passed, hidden.count) }) : null)
+        : el("p", { class: "hint", text: T.class.bar.not_checked }));
   }
 
   return (state) => {
     const own = state.role === "pupil";
     const written = in_language(state.text ?? "", state.text_ja ?? "");
     const [first, ...rest] = written.split("\n");
-    title.textContent = own || state.role === "helper" ? first.replace(/^#+ /, "") : C.bar.of(state.name);
-    who.textContent = own ? state.name : state.role === "helper" ? C.bar.of(state.name) : "";
+    title.textContent = own || state.role === "helper" ? first.replace(/^#+ /, "") : T.class.bar.of(state.name);
+    who.textContent = own ? state.name : state.role === "helper" ? T.class.bar.of(state.name) : "";
     code.hidden = !own;
     leave.hidden = !own;
-    if (own) code.textContent = C.bar.code(shown_code(state.code));
-    told.textContent = [own && state.helps && C.bar.helps, own && state.looks && C.bar.looks, own && state.projected && C.bar.projected].filter(Boolean).join(" · ");
-    mark.textContent = state.mark ? C.bar.mark(state.mark) : "";
+    if (own) code.textContent = T.class.bar.code(shown_code(state.code));
+    told.textContent = [own && state.helps && T.class.bar.helps, own && state.looks && T.class.bar.looks, own && state.projected && T.class.bar.projected].filter(Boolean).join(" · ");
+    mark.textContent = state.mark ? T.class.bar.mark(state.mark) : "";
     frozen.hidden = !state.frozen;
     document.body.classList.toggle("frozen", state.frozen && own);
     broken.hidden = !state.broken;
-    why.textContent = C.bar.broken(state.broken);
+    why.textContent = T.class.bar.broken(state.broken);
     check.hidden = open.hidden = state.role === "spectator";
     if (state.role === "spectator") return;
     show_results(state);
@@ -93,9 +99,9 @@ function make_bar({ link, notices }) {
       open.open = own && text_before !== null && text_before !== written;  // a new exercise
       text_before = written;
     }
-    hints.replaceChildren(...(state.hints.length ? [el("h3", { text: C.bar.hints }), ...state.hints.map((hint) => el("p", { text: hint }))] : []),
-      ...(state.comment ? [el("h3", { text: C.bar.comment }), el("p", { class: "comment", text: state.comment })] : []));
-    if (own && hints_before >= 0 && state.hints.length > hints_before) notices.say(C.bar.new_hint(state.hints.at(-1)), "good");
+    hints.replaceChildren(...(state.hints.length ? [el("h3", { text: T.class.bar.hints }), ...state.hints.map((hint) => el("p", { text: hint }))] : []),
+      ...(state.comment ? [el("h3", { text: T.class.bar.comment }), el("p", { class: "comment", text: state.comment })] : []));
+    if (own && hints_before >= 0 && state.hints.length > hints_before) notices.say(T.class.bar.new_hint(state.hints.at(-1)), "good");
     hints_before = state.hints.length;
   };
 }

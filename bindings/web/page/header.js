@@ -1,7 +1,7 @@
 // The bar that is always visible: the system's name, time, and the emergency stop.
 import { ask } from "./ask.js";
 import { at_most_every, el, is_typing, svg } from "./dom.js";
-import { choose_language, language, LANGUAGES, T } from "./texts.js";
+import { make_language_button, T } from "./texts.js";
 import { make_timeline } from "./timeline.js";
 import { make_troubles } from "./troubles.js";
 
@@ -29,13 +29,6 @@ function make_theme_button() {
   dark.addEventListener("change", show);
   show();
   return button;
-}
-
-/// Shows the page in the next language; its name is written in itself.
-function make_language_button() {
-  const all = Object.keys(LANGUAGES);
-  const next = all[(all.indexOf(language) + 1) % all.length];
-  return el("button", { class: "quiet language", lang: next, text: LANGUAGES[next], title: T.language, onclick: () => choose_language(next) });
 }
 
 function make_time({ model, acts }) {

@@ -1,7 +1,7 @@
 // Joins a class by a name, or comes back by a code.
 import { el } from "./dom.js";
 import { Link } from "./link.js";
-import { C } from "./class_texts.js";
+import { make_language_button, T } from "./texts.js";
 
 const link = new Link("join");
 const problem = el("p", { class: "problem", role: "alert", hidden: true });
@@ -13,7 +13,7 @@ const show = (text) => {
 
 async function go(what) {
   const { ok, token, text } = await link.ask({ do: "class", ...what });
-  if (!ok) return show(text || C.join.away);
+  if (!ok) return show(text || T.class.join.away);
   sessionStorage.removeItem("nezumi.token");
   location.assign(`/index.html#${token}`);
 }
@@ -28,10 +28,10 @@ function make_form(label, hint, button, field, key) {
 
 const name = el("input", { type: "text", name: "name", required: true, maxlength: 40, autocomplete: "off" });
 const code = el("input", { type: "text", name: "code", required: true, maxlength: 12, autocomplete: "off", autocapitalize: "none", spellcheck: "false" });
-document.body.append(el("main", { class: "join" }, el("h1", { text: C.join.title }), problem,
-  make_form(C.join.name, C.join.name_hint, C.join.go, name, "name"), el("h2", { text: C.join.or }),
-  make_form(C.join.code, C.join.code_hint, C.join.back, code, "code")));
-link.on("lost", () => show(C.join.away));
+document.body.append(el("main", { class: "join" }, el("h1", { text: T.class.join.title }), problem,
+  make_form(T.class.join.name, T.class.join.name_hint, T.class.join.go, name, "name"), el("h2", { text: T.class.join.or }),
+  make_form(T.class.join.code, T.class.join.code_hint, T.class.join.back, code, "code"), make_language_button()));
+link.on("lost", () => show(T.class.join.away));
 link.on("open", () => show(""));
 link.connect();
 name.focus();

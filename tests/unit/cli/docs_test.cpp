@@ -315,6 +315,8 @@ TEST_CASE("the tutorial in Japanese does what it says", "[cli][docs][wallclock]"
 
 TEST_CASE("the seminar's page in Japanese does what it says", "[cli][docs]") { follow("ja/seminar.md", source_root()); }
 
+TEST_CASE("the class's page in Japanese does what it says", "[cli][docs]") { follow("ja/classroom.md"); }
+
 TEST_CASE("each page in Japanese and its English one lead to each other and have as many commands", "[cli][docs]") {
     std::size_t count = 0;
     for (const auto& entry : fs::directory_iterator(root / "docs/ja")) {
