@@ -295,6 +295,25 @@ class Lessons(ClassCase):
         self.page.until("document.querySelector('.late')?.textContent === 'paused'", "who helps can act")
 
 
+class Japanese(ClassCase):
+    """Who reads Japanese sees the class in Japanese."""
+
+    language = "ja,en"
+
+    def test_the_language_is_that_of_the_browser_until_another_one_is_chosen(self):
+        room = self.begin()
+        page = self.teach(room, self.page)
+        self.assertEqual(page.text("header .stop"), "全員を停止")
+        self.join(room, "花子")
+        self.assertEqual(page.text(".class-bar b"), "壁の手前で止まる")
+        self.assertEqual(page.text(".class-bar .check"), "できたか確かめる")
+        page.driver.get(room.url)
+        page.until("document.querySelector('h1')?.textContent === 'クラスに参加する'", "it asks in Japanese")
+        page.press("English")
+        page.until("document.querySelector('h1')?.textContent === 'Join the class'", "it asks in English")
+        self.assertEqual(page.errors(), [])
+
+
 class Attacks(ClassCase):
     ASKS = """const done = arguments[arguments.length - 1];
         const [token, messages, retries] = arguments;
