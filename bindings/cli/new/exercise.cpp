@@ -21,7 +21,7 @@ constexpr std::string_view exercise_text_ja = R"md(# {0}
 
 マウスは止まっています。`behaviors/driver.lua` を書き換えて、前に走らせましょう。
 
-1. **Editor** で `driver.lua` を開きます。
+1. **エディタ**で `driver.lua` を開きます。
 2. 速度を出力します: `wheels:write {{ vx = 0.1 }}`
 3. Ctrl-S で保存すると、新しいプログラムがすぐに動きます。
 )md";
