@@ -154,7 +154,7 @@ s:check(mouse.truth.pose.position.x > 0.05)
 s:reload(driver, { text = 'function on_execute() end' }) s:check(driver.version == 2)
 -- prints: [   1.000] warn driver: parameter 'speed_x' and its value 0.1 were removed
 -- prints: [   1.000] info behaviors/robot_controller.lua: version 2 runs in driver
--- prints: [   1.000] warn driver.in went; it was not connected
+-- prints: [   1.000] warn driver.in was removed; it was not connected
 -- prints: [   1.000] warn driver.out was removed; it was connected to mouse.target_velocity_in
 
 local mouse = s:robot 'mouse' { model = 'raspimouse', pose = { y = 1 } }

@@ -49,7 +49,7 @@ TEST_CASE("bash completes commands, options, words and files", "[cli][completion
     const Scratch files;
     files.write("room.lua", "");
     CHECK(offered(files, "nezumi ma", 2) == "manual marker maze\n");
-    CHECK(offered(files, "nezumi new \"\"", 3) == "behavior project robot scenario system\n");
+    CHECK(offered(files, "nezumi new \"\"", 3) == "behavior exercise project robot scenario system\n");
     CHECK(offered(files, "nezumi new behaviour --pa", 4) == "--param\n");
     CHECK(offered(files, "nezumi run --he", 3) == "--headless --help\n");
     CHECK(offered(files, "nezumi new -", 3) == "--help -h\n");

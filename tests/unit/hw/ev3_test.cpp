@@ -67,12 +67,14 @@ TEST_CASE("an EV3's motors are at the ports of its robot file", "[hw][ev3]") {
     auto body = Ev3Body::make(spec, roots);
     REQUIRE(body);
     (*body)->set_motor_power(true);
+    std::string written;      // empty while the driver's thread writes it
     const auto turns = [&] {  // after the guard has proved that it can stop them
         (*body)->set_wheel_speeds({.left = -360 * degree * spec.drive.radius, .right = 0});
-        return text_of(folder.path("class/tacho-motor/motor2/command")) == "run-timed";
+        written = text_of(folder.path("class/tacho-motor/motor2/speed_sp"));
+        return text_of(folder.path("class/tacho-motor/motor2/command")) == "run-timed" && !written.empty();
     };
-    CHECK(FakeRobot::wait_until(turns, 2));
-    const double speed = std::stod(text_of(folder.path("class/tacho-motor/motor2/speed_sp")));
+    REQUIRE(FakeRobot::wait_until(turns, 2));
+    const double speed = std::stod(written);
     CHECK(speed < 0);
     CHECK(speed >= -360);
     const auto second = Ev3Body::make(spec, roots);
