@@ -9,9 +9,11 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/base/csv.hpp"
 #include "engine/base/program.hpp"
 #include "engine/base/trimmed.hpp"
 #include "engine/base/whole_file.hpp"
+#include "engine/base/xml_text.hpp"
 
 namespace nezumi::web {
 namespace {
@@ -33,24 +35,7 @@ std::string csv_cell(std::string_view text) {
     std::string cell(!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos ? "'"
                                                                                                                 : "");
     cell += text;
-    if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
-    std::string quoted = "\"";
-    for (const char each : cell) quoted += each == '"' ? "\"\"" : std::string(1, each);
-    return quoted + "\"";
-}
-
-std::string xml_text(std::string_view text) {
-    std::string safe;
-    for (const char each : text) {
-        switch (each) {
-            case '&': safe += "&amp;"; break;
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '"': safe += "&quot;"; break;
-            default: safe += static_cast<unsigned char>(each) < ' ' ? ' ' : each;
-        }
-    }
-    return safe;
+    return csv_field(cell);
 }
 
 std::size_t passed(const std::vector<CheckedScenario>& checked) {
