@@ -294,7 +294,7 @@ void Classroom::check_now(int pupil) {
 }
 
 Expected<Classroom::Json> Classroom::collect() {
-    const std::time_t now = std::time(nullptr);
+    const std::time_t now = std::time(nullptr);  // the wall clock: the folder has the date of the collection
     std::tm local{};
     localtime_r(&now, &local);
     std::array<char, 32> stamp{};

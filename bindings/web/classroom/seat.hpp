@@ -24,7 +24,7 @@ struct CheckedScenario {
 /// The state of a pupil's system, from the messages of its page.
 class SeatView {
 public:
-    using Clock = std::chrono::system_clock;
+    using Clock = std::chrono::system_clock;  // the wall clock: the teacher reads since when an error lasts
 
     /// Takes a text or a frame of a tick.
     void take(const RelayFrame& frame);
