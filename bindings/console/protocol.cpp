@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "engine/base/json_text.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr std::array<std::string_view, 6> request_names{"hello", "eval", "comple
 constexpr std::array<std::string_view, 9> event_names{"answer", "completions", "output", "error", "log",
                                                       "keys",   "status",      "lost",   "bye"};
 
-std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string dump(const Json& json) { return json_text(json) + "\n"; }
 
 // Reads the value of a field, or the default; remembers a value of a wrong type.
 class MessageFields {

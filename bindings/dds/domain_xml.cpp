@@ -3,21 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/xml_text.hpp"
+
 namespace nezumi::dds {
 namespace {
 
 std::string quoted(const std::string& text) {
     std::string all = "\"";
-    for (const char c : text) {
-        switch (c) {
-            case '&': all += "&amp;"; break;
-            case '<': all += "&lt;"; break;
-            case '>': all += "&gt;"; break;
-            case '"': all += "&quot;"; break;
-            case '$': all += "&#36;"; break;  // Cyclone would insert an environment variable there
-            default: all += c;
-        }
-    }
+    // Cyclone would insert an environment variable at a '$'.
+    for (const char c : xml_text(text)) all += c == '$' ? std::string("&#36;") : std::string(1, c);
     return all + "\"";
 }
 

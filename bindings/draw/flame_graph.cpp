@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/json_text.hpp"
+#include "engine/base/xml_text.hpp"
 
 namespace nezumi::draw {
 namespace {
@@ -45,25 +49,6 @@ std::vector<Placed> place(const std::vector<FlameBox>& boxes) {
     return placed;
 }
 
-std::string flame_text(const std::string& text, bool is_xml) {
-    std::string out;
-    for (const char c : text) {
-        if (static_cast<unsigned char>(c) < ' ') {
-            out += ' ';
-        } else if (is_xml && c == '&') {
-            out += "&amp;";
-        } else if (is_xml && c == '<') {
-            out += "&lt;";
-        } else if (!is_xml && (c == '"' || c == '\\')) {
-            out += '\\';
-            out += c;
-        } else {
-            out += c;
-        }
-    }
-    return out;
-}
-
 std::string flame_time(double seconds) {
     return seconds < 1e-3 ? fmt::format("{:.1f} us", seconds * 1e6) : fmt::format("{:.2f} ms", seconds * 1e3);
 }
@@ -80,16 +65,16 @@ std::string flame_svg(const std::vector<FlameBox>& boxes, const std::string& tit
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
         "font-family=\"monospace\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
         "<text x=\"{2}\" y=\"{3}\">{4}</text>\n",
-        flame_width + 2 * flame_margin, height, flame_margin, flame_margin + 12, flame_text(title, true));
+        flame_width + 2 * flame_margin, height, flame_margin, flame_margin + 12, xml_text(title));
     for (const Placed& each : placed) {
         const double wide = flame_width * each.time / all;
         if (wide < least) continue;
         const double x = flame_margin + flame_width * each.from / all,
                      y = height - flame_margin - flame_row * (each.depth + 1);
-        const std::string name = flame_text(boxes[each.box].name, true);
+        const std::string name = xml_text(boxes[each.box].name);
         const auto letters = static_cast<std::size_t>(std::max(0.0, (wide - 6) / letter));
         const std::string& plain = boxes[each.box].name;
-        const std::string shown = letters < 3 ? "" : flame_text(plain.substr(0, letters), true);
+        const std::string shown = letters < 3 ? "" : xml_text(plain.substr(0, letters));
         svg += fmt::format(
             "<g><title>{}: {}, {:.1f} %</title><rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{}\" "
             "fill=\"hsl({},80%,70%)\" stroke=\"white\"/><text x=\"{:.2f}\" y=\"{:.1f}\">{}</text></g>\n",
@@ -103,9 +88,9 @@ std::string flame_json(const std::vector<FlameBox>& boxes) {
     std::string json = "{\"displayTimeUnit\":\"ms\",\"traceEvents\":[";
     bool is_first = true;
     for (const Placed& each : place(boxes)) {
-        json +=
-            fmt::format("{}\n{{\"name\":\"{}\",\"ph\":\"X\",\"pid\":1,\"tid\":1,\"ts\":{:.3f},\"dur\":{:.3f}}}",
-                        is_first ? "" : ",", flame_text(boxes[each.box].name, false), each.from * 1e6, each.time * 1e6);
+        json += fmt::format("{}\n{{\"name\":{},\"ph\":\"X\",\"pid\":1,\"tid\":1,\"ts\":{:.3f},\"dur\":{:.3f}}}",
+                            is_first ? "" : ",", json_text(nlohmann::json(boxes[each.box].name)), each.from * 1e6,
+                            each.time * 1e6);
         is_first = false;
     }
     return json + "\n]}\n";

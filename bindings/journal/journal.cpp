@@ -11,6 +11,7 @@
 #include "bindings/journal/act_json.hpp"
 #include "bindings/journal/files_json.hpp"
 #include "bindings/journal/value_json.hpp"
+#include "engine/base/json_text.hpp"
 
 namespace nezumi {
 namespace {
@@ -19,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 Json at(const ActTime& when) { return Json::array({when.start, when.tick, when.sequence}); }
 
-std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string line(const Json& json) { return json_text(json) + "\n"; }
 
 std::string_view name_of(RunEnd how) {
     constexpr std::string_view names[] = {"duration", "stopped", "error"};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bindings/openrtm/peer_parameters.hpp"
+#include "engine/base/json_text.hpp"
 
 namespace nezumi::openrtm {
 namespace {
@@ -132,7 +133,7 @@ std::string peers_to_json(const PeerAnswer& answer, std::string_view context) {
         }
     }
     json["connections"] = connections_between(by_id);
-    return json.dump(-1, ' ', false, PageJson::error_handler_t::replace);
+    return json_text(json);
 }
 
 }  // namespace nezumi::openrtm

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "engine/base/json_text.hpp"
 #include "engine/base/program.hpp"
 #include "engine/base/trimmed.hpp"
 
@@ -13,8 +14,6 @@ namespace nezumi::web {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string to_text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 Json refused_edit(const Error& error) { return {{"ok", false}, {"text", describe(error)}}; }
 
@@ -122,7 +121,7 @@ std::string Editor::answer_to(std::int64_t id, const EditMessage& message) const
             break;
         }
     }
-    return to_text_of(json);
+    return json_text(json);
 }
 
 }  // namespace nezumi::web

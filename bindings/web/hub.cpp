@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bindings/web/page_directory.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/values/cdr.hpp"
 
@@ -21,8 +22,7 @@ using Json = nlohmann::ordered_json;
 constexpr int unavailable = 503;
 
 std::string refusal(std::int64_t id, std::string_view why) {
-    return Json{{"is", "answer"}, {"id", id}, {"ok", false}, {"text", why}}.dump(-1, ' ', false,
-                                                                                 Json::error_handler_t::replace);
+    return json_text(Json{{"is", "answer"}, {"id", id}, {"ok", false}, {"text", why}});
 }
 
 // The other pages with their addresses: a view-only browser gets view-only addresses.
@@ -291,7 +291,7 @@ Outgoing Hub::read_floor(const std::string& file) {
                     {"component", ""},
                     {"text", "the floor's picture can't be shown: " + nezumi::describe(bytes.error())},
                     {"at", 0}};
-    return {.bytes = line.dump(-1, ' ', false, Json::error_handler_t::replace)};
+    return {.bytes = json_text(line)};
 }
 
 std::optional<Outgoing> Hub::next(ClientId id) {

@@ -13,6 +13,7 @@
 
 #include "bindings/web/edited_files.hpp"
 #include "engine/base/find_files.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/base/program.hpp"
 #include "engine/base/thread.hpp"
 #include "engine/base/trimmed.hpp"
@@ -21,12 +22,10 @@
 namespace nezumi::web {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 // The folder for what failed scenarios leave, as `nezumi test` names it.
 constexpr std::string_view kept_runs = "nezumi-test/";
-
-std::string to_line_of(const nlohmann::ordered_json& json) {
-    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
 
 constexpr double longest_judgement = 120;        // [s]
 constexpr std::size_t largest_plot = 4'000'000;  // [bytes]
@@ -194,7 +193,7 @@ void ScenarioRuns::run(ClientId client, const TestMessage& message) {
         text.resize(text.rfind('\n') + 1);  // whole lines
         if (text.empty()) return;
         sent += text.size();
-        send_(client, to_line_of({{"is", "tests"}, {"text", text}}));
+        send_(client, json_text(Json{{"is", "tests"}, {"text", text}}));
     };
     const auto end = run_watched({.words = std::move(words),
                                   .output = output.file(),
@@ -211,7 +210,7 @@ void ScenarioRuns::run(ClientId client, const TestMessage& message) {
     std::filesystem::remove_all(plots, ignored);
     std::filesystem::remove(plots.parent_path(), ignored);  // if nothing else is in it
     is_running_ = false;
-    send_(client, to_line_of({{"is", "tests"}, {"done", true}, {"problem", problem}, {"plots", drawn}}));
+    send_(client, json_text(Json{{"is", "tests"}, {"done", true}, {"problem", problem}, {"plots", drawn}}));
 }
 
 void ScenarioRuns::open(ClientId client, std::int64_t id, const std::string& folder) {
@@ -277,7 +276,7 @@ void ScenarioRuns::judge(ClientId client, std::int64_t id, const std::string& re
 
 void ScenarioRuns::answer(ClientId client, std::int64_t id, bool ok, const std::string& text,
                           const std::string& content) const {
-    send_(client, to_line_of({{"is", "answer"}, {"id", id}, {"ok", ok}, {"text", text}, {"content", content}}));
+    send_(client, json_text(Json{{"is", "answer"}, {"id", id}, {"ok", ok}, {"text", text}, {"content", content}}));
 }
 
 }  // namespace nezumi::web

@@ -11,6 +11,7 @@
 #include "bindings/web/remembered_json.hpp"
 #include "bindings/web/system_json.hpp"
 #include "bindings/web/types_json.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/project/writable_folder.hpp"
 
@@ -23,14 +24,12 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t most_explained = 64;
 constexpr std::string_view only_real_time = "this works only in simulation: real robots always run in real time";
 
-std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 // The greeting without the browser's own fields and without the opening bracket.
 std::string hello(const RunningSystem& live, const WebOptions& options) {
     const Json json{
         {"version", options.version}, {"real", live.system().settings().real_time}, {"frame", "WebFrame"},
         {"callbacks", hook_names()},  {"conditions", options.conditions},           {"types", types_to_json()}};
-    return dump(json).substr(1);
+    return json_text(json).substr(1);
 }
 
 std::string scheme_of(const SocketOptions& sockets) { return sockets.certificate.empty() ? "http" : "https"; }
@@ -47,7 +46,7 @@ WebServer::WebServer(RunningSystem& live, ClockControl& clock, ConsoleServer& co
       state_reader_(live, clock),
       drives_(live,
               [this](ClientId client, const std::string& port, const std::string& why) {
-                  hub_.send(client, dump({{"is", "drive"}, {"port", port}, {"ok", false}, {"text", why}}));
+                  hub_.send(client, json_text(Json{{"is", "drive"}, {"port", port}, {"ok", false}, {"text", why}}));
               }),
       relay_(consoles,
              [this](ClientId client, std::string_view line) {
@@ -74,7 +73,8 @@ Expected<std::unique_ptr<WebServer>> WebServer::open(RunningSystem& live, ClockC
             wakes.wake();
         },
         [&hub = server->hub_, &wakes = *server->sockets_](const std::string& why) {
-            hub.send_all(dump({{"is", "log"}, {"level", "error"}, {"component", ""}, {"text", why}, {"at", 0}}), true);
+            hub.send_all(
+                json_text(Json{{"is", "log"}, {"level", "error"}, {"component", ""}, {"text", why}, {"at", 0}}), true);
             wakes.wake();
         });
     server->editor_ = std::make_unique<Editor>(
@@ -97,7 +97,7 @@ WebServer::~WebServer() {
     scenarios_.reset();
     editor_.reset();
     pictures_.reset();
-    hub_.end(dump({{"is", "bye"}, {"text", "the run has ended"}}));
+    hub_.end(json_text(Json{{"is", "bye"}, {"text", "the run has ended"}}));
     if (sockets_) sockets_->wake();
 }
 
@@ -163,8 +163,8 @@ void WebServer::deal_with(const Hub::Incoming& incoming) {
     const auto done = perform(id, found->second, message);
     if (const auto* drive = std::get_if<DriveMessage>(&message.body)) {
         if (!done)
-            hub_.send(id,
-                      dump({{"is", "drive"}, {"port", drive->port}, {"ok", false}, {"text", done.error().message}}));
+            hub_.send(id, json_text(Json{
+                              {"is", "drive"}, {"port", drive->port}, {"ok", false}, {"text", done.error().message}}));
         return;
     }
     if (!done) return answer(id, message.id, Unexpected(done.error()));
@@ -172,10 +172,10 @@ void WebServer::deal_with(const Hub::Incoming& incoming) {
 }
 
 void WebServer::answer(ClientId client, std::int64_t id, const Expected<void>& done) {
-    hub_.send(client, dump({{"is", "answer"},
-                            {"id", id},
-                            {"ok", done.has_value()},
-                            {"text", done ? "" : nezumi::describe(done.error())}}));
+    hub_.send(client, json_text(Json{{"is", "answer"},
+                                     {"id", id},
+                                     {"ok", done.has_value()},
+                                     {"text", done ? "" : nezumi::describe(done.error())}}));
 }
 
 // Called before the request is executed, because its effects may be logged too.
@@ -227,7 +227,7 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
     if (const auto* wanted = std::get_if<RememberedMessage>(&message.body)) {
         const auto remembered = remembered_to_json(live_, wanted->branch, wanted->rows);
         if (!remembered) return Unexpected(remembered.error());
-        hub_.send(client, dump(*remembered), true);
+        hub_.send(client, json_text(*remembered), true);
         return Reply::now;
     }
     if (const auto* time = std::get_if<TimeMessage>(&message.body)) {
@@ -310,10 +310,10 @@ void WebServer::explain() {
                               ? live_.explanation(each.component, each.trace)
                               : Expected<std::optional<Explanation>>(failure(each.component + " began anew"));
         if (seen && !*seen) return false;
-        hub_.send(each.client, seen ? dump(explanation_to_json(**seen))
-                                    : dump({{"is", "explain"},
-                                            {"component", each.component},
-                                            {"problem", seen.error().message + ": not explained"}}));
+        hub_.send(each.client, seen ? json_text(explanation_to_json(**seen))
+                                    : json_text(Json{{"is", "explain"},
+                                                     {"component", each.component},
+                                                     {"problem", seen.error().message + ": not explained"}}));
         return true;
     });
 }
@@ -330,7 +330,7 @@ void WebServer::describe_system(Clock::time_point now) {
     starts_ = live_.generation();
     const auto& floor = live_.spec().arena.floor;
     hub_.show_floor(floor && live_.system().world() != nullptr ? floor->image : "");
-    hub_.show(Hub::Slot::system, dump(system_to_json(live_)));
+    hub_.show(Hub::Slot::system, json_text(system_to_json(live_)));
     sockets_->wake();
 }
 
@@ -344,20 +344,20 @@ void WebServer::show(double late, Clock::time_point now) {
 }
 
 void WebServer::log(const LogLine& line) {
-    hub_.log(dump({{"is", "log"},
-                   {"level", to_text(line.level)},
-                   {"component", line.component},
-                   {"text", line.text},
-                   {"at", line.seconds}}));
+    hub_.log(json_text(Json{{"is", "log"},
+                            {"level", to_text(line.level)},
+                            {"component", line.component},
+                            {"text", line.text},
+                            {"at", line.seconds}}));
 }
 
 void WebServer::say(const std::string& text) {
-    hub_.log(dump(
-        {{"is", "log"}, {"level", "info"}, {"component", ""}, {"text", text}, {"at", live_.system().now().seconds}}));
+    hub_.log(json_text(Json{
+        {"is", "log"}, {"level", "info"}, {"component", ""}, {"text", text}, {"at", live_.system().now().seconds}}));
 }
 
 void WebServer::show_status(const std::string& text, bool running) {
-    hub_.show(Hub::Slot::status, dump({{"is", "status"}, {"text", text}, {"running", running}}));
+    hub_.show(Hub::Slot::status, json_text(Json{{"is", "status"}, {"text", text}, {"running", running}}));
 }
 
 }  // namespace nezumi::web

@@ -1,11 +1,22 @@
-// Whether bytes are text that other programs can read.
+// Characters of UTF-8.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 namespace nezumi {
 
-/// True if all of it is valid UTF-8: no overlong forms, no surrogates.
+/// A character and its number of bytes; 0 bytes: invalid (an overlong form, a surrogate, a part of one).
+struct Utf8Character {
+    std::size_t size = 0;
+    std::uint32_t code = 0;
+};
+
+/// The character at `at`, which is within `text`.
+Utf8Character utf8_character(std::string_view text, std::size_t at);
+
+/// True if all of it is valid, so that other programs can read it.
 bool is_utf8(std::string_view text);
 
 }  // namespace nezumi

@@ -73,8 +73,9 @@ Expected<Component*> System::add(std::unique_ptr<Component> component) {
         return failure(fmt::format("the name '{}' is given twice{}", name, first), component->place);
     }
     if (!std::isfinite(component->rate) || component->rate < 0) {
-        return failure(fmt::format("{}: a rate of {} Hz is not a positive number", name, component->rate),
-                       component->place);
+        return failure(
+            fmt::format("{}: expected a rate above 0 Hz, or 0 for the tick's, got {}", name, component->rate),
+            component->place);
     }
     if (component->rate > 0 && component->rate < slowest_rate)
         return failure(

@@ -11,6 +11,7 @@
 
 #include "bindings/web/classroom/check_work.hpp"
 #include "bindings/web/classroom/classroom.hpp"
+#include "engine/base/json_text.hpp"
 #include "engine/base/trimmed.hpp"
 #include "engine/base/whole_file.hpp"
 
@@ -157,10 +158,10 @@ void Classroom::show_states() {
         if (client.role == Role::visitor) {
             state = R"({"is":"class","role":"visitor"})";
         } else if (client.role == Role::teacher) {
-            if (teacher.empty()) teacher = state_for_teacher().dump(-1, ' ', false, Json::error_handler_t::replace);
+            if (teacher.empty()) teacher = json_text(state_for_teacher());
             state = teacher;
         } else {
-            state = state_for_pupil(client).dump(-1, ' ', false, Json::error_handler_t::replace);
+            state = json_text(state_for_pupil(client));
         }
         // A page takes a silent connection for a lost one.
         if (state == client.shown && shown_ - client.shown_at < repeated_every) continue;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "bindings/web/classroom/confinement.hpp"
+#include "engine/base/json_text.hpp"
 
 namespace nezumi::web {
 namespace {
@@ -23,10 +24,6 @@ constexpr std::string_view visitors = "join";
 constexpr std::string_view for_the_class = R"("do":"class")";
 // A frozen pupil may still send these.
 constexpr std::array<std::string_view, 5> while_frozen{"watch", "floor", "stop", "remembered", "systems"};
-
-std::string dump(const nlohmann::ordered_json& json) {
-    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
 
 }  // namespace
 
@@ -281,7 +278,9 @@ void Classroom::closed(ClientId id) {
     clients_.erase(found);
 }
 
-void Classroom::send(Client& client, const Json& json) { client.waiting.push_back({{.bytes = dump(json)}, false}); }
+void Classroom::send(Client& client, const Json& json) {
+    client.waiting.push_back({{.bytes = json_text(json)}, false});
+}
 
 void Classroom::close(Client& client) { client.waiting.push_back({{.closes = true}, false}); }
 

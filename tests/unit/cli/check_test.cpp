@@ -87,5 +87,5 @@ TEST_CASE("texts become JSON whatever bytes they have", "[cli][check]") {
                     "e \xf0\x9f\x90\xad") ==
           "\"gr\xc3\xb6\xc3\x9f"
           "e \xf0\x9f\x90\xad\"");
-    CHECK(json_text("\xff \xc3 \xed\xa0\x80") == R"("\ufffd \ufffd \ufffd\ufffd\ufffd")");
+    CHECK(json_text("\xff \xc3 \xed\xa0\x80") == "\"\ufffd \ufffd \ufffd\ufffd\ufffd\"");
 }

@@ -249,7 +249,7 @@ TEST_CASE("a component can't have a name that is taken, no identifier or a word 
                                    "and no keyword of Lua");
     }
     CHECK(refused("quick", 101) == "quick: a rate of 101 Hz is above the tick's 100 Hz");
-    CHECK(refused("back", -1) == "back: a rate of -1 Hz is not a positive number");
+    CHECK(refused("back", -1) == "back: expected a rate above 0 Hz, or 0 for the tick's, got -1");
     CHECK(refused("same", 100, 7).empty());
     CHECK(refused("same") == "the name 'same' is given twice, first in line 7");
     CHECK(system.components().size() == 2);
