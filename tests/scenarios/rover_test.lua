@@ -55,3 +55,18 @@ scenario("a line that is cut stops the rover by the time-out of its microcontrol
   s:drop("rover_line.wire_out")
   s:eventually("stands", { within = 0.6 }, function() return math.abs(world.rover.truth.velocity.vx) < 0.001 end)
 end)
+
+scenario("an emergency stop brakes the rover through its driver, and then only the safe bytes reach it", { timeout = 10 }, function(s)
+  local world = s:load "systems/rover.lua"
+  s:run(0.2)
+  world.pilot:go(2, 0, 0)
+  s:wait_until("under way", { within = 5 }, function() return world.rover.truth.velocity.vx > 0.15 end)
+  s:stop()
+  s:run(0.05)
+  local speed = tonumber(world.rover_line.wire_out.value:match("^v (%S+) "))
+  s:check(speed > 0 and speed < 0.2, speed) -- it brakes within its limits
+  s:run(1)
+  s:equal(world.rover_line.wire_out.value, "v 0 0")
+  s:check(world.rover_line.wire_out.age > 0.3, "nothing follows the safe bytes")
+  s:check(math.abs(world.rover.truth.velocity.vx) < 0.001)
+end)
