@@ -42,7 +42,7 @@ decltype(Makers::components) device_drivers(const DeviceRoots& roots) {
                                      {"Camera", {{"video", cameras(roots.dev)}}}};
     for (const DeviceKind& kind : device_kinds()) {
         const std::string type(kind.type);
-        all[type][std::string(wired)] = [roots, type](const ComponentEntry& entry, System& system) {
+        all[type][std::string(wired_backend)] = [roots, type](const ComponentEntry& entry, System& system) {
             return make_wired_device(entry, system, [&](const std::string& name, const Parameters& parameters) {
                 return open_wire(type, name, parameters, roots);
             });

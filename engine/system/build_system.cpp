@@ -243,7 +243,7 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
         system->take_network(std::move(*network));
     }
     system->take_foreign_check(foreign_check(makers.peer_words, spec));
-    if (auto wired = connect_script_drivers(*system, spec); !wired) return Unexpected(wired.error());
+    if (auto ok = connect_script_drivers(*system, spec); !ok) return Unexpected(ok.error());
     for (const ConnectionSpec& connection : spec.connections) {
         if (is_left_out(connection.from) || is_left_out(connection.to)) continue;
         const auto made = system->connect(connection.from, connection.to);

@@ -133,7 +133,7 @@ Expected<void> add_script_drivers(SystemSpec& spec) {
             part.type = device.type;
             part.config = device.config;
             part.on = its.name;
-            part.backend = is_real ? wired : simulated;
+            part.backend = is_real ? wired_backend : simulated;
             part.place = device.place;
             parts.emplace_back(std::move(part));
         }

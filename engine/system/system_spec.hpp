@@ -19,7 +19,7 @@ namespace nezumi {
 /// The backend of simulated components, and the default.
 inline constexpr std::string_view simulated = "sim";
 /// The backend of a real device on a wire.
-inline constexpr std::string_view wired = "wired";
+inline constexpr std::string_view wired_backend = "wired";
 
 /// Limits of a robot that a system file changes; the others are those of the model. Units as in `Limits`.
 struct LimitChanges {
