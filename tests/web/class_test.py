@@ -31,11 +31,11 @@ end
 class Class:
     """`nezumi class` with a folder of its own, or of another one."""
 
-    def __init__(self, nezumi, folder=None):
+    def __init__(self, nezumi, folder=None, options=()):
         self.folder = folder or tempfile.mkdtemp(prefix="nezumi-class-")
         self.keeps = folder is not None
         environment = dict(os.environ, XDG_RUNTIME_DIR=self.folder, XDG_STATE_HOME=self.folder)
-        self.process = subprocess.Popen([nezumi, "class", self.folder, "--port", "8865"], cwd=rig.ROOT, env=environment,
+        self.process = subprocess.Popen([nezumi, "class", self.folder, "--port", "8865", *options], cwd=rig.ROOT, env=environment,
                                         stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         said = [self.process.stderr.readline() for _ in range(2)]
         found = [re.search(r"https?://\S+", line) for line in said]
@@ -120,6 +120,39 @@ class ClassCase(rig.PageCase):
             "const tile = [...document.querySelectorAll('.tile')].find((each) => each.dataset.name === arguments[0]);"
             "return [...tile.querySelectorAll('button, a')].find((each) => each.textContent === arguments[1])", name, text)
         button.click()
+
+    ASKS = """const done = arguments[arguments.length - 1];
+        const [token, messages, retries] = arguments;
+        const got = [];
+        const end = Date.now() + 15000;
+        function open() {
+          const socket = new WebSocket(`ws://${location.host}/ws`, ["nezumi", `token.${token}`]);
+          let was_open = false;
+          socket.onopen = () => {
+            was_open = true;
+            messages.forEach((each) => socket.send(JSON.stringify(each)));
+          };
+          socket.onmessage = ({ data }) => {
+            if (typeof data === "string") got.push(JSON.parse(data));
+            if (got.filter((each) => each.is === "answer").length === messages.length) {
+              done({ closed: false, got });
+              socket.close();
+            }
+          };
+          socket.onclose = () => (was_open || !retries || Date.now() > end ? done({ closed: true, got }) : setTimeout(open, 200));
+        }
+        open();
+        setTimeout(() => done({ closed: false, got }), 17000);"""
+
+    def ask(self, token, *messages, retries=True):
+        """Whether a socket with this token was closed, and the answers."""
+        result = self.page.driver.execute_async_script(self.ASKS, token, list(messages), retries)
+        return result["closed"], [each for each in result["got"] if each["is"] == "answer"]
+
+    def joins(self, name):
+        answers = self.ask("join", {"do": "class", "name": name, "id": 1})[1]
+        self.assertTrue(answers and answers[0]["ok"], answers)
+        return answers[0]["token"]
 
 
 class Classroom(ClassCase):
@@ -315,42 +348,9 @@ class Japanese(ClassCase):
 
 
 class Attacks(ClassCase):
-    ASKS = """const done = arguments[arguments.length - 1];
-        const [token, messages, retries] = arguments;
-        const got = [];
-        const end = Date.now() + 15000;
-        function open() {
-          const socket = new WebSocket(`ws://${location.host}/ws`, ["nezumi", `token.${token}`]);
-          let was_open = false;
-          socket.onopen = () => {
-            was_open = true;
-            messages.forEach((each) => socket.send(JSON.stringify(each)));
-          };
-          socket.onmessage = ({ data }) => {
-            if (typeof data === "string") got.push(JSON.parse(data));
-            if (got.filter((each) => each.is === "answer").length === messages.length) {
-              done({ closed: false, got });
-              socket.close();
-            }
-          };
-          socket.onclose = () => (was_open || !retries || Date.now() > end ? done({ closed: true, got }) : setTimeout(open, 200));
-        }
-        open();
-        setTimeout(() => done({ closed: false, got }), 17000);"""
-
-    def ask(self, token, *messages, retries=True):
-        """Whether a socket with this token was closed, and the answers."""
-        result = self.page.driver.execute_async_script(self.ASKS, token, list(messages), retries)
-        return result["closed"], [each for each in result["got"] if each["is"] == "answer"]
-
     def setUp(self):
         self.room = self.begin()
         self.page.driver.get(self.room.url)
-
-    def joins(self, name):
-        answers = self.ask("join", {"do": "class", "name": name, "id": 1})[1]
-        self.assertTrue(answers and answers[0]["ok"], answers)
-        return answers[0]["token"]
 
     def test_codes_cannot_be_guessed(self):
         self.joins("Taro")

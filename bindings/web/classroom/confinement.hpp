@@ -13,6 +13,7 @@ namespace nezumi::web {
 struct Confinement {
     std::filesystem::path work{};                   ///< files and folders below may be read and written
     std::vector<std::filesystem::path> readable{};  ///< files, or folders with all below: may be read and run
+    std::vector<std::filesystem::path> devices{};   ///< folders: devices below may be used, and local sockets
     bool by_kernel = true;                          ///< false: only the bounds below hold
 };
 
