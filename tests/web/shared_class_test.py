@@ -106,9 +106,10 @@ class Shared(SharedCase):
         self.page.until("document.querySelector('.shared-wrong').textContent === 'Your behaviours are not loaded: you have none of the behaviours that run here: controller.lua'",
                         "it is said why")
         pupils_file(room, 1, "this is no Lua\n")
-        self.page.press("Load my behaviours")
         self.go(self.page)
-        self.page.until("[...document.querySelectorAll('.notice, .troubles')].some((each) => each.textContent.includes('controller.lua:1'))", "the error is told")
+        self.page.until("!document.body.classList.contains('view-only')", "the pupil drives here")
+        self.page.press("Load my behaviours")
+        self.page.until("[...document.querySelectorAll('.notice, .troubles, .log')].some((each) => each.textContent.includes('controller.lua:1'))", "the error is told")
         self.page.until("document.body.classList.contains('stopped')", "it is stopped still")
 
     def test_the_teacher_orders_the_queue_sets_the_limit_and_takes_away(self):
@@ -158,9 +159,9 @@ class SharedAttacks(SharedCase):
 
     def test_a_pupil_who_goes_away_gives_up_the_turn_and_the_next_one_drives(self):
         (first, _), (second, _) = self.tokens("Taro", "Hanako")
-        self.ask(first, {"do": "class", "what": "queue", "id": 1})
         page = self.second()
         self.join(self.room, self.room.pupil(2)["code"], page, field="code")
+        self.ask(first, {"do": "class", "what": "queue", "id": 1})
         page.press("Queue to drive")
         self.told(page, "Taro drives")
         self.told(page, "You drive", 40)

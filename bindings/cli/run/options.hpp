@@ -56,8 +56,8 @@ struct RunOptions {
     std::string file;
     bool headless = false;
     bool stopped = false;  ///< begins with an emergency stop
-    bool batch = false;  ///< commands come from standard input; headless as well
-    double speed = 1;    ///< a factor of real time; `as_fast_as_possible` for "max"
+    bool batch = false;    ///< commands come from standard input; headless as well
+    double speed = 1;      ///< a factor of real time; `as_fast_as_possible` for "max"
     double duration = std::numeric_limits<double>::infinity();  ///< [s] of simulated time
     std::optional<std::uint64_t> seed;
     bool keep_going = false;        ///< a behaviour that can't be made is left out

@@ -59,6 +59,8 @@ function make_bar({ link, notices }) {
   const node = el("section", { class: "class-bar" }, title, open, check, code, who, told, mark, frozen, shared.node, leave, broken);
   document.body.querySelector("header").after(node);
   document.body.classList.add("in-class");
+  // Notices do not hide its buttons.
+  new ResizeObserver(() => (notices.node.style.top = `${node.getBoundingClientRect().bottom + 8}px`)).observe(node);
   let hints_before = -1;
   let text_before = null;
 
@@ -85,6 +87,7 @@ function make_bar({ link, notices }) {
     frozen.hidden = !state.frozen;
     if (at_shared) {
       title.textContent = T.class.shared.title(state.shared.name);
+      document.body.classList.toggle("guest", state.role === "guest");
       check.hidden = open.hidden = code.hidden = leave.hidden = broken.hidden = true;
       return;
     }
