@@ -359,14 +359,14 @@ class Attacks(ClassCase):
         self.assertEqual([each["text"] for each in answers],
                          ["there is no such code in this class"] * 5 + ["too many wrong codes: wait a minute"] * 2)
         _, answers = self.ask("join", {"do": "class", "code": code, "id": 1})
-        self.assertFalse(answers[0]["ok"], "also the right one has to wait")
+        self.assertEqual(answers[0]["text"], "too many wrong codes: wait a minute", "also the right one has to wait")
 
     def test_a_visitor_and_a_pupil_cannot_do_what_the_teacher_does(self):
         token = self.joins("Taro")
-        for who in ("join", token):
+        for who, text in (("join", "a name is needed"), (token, "this link can't do that")):
             for what in ("stop", "freeze", "collect", "hint", "mark", "renew", "project", "door"):
                 _, answers = self.ask(who, {"do": "class", "what": what, "pupil": 1, "text": "x", "id": 1})
-                self.assertFalse(answers[0]["ok"], (who, what))
+                self.assertEqual((answers[0]["ok"], answers[0]["text"]), (False, text), what)
         self.assertEqual(self.room.pupil()["mark"], "")
         for wrong in ("", "teacher", "0" * 32):
             self.assertTrue(self.ask(wrong, {"do": "stop", "id": 1}, retries=False)[0], "it is not let in")
@@ -387,10 +387,13 @@ class Attacks(ClassCase):
         files = ["../part2_stop_at_wall/../../../02/work/part2_stop_at_wall/behaviors/mine.lua", os.path.join(self.room.work(2), "behaviors/mine.lua"),
                  "next/behaviors/mine.lua", "../../pupil.json", "/etc/passwd"]
         _, answers = self.ask(first, *[{"do": "edit", "what": "read", "file": file, "id": i} for i, file in enumerate(files, 1)])
-        self.assertEqual([each["ok"] for each in answers], [False] * len(files), answers)
+        outside = "' is not within the project: a name has no empty part, and none that begins with a dot"
+        linked = "next/behaviors/mine.lua: 'next' is not a folder, or is a link, which is not followed"
+        texts = [linked if file.startswith("next") else "'" + file + outside for file in files]
+        self.assertEqual([each["text"] for each in answers], texts)
         self.assertNotIn("secret", json.dumps(answers))
         _, answers = self.ask(first, *[{"do": "edit", "what": "save", "file": file, "text": "x", "mark": "", "id": i} for i, file in enumerate(files, 1)])
-        self.assertEqual([each["ok"] for each in answers], [False] * len(files), answers)
+        self.assertEqual([each["text"] for each in answers], [text + (": nothing was saved" if text == linked else "") for text in texts])
         self.assertNotEqual(first, second)
 
     def test_an_endless_loop_of_one_pupil_leaves_the_others_alone(self):
@@ -417,7 +420,7 @@ class Attacks(ClassCase):
         teacher = self.room.teacher.split("#")[1]
         self.assertTrue(self.ask(teacher, {"do": "class", "what": "renew", "pupil": 1, "id": 1})[1][0]["ok"])
         self.assertTrue(self.ask(token, {"do": "stop", "id": 1}, retries=False)[0], "the old token is refused")
-        self.assertFalse(self.ask("join", {"do": "class", "code": code, "id": 1})[1][0]["ok"])
+        self.assertEqual(self.ask("join", {"do": "class", "code": code, "id": 1})[1][0]["text"], "there is no such code in this class")
 
     def test_a_pupils_processes_are_confined_and_come_last(self):
         self.page.driver.get(self.room.url)

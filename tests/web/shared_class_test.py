@@ -155,7 +155,7 @@ class SharedAttacks(SharedCase):
         self.assertTrue(answers[0]["ok"], "everybody may stop it")
         for token in ("join", link, other):
             _, answers = self.ask(token, {"do": "class", "what": "shared", "go": "end", "id": 1})
-            self.assertFalse(answers[0]["ok"])
+            self.assertEqual(answers[0]["text"], "a name is needed" if token == "join" else "this link can't do that")
 
     def test_a_pupil_who_goes_away_gives_up_the_turn_and_the_next_one_drives(self):
         (first, _), (second, _) = self.tokens("Taro", "Hanako")

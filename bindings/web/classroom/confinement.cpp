@@ -140,7 +140,7 @@ Expected<void> refuse_sockets(bool but_local) {
     return {};
 }
 
-void set_bounds() {
+void set_bounds(bool lowers_priority) {
     const auto at_most = [](auto resource, rlim_t most) {
         rlimit limit{};
         if (getrlimit(resource, &limit) != 0) return;
@@ -153,7 +153,7 @@ void set_bounds() {
     at_most(RLIMIT_NOFILE, most_open_files);
     at_most(RLIMIT_CORE, 0);
     errno = 0;
-    [[maybe_unused]] const int now = nice(lower_priority);
+    [[maybe_unused]] const int now = lowers_priority ? nice(lower_priority) : 0;
 }
 
 }  // namespace
@@ -161,7 +161,7 @@ void set_bounds() {
 bool can_confine() { return version() >= 1; }
 
 Expected<void> confine(const Confinement& confinement) {
-    set_bounds();
+    set_bounds(confinement.devices.empty());  // real robots need regular ticks
     if (!confinement.by_kernel) return {};
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return failure(problem("new privileges can't be refused"));
     if (auto ok = confine_files(confinement); !ok) return ok;

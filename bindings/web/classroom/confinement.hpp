@@ -21,7 +21,7 @@ struct Confinement {
 inline constexpr rlim_t most_memory = rlim_t{512} << 20;        ///< [bytes] that it writes to
 inline constexpr rlim_t longest_pupil_file = rlim_t{64} << 20;  ///< [bytes]
 inline constexpr rlim_t most_open_files = 256;
-/// Added to its niceness: the class and the teacher's programs come first.
+/// Added to its niceness unless it has devices: the class and the teacher's programs come first.
 inline constexpr int lower_priority = 10;
 
 /// Whether this kernel can confine programs (Landlock, Linux 5.13).
