@@ -3,10 +3,12 @@
 
 #include "engine/devices/camera.hpp"
 #include "engine/devices/joystick.hpp"
+#include "engine/devices/wired_device.hpp"
 #include "hw/camera/video_camera.hpp"
 #include "hw/ev3/ev3_body.hpp"
 #include "hw/gamepad/evdev_gamepad.hpp"
 #include "hw/raspimouse/mouse_body.hpp"
+#include "hw/wire/wire_link.hpp"
 
 namespace nezumi::hw {
 namespace {
@@ -36,7 +38,17 @@ ByBackend<BodyMaker> drivers(const DeviceRoots& roots) {
 }
 
 decltype(Makers::components) device_drivers(const DeviceRoots& roots) {
-    return {{"Joystick", {{"gamepad", gamepads(roots.dev)}}}, {"Camera", {{"video", cameras(roots.dev)}}}};
+    decltype(Makers::components) all{{"Joystick", {{"gamepad", gamepads(roots.dev)}}},
+                                     {"Camera", {{"video", cameras(roots.dev)}}}};
+    for (const DeviceKind& kind : device_kinds()) {
+        const std::string type(kind.type);
+        all[type][std::string(wired)] = [roots, type](const ComponentEntry& entry, System& system) {
+            return make_wired_device(entry, system, [&](const std::string& name, const Parameters& parameters) {
+                return open_wire(type, name, parameters, roots);
+            });
+        };
+    }
+    return all;
 }
 
 }  // namespace nezumi::hw

@@ -14,6 +14,7 @@
 #include "engine/base/whole_file.hpp"
 #include "engine/system/network.hpp"
 #include "engine/system/peer_word.hpp"
+#include "engine/system/script_drivers.hpp"
 
 namespace nezumi {
 namespace {
@@ -125,6 +126,7 @@ Expected<PresentSystem> present_system(const RunningSystem& live) {
     spec.connections.insert(spec.connections.end(), foreign.begin(), foreign.end());
     leave_out_missing(spec);
     leave_out_twins(spec);
+    leave_out_script_drivers(spec);
     for (Entry& entry : spec.entries) {
         const auto done = std::visit(
             [&](auto& each) {

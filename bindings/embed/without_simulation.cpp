@@ -6,6 +6,7 @@
 #include "bindings/embed/simulation.hpp"
 #include "bindings/lua/reload/lua_host.hpp"
 #include "engine/devices/joystick.hpp"
+#include "engine/devices/wired_device.hpp"
 
 namespace nezumi {
 namespace {
@@ -19,13 +20,15 @@ Expected<std::unique_ptr<Component>> refuse(const ComponentEntry& entry, System&
 }  // namespace
 
 LiveOptions simulated_systems(std::vector<std::filesystem::path> installed) {
-    return {.scripts = &lua_scripts(),
-            .installed = std::move(installed),
-            .components = {{"Camera", {{"sim", refuse}}},
-                           {"ColorDetector", {{"sim", refuse}}},
-                           {"Joystick", {{"sim", make_joystick}}},
-                           {"LineDetector", {{"sim", refuse}}},
-                           {"MarkerDetector", {{"sim", refuse}}}}};
+    LiveOptions live{.scripts = &lua_scripts(),
+                     .installed = std::move(installed),
+                     .components = {{"Camera", {{"sim", refuse}}},
+                                    {"ColorDetector", {{"sim", refuse}}},
+                                    {"Joystick", {{"sim", make_joystick}}},
+                                    {"LineDetector", {{"sim", refuse}}},
+                                    {"MarkerDetector", {{"sim", refuse}}}}};
+    add_simulated_devices(live.components);
+    return live;
 }
 
 void keep_sounds(LiveOptions& /*live*/, const std::string& /*folder*/) {}

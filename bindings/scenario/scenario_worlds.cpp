@@ -11,6 +11,7 @@
 #include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_run.hpp"
 #include "engine/records/read_record.hpp"
+#include "engine/system/script_drivers.hpp"
 
 namespace nezumi {
 namespace {
@@ -244,6 +245,7 @@ Expected<void> ScenarioRun::load(const std::string& name, const Expected<Value>&
                                   .peer_words = file_.peer_words()});
     if (!spec) return Unexpected(spec.error());
     if (auto ok = change_robots(*spec, *options, theirs, place); !ok) return ok;
+    if (auto ok = add_script_drivers(*spec); !ok) return ok;
     merge(*spec, before);
     Described next;
     next.project = std::make_unique<Project>(file_.project().root().empty() ? theirs : file_.project());

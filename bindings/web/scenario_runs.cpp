@@ -28,7 +28,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kept_runs = "nezumi-test/";
 
 constexpr double longest_judgement = 120;        // [s]
-constexpr std::size_t largest_plot = 4'000'000;  // [bytes]
+constexpr std::size_t largest_plot = 4'000'000, largest_coverage = 2'000'000;  // [bytes]
 
 // With two cores one is left for the system that runs.
 std::string number_of_jobs() { return std::to_string(std::max(1U, std::thread::hardware_concurrency() / 2)); }
@@ -178,10 +178,10 @@ void ScenarioRuns::run(ClientId client, const TestMessage& message) {
     std::vector<std::string> words{
         "nice", "-n", "10", program_, "test", "--project", project_.string(), "--tap", "--jobs", number_of_jobs()};
     // Not the folder of a failed run: those do not begin with a dot.
-    const std::filesystem::path plots = project_ / kept_runs / ".plots";
+    const std::filesystem::path plots = project_ / kept_runs / ".plots", covered = project_ / kept_runs / ".coverage";
     std::error_code ignored;
-    std::filesystem::remove_all(plots, ignored);
-    words.insert(words.end(), {"--plots", plots.string()});
+    for (const auto& folder : {plots, covered}) std::filesystem::remove_all(folder, ignored);
+    words.insert(words.end(), {"--plots", plots.string(), "--coverage", covered.string()});
     if (!message.name.empty()) words.push_back("--filter=" + message.name);
     if (!message.file.empty()) words.push_back(message.file);
     const UnnamedFile output;
@@ -207,10 +207,13 @@ void ScenarioRuns::run(ClientId client, const TestMessage& message) {
         if (problem.empty()) problem = stops_ ? "stopped" : problem_of(end);
     }
     const auto drawn = plots_in(plots);
-    std::filesystem::remove_all(plots, ignored);
+    const std::string coverage = read_whole(covered / "lcov.info", "the coverage", largest_coverage).value_or("");
+    for (const auto& folder : {plots, covered}) std::filesystem::remove_all(folder, ignored);
     std::filesystem::remove(plots.parent_path(), ignored);  // if nothing else is in it
     is_running_ = false;
-    send_(client, json_text(Json{{"is", "tests"}, {"done", true}, {"problem", problem}, {"plots", drawn}}));
+    send_(client,
+          json_text(Json{
+              {"is", "tests"}, {"done", true}, {"problem", problem}, {"plots", drawn}, {"coverage", coverage}}));
 }
 
 void ScenarioRuns::open(ClientId client, std::int64_t id, const std::string& folder) {

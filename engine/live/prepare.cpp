@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "engine/system/script_drivers.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -48,6 +50,9 @@ Expected<SystemSpec> read_spec(const std::filesystem::path& file, const Project&
                                               .peer_words = options.peer_words});
     if (spec && options.prepare) {
         if (auto ok = options.prepare(*spec); !ok) return Unexpected(ok.error());
+    }
+    if (spec) {
+        if (auto ok = add_script_drivers(*spec); !ok) return Unexpected(ok.error());
     }
     if (spec) {
         if (auto ok = options.scripts->apply(options.values, *spec, project, options.peer_words); !ok)

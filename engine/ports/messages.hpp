@@ -242,6 +242,7 @@ inline constexpr std::tuple compiled_messages{
     CompiledMessage<std::vector<float>>{"TimedFloatSeq", "a sequence of 32-bit numbers"},
     CompiledMessage<std::vector<double>>{"TimedDoubleSeq", "a sequence of 64-bit numbers"},
     CompiledMessage<std::vector<std::string>>{"TimedStringSeq", "a sequence of texts"},
+    CompiledMessage<Octets>{"TimedOctetSeq", "bytes, in Lua a string"},
     CompiledMessage<Velocity2D>{"TimedVelocity2D", "a velocity in the robot's own frame"},
     CompiledMessage<Pose2D>{"TimedPose2D", "a place and heading on the floor"},
     CompiledMessage<Pose3D>{"TimedPose3D", "a place and orientation in space"},

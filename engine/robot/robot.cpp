@@ -38,6 +38,17 @@ void Robot::take_body(std::unique_ptr<RobotBody> body) {
     powered_ = has_body() && !is_real();
 }
 
+void Robot::take_scripted_body(std::unique_ptr<RobotBody> simulated) {
+    auto body = std::make_unique<ScriptedBody>(spec_, ScriptedBody::Ports{in_ports_, out_ports_}, std::move(simulated));
+    scripted_ = body.get();
+    take_body(std::move(body));
+}
+
+void Robot::forget(const Component& gone) {
+    if (twin_ != nullptr) twin_->forget(gone);
+    if (scripted_ != nullptr) scripted_->forget(gone);
+}
+
 Expected<void> Robot::follow(const Robot& real, const World& world) {
     if (find_port("error") != nullptr)
         return failure("a twin has an out-port 'error', and its model has a port of this name already");

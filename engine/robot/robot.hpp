@@ -11,6 +11,7 @@
 #include "engine/components/component.hpp"
 #include "engine/robot/actuators.hpp"
 #include "engine/robot/odometry.hpp"
+#include "engine/robot/scripted_body.hpp"
 #include "engine/robot/twin.hpp"
 #include "engine/robot/velocity_guard.hpp"
 #include "engine/world/world.hpp"
@@ -26,6 +27,13 @@ public:
     /// Sets its body; once, before the first tick.
     void take_body(std::unique_ptr<RobotBody> body);
 
+    /// Makes the ports of a driver that is a behaviour, and sets a body that uses them; once, before the first tick.
+    /// `simulated`: its body in the world; null: it is real.
+    void take_scripted_body(std::unique_ptr<RobotBody> simulated);
+    /// Null if its driver is no behaviour.
+    ScriptedBody* scripted_body() { return scripted_; }
+    const ScriptedBody* scripted_body() const { return scripted_; }
+
     /// Sets the start of its odometry.
     void set_odometry(const Pose2D& pose) { odometry_.start_at(pose); }
 
@@ -36,10 +44,11 @@ public:
     bool is_twin() const { return twin_ != nullptr; }
     const Robot* real() const { return twin_ != nullptr ? twin_->real() : nullptr; }
     /// A component that will be destroyed.
-    void forget(const Component& gone) {
-        if (twin_ != nullptr) twin_->forget(gone);
-    }
+    void forget(const Component& gone);
 
+    /// Whether its motors have power: those of a real robot from its activation until it stands after an emergency
+    /// stop, a deactivation or an error.
+    bool has_power() const { return powered_; }
     bool has_body() const { return body_ != nullptr; }
     /// Its id in the world; `not_simulated` for a real robot.
     RobotId id() const { return body_->id(); }
@@ -146,6 +155,7 @@ private:
 
     const RobotSpec& spec_;
     std::unique_ptr<RobotBody> body_;
+    ScriptedBody* scripted_ = nullptr;         // body_, if it is one
     std::span<const SensorReading> readings_;  // of body_
     VelocityGuard guard_;
     Odometry odometry_;

@@ -9,6 +9,7 @@
 #include "engine/base/schedule.hpp"
 #include "engine/system/peer_word.hpp"
 #include "engine/system/robot_limits.hpp"
+#include "engine/system/script_drivers.hpp"
 
 namespace nezumi {
 namespace {
@@ -38,7 +39,7 @@ std::vector<std::string_view> keys_of(const Map& map) {
 // A robot that names its model's driver is simulated in a run that has no drivers.
 RobotEntry as_run(RobotEntry entry, const SystemSpec& spec, const Makers& makers) {
     const auto model = spec.models.find(entry.described_by());
-    const bool is_its_driver = model != spec.models.end() && model->second.hardware.driver == entry.backend;
+    const bool is_its_driver = model != spec.models.end() && model->second.hardware.backend() == entry.backend;
     if (is_its_driver && makers.bodies.empty()) entry.backend.clear();
     return entry;
 }
@@ -52,6 +53,7 @@ Body add_body(System& system, const RobotEntry& entry, const SystemSpec& spec, c
     const auto model = spec.models.find(entry.described_by());
     if (model == spec.models.end()) return refuse(no_such("model", entry.model, keys_of(spec.models)));
     const std::string_view backend = backend_of(entry.backend);
+    if (backend == scripted && !entry.driver.empty()) return nullptr;
     if (backend == simulated) {
         if (system.world() == nullptr) return refuse("there is no simulated world to put it in");
         return system.world()->add_robot(entry.name, model->second, entry.pose);
@@ -87,7 +89,11 @@ Expected<Component*> add_robot(System& system, const RobotEntry& entry, const Sy
         static_cast<void>(system.remove(entry.name));
         return at(entry.place, body.error());
     }
-    made->take_body(std::move(*body));
+    if (entry.driver.empty()) {
+        made->take_body(std::move(*body));
+    } else {
+        made->take_scripted_body(std::move(*body));
+    }
     if (entry.odometry_at_pose) made->set_odometry(entry.pose);
     if (const std::string lowered = lowered_limits(entry, model->second.drive); !lowered.empty())
         system.log(LogLevel::warn, describe({fmt::format("robot '{}': {}", entry.name, lowered), entry.place}));
@@ -237,6 +243,7 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
         system->take_network(std::move(*network));
     }
     system->take_foreign_check(foreign_check(makers.peer_words, spec));
+    if (auto wired = connect_script_drivers(*system, spec); !wired) return Unexpected(wired.error());
     for (const ConnectionSpec& connection : spec.connections) {
         if (is_left_out(connection.from) || is_left_out(connection.to)) continue;
         const auto made = system->connect(connection.from, connection.to);

@@ -139,11 +139,13 @@ public:
     /// Robots obey new commands again. An error if nothing was stopped, or while a robot still moves.
     Expected<void> rearm();
     bool is_stopped() const { return stopped_; }
+    const Wiring& wiring() const { return wiring_; }
 
     /// One tick.
     void tick();
     /// At rest only devices run in a tick, and robots brake and stand. Used to pause real robots.
     void set_at_rest(bool at_rest);
+    bool is_at_rest() const { return at_rest_; }
     /// The time of the next tick, which is the present time for conditions and the console.
     const Time& now() const { return now_; }
     /// The time of the last tick; before the first, as `now`.

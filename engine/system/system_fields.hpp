@@ -36,6 +36,7 @@ struct Describe<RobotEntry> {
         Internal{&RobotEntry::description},
         Internal{&RobotEntry::changes},
         Internal{&RobotEntry::twin_of},
+        Internal{&RobotEntry::driver},
     };
 };
 

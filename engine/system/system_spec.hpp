@@ -18,6 +18,8 @@ namespace nezumi {
 
 /// The backend of simulated components, and the default.
 inline constexpr std::string_view simulated = "sim";
+/// The backend of a real device on a wire.
+inline constexpr std::string_view wired = "wired";
 
 /// Limits of a robot that a system file changes; the others are those of the model. Units as in `Limits`.
 struct LimitChanges {
@@ -39,6 +41,7 @@ struct RobotEntry {
     std::string description;  ///< key of `SystemSpec::models` of this robot's own; "": `model`
     std::string changes;      ///< the fields of a robot file that differ from its model, as the text of a table
     std::string twin_of;      ///< the real robot before it that this one is the twin of; "": none
+    std::string driver{};     ///< the behaviour after it that drives it (`add_script_drivers`); "": none
 
     /// The key of its description in `SystemSpec::models`.
     const std::string& described_by() const { return description.empty() ? model : description; }

@@ -302,7 +302,27 @@ struct Describe<HardwareSpec> {
     static constexpr std::string_view name = "hardware";
     static constexpr std::string_view doc = "How `nezumi run --hw` reaches the real robot.";
     static constexpr std::tuple fields{
-        Setting{"driver", &HardwareSpec::driver, "", "\"raspimouse\" or \"ev3\"", {.required = true}},
+        Setting{"driver",
+                &HardwareSpec::driver,
+                "",
+                "\"raspimouse\" or \"ev3\"",
+                {.fallback = "required without `script`"}},
+        Setting{"script",
+                &HardwareSpec::script,
+                "",
+                "instead of `driver`: a behaviour that drives the robot through its devices",
+                {.fallback = "none"}},
+        Extra{"devices",
+              "table<string, Device>",
+              "",
+              "of a `script`, by name: `{ line = serial { ... } }`",
+              {.by_hand = true, .fallback = "none"}},
+        Setting{
+            "device_model",
+            &HardwareSpec::device_model,
+            "",
+            "with `script`: a behaviour that stands for the devices in simulation, so that the driver runs there too",
+            {.fallback = "the simulated robot has no driver"}},
         Setting{"start",
                 &HardwareSpec::start,
                 "",
@@ -313,6 +333,9 @@ struct Describe<HardwareSpec> {
                 "",
                 "a sensor of kind `button`: held for 3 s it ends the run and shuts the robot's computer down",
                 {.fallback = "none does"}},
+        Internal{&HardwareSpec::script_file},
+        Internal{&HardwareSpec::device_model_file},
+        Internal{&HardwareSpec::devices},
     };
 };
 
@@ -354,7 +377,11 @@ struct Describe<RobotSpec> {
         Setting{"sensors", &RobotSpec::sensors, "", "by name", {.by_hand = true}},
         Setting{"actuators", &RobotSpec::actuators, "", "by name", {.by_hand = true}},
         Setting{"ports", &RobotSpec::ports, "", "by name", {.by_hand = true}},
-        Setting{"hardware", &RobotSpec::hardware, "", "the real robot's driver", {.fallback = "only simulated"}},
+        Setting{"hardware",
+                &RobotSpec::hardware,
+                "",
+                "the real robot's driver",
+                {.by_hand = true, .fallback = "only simulated"}},
         Internal{&RobotSpec::model},
         Internal{&RobotSpec::place},
     };

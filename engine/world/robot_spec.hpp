@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/base/error.hpp"
+#include "engine/components/parameter.hpp"
 #include "engine/ports/messages.hpp"
 
 namespace nezumi {
@@ -176,11 +177,30 @@ struct PortSpec {
     std::string doc;
 };
 
+/// A device that the script of a robot's driver speaks to: `line = serial { ... }`.
+struct DeviceSpec {
+    std::string name;
+    std::string type;        ///< of the component that is made of it: "Serial"
+    ParameterValues config;  ///< of this component
+    Place place;
+};
+
+/// The backend of a real robot whose driver is a script.
+inline constexpr std::string_view scripted = "script";
+
 /// The connection to the real robot.
 struct HardwareSpec {
-    std::string driver;    ///< key of `Makers::bodies`; "": there is no real one
+    std::string driver;               ///< key of `Makers::bodies`; "": there is none in C++
+    std::string script;               ///< the behaviour that drives it instead; "": none
+    std::string script_file{};        ///< where it was found
+    std::string device_model{};       ///< the behaviour that stands for its devices in simulation; "": none
+    std::string device_model_file{};  ///< where it was found
+    std::vector<DeviceSpec> devices{};
     std::string start;     ///< the button that starts a run with the real robot; "": none, it drives at once
     std::string shutdown;  ///< the button whose long press ends the run and shuts the computer down; "": none
+
+    /// The backend of the real robot; "": there is none.
+    std::string_view backend() const { return script.empty() ? std::string_view(driver) : scripted; }
 };
 
 /// A robot model. Frame and units as in `BodySpec`.

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "hw/guard/guard_setup.hpp"
+
 namespace nezumi::hw {
 
 /// How a guard proves, without writing, that it could write to a node (docs/hardware.md describes it for each driver).
@@ -52,14 +54,6 @@ struct GuardAnswer {
 
 /// Time [s] that the guard waits for a beat, and that a proof is valid.
 inline constexpr double beat_timeout = 0.2;
-
-/// The command line of a process, in its memory.
-struct ProcessWords {
-    char* begin = nullptr;  ///< null: not found
-    std::size_t size = 0;
-
-    static ProcessWords of_this();
-};
 
 /// The guard's main function, until its engine has ended; never returns. `socket` leads to the engine, the process
 /// `engine`, whose command line was `words`. `lease` is kept open. Allocates nothing, because the engine's other

@@ -2,7 +2,7 @@
 --- What behaviours, systems and scenarios of nezumi are made of, for the Lua language server.
 --- Written by `nezumi types --lua`; do not edit.
 
----@alias MessageType "TimedBoolean"|"TimedShort"|"TimedLong"|"TimedFloat"|"TimedDouble"|"TimedString"|"TimedBooleanSeq"|"TimedShortSeq"|"TimedLongSeq"|"TimedFloatSeq"|"TimedDoubleSeq"|"TimedStringSeq"|"TimedVelocity2D"|"TimedPose2D"|"TimedPose3D"|"RangeData"|"CameraImage"|"CameraIntrinsics"|"SeenMarkerSeq"
+---@alias MessageType "TimedBoolean"|"TimedShort"|"TimedLong"|"TimedFloat"|"TimedDouble"|"TimedString"|"TimedBooleanSeq"|"TimedShortSeq"|"TimedLongSeq"|"TimedFloatSeq"|"TimedDoubleSeq"|"TimedStringSeq"|"TimedOctetSeq"|"TimedVelocity2D"|"TimedPose2D"|"TimedPose3D"|"RangeData"|"CameraImage"|"CameraIntrinsics"|"SeenMarkerSeq"
 
 ---@class (exact) Velocity2D
 ---@field vx number [m/s] speed along the robot's x axis (forward)
@@ -347,6 +347,20 @@
 ---@class (exact) TimedStringSeq.OutOptions
 ---@field safe? string[] written when the component stops
 
+---An in-port of TimedOctetSeq: bytes, in Lua a string.
+---@class TimedOctetSeq.In : InPort
+---@field read fun(self: TimedOctetSeq.In): string
+
+---An out-port of TimedOctetSeq: bytes, in Lua a string.
+---@class TimedOctetSeq.Out : OutPort
+---@field write fun(self: TimedOctetSeq.Out, value: string)
+
+---@class (exact) TimedOctetSeq.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) TimedOctetSeq.OutOptions
+---@field safe? string written when the component stops
+
 ---An in-port of TimedVelocity2D: a velocity in the robot's own frame.
 ---@class TimedVelocity2D.In : InPort
 ---@field read fun(self: TimedVelocity2D.In): Velocity2D
@@ -458,6 +472,7 @@
 ---@overload fun(name: string, type: "TimedFloatSeq", doc?: string, options?: TimedFloatSeq.InOptions): TimedFloatSeq.In
 ---@overload fun(name: string, type: "TimedDoubleSeq", doc?: string, options?: TimedDoubleSeq.InOptions): TimedDoubleSeq.In
 ---@overload fun(name: string, type: "TimedStringSeq", doc?: string, options?: TimedStringSeq.InOptions): TimedStringSeq.In
+---@overload fun(name: string, type: "TimedOctetSeq", doc?: string, options?: TimedOctetSeq.InOptions): TimedOctetSeq.In
 ---@overload fun(name: string, type: "TimedVelocity2D", doc?: string, options?: TimedVelocity2D.InOptions): TimedVelocity2D.In
 ---@overload fun(name: string, type: "TimedPose2D", doc?: string, options?: TimedPose2D.InOptions): TimedPose2D.In
 ---@overload fun(name: string, type: "TimedPose3D", doc?: string, options?: TimedPose3D.InOptions): TimedPose3D.In
@@ -480,6 +495,7 @@ function input(name, type, doc, options) end
 ---@overload fun(name: string, type: "TimedFloatSeq", doc?: string, options?: TimedFloatSeq.OutOptions): TimedFloatSeq.Out
 ---@overload fun(name: string, type: "TimedDoubleSeq", doc?: string, options?: TimedDoubleSeq.OutOptions): TimedDoubleSeq.Out
 ---@overload fun(name: string, type: "TimedStringSeq", doc?: string, options?: TimedStringSeq.OutOptions): TimedStringSeq.Out
+---@overload fun(name: string, type: "TimedOctetSeq", doc?: string, options?: TimedOctetSeq.OutOptions): TimedOctetSeq.Out
 ---@overload fun(name: string, type: "TimedVelocity2D", doc?: string, options?: TimedVelocity2D.OutOptions): TimedVelocity2D.Out
 ---@overload fun(name: string, type: "TimedPose2D", doc?: string, options?: TimedPose2D.OutOptions): TimedPose2D.Out
 ---@overload fun(name: string, type: "TimedPose3D", doc?: string, options?: TimedPose3D.OutOptions): TimedPose3D.Out
@@ -724,6 +740,9 @@ function output(name, type, doc, options) end
 
 ---@class (exact) HardwareFields
 ---@field driver? string "raspimouse" or "ev3"
+---@field script? string instead of `driver`: a behaviour that drives the robot through its devices
+---@field devices? table<string, Device> of a `script`, by name: `{ line = serial { ... } }`
+---@field device_model? string with `script`: a behaviour that stands for the devices in simulation, so that the driver runs there too
 ---@field start? string a sensor of kind `button`: the run waits until it is pressed
 ---@field shutdown? string a sensor of kind `button`: held for 3 s it ends the run and shuts the robot's computer down
 
@@ -1029,6 +1048,36 @@ function seed(n) end
 ---@param fields RobotModelFields
 ---@return table
 function robot_model(fields) end
+
+---@class Device
+
+---@class (exact) SerialFields
+---@field path? string the device, such as /dev/ttyACM0
+---@field vendor? string instead of `path`: the USB vendor's number, such as "2341"
+---@field serial_number? string with `vendor`: the device's own serial number
+---@field baud? integer [Bd] bits a second
+---@field ends? string the end of each line, such as "\n": ports are TimedString then
+---@field terminator? string instead of `ends`: the last bytes of each frame
+---@field length? integer instead of `ends`: bytes of each frame
+---@field cobs? boolean instead of `ends`: frames are encoded by COBS and end with 0
+---@field safe? string|false the bytes that stop what the device moves: sent at every kind of stop, and when the engine dies; at most 255
+
+---A device of a robot whose driver is a script.
+---@param fields SerialFields
+---@return Device
+function serial(fields) end
+
+---@class (exact) UdpFields
+---@field host? string the device's address, such as "192.168.4.1"
+---@field port? integer the device's port
+---@field local_port? integer the own port; 0: any
+---@field ends? string the end of each datagram's text: ports are TimedString then
+---@field safe? string|false the bytes that stop what the device moves: sent at every kind of stop, and when the engine dies; at most 255
+
+---A device of a robot whose driver is a script.
+---@param fields UdpFields
+---@return Device
+function udp(fields) end
 
 ---A port as seen from outside: reading it here does not consume messages.
 ---@class Port

@@ -64,6 +64,23 @@ class Scenarios(rig.PageCase):
         page.until("document.querySelector('.editor .tools h2')?.textContent === 'bad_test.lua'", "the scenario is open in the editor")
         self.assertEqual(page.errors(), [])
 
+    def test_lines_that_no_scenario_ran_are_marked_in_the_editor(self):
+        system = self.begin(good=GOOD)
+        page = self.page
+        with open(os.path.join(system.folder, "behaviors", "keeper.lua"), "w") as out:
+            out.write(KEEPER + "function on_deactivated()\n  out:write {}\nend\nfunction on_reset()\n  state.n = 0\nend\n")
+        with open(os.path.join(system.folder, "tests", "keeper_test.lua"), "w") as out:
+            out.write('scenario("keeps", function(s)\n  s:behavior "keeper" { script = "keeper" }\n  s:run(1)\nend)\n')
+        page.until("document.querySelectorAll('.scenario').length > 0", "they are listed")
+        page.press("Run all")
+        page.until("/^\\d+ passed/.test(document.querySelector('.scenarios .tools .hint').textContent)", "they have run", 60)
+        page.view("editor")
+        page.js("[...document.querySelectorAll('.files button, .desk button')].find((each) => each.textContent.includes('keeper.lua')).click()")
+        marked = ("const text = document.querySelector('.CodeMirror')?.CodeMirror; const lines = [];"
+                  "text?.eachLine((line) => { if (line.gutterMarkers?.['gutter-coverage']) lines.push(text.getLineNumber(line) + 1); }); return lines")
+        rig.wait_until(lambda: page.js(marked) == [4, 7], "the lines are marked: %s" % page.js(marked), 10)
+        self.assertEqual(page.errors(), [])
+
     def test_one_scenario_is_run_alone(self):
         self.begin(good=GOOD, bad=BAD)
         page = self.page

@@ -25,6 +25,7 @@
 #include "bindings/scenario/scenario_file.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/system/peer_word.hpp"
+#include "engine/system/script_drivers.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -117,6 +118,7 @@ std::vector<Error> check_system(const std::string& text, const std::string& show
     makers.components = options.components;
     makers.peer_words = options.peer_words;
     makers.network = dds::make_checked_networks();
+    if (auto ok = add_script_drivers(*spec); !ok) return {ok.error()};
     if (!makers.world) leave_out_bodies(*spec, makers);
     std::vector<Error> errors;
     const auto add = [&errors](Error error) {

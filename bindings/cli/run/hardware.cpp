@@ -59,7 +59,7 @@ Expected<bool> choose(RobotEntry& robot, const SystemSpec& spec, const std::vect
     if (free && !*free && robot.backend != simulated) robot.backend.clear();  // its driver was not requested
     if (!free || !*free || !robot.backend.empty()) return free;
     const auto model = spec.models.find(robot.described_by());
-    robot.backend = model == spec.models.end() ? "" : model->second.hardware.driver;
+    robot.backend = model == spec.models.end() ? "" : model->second.hardware.backend();
     if (!robot.backend.empty()) return true;
     return failure(fmt::format("robot '{}': its model '{}' names no driver: add hardware = {{ driver = ... }} to the "
                                "model, or keep the robot simulated by backend = \"sim\"",

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "engine/base/names.hpp"
+#include "engine/devices/wired_device.hpp"
 #include "engine/records/read_record.hpp"
 #include "engine/robot/robot.hpp"
 #include "engine/tree/member.hpp"
@@ -182,6 +183,61 @@ void check_hardware(FieldCheck& check, const RobotSpec& spec, const std::vector<
     }
 }
 
+// `line = serial { ... }`. `safe = false` says that the device only measures.
+DeviceSpec read_device(const std::string& name, Fields& device) {
+    DeviceSpec spec;
+    spec.name = name;
+    spec.place = device.check().place_of(device.path());
+    std::vector<std::string_view> words;
+    for (const DeviceKind& kind : device_kinds()) words.push_back(kind.word);
+    std::size_t index = 0;
+    if (!device.choice("kind", index, words)) {
+        device.require("kind", fmt::format("{} {{ ... }}", fmt::join(words, ", ")));
+        for (const auto& [field, value] : device.all()) device.field(field);
+        return spec;
+    }
+    const DeviceKind& kind = device_kinds()[index];
+    spec.type = kind.type;
+    for (const ParameterSpec& parameter : kind.parameters) {
+        const Value* given = parameter.name == "measures_only" ? nullptr : device.field(parameter.name);
+        if (given == nullptr) continue;
+        const bool* truth = given->get_if<bool>();
+        if (parameter.name == "safe" && truth != nullptr && !*truth) {
+            spec.config.insert_or_assign("measures_only", true);
+            continue;
+        }
+        auto value = to_parameter(*given);
+        if (value) value = check_value(parameter, *value);
+        if (value) {
+            spec.config.insert_or_assign(parameter.name, std::move(*value));
+        } else {
+            device.check().wrong_at(device.path_of(parameter.name), value.error().message);
+        }
+    }
+    return spec;
+}
+
+void read_hardware(Fields hardware, RobotSpec& robot, const RobotFileHelp& help) {
+    HardwareSpec& spec = robot.hardware;
+    FieldCheck& check = hardware.check();
+    read_record(hardware, spec);
+    for_each_named(hardware, "devices",
+                   [&](const std::string& name, Fields& entry) { spec.devices.push_back(read_device(name, entry)); });
+    hardware.done();
+    if (spec.driver.empty() == spec.script.empty())
+        check.explain(hardware.path_of(spec.driver.empty() ? "driver" : "script"),
+                      "expected either a driver of nezumi or a script, a behaviour that drives the robot");
+    if (spec.script.empty() && !(spec.devices.empty() && spec.device_model.empty()))
+        check.explain(hardware.path_of("devices"), "devices and device_model belong to a script");
+    const auto find = [&](const char* field, const std::string& name, std::string& file) {
+        if (name.empty() || !help.find_script) return;
+        const auto found = help.find_script(hardware.path_of(field), name);
+        found ? static_cast<void>(file = *found) : check.wrong_at(hardware.path_of(field), found.error().message);
+    };
+    find("script", spec.script, spec.script_file);
+    find("device_model", spec.device_model, spec.device_model_file);
+}
+
 // The robot itself knows which type a port can have. Each port is checked separately, so that each error has its place.
 void check_ports(FieldCheck& check, const RobotSpec& spec) {
     RobotSpec one = spec;
@@ -209,6 +265,7 @@ RobotSpec read_robot_fields(FieldCheck& check, const Value& value, const RobotFi
     if (fields.has("drive")) spec.drive = read_drive(fields.inner("drive"));
     spec.body = fields.has("body") ? read_body(fields.inner("body")) : body_over(spec.drive.track);
     if (spec.drive.skid == 0) spec.drive.skid = 0.4 * spec.body.size.x;
+    if (fields.has("hardware")) read_hardware(fields.inner("hardware"), spec, help);
     for_each_named(fields, "sensors", [&](const std::string& name, Fields& entry) {
         spec.sensors.push_back(read_sensor_fields(name, entry, spec.body, help));
     });

@@ -20,6 +20,8 @@ struct RobotFileHelp {
     std::function<Expected<std::vector<double>>(const FieldPath& path, const std::vector<double>& distances)> call;
     /// The names of all drivers of real robots; empty: unknown, so every name is accepted.
     std::vector<std::string> drivers = {};
+    /// The file of the behaviour with this name, which is searched beside the file that names it at this path.
+    std::function<Expected<std::string>(const FieldPath& path, const std::string& name)> find_script = {};
 };
 
 /// The number of samples of a response function.

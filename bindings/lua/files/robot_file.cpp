@@ -10,10 +10,12 @@
 
 #include "bindings/lua/files/data_file.hpp"
 #include "bindings/lua/files/file_value.hpp"
+#include "bindings/lua/files/find_script.hpp"
 #include "bindings/lua/files/merge_value.hpp"
 #include "bindings/lua/files/robot_fields.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "engine/devices/wired_device.hpp"
 
 namespace nezumi {
 namespace {
@@ -55,7 +57,7 @@ public:
         if (!file) return Unexpected(file.error());
         file_ = std::move(*file);
         shown_ = shown;
-        if (auto ran = file_->run(text, shown, {{"robot_model", robot_model, this}}); !ran) return ran;
+        if (auto ran = file_->run(text, shown, globals()); !ran) return ran;
         if (!spec_ || lua_touserdata(file_->lua(), -1) != &model_mark)
             return failure("a robot file ends with `return robot_model { ... }`", {shown});
         spec_->model = fs::path(shown).stem().string();
@@ -88,7 +90,10 @@ public:
                 return failure("a function must be in a robot file: write one with base = ..., or give a 'table'");
             return call(path, distances);
         };
-        RobotSpec spec = read_robot_fields(check, whole, {table, call_at});
+        RobotSpec spec =
+            read_robot_fields(check, whole, {table, call_at, {}, [&](const FieldPath& path, const std::string& name) {
+                                                 return find_script(path, name);
+                                             }});
         spec.model = spec_->model;
         spec.place = spec_->place;
         return spec;
@@ -104,6 +109,23 @@ private:
         bridge(lua, [&] { return layer.read(lua); });
         lua_pushlightuserdata(lua, const_cast<char*>(&model_mark));
         return 1;
+    }
+
+    // `serial { ... }`: the table itself, with its kind.
+    static int device(lua_State* lua) {
+        const auto index = static_cast<std::size_t>(lua_tointeger(lua, lua_upvalueindex(2)));
+        const std::string_view word = device_kinds()[index - 1].word;
+        luaL_checktype(lua, 1, LUA_TTABLE);
+        lua_settop(lua, 1);
+        lua_pushlstring(lua, word.data(), word.size());
+        lua_setfield(lua, 1, "kind");
+        return 1;
+    }
+
+    std::vector<DataFile::Global> globals() {
+        std::vector<DataFile::Global> all{{"robot_model", robot_model, this}};
+        for (const DeviceKind& kind : device_kinds()) all.push_back({kind.word, device, this});
+        return all;
     }
 
     // Raises no Lua error.
@@ -125,7 +147,8 @@ private:
         RobotSpec spec = read_robot_fields(
             check, whole_,
             {[&](const FieldPath& path, const std::string& name) { return read_table(path, name); },
-             [&](const FieldPath& path, const std::vector<double>& d) { return call(path, d); }, drivers_});
+             [&](const FieldPath& path, const std::vector<double>& d) { return call(path, d); }, drivers_,
+             [&](const FieldPath& path, const std::string& name) { return find_script(path, name); }});
         if (auto ok = check.result(); !ok) return Unexpected(file_->fail(ok.error()));
         spec.place = place;
         spec_ = std::move(spec);
@@ -161,6 +184,12 @@ private:
     // The last file that sets this field: tables are searched beside it, and functions are in its Lua state.
     Layer& owner_of(const FieldPath& path) {
         return base_ == nullptr || value_at(own_, path) != nullptr ? *this : base_->owner_of(path);
+    }
+
+    Expected<std::string> find_script(const FieldPath& path, const std::string& name) {
+        auto found = nezumi::find_script(project_, name, owner_of(path).shown_);
+        if (!found) return Unexpected(found.error());
+        return project_.shown(*found);
     }
 
     using Points = Expected<std::vector<ResponseTable::Point>>;

@@ -37,6 +37,15 @@ std::string list_of(const std::vector<std::string>& names) {
     return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + shown, ", "), names.size() - shown);
 }
 
+// The robot that this behaviour drives and that does not stand; null if there is none.
+const Robot* robot_that_it_moves(const System& system, const Component& component) {
+    for (const Robot* robot : system.robots()) {
+        const ScriptedBody* body = robot->scripted_body();
+        if (body != nullptr && body->needs(component) && !robot->stands()) return robot;
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 std::vector<ScriptComponent*> Reloader::scripts() const {
@@ -157,6 +166,13 @@ Expected<ActResult> Reloader::commit(PreparedReload& loaded, const Project& proj
     std::vector<Change> changes;
     for (std::size_t i = 0; i < prepared.next.size(); ++i) {
         ScriptComponent& component = *dynamic_cast<ScriptComponent*>(system_.find(prepared.next[i].name));
+        if (const Robot* robot = robot_that_it_moves(system_, component)) {
+            return Unexpected(
+                still_running(Error{fmt::format("{} drives '{}', which moves: reload it while the robot stands",
+                                                component.name(), robot->name()),
+                                    {}},
+                              component.version()));
+        }
         ScriptComponent::Loading& loading = prepared.next[i].loading;
         loading.context.find_module = modules_of(project);
         loading.context.find_message = messages_of(project);

@@ -12,6 +12,7 @@
 #include "bindings/lua/stubs/member_table.hpp"
 #include "bindings/lua/stubs/record_annotations.hpp"
 #include "engine/base/lua_text.hpp"
+#include "engine/devices/wired_device.hpp"
 #include "engine/messages/message_fields.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/world/robot_fields.hpp"
@@ -20,7 +21,7 @@ namespace nezumi {
 namespace {
 
 // Values that scripts read are complete; in values that they write, fields may be omitted.
-enum class Use { read, write };
+enum class Purpose { read, write };
 
 // "sensor_msgs/Imu" is the class sensor_msgs.Imu.
 std::string class_name(std::string name) {
@@ -28,7 +29,7 @@ std::string class_name(std::string name) {
     return name;
 }
 
-std::string lua_type_of(const Type& type, Use use) {
+std::string lua_type_of(const Type& type, Purpose use) {
     if (type.element != nullptr) {
         const std::string element = lua_type_of(*type.element, use);
         return (element.find('|') != std::string::npos ? "(" + element + ")" : element) + "[]";
@@ -43,7 +44,7 @@ std::string lua_type_of(const Type& type, Use use) {
         case Type::Kind::boolean: return "boolean";
         case Type::Kind::text:
         case Type::Kind::octets: return "string";
-        case Type::Kind::structure: return class_name(type.name) + (use == Use::write ? ".Written" : "");
+        case Type::Kind::structure: return class_name(type.name) + (use == Purpose::write ? ".Written" : "");
         default: return "number";
     }
 }
@@ -64,10 +65,10 @@ void add_structure(std::string& text, const Type& type, std::set<std::string_vie
     if (type.element != nullptr) return add_structure(text, *type.element, done);
     if (type.kind != Type::Kind::structure || !done.insert(type.name).second) return;
     for (const Type::Field& field : type.fields) add_structure(text, *field.type, done);
-    for (const Use use : {Use::read, Use::write}) {
-        text += fmt::format("---@class (exact) {}{}\n", class_name(type.name), use == Use::write ? ".Written" : "");
+    for (const Purpose use : {Purpose::read, Purpose::write}) {
+        text += fmt::format("---@class (exact) {}{}\n", class_name(type.name), use == Purpose::write ? ".Written" : "");
         for (const Type::Field& field : type.fields) {
-            text += fmt::format("---@field {}{} {}{}\n", field.name, use == Use::write ? "?" : "",
+            text += fmt::format("---@field {}{} {}{}\n", field.name, use == Purpose::write ? "?" : "",
                                 lua_type_of(*field.type, use), remark(field));
         }
         text += "\n";
@@ -89,7 +90,7 @@ void add_ports(std::string& text, const MessageType& message) {
         "---@class {0}.Out : OutPort\n"
         "---@field write fun(self: {0}.Out, value: {4})\n\n",
         class_name(message.name), message.doc, limits(message.payload->single()),
-        lua_type_of(*message.payload, Use::read), lua_type_of(*message.payload, Use::write));
+        lua_type_of(*message.payload, Purpose::read), lua_type_of(*message.payload, Purpose::write));
 }
 
 // `input` or `output` with an overload for each type, so that the port has its type's class.
@@ -102,6 +103,25 @@ void add_word(std::string& text, std::string_view word, std::string_view suffix,
             message->name, suffix, class_name(message->name));
     }
     text += fmt::format("function {}(name, type, doc, options) end\n\n", word);
+}
+
+// `serial { ... }` and the like, in robot files.
+std::string device_annotations() {
+    std::string text = "---@class Device\n\n";
+    for (const DeviceKind& kind : device_kinds()) {
+        text += fmt::format("---@class (exact) {}Fields\n", kind.type);
+        for (const ParameterSpec& each : kind.parameters) {
+            if (each.name == "measures_only") continue;
+            text += fmt::format("---@field {}? {}{}{} {}\n", each.name, type_text(each.initial),
+                                each.name == "safe" ? "|false" : "",
+                                each.unit.empty() ? "" : fmt::format(" [{}]", each.unit), each.doc);
+        }
+        text += fmt::format(
+            "\n---A device of a robot whose driver is a script.\n---@param fields {}Fields\n---@return Device\n"
+            "function {}(fields) end\n\n",
+            kind.type, kind.word);
+    }
+    return text;
 }
 
 }  // namespace
@@ -133,7 +153,7 @@ std::string annotations(const std::vector<RecordShape>& more, const PeerWords& p
         add_ports(text, *message);
         RecordShape options = shape_of_record<PortDeclaration>();
         for (FieldRow& row : options.rows) {
-            if (row.name == "safe") row.type = lua_type_of(*message->payload, Use::write);
+            if (row.name == "safe") row.type = lua_type_of(*message->payload, Purpose::write);
         }
         for (const std::string_view kind : Describe<PortDeclaration>::kinds) {
             text += annotation(
@@ -161,6 +181,7 @@ std::string annotations(const std::vector<RecordShape>& more, const PeerWords& p
         system_word_annotations(peers, false);
     text += fmt::format("---{}\n---@param fields {}\n---@return table\nfunction {}(fields) end\n\n",
                         Describe<RobotSpec>::doc, class_of(Describe<RobotSpec>::name), Describe<RobotSpec>::name);
+    text += device_annotations();
     text += "---A port as seen from outside: reading it here does not consume messages.\n---@class Port\n";
     for (const MemberInfo& member : port_members()) text += annotation(member);
     text += "\n---@class Component\n";

@@ -4,6 +4,7 @@ import { el } from "./dom.js";
 import { make_breaks } from "./editor_breaks.js";
 import { show_difference } from "./editor_diff.js";
 import { drafts, Files } from "./editor_files.js";
+import { make_coverage } from "./editor_coverage.js";
 import { make_findings } from "./editor_findings.js";
 import { make_help } from "./editor_help.js";
 import { make_list, make_sheet } from "./editor_parts.js";
@@ -32,7 +33,7 @@ class Editor {
     this.sheet = make_sheet(this.sheet_node);
     this.list = make_list((file) => this.open(file));
     this.text = CodeMirror(this.place, {
-      mode: "lua", lineNumbers: true, indentUnit: 2, tabSize: 2, matchBrackets: true, gutters: ["gutter-breaks", "gutter-ran", "CodeMirror-linenumbers", "gutter-findings"],
+      mode: "lua", lineNumbers: true, indentUnit: 2, tabSize: 2, matchBrackets: true, gutters: ["gutter-breaks", "gutter-ran", "gutter-coverage", "CodeMirror-linenumbers", "gutter-findings"],
       readOnly: true, screenReaderLabel: T.editor.text, inputStyle: matchMedia("(pointer: coarse)").matches ? "contenteditable" : "textarea",
       extraKeys: { "Ctrl-S": () => this.save(), "Cmd-S": () => this.save(), "Ctrl-/": "toggleComment", "Shift-Tab": "indentLess",
         Tab: (text) => (this.leaves ? this.#leave() : text.somethingSelected() ? text.indentSelection("add") : text.replaceSelection("  ", "end")),
@@ -47,6 +48,7 @@ class Editor {
     this.help = make_help(this, parts);
     this.values = make_values(this, parts);
     this.breaks = make_breaks(this, parts);
+    this.coverage = make_coverage(this, parts);
     addEventListener("beforeunload", (event) => this.#docs.size > 0 && [...this.#docs.keys()].some((file) => this.is_changed(file)) && event.preventDefault());
     addEventListener("focus", () => this.look_again());
     parts.model.on("system", (before) => this.#take_system(before));
@@ -144,6 +146,7 @@ class Editor {
     this.findings.look(0);
     this.values.opened();
     this.breaks.opened();
+    this.coverage.opened();
   }
 
   #update() {

@@ -23,6 +23,7 @@ export class Model extends Emitter {
   markers = [];
   rays = [];    // of each robot, by index
   floor = null;  // the address of the floor's picture, after it was received
+  coverage = new Map();  // of the latest run of scenarios: path of a file to Map of line to the number of runs
   looked = null;  // { time }: robots and things are shown where they were then
   values = new Map();  // of watched ports and members: { value, tm, at, count }
   #present = { robots: [], things: [] };  // poses while others are shown

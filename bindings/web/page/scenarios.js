@@ -1,7 +1,7 @@
 // The scenarios of the project: a list, runs beside the system, results with margins, and the failed ones to open.
 import { el } from "./dom.js";
 import { make_judge } from "./judge.js";
-import { read_report } from "./tap.js";
+import { read_coverage, read_report } from "./tap.js";
 import { T } from "./texts.js";
 
 const SIGNS = { passed: "✔", failed: "✖", runs: "…", skipped: "–", "": "·" };
@@ -90,12 +90,14 @@ export function make_scenarios(parts) {
     for (const each of those) results.set(key(each), { state: "runs" });
     show();
   };
-  model.on("tests", ({ text = "", done = false, problem = "", plots: drawn = {} }) => {
+  model.on("tests", ({ text = "", done = false, problem = "", plots: drawn = {}, coverage = "" }) => {
     report += text;
     for (const each of read_report(report)) results.set(key(each), each);
     if (done) {
       is_running = false;
       show_plots(drawn);
+      model.coverage = read_coverage(coverage);
+      model.emit("covered");
       for (const [name, { state }] of results) if (state === "runs") results.delete(name);
       if (problem && problem !== "stopped") notices.say(problem.split("\n")[0], "error");
     }

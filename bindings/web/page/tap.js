@@ -1,4 +1,4 @@
-// Reads what `nezumi test --tap` writes, also while it is not complete.
+// Reads what `nezumi test` writes: its report (--tap), also while it is not complete, and its coverage.
 
 /// [{ file, name, state, message, lines, folder }, ...]: `lines` are the margins of a passed run, or the details of a failed
 /// one; `folder` keeps a failed run.
@@ -22,6 +22,18 @@ export function read_report(text) {
     } else if (line.startsWith("# ")) last.lines.push(line.slice(2));
   }
   return results;
+}
+
+/// Reads an lcov file of `nezumi test --coverage`: file to Map of line to the number of runs.
+export function read_coverage(text) {
+  const files = new Map();
+  let lines = new Map();
+  for (const row of text.split("\n")) {
+    const [, file, line, runs] = /^(?:SF:(.*)|DA:(\d+),(\d+))$/.exec(row) ?? [];
+    if (file) files.set(file, lines = files.get(file) ?? new Map());
+    else if (line) lines.set(Number(line), (lines.get(Number(line)) ?? 0) + Number(runs));
+  }
+  return files;
 }
 
 function unquoted(text) {

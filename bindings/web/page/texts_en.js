@@ -162,6 +162,7 @@ export const EN = {
     not_here: (file) => `${file} is not a file of this project.`,
     complete: "Complete", snippet: "snippet: Tab goes through its places", complete_hint: "Offer names (Ctrl-Space)", no_doc: "Nothing is known about this name.",
     values: "Values", values_of: "Behaviour", values_hint: "Show the values of each line while it runs", ran: "this line has run",
+    missed: "No scenario runs this line", missed_lines: (count) => `The scenarios left out ${count} ${count === 1 ? "line" : "lines"}.`,
     break_here: "Time pauses after a tick that runs this line", break_at: (line) => `Time pauses after a tick that runs line ${line}.`,
     no_break: (line) => `Time no longer pauses at line ${line}.`, stopped: (line) => `Line ${line} ran: time is paused.`,
   },

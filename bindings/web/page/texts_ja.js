@@ -162,6 +162,7 @@ export const JA = {
     not_here: (file) => `${file} は、このプロジェクトのファイルではありません。`,
     complete: "補完", snippet: "ひな形: Tab で次の場所へ", complete_hint: "名前の候補を出す (Ctrl-Space)", no_doc: "この名前の説明はありません。",
     values: "値", values_of: "ふるまい", values_hint: "動いている間、各行の値を表示する", ran: "この行は実行されました",
+    missed: "この行はどのシナリオでも実行されませんでした", missed_lines: (count) => `シナリオで実行されなかった行が ${count} 行あります。`,
     break_here: "この行を実行したティックの後で、時間を止めます", break_at: (line) => `${line} 行目を実行したティックの後で、時間を止めます。`,
     no_break: (line) => `${line} 行目では、もう時間を止めません。`, stopped: (line) => `${line} 行目が実行されたので、時間を止めました。`,
   },

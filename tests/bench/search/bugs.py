@@ -1,12 +1,24 @@
 """Twelve seeded bugs of shipped behaviours, and scenarios that pass without them: (name, file, original, bug, scenario).
 
-SEARCH stands for `search = N` or `samples = N`. Each scenario draws values in whose corner the bug shows."""
+SEARCH stands for `search = N` or `samples = N`. Each scenario draws values of which few show the bug: between 0.5 and 8 %
+of 100 to 300 random draws failed with it (of the threshold: none), and none without it."""
 
 STOP = """scenario("it", { SEARCH, timeout = 100, sweep = { %s } }, function(s, p)
   local world = s:load("systems/stop_at_wall.lua")
   %s
   s:never("touches the wall", function() return world.mouse.collided end)
   s:run(%s)
+end)
+"""
+
+EDGE = """scenario("it", { SEARCH, sweep = { y = range(-1.03, 1.03), speed = range(0.05, 0.3) } }, function(s, p)
+  s:arena { s:box { at = { 0.5, p.y, 0.15 }, size = { 0.1, 2, 0.3 } } }
+  local mouse = s:robot "mouse" { model = "raspimouse" }
+  s:behavior "controller" { script = "robot_controller", config = { speed_x = p.speed } }
+  s:connect("mouse.ir_sensor_out", "controller.in")
+  s:connect("controller.out", "mouse.target_velocity_in")
+  s:never("touches the wall", function() return mouse.collided end)
+  s:run(0.5 / p.speed)
 end)
 """
 
@@ -26,7 +38,7 @@ end)
 
 WALL = """scenario("it", { SEARCH, sweep = { y = range(0.3, 0.5), heading = range(-0.6, 0.6) } }, function(s, p)
   local world = s:load "systems/wall_follower.lua"
-  local gust = s:any("gust", { at = range(0, 20), vx = range(-0.2, 0.2), va = range(-2, 2) })
+  local gust = s:any("gust", { at = range(0, 20), vx = range(-0.1, 0.1), va = range(-1.5, 1.5) })
   s:teleport("mouse", { x = -0.2, y = p.y, heading = p.heading })
   s:never("touches a wall", function() return world.mouse.collided end)
   s:run(gust.at)
@@ -35,10 +47,10 @@ WALL = """scenario("it", { SEARCH, sweep = { y = range(0.3, 0.5), heading = rang
 end)
 """
 
-LINE = """scenario("it", { SEARCH, sweep = { speed = range(0.05, 0.2) } }, function(s, p)
+LINE = """scenario("it", { SEARCH, sweep = { speed = range(0.05, 0.13) } }, function(s, p)
   local world = s:load "systems/line_follower.lua"
   world.follower.config.speed = p.speed
-  local gust = s:any("gust", { at = range(1, 15), va = range(-3, 3) })
+  local gust = s:any("gust", { at = range(1, 15), va = range(-1, 1) })
   s:always("stays near the line", function()
     local at = world.ev3.truth.pose.position
     return math.abs(at.x) < 0.75 and math.abs(at.y) < 0.5
@@ -60,12 +72,13 @@ SEARCHING = """scenario("it", { SEARCH, sweep = { speed = range(0.05, 0.3), head
 end)
 """
 
-WAY = """scenario("it", { SEARCH, sweep = { x = range(0.9, 1.4), y = range(-0.8, 0.8) } }, function(s, p)
+WAY = """scenario("it", { SEARCH, sweep = { x = range(1.0, 1.4), y = range(-0.5, 0.5) } }, function(s, p)
   local world = s:load "systems/way_finder.lua"
   world.finder.config.goal = { p.x, p.y }
+  s:never("touches a wall", function() return world.mouse.collided end)
   s:eventually("is there", { within = 40 }, function()
     local at = world.mouse.truth.pose.position
-    return math.abs(at.x - p.x) < 0.1 and math.abs(at.y - p.y) < 0.1
+    return math.abs(at.x - p.x) < 0.12 and math.abs(at.y - p.y) < 0.12
   end)
 end)
 """
@@ -74,26 +87,28 @@ SPEED = "speed = range(0, 0.5), heading = range(-0.3, 0.3)"
 SET = 's:teleport("mouse", { heading = p.heading }); world.controller.config.speed_x = p.speed'
 
 BUGS = [
-    ("does not stop when slow", "robot_controller.lua", "config.speed_x > 0 and", "config.speed_x > 0.01 and",
+    ("does not stop when slow", "robot_controller.lua", "config.speed_x > 0 and", "config.speed_x > 0.02 and",
      STOP % (SPEED, SET, "p.speed > 0 and math.min(90, 1 / p.speed) or 1")),
     ("stops later when fast", "robot_controller.lua", "if value > config.stop_d then",
      "if value > config.stop_d * (1 + 150 * config.speed_x ^ 4) then", STOP % (SPEED, SET, "15")),
-    ("ignores the front right sensor", "robot_controller.lua", "for _, value in ipairs(range:read()) do",
-     "for i, value in ipairs(range:read()) do if i == 1 then value = 0 end",
-     STOP % ("speed = range(0.05, 0.3), heading = range(-0.7, 0.7)", SET, "15")),
+    ("is blind on its right", "robot_controller.lua", "for _, value in ipairs(range:read()) do",
+     "for i, value in ipairs(range:read()) do if i <= 2 then value = 0 end",
+     EDGE),
     ("a threshold that a set value overrides", "robot_controller.lua", "if value > config.stop_d then",
      "if value > config.stop_d and config.speed_r < 0.55 then",
      STOP % ("speed = range(0.1, 0.3), turn = range(-0.6, 0.6), heading = range(-0.5, 0.5)",
              SET + "; world.controller.config.speed_r = p.turn", "8")),
     ("heading error is not wrapped", "go_to_goal.lua", "max = 3, angle = true", "max = 3",
-     GOAL % ("-1, 1", "20", "")),
+     GOAL % ("-3, 3", "7.5", "")),
     ("never turns to negative headings", "go_to_goal.lua", "turn_to(state.goal.heading,",
      "turn_to(math.max(0, state.goal.heading),", GOAL % ("-0.1, 3", "20", "")),
-    ("slows down too late", "go_to_goal.lua", "2 * distance)", "2 * distance + 0.02 * math.abs(bearing))",
-     GOAL % ("-1, 1", "12", "")),
-    ("sees only to the left ahead", "wall_follower.lua", "math.min(seen[1], seen[4])", "seen[4]", WALL),
-    ("turns away too slowly", "wall_follower.lua", "va = -TURN", "va = -TURN / 2", WALL),
-    ("steers too little", "line_follower.lua", "min = -2, max = 2", "min = -2, max = 1.2", LINE),
-    ("backs away too shortly", "search.lua", "wait(0.5)", "wait(0.15)", SEARCHING),
-    ("takes echoes that are none", "way_finder.lua", "distance < REACH", "distance < REACH + 0.04", WAY),
+    ("turns right too slowly", "go_to_goal.lua", "min = -3, max", "min = -0.5, max",
+     GOAL % ("-3, 3", "12", "")),
+    ("drives on while it turns away", "wall_follower.lua", "target:write { va = -TURN }",
+     "target:write { vx = config.speed, va = -TURN }", WALL),
+    ("turns away too late", "wall_follower.lua", "< config.turn_at", "< config.turn_at / 2", WALL),
+    ("steers too little", "line_follower.lua", "min = -2, max = 2", "min = -2, max = 0.45", LINE),
+    ("looks ahead only", "search.lua", "for _, value in ipairs(near:read()) do",
+     "for i, value in ipairs(near:read()) do if i == 2 or i == 3 then value = 0 end", SEARCHING),
+    ("plans too rarely", "way_finder.lua", "EVERY = 0.3", "EVERY = 1", WAY),
 ]

@@ -36,6 +36,18 @@ hardware = { driver = 'x', start = 'gu' }
 sensors = { eye = { kind = 'range' } }, hardware = { driver = 'x', start = 'eye' }
 --                                                                 ^ error: robot_model: field 'hardware.start' expected a button, but there is no button 'eye'
 
+--- The message names what is wrong with a driver that is a script, and with its devices.
+hardware = { start = 'go' }  -- error at column 1: robot_model: field 'hardware.driver': expected either a driver of nezumi or a script, a behaviour that drives the robot
+
+hardware = { driver = 'x', devices = { line = serial { path = '/dev/ttyACM0' } } }
+--                         ^ error: robot_model: field 'hardware.devices': devices and device_model belong to a script
+
+hardware = { script = 'robot_controller', devices = { line = serial { boud = 9600 } } }
+--                                                    ^ error: robot_model: unknown field 'hardware.devices.line.boud' (did you mean 'baud'?)
+
+hardware = { script = 'robot_controller', devices = { line = serial { baud = 1 } } }
+--                                                    ^ error: robot_model: parameter 'baud' (integer): 1 is below its minimum 50
+
 --- The message about a value of the wrong type names its field of the robot.
 return robot_model { mass = 0, body = { size = { 1, 1, 1 } }, drive = { radius = 1, track = 1 } }
 --                   ^ error: robot_model: field 'mass' expected a positive number, got 0

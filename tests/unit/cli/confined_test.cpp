@@ -101,6 +101,8 @@ TEST_CASE("a confined system reaches no host and no device", "[cli][class]") {
     const std::string mine = neighbours.path("pupils/01").string();
     const Outcome hardware = run_nezumi({"confined", mine, "--", "run", mine + "/behaviors/systems/mine.lua", "--hw"});
     CHECK(hardware.status == 2);
+    CHECK(hardware.error.find("confined: real robots and devices can't be reached from here: leave out --hw") !=
+          std::string::npos);
 }
 
 TEST_CASE("a confined program writes only in its folder, and not more than its bounds", "[cli][class]") {

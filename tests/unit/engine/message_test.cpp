@@ -26,13 +26,13 @@ std::vector<std::string> leaves_of(const ValueView& value) {
 
 }  // namespace
 
-TEST_CASE("the message types are the seventeen of OpenRTM-aist, by their names, and two of our own",
+TEST_CASE("the message types are the eighteen of OpenRTM-aist, by their names, and two of our own",
           "[engine][message]") {
     const std::vector<std::string_view> expected{
-        "TimedBoolean",   "TimedShort",      "TimedLong",        "TimedFloat",   "TimedDouble",
-        "TimedString",    "TimedBooleanSeq", "TimedShortSeq",    "TimedLongSeq", "TimedFloatSeq",
-        "TimedDoubleSeq", "TimedStringSeq",  "TimedVelocity2D",  "TimedPose2D",  "TimedPose3D",
-        "RangeData",      "CameraImage",     "CameraIntrinsics", "SeenMarkerSeq"};
+        "TimedBoolean",   "TimedShort",      "TimedLong",     "TimedFloat",       "TimedDouble",
+        "TimedString",    "TimedBooleanSeq", "TimedShortSeq", "TimedLongSeq",     "TimedFloatSeq",
+        "TimedDoubleSeq", "TimedStringSeq",  "TimedOctetSeq", "TimedVelocity2D",  "TimedPose2D",
+        "TimedPose3D",    "RangeData",       "CameraImage",   "CameraIntrinsics", "SeenMarkerSeq"};
     CHECK(std::vector<std::string_view>(compiled_message_names().begin(), compiled_message_names().end()) == expected);
 }
 
@@ -49,6 +49,7 @@ TEST_CASE("single values and sequences carry the width that their name says", "[
     CHECK(message_of<std::vector<float>>() == find_message_type("TimedFloatSeq"));
     CHECK(message_of<std::vector<double>>() == find_message_type("TimedDoubleSeq"));
     CHECK(message_of<std::vector<std::string>>() == find_message_type("TimedStringSeq"));
+    CHECK(message_of<Octets>() == find_message_type("TimedOctetSeq"));
 }
 
 TEST_CASE("every structure lists its fields in order, with units of the SI", "[engine][message]") {
