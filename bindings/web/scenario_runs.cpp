@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 // The folder for what failed scenarios leave, as `nezumi test` names it.
 constexpr std::string_view kept_runs = "nezumi-test/";
 
-constexpr double longest_judgement = 120;        // [s]
+constexpr double longest_judgement = 120;                                      // [s]
 constexpr std::size_t largest_plot = 4'000'000, largest_coverage = 2'000'000;  // [bytes]
 
 // With two cores one is left for the system that runs.
@@ -212,8 +212,8 @@ void ScenarioRuns::run(ClientId client, const TestMessage& message) {
     std::filesystem::remove(plots.parent_path(), ignored);  // if nothing else is in it
     is_running_ = false;
     send_(client,
-          json_text(Json{
-              {"is", "tests"}, {"done", true}, {"problem", problem}, {"plots", drawn}, {"coverage", coverage}}));
+          json_text(
+              Json{{"is", "tests"}, {"done", true}, {"problem", problem}, {"plots", drawn}, {"coverage", coverage}}));
 }
 
 void ScenarioRuns::open(ClientId client, std::int64_t id, const std::string& folder) {

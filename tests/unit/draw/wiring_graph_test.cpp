@@ -16,7 +16,7 @@ using namespace nezumi::draw;
 namespace {
 
 // Nodes with a port each way, connected so.
-WiringOf wired(std::size_t nodes, const std::vector<std::pair<std::size_t, std::size_t>>& edges) {
+WiringOf with_wires(std::size_t nodes, const std::vector<std::pair<std::size_t, std::size_t>>& edges) {
     WiringOf wiring{.title = "test"};
     for (std::size_t i = 0; i < nodes; ++i)
         wiring.nodes.push_back({.name = "n" + std::to_string(i), .ins = {{"in"}}, .outs = {{"out"}}});
@@ -29,12 +29,12 @@ using Columns = std::vector<std::size_t>;
 }  // namespace
 
 TEST_CASE("a graph's columns follow the data flow, and cycles have backward connections", "[draw][graph]") {
-    CHECK(columns_of(wired(0, {})) == Columns{});
-    CHECK(columns_of(wired(3, {{0, 1}, {1, 2}, {0, 2}})) == Columns{0, 1, 2});
-    CHECK(columns_of(wired(3, {{2, 1}, {1, 0}})) == Columns{2, 1, 0});
-    CHECK(columns_of(wired(2, {{0, 1}, {1, 0}})) == Columns{0, 1});  // a robot and what drives it
-    CHECK(columns_of(wired(2, {{0, 0}})) == Columns{0, 0});          // to itself
-    CHECK(columns_of(wired(4, {{0, 1}, {1, 2}, {2, 1}, {3, 2}})) == Columns{0, 1, 2, 0});
+    CHECK(columns_of(with_wires(0, {})) == Columns{});
+    CHECK(columns_of(with_wires(3, {{0, 1}, {1, 2}, {0, 2}})) == Columns{0, 1, 2});
+    CHECK(columns_of(with_wires(3, {{2, 1}, {1, 0}})) == Columns{2, 1, 0});
+    CHECK(columns_of(with_wires(2, {{0, 1}, {1, 0}})) == Columns{0, 1});  // a robot and what drives it
+    CHECK(columns_of(with_wires(2, {{0, 0}})) == Columns{0, 0});          // to itself
+    CHECK(columns_of(with_wires(4, {{0, 1}, {1, 2}, {2, 1}, {3, 2}})) == Columns{0, 1, 2, 0});
 }
 
 TEST_CASE("a graph shows components, states, ports and connections", "[draw][graph]") {
@@ -53,7 +53,7 @@ TEST_CASE("a graph shows components, states, ports and connections", "[draw][gra
         const std::string file = it.folder.path(name).string();
         REQUIRE(draw_wiring(wiring, file));
         CHECK(text_of_file(file).size() > 1000);
-        REQUIRE(draw_wiring(wired(1, {{0, 0}}), file));
+        REQUIRE(draw_wiring(with_wires(1, {{0, 0}}), file));
         REQUIRE(draw_wiring({}, file));
     }
     CHECK_FALSE(draw_wiring(wiring, it.folder.path("none/w.svg").string()));
