@@ -6,7 +6,7 @@ import { T } from "./texts.js";
 /// `request` asks the class. Hidden while the class has no shared system.
 export function make_shared_tile(request) {
   const { shared: words } = T.class;
-  const ask = (go, more = {}) => request("shared", { go, ...more });
+  const order = (go, more = {}) => request("shared", { go, ...more });
   const name = el("span", {});
   const real = el("small", {});
   const error = el("p", { class: "error-text" });
@@ -14,10 +14,10 @@ export function make_shared_tile(request) {
   const queue = el("ol", {});
   const nobody = el("p", { class: "hint", text: words.nobody });
   const open = el("a", { class: "button", target: "_blank", rel: "noopener", text: words.look });
-  const limit = el("input", { type: "number", min: 1, max: 120, step: 1, onchange: () => ask("limit", { minutes: Number(limit.value) }) });
-  const end = el("button", { text: words.end, onclick: () => ask("end") });
+  const limit = el("input", { type: "number", min: 1, max: 120, step: 1, onchange: () => order("limit", { minutes: Number(limit.value) }) });
+  const end = el("button", { text: words.end, onclick: () => order("end") });
   const node = el("article", { class: "tile shared-tile", hidden: true }, el("h2", {}, name, real), error, facts, nobody, queue,
-    el("div", { class: "row" }, open, end, el("button", { text: T.class.restart, onclick: () => ask("restart") }),
+    el("div", { class: "row" }, open, end, el("button", { text: T.class.restart, onclick: () => order("restart") }),
       el("button", { text: T.class.projector, onclick: () => request("project", { pupil: number }) }), el("label", {}, words.limit, " ", limit)));
   let number = 0;
   let listed = "";
@@ -40,7 +40,7 @@ export function make_shared_tile(request) {
     if (now === listed) return;  // so that a button keeps the focus
     listed = now;
     queue.replaceChildren(...shared.waiting.map(({ number: pupil, name: text }, i) => el("li", {}, el("span", { text }), " ",
-      i ? el("button", { text: words.up, onclick: () => ask("up", { pupil }) }) : null, el("button", { text: words.remove, onclick: () => ask("remove", { pupil }) }))));
+      i ? el("button", { text: words.up, onclick: () => order("up", { pupil }) }) : null, el("button", { text: words.remove, onclick: () => order("remove", { pupil }) }))));
   }
   return { node, show };
 }
