@@ -31,11 +31,11 @@ end
 class Class:
     """`nezumi class` with a folder of its own, or of another one."""
 
-    def __init__(self, nezumi, folder=None):
+    def __init__(self, nezumi, folder=None, options=()):
         self.folder = folder or tempfile.mkdtemp(prefix="nezumi-class-")
         self.keeps = folder is not None
         environment = dict(os.environ, XDG_RUNTIME_DIR=self.folder, XDG_STATE_HOME=self.folder)
-        self.process = subprocess.Popen([nezumi, "class", self.folder, "--port", "8865"], cwd=rig.ROOT, env=environment,
+        self.process = subprocess.Popen([nezumi, "class", self.folder, "--port", "8865", *options], cwd=rig.ROOT, env=environment,
                                         stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         said = [self.process.stderr.readline() for _ in range(2)]
         found = [re.search(r"https?://\S+", line) for line in said]
@@ -120,6 +120,39 @@ class ClassCase(rig.PageCase):
             "const tile = [...document.querySelectorAll('.tile')].find((each) => each.dataset.name === arguments[0]);"
             "return [...tile.querySelectorAll('button, a')].find((each) => each.textContent === arguments[1])", name, text)
         button.click()
+
+    ASKS = """const done = arguments[arguments.length - 1];
+        const [token, messages, retries] = arguments;
+        const got = [];
+        const end = Date.now() + 15000;
+        function open() {
+          const socket = new WebSocket(`ws://${location.host}/ws`, ["nezumi", `token.${token}`]);
+          let was_open = false;
+          socket.onopen = () => {
+            was_open = true;
+            messages.forEach((each) => socket.send(JSON.stringify(each)));
+          };
+          socket.onmessage = ({ data }) => {
+            if (typeof data === "string") got.push(JSON.parse(data));
+            if (got.filter((each) => each.is === "answer").length === messages.length) {
+              done({ closed: false, got });
+              socket.close();
+            }
+          };
+          socket.onclose = () => (was_open || !retries || Date.now() > end ? done({ closed: true, got }) : setTimeout(open, 200));
+        }
+        open();
+        setTimeout(() => done({ closed: false, got }), 17000);"""
+
+    def ask(self, token, *messages, retries=True):
+        """Whether a socket with this token was closed, and the answers."""
+        result = self.page.driver.execute_async_script(self.ASKS, token, list(messages), retries)
+        return result["closed"], [each for each in result["got"] if each["is"] == "answer"]
+
+    def joins(self, name):
+        answers = self.ask("join", {"do": "class", "name": name, "id": 1})[1]
+        self.assertTrue(answers and answers[0]["ok"], answers)
+        return answers[0]["token"]
 
 
 class Classroom(ClassCase):
@@ -315,42 +348,9 @@ class Japanese(ClassCase):
 
 
 class Attacks(ClassCase):
-    ASKS = """const done = arguments[arguments.length - 1];
-        const [token, messages, retries] = arguments;
-        const got = [];
-        const end = Date.now() + 15000;
-        function open() {
-          const socket = new WebSocket(`ws://${location.host}/ws`, ["nezumi", `token.${token}`]);
-          let was_open = false;
-          socket.onopen = () => {
-            was_open = true;
-            messages.forEach((each) => socket.send(JSON.stringify(each)));
-          };
-          socket.onmessage = ({ data }) => {
-            if (typeof data === "string") got.push(JSON.parse(data));
-            if (got.filter((each) => each.is === "answer").length === messages.length) {
-              done({ closed: false, got });
-              socket.close();
-            }
-          };
-          socket.onclose = () => (was_open || !retries || Date.now() > end ? done({ closed: true, got }) : setTimeout(open, 200));
-        }
-        open();
-        setTimeout(() => done({ closed: false, got }), 17000);"""
-
-    def ask(self, token, *messages, retries=True):
-        """Whether a socket with this token was closed, and the answers."""
-        result = self.page.driver.execute_async_script(self.ASKS, token, list(messages), retries)
-        return result["closed"], [each for each in result["got"] if each["is"] == "answer"]
-
     def setUp(self):
         self.room = self.begin()
         self.page.driver.get(self.room.url)
-
-    def joins(self, name):
-        answers = self.ask("join", {"do": "class", "name": name, "id": 1})[1]
-        self.assertTrue(answers and answers[0]["ok"], answers)
-        return answers[0]["token"]
 
     def test_codes_cannot_be_guessed(self):
         self.joins("Taro")
@@ -359,14 +359,14 @@ class Attacks(ClassCase):
         self.assertEqual([each["text"] for each in answers],
                          ["there is no such code in this class"] * 5 + ["too many wrong codes: wait a minute"] * 2)
         _, answers = self.ask("join", {"do": "class", "code": code, "id": 1})
-        self.assertFalse(answers[0]["ok"], "also the right one has to wait")
+        self.assertEqual(answers[0]["text"], "too many wrong codes: wait a minute", "also the right one has to wait")
 
     def test_a_visitor_and_a_pupil_cannot_do_what_the_teacher_does(self):
         token = self.joins("Taro")
-        for who in ("join", token):
+        for who, text in (("join", "a name is needed"), (token, "this link can't do that")):
             for what in ("stop", "freeze", "collect", "hint", "mark", "renew", "project", "door"):
                 _, answers = self.ask(who, {"do": "class", "what": what, "pupil": 1, "text": "x", "id": 1})
-                self.assertFalse(answers[0]["ok"], (who, what))
+                self.assertEqual((answers[0]["ok"], answers[0]["text"]), (False, text), what)
         self.assertEqual(self.room.pupil()["mark"], "")
         for wrong in ("", "teacher", "0" * 32):
             self.assertTrue(self.ask(wrong, {"do": "stop", "id": 1}, retries=False)[0], "it is not let in")
@@ -387,10 +387,13 @@ class Attacks(ClassCase):
         files = ["../part2_stop_at_wall/../../../02/work/part2_stop_at_wall/behaviors/mine.lua", os.path.join(self.room.work(2), "behaviors/mine.lua"),
                  "next/behaviors/mine.lua", "../../pupil.json", "/etc/passwd"]
         _, answers = self.ask(first, *[{"do": "edit", "what": "read", "file": file, "id": i} for i, file in enumerate(files, 1)])
-        self.assertEqual([each["ok"] for each in answers], [False] * len(files), answers)
+        outside = "' is not within the project: a name has no empty part, and none that begins with a dot"
+        linked = "next/behaviors/mine.lua: 'next' is not a folder, or is a link, which is not followed"
+        texts = [linked if file.startswith("next") else "'" + file + outside for file in files]
+        self.assertEqual([each["text"] for each in answers], texts)
         self.assertNotIn("secret", json.dumps(answers))
         _, answers = self.ask(first, *[{"do": "edit", "what": "save", "file": file, "text": "x", "mark": "", "id": i} for i, file in enumerate(files, 1)])
-        self.assertEqual([each["ok"] for each in answers], [False] * len(files), answers)
+        self.assertEqual([each["text"] for each in answers], [text + (": nothing was saved" if text == linked else "") for text in texts])
         self.assertNotEqual(first, second)
 
     def test_an_endless_loop_of_one_pupil_leaves_the_others_alone(self):
@@ -417,7 +420,7 @@ class Attacks(ClassCase):
         teacher = self.room.teacher.split("#")[1]
         self.assertTrue(self.ask(teacher, {"do": "class", "what": "renew", "pupil": 1, "id": 1})[1][0]["ok"])
         self.assertTrue(self.ask(token, {"do": "stop", "id": 1}, retries=False)[0], "the old token is refused")
-        self.assertFalse(self.ask("join", {"do": "class", "code": code, "id": 1})[1][0]["ok"])
+        self.assertEqual(self.ask("join", {"do": "class", "code": code, "id": 1})[1][0]["text"], "there is no such code in this class")
 
     def test_a_pupils_processes_are_confined_and_come_last(self):
         self.page.driver.get(self.room.url)

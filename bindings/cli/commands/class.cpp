@@ -2,10 +2,16 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -13,6 +19,8 @@
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/base/stop_signals.hpp"
 #include "bindings/cli/commands/commands.hpp"
+#include "bindings/cli/files/named_files.hpp"
+#include "bindings/cli/run/hardware.hpp"
 #include "bindings/cli/run/options.hpp"
 #include "bindings/cli/run/web.hpp"
 #include "bindings/console/put_text.hpp"
@@ -30,7 +38,28 @@ struct ClassWords {
     std::string collect;
     RunWords web;
     bool trust = false;
+    std::string shared;
+    std::string quota;
 };
+
+// The shared system, with real robots only by the teacher's word.
+Expected<web::SharedOptions> shared_of(const ClassWords& words, const std::optional<Hardware>& hardware) {
+    web::SharedOptions shared;
+    if (words.shared.empty() && hardware)
+        return failure("--hw: pupils' own systems are simulated: give --shared SYSTEM as well");
+    if (words.shared.empty()) return shared;
+    const auto file = find_system_file(words.shared);
+    if (!file) return Unexpected(file.error());
+    shared.file = *file;
+    if (!hardware) return shared;
+    shared.hardware.push_back(words.web.hw.text == "true" ? "--hw" : "--hw=" + words.web.hw.text);
+    for (const auto& [option, folder] :
+         {std::pair{"--dev-root", hardware->dev_root}, {"--sys-root", hardware->sys_root}}) {
+        shared.hardware.insert(shared.hardware.end(), {option, folder});
+        shared.devices.emplace_back(folder);
+    }
+    return shared;
+}
 
 int run_class(const ClassWords& words) {
     RunWords of_run = words.web;
@@ -54,6 +83,17 @@ int run_class(const ClassWords& words) {
     auto sockets = sockets_of(*read->web);
     if (!sockets) return refuse(sockets.error());
     options.sockets = std::move(sockets->options);
+    if (!words.quota.empty()) {
+        std::uintmax_t megabytes = 0;
+        const char* const last = words.quota.data() + words.quota.size();
+        const auto [rest, wrong] = std::from_chars(words.quota.data(), last, megabytes);
+        if (wrong != std::errc() || rest != last || megabytes < 1 || megabytes > 1000)
+            return refuse("--quota must be a whole number of megabytes from 1 to 1000, not " + visible(words.quota));
+        options.quota.bytes = megabytes << 20U;
+    }
+    auto shared = shared_of(words, read->hardware);
+    if (!shared) return refuse(shared.error());
+    options.shared = std::move(*shared);
     StopSignals signals;
     const auto classroom = web::Classroom::open(std::move(options));
     if (!classroom) return refuse(classroom.error());
@@ -74,12 +114,19 @@ int run_class(const ClassWords& words) {
 SubCommand class_command() {
     auto words = std::make_shared<ClassWords>();
     std::vector<Option> options{{"DIR", &words->folder, "the folder of the class: pupils' work, exercises, results"}};
+    options.push_back({"--shared", &words->shared,
+                       "also run this system, by path or name: pupils queue, and drive it one after the other",
+                       "SYSTEM"});
+    constexpr std::string_view same[] = {"--listen", "--port", "--hw", "--dev-root", "--sys-root"};
     for (Option& each : run_options(words->web)) {
-        if (each.name == "--listen" || each.name == "--port") options.push_back(std::move(each));
+        if (std::find(std::begin(same), std::end(same), each.name) != std::end(same))
+            options.push_back(std::move(each));
     }
     options.push_back(
         {"--collect", &words->collect,
          "instead: copy all work into this folder, check it, and write results.csv and results.xml (JUnit)", "FOLDER"});
+    options.push_back(
+        {"--quota", &words->quota, "megabytes that the files of a pupil's exercise may have (default 20)", "MB"});
     options.push_back({"--trust", &words->trust,
                        "run on a kernel without Landlock: pupils' programs could then read all files of yours"});
     return {.name = "class",

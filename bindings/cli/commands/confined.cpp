@@ -22,6 +22,7 @@ struct ConfinedOptions {
     std::string folder;
     std::vector<std::string> words;
     bool bounds_only = false;
+    std::vector<std::string> devices;
 };
 
 int run_confined(const ConfinedOptions& options) {
@@ -39,6 +40,7 @@ int run_confined(const ConfinedOptions& options) {
         setenv(name, (folder / ".nezumi").c_str(), 1);
     if (auto ok = web::confine({.work = folder,
                                 .readable = web::readable_parts(program, installed_folders()),
+                                .devices = {options.devices.begin(), options.devices.end()},
                                 .by_kernel = !options.bounds_only});
         !ok)
         return refuse("confined: " + ok.error().message);
@@ -60,6 +62,8 @@ SubCommand confined_command() {
             .help = "Run a command of nezumi that can reach only one folder and the installed files",
             .options = {{"--bounds-only", &options->bounds_only,
                          "only bounds for memory, files and priority: for kernels without Landlock"},
+                        {"--devices", &options->devices, "devices in this folder may be used as well; may be repeated",
+                         "DIR"},
                         {"FOLDER", &options->folder, "the folder that it may read and write"},
                         {"WORDS", &options->words, "the command and its arguments, after --"}},
             .run = [options] { return run_confined(*options); },

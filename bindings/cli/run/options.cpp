@@ -135,6 +135,7 @@ std::vector<Option> run_options(RunWords& words) {
          "ADDRESS"},
         {"--page-on-input", &words.page_on_input,
          "serve the page over the socket that is standard input: for `nezumi class`, which has the browsers"},
+        {"--stopped", &words.stopped, "begin with an emergency stop: robots move when it is re-armed"},
         {"--realtime", &words.real_time, "real-time priority for the ticks: SCHED_FIFO and locked memory"},
         {"--duration", &words.duration, "end at this simulated time [s] (default: at Ctrl-C)", "S"},
         {"--seed", &words.seed, "the seed of all random numbers, instead of the file's seed(n) (default 124)", "N"},
@@ -232,6 +233,7 @@ Expected<RunOptions> read_run_options(const RunWords& typed) {
     const bool repeats = !words.replay.empty() && !words.opens_replay;
     RunOptions options{.file = words.file,
                        .headless = words.headless || words.batch || repeats,
+                       .stopped = words.stopped,
                        .batch = words.batch,
                        .keep_going = words.keep_going,
                        .trace_hash = words.trace_hash,
@@ -299,7 +301,8 @@ Expected<RunOptions> read_run_options(const RunWords& typed) {
                                         {"--duration", !words.duration.empty()},
                                         {"--journal", !words.journal.empty()},
                                         {"--set", !words.set.empty()},
-                                        {"--params", !words.params.empty()}}) {
+                                        {"--params", !words.params.empty()},
+                                        {"--stopped", words.stopped}}) {
         if (repeats && given) return failure(fmt::format("--replay repeats the journal: leave out {}", option));
     }
     if (!words.ports.empty()) {

@@ -35,6 +35,7 @@ struct RunWords {
     bool no_web = false;
     bool open = false;
     bool page_on_input = false;
+    bool stopped = false;
     bool opens_replay = false;  ///< of `nezumi open`
 };
 
@@ -54,8 +55,9 @@ struct Web {
 struct RunOptions {
     std::string file;
     bool headless = false;
-    bool batch = false;  ///< commands come from standard input; headless as well
-    double speed = 1;    ///< a factor of real time; `as_fast_as_possible` for "max"
+    bool stopped = false;  ///< begins with an emergency stop
+    bool batch = false;    ///< commands come from standard input; headless as well
+    double speed = 1;      ///< a factor of real time; `as_fast_as_possible` for "max"
     double duration = std::numeric_limits<double>::infinity();  ///< [s] of simulated time
     std::optional<std::uint64_t> seed;
     bool keep_going = false;        ///< a behaviour that can't be made is left out

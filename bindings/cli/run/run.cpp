@@ -166,6 +166,8 @@ private:
                              .held = [this] { return held(); }});
 
         live_->activate();
+        if (options_.stopped) [[maybe_unused]]
+            const auto stopped = live_->act(Stop{}, {});
         if (options_.opens_replay) {
             if (auto there = journal_.go_to_end(signals_->received()); !there) return Unexpected(there.error());
         }

@@ -45,9 +45,11 @@ std::size_t passed(const std::vector<CheckedScenario>& checked) {
 
 }  // namespace
 
-std::vector<std::string> confined_words(const std::string& program, const fs::path& folder, bool trust) {
+std::vector<std::string> confined_words(const std::string& program, const fs::path& folder, bool trust,
+                                        const std::vector<fs::path>& devices) {
     std::vector<std::string> words{program, "confined"};
     if (trust) words.emplace_back("--bounds-only");
+    for (const fs::path& each : devices) words.insert(words.end(), {"--devices", each.string()});
     words.insert(words.end(), {folder.string(), "--"});
     return words;
 }

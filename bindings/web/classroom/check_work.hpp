@@ -11,8 +11,9 @@
 
 namespace nezumi::web {
 
-/// The command line that runs a command of nezumi with access to `folder` only, without its words.
-std::vector<std::string> confined_words(const std::string& program, const std::filesystem::path& folder, bool trust);
+/// The command line that runs a command of nezumi with access to `folder` and `devices` only, without its words.
+std::vector<std::string> confined_words(const std::string& program, const std::filesystem::path& folder, bool trust,
+                                        const std::vector<std::filesystem::path>& devices = {});
 
 struct WorkToCheck {
     Exercise exercise{};

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
@@ -23,7 +24,8 @@ Expected<Json> said(const Expected<void>& done) {
     return Json::object();
 }
 
-constexpr std::string_view stop_message = R"({"do":"stop"})";
+// What pupils ask for about the shared system.
+constexpr std::array<std::string_view, 4> of_shared{"queue", "leave_queue", "load", "stop_shared"};
 constexpr std::string_view pause_message = R"({"do":"time","what":"pause"})";
 constexpr std::string_view resume_message = R"({"do":"time","what":"resume"})";
 
@@ -33,8 +35,11 @@ Expected<Classroom::Json> Classroom::perform(Client& client, const Json& request
     if (client.role == Role::visitor) return join(client, request);
     if (client.role == Role::teacher) return teach(request);
     Seat* seat = seat_of(client.pupil);
-    if (seat == nullptr) return failure("there is no such pupil any more");
     const std::string what = text_in(request, "what");
+    const bool is_own = client.role == Role::pupil || client.role == Role::guest;
+    if (is_own && std::find(of_shared.begin(), of_shared.end(), what) != of_shared.end())
+        return ask_shared(client, what);
+    if (seat == nullptr) return failure("this link can't do that");
     const bool may_act = client.role == Role::pupil || client.role == Role::helper;
     if (may_act && what == "check") return said(check_later(*seat));
     if (may_act && what == "restart") {
@@ -69,29 +74,35 @@ Expected<Classroom::Json> Classroom::join(Client& client, const Json& request) {
     joins_.push_back(now);
     Seat& seat = add_seat(**pupil);
     seat.is_wanted = true;
-    if (auto given = give_exercise(seat, first_exercise_); !given) return Unexpected(given.error());
+    if (auto given = give_exercise(seat, first_exercise_); !given) {
+        seats_.erase(seat.pupil.number);
+        pupils_.remove(**pupil);
+        return Unexpected(given.error());
+    }
     return Json{{"token", seat.pupil.token}, {"code", seat.pupil.code}};
 }
 
-void Classroom::tell_all(const std::string& message) {
-    for (auto& [number, seat] : seats_)
-        seat->tell({.kind = RelayFrame::Kind::message, .client = own_client, .bytes = message});
+void Classroom::tell_all(std::string_view message) {
+    for (auto& [number, seat] : seats_) seat->tell(message);
+    if (shared_) shared_->tell(message);
 }
 
 Expected<Classroom::Json> Classroom::teach(const Json& request) {
     const std::string what = text_in(request, "what");
     if (what == "stop") {
-        tell_all(std::string(stop_message));
+        tell_all(stop_message);
     } else if (what == "freeze" || what == "thaw") {
         is_frozen_ = what == "freeze";
-        tell_all(std::string(is_frozen_ ? pause_message : resume_message));
+        tell_all(is_frozen_ ? pause_message : resume_message);
     } else if (what == "door") {
         door_is_open_ = request.value("open", Json()) == true;
     } else if (what == "collect") {
         return collect();
+    } else if (what == "shared") {
+        return teach_shared(request);
     } else if (what == "project") {
         const Json number = request.value("pupil", Json());
-        projected_ = number.is_number_integer() && seat_of(number.get<int>()) != nullptr ? number.get<int>() : 0;
+        projected_ = number.is_number_integer() && system_at(number.get<int>()) != nullptr ? number.get<int>() : 0;
         for (auto& [id, client] : clients_) {
             if (client.role == Role::spectator) close(client);
         }
@@ -125,8 +136,10 @@ Expected<Classroom::Json> Classroom::teach_one(Seat& seat, const std::string& wh
     }
     if (what == "renew") {
         auto done = pupils_.renew(seat.pupil);
+        seat.shared_token = make_token();
         for (auto& [id, client] : clients_) {
-            if (client.role == Role::pupil && client.pupil == seat.pupil.number) close(client);
+            const bool is_own = client.role == Role::pupil || client.role == Role::guest;
+            if (is_own && client.pupil == seat.pupil.number) close(client);
         }
         return said(done);
     }

@@ -1,6 +1,5 @@
 // Starts and restarts pupils' processes, runs checks beside them, and tells browsers what has changed.
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
@@ -21,12 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// A process that ends sooner than this after its start has failed; after so many of them the system file is taken for
-// the reason.
-constexpr std::chrono::seconds short_run{5};
-constexpr int most_failures = 3;
-constexpr int could_not_run = 2;  // as exit status of `nezumi run`
-constexpr std::chrono::seconds longest_wait{30};
 constexpr std::chrono::milliseconds states_every{250};
 constexpr std::chrono::seconds repeated_every{2};
 constexpr std::chrono::seconds saves_every{2};
@@ -35,25 +28,6 @@ constexpr std::size_t most_states = 4;
 // Shown while the pupil's own system file can't run: it has nothing, so that the file can be corrected in the editor.
 constexpr const char* stand_in = ".nezumi/repair.lua";
 constexpr std::string_view stand_in_text = "--- Shown while your own system file can't run.\narena {}\n";
-
-// When a file of the project was last saved [s since 1970]; 0: never.
-std::int64_t last_save_in(const fs::path& project) {
-    std::int64_t last = 0;
-    std::error_code problem;
-    int count = 0;
-    for (fs::recursive_directory_iterator entry(project, problem), end; !problem && entry != end;
-         entry.increment(problem)) {
-        if (++count > most_copied) break;
-        if (entry->path().filename().string().starts_with('.')) {
-            entry.disable_recursion_pending();
-            continue;
-        }
-        struct stat status {};
-        if (lstat(entry->path().c_str(), &status) == 0 && S_ISREG(status.st_mode))
-            last = std::max(last, static_cast<std::int64_t>(status.st_mtime));
-    }
-    return last;
-}
 
 std::size_t passed(const Seat& seat) {
     return static_cast<std::size_t>(std::count_if(seat.checked.begin(), seat.checked.end(),
@@ -64,7 +38,7 @@ std::size_t passed(const Seat& seat) {
 
 Seat& Classroom::add_seat(Pupil& pupil) {
     auto& seat = seats_[pupil.number];
-    seat.reset(new Seat{.pupil = pupil, .help_token = make_token(), .look_token = make_token()});
+    seat = std::make_unique<Seat>(pupil);
     return *seat;
 }
 
@@ -79,51 +53,47 @@ void Classroom::start(Seat& seat) {
     }
     std::vector<std::string> words = confined_words(options_.program, work, options_.trust);
     words.insert(words.end(), {"run", file.string(), "--keep-going", "--page-on-input"});
-    seat.out.clear();
-    seat.reader = {};
-    seat.view.forget();
-    seat.view_is_ready = true;
-    seat.run = std::make_unique<PupilRun>(std::move(words));
+    start(seat, std::move(words));
+}
+
+void Classroom::start(ClassSystem& system, std::vector<std::string> words) {
+    system.out.clear();
+    system.reader = {};
+    system.view.forget();
+    system.view_is_ready = true;
+    system.run = std::make_unique<PupilRun>(std::move(words));
     const auto comes = [&](ClientId id, bool views) {
-        seat.tell({.kind = views ? RelayFrame::Kind::viewer : RelayFrame::Kind::opened, .client = id});
-        if (id != own_client) seat.tell({.kind = RelayFrame::Kind::ready, .client = id});
+        system.tell({.kind = views ? RelayFrame::Kind::viewer : RelayFrame::Kind::opened, .client = id});
+        if (id != own_client) system.tell({.kind = RelayFrame::Kind::ready, .client = id});
     };
     comes(own_client, false);
     for (const auto& [id, client] : clients_) {
-        if (client.pupil == seat.pupil.number) comes(id, client.role == Role::looker || client.role == Role::spectator);
+        if (system_at(client.system) == &system) comes(id, only_looks(client));
     }
-    if (is_frozen_)
-        seat.tell(
-            {.kind = RelayFrame::Kind::message, .client = own_client, .bytes = R"({"do":"time","what":"pause"})"});
+    if (is_frozen_) system.tell(R"({"do":"time","what":"pause"})");
 }
 
-void Classroom::restart(Seat& seat) {
-    if (seat.run) {
-        seat.run->end();
-        ending_.push_back(std::move(seat.run));
+void Classroom::restart(ClassSystem& system) {
+    if (system.run) {
+        system.run->end();
+        ending_.push_back(std::move(system.run));
     }
     for (auto& [id, client] : clients_) {
-        if (client.pupil == seat.pupil.number) close(client);  // the page connects again
+        if (system_at(client.system) == &system) close(client);  // the page connects again
     }
-    seat.view.forget();
-    seat.next_start = Clock::now();
+    system.view.forget();
+    system.next_start = Clock::now();
 }
 
 void Classroom::ended(Seat& seat) {
     const auto now = Clock::now();
-    const bool was_short = now - seat.run->begin() < short_run;
-    seat.failures = was_short ? seat.failures + 1 : 0;
-    seat.problem = std::string(trimmed(seat.run->said()));
-    if (const auto line = seat.problem.rfind("nezumi: "); line != std::string::npos)
-        seat.problem = seat.problem.substr(line + 8);
-    const bool can_not_run = seat.run->has_ended() && seat.run->status() == could_not_run;
+    const bool can_not_run = seat.note_end(now);
+    const auto next_start = seat.next_start;
     restart(seat);
-    if (!seat.is_repairing && (can_not_run || seat.failures >= most_failures)) {
+    if (!seat.is_repairing && can_not_run)
         seat.is_repairing = true;
-    } else {
-        const int doublings = std::min(seat.failures, 5);
-        seat.next_start = now + std::min<Clock::duration>(longest_wait, std::chrono::seconds(1) * (1 << doublings));
-    }
+    else
+        seat.next_start = next_start;
 }
 
 void Classroom::upkeep(Clock::time_point now) {
@@ -135,18 +105,24 @@ void Classroom::upkeep(Clock::time_point now) {
         // A class that was opened again starts the systems of those who come back.
         if (!seat->run && seat->is_wanted && !seat->pupil.exercise.empty() && now >= seat->next_start) start(*seat);
     }
+    serve_shared(now);
     if (now - looked_ > saves_every) {
         looked_ = now;
         for (auto& [number, seat] : seats_) {
-            if (seat->run) seat->last_save = last_save_in(pupils_.work_of(seat->pupil));
+            const Exercise* exercise = exercise_called(seat->pupil.exercise);
+            if (!seat->run || exercise == nullptr) continue;
+            seat->last_save = look_at_work(pupils_.work_of(seat->pupil), exercise->start()).last_save;
+            trim_versions(pupils_.work_of(seat->pupil), options_.quota.bytes);
         }
     }
     if (now - shown_ < states_every) return;
     shown_ = now;
-    for (auto& [number, seat] : seats_) {
-        if (std::exchange(seat->view_is_ready, false))
-            seat->tell({.kind = RelayFrame::Kind::ready, .client = own_client});
-    }
+    const auto ask = [](ClassSystem& system) {
+        if (std::exchange(system.view_is_ready, false))
+            system.tell({.kind = RelayFrame::Kind::ready, .client = own_client});
+    };
+    for (auto& [number, seat] : seats_) ask(*seat);
+    if (shared_) ask(*shared_);
     show_states();
 }
 
@@ -217,10 +193,21 @@ Classroom::Json Classroom::state_for_teacher() const {
     Json tiles = Json::array();
     for (const auto& [number, seat] : seats_) tiles.push_back(tile(*seat));
     state["pupils"] = std::move(tiles);
+    if (shared_) {
+        state["shared"] = state_of_shared();
+        state["shared"]["number"] = SharedSystem::number;
+        state["shared"]["help"] = shared_->help_token;
+    }
     return state;
 }
 
 Classroom::Json Classroom::state_for_pupil(const Client& client) const {
+    if (client.system == SharedSystem::number) {
+        Json state{{"is", "class"}, {"role", client.role == Role::guest ? "guest" : "shared"}, {"frozen", is_frozen_}};
+        state["shared"] = client.role == Role::guest ? shared_for_pupil(client) : state_of_shared();
+        if (client.role == Role::spectator) state["shared"].erase("waiting");
+        return state;
+    }
     const Seat& seat = *seats_.at(client.pupil);
     const auto is_there = [&](Role role) {
         return std::any_of(clients_.begin(), clients_.end(), [&](const auto& each) {
@@ -263,6 +250,7 @@ Classroom::Json Classroom::state_for_pupil(const Client& client) const {
     }
     state["checked"] = std::move(checked);
     state["hidden"] = {{"passed", hidden_passed}, {"count", hidden}};
+    if (is_own && shared_) state["shared"] = shared_for_pupil(client);
     return state;
 }
 

@@ -22,8 +22,6 @@ constexpr int forbidden = 403, unavailable = 503;
 // Visitors have this token: it is no secret.
 constexpr std::string_view visitors = "join";
 constexpr std::string_view for_the_class = R"("do":"class")";
-// A frozen pupil may still send these.
-constexpr std::array<std::string_view, 5> while_frozen{"watch", "floor", "stop", "remembered", "systems"};
 
 }  // namespace
 
@@ -57,6 +55,11 @@ Expected<std::unique_ptr<Classroom>> Classroom::open(ClassOptions options) {
     room->first_exercise_ = room->exercises_.front().name;
     room->jobs_ = std::make_unique<JobThread>();
     for (const auto& pupil : room->pupils_.all()) room->add_seat(*pupil);
+    if (!room->options_.shared.file.empty()) {
+        auto shared = SharedSystem::open(room->options_.shared, room->options_.folder / "shared");
+        if (!shared) return Unexpected(shared.error());
+        room->shared_ = std::move(*shared);
+    }
     auto sockets = open_sockets(room->options_.sockets, *room);
     if (!sockets) return Unexpected(sockets.error());
     const std::lock_guard lock(room->mutex_);
@@ -81,6 +84,7 @@ Classroom::~Classroom() {
     for (auto& [number, seat] : seats_) {
         if (seat->run) seat->run->end();  // all at once; the destructors wait
     }
+    if (shared_ && shared_->run) shared_->run->end();
 }
 
 std::string Classroom::url() const { return origin_; }
@@ -95,46 +99,47 @@ void Classroom::serve_once() {
     std::vector<int> numbers{0};
     {
         const std::lock_guard lock(mutex_);
-        for (const auto& [number, seat] : seats_) {
-            if (!seat->run || seat->run->socket() < 0 || seat->run->is_ending()) continue;
-            files.push_back({seat->run->socket(), static_cast<short>(POLLIN | (seat->out.empty() ? 0 : POLLOUT)), 0});
+        const auto add = [&](int number, const ClassSystem& system) {
+            if (!system.run || system.run->socket() < 0 || system.run->is_ending()) return;
+            files.push_back({system.run->socket(), static_cast<short>(POLLIN | (system.out.empty() ? 0 : POLLOUT)), 0});
             numbers.push_back(number);
-        }
+        };
+        for (const auto& [number, seat] : seats_) add(number, *seat);
+        if (shared_) add(SharedSystem::number, *shared_);
     }
     poll(files.data(), files.size(), 50);
     eventfd_t none = 0;
     eventfd_read(news_.get(), &none);
     const std::lock_guard lock(mutex_);
     for (std::size_t i = 1; i < files.size(); ++i) {
-        const auto found = seats_.find(numbers[i]);
-        if (files[i].revents == 0 || found == seats_.end()) continue;
-        Seat& seat = *found->second;
-        if (!seat.run || seat.run->socket() != files[i].fd) continue;
-        seat.flush();
-        read_from(seat);
+        ClassSystem* system = system_at(numbers[i]);
+        if (files[i].revents == 0 || system == nullptr) continue;
+        if (!system->run || system->run->socket() != files[i].fd) continue;
+        system->flush();
+        read_from(*system);
     }
     upkeep(Clock::now());
     sockets_->wake();
 }
 
-void Classroom::read_from(Seat& seat) {
+void Classroom::read_from(ClassSystem& system) {
     std::array<char, 1 << 16> piece{};
-    const ssize_t got = recv(seat.run->socket(), piece.data(), piece.size(), MSG_DONTWAIT);
+    const ssize_t got = recv(system.run->socket(), piece.data(), piece.size(), MSG_DONTWAIT);
     if (got < 0 && (errno == EAGAIN || errno == EINTR)) return;
-    if (got <= 0) return seat.run->end();  // `upkeep` sees the end of the process
-    seat.reader.add({piece.data(), static_cast<std::size_t>(got)});
-    while (auto frame = seat.reader.next()) {
+    if (got <= 0) return system.run->end();  // `upkeep` sees the end of the process
+    system.reader.add({piece.data(), static_cast<std::size_t>(got)});
+    while (auto frame = system.reader.next()) {
         if (frame->client == own_client) {
-            seat.view.take(*frame);
+            system.view.take(*frame);
             // After a text there may be more; a frame of a tick says that there is not.
             if (frame->kind == RelayFrame::Kind::text)
-                seat.tell({.kind = RelayFrame::Kind::ready, .client = own_client});
+                system.tell({.kind = RelayFrame::Kind::ready, .client = own_client});
             else
-                seat.view_is_ready = true;
+                system.view_is_ready = true;
             continue;
         }
         const auto client = clients_.find(frame->client);
-        if (client == clients_.end() || client->second.pupil != seat.pupil.number) continue;
+        if (client == clients_.end() || system_at(client->second.system) != &system) continue;
         if (frame->kind == RelayFrame::Kind::closes) {
             close(client->second);
             continue;
@@ -142,7 +147,7 @@ void Classroom::read_from(Seat& seat) {
         client->second.waiting.push_back(
             {{.binary = frame->kind == RelayFrame::Kind::binary, .bytes = std::move(frame->bytes)}, true});
     }
-    if (seat.reader.is_broken()) seat.run->end();
+    if (system.reader.is_broken()) system.run->end();
 }
 
 HttpReply Classroom::reply_to(const HttpRequest& request) {
@@ -166,32 +171,39 @@ Admission Classroom::lets_in(const HttpRequest& request) {
         for (const auto& [number, seat] : seats_) {
             for (const auto& [secret, its] : {std::pair{&seat->pupil.token, Role::pupil},
                                               {&seat->help_token, Role::helper},
-                                              {&seat->look_token, Role::looker}}) {
+                                              {&seat->look_token, Role::looker},
+                                              {&seat->shared_token, Role::guest}}) {
                 if (!is_same_secret(*token, *secret)) continue;
                 role = its;
                 pupil = number;
             }
         }
+        if (shared_ && is_same_secret(*token, shared_->help_token)) {
+            role = Role::helper;
+            pupil = SharedSystem::number;
+        }
         if (pupil == 0) return {.refused = forbidden};
     }
-    if (Seat* seat = role == Role::visitor ? nullptr : seat_of(pupil)) {
-        seat->is_wanted = true;
+    if (ClassSystem* system =
+            role == Role::visitor ? nullptr : system_at(role == Role::guest ? SharedSystem::number : pupil)) {
+        system->is_wanted = true;
         // What a browser sends before there is a process would be lost: it tries again.
-        if (!seat->run || seat->run->is_ending()) return {.refused = unavailable};
+        if (!system->run || system->run->is_ending()) return {.refused = unavailable};
+    } else if (role == Role::guest) {
+        return {.refused = forbidden};
     }
     const auto alike = static_cast<std::size_t>(std::count_if(clients_.begin(), clients_.end(), [&](const auto& each) {
         return each.second.role == role && each.second.pupil == pupil;
     }));
     const std::size_t most = role == Role::visitor ? most_visitors : most_of_pupil;
     if (alike >= most || clients_.size() >= most_browsers) return {.refused = unavailable};
-    const bool views = role == Role::looker || role == Role::spectator;
     if (role == Role::visitor) {
         // A visitor's number is that of the address.
         next_source_ = (next_source_ + 1) % sources_.size();
         sources_[next_source_] = request.source;
         pupil = static_cast<int>(next_source_);
     }
-    return {.view_only = views, .seat = pupil * 8 + static_cast<int>(role)};
+    return {.seat = pupil * 8 + static_cast<int>(role)};
 }
 
 void Classroom::opened(ClientId id, const Admission& admission) {
@@ -202,10 +214,11 @@ void Classroom::opened(ClientId id, const Admission& admission) {
         client.source = sources_[static_cast<std::size_t>(admission.seat / 8)];
     else
         client.pupil = admission.seat / 8;
+    client.system = client.role == Role::guest ? SharedSystem::number : client.role == Role::visitor ? 0 : client.pupil;
     client.came = Clock::now();
-    if (Seat* seat = seat_of(client.pupil); seat != nullptr && seat->run) {
-        seat->tell({.kind = admission.view_only ? RelayFrame::Kind::viewer : RelayFrame::Kind::opened, .client = id});
-        seat->tell({.kind = RelayFrame::Kind::ready, .client = id});
+    if (ClassSystem* system = system_at(client.system); system != nullptr && system->run) {
+        system->tell({.kind = only_looks(client) ? RelayFrame::Kind::viewer : RelayFrame::Kind::opened, .client = id});
+        system->tell({.kind = RelayFrame::Kind::ready, .client = id});
     }
     eventfd_write(news_.get(), 1);
 }
@@ -223,7 +236,7 @@ bool Classroom::received(ClientId id, std::string_view text) {
     const auto found = clients_.find(id);
     if (found == clients_.end()) return false;
     Client& client = found->second;
-    const bool is_ours = !shows_system(client) || text.find(for_the_class) != std::string_view::npos;
+    const bool is_ours = client.system == 0 || text.find(for_the_class) != std::string_view::npos;
     if (!is_ours) {
         relay(client, id, text);
         return true;
@@ -243,20 +256,42 @@ bool Classroom::received(ClientId id, std::string_view text) {
 }
 
 void Classroom::relay(Client& client, ClientId id, std::string_view text) {
-    Seat* seat = seat_of(client.pupil);
-    if (seat == nullptr) return;
-    if (is_frozen_ && client.role == Role::pupil) {
+    ClassSystem* system = system_at(client.system);
+    if (system == nullptr) return;
+    // Few messages need to be read here.
+    const bool at_shared = client.system == SharedSystem::number;
+    const bool is_read =
+        at_shared || (is_frozen_ && client.role == Role::pupil) || text.find(R"("save")") != std::string_view::npos;
+    if (is_read) {
         const Json request = Json::parse(text.begin(), text.end(), nullptr, false);
-        const std::string what = request.is_object() ? request.value("do", Json()).dump() : "";
-        const bool may = std::any_of(while_frozen.begin(), while_frozen.end(),
-                                     [&](std::string_view each) { return what == fmt::format("\"{}\"", each); });
-        if (!may)
+        if (const std::string why = why_not(client, request); !why.empty())
             return send(client, {{"is", "answer"},
                                  {"id", request.is_object() ? request.value("id", Json()) : Json()},
                                  {"ok", false},
-                                 {"text", "the teacher has paused the class"}});
+                                 {"text", why}});
+        // Everybody may stop it, also who may only look.
+        if (at_shared && request.is_object() && request.value("do", Json()) == "stop") {
+            system->tell(stop_message);
+            return send(client, {{"is", "answer"}, {"id", request.value("id", Json())}, {"ok", true}, {"text", ""}});
+        }
     }
-    seat->tell({.kind = RelayFrame::Kind::message, .client = id, .bytes = std::string(text)});
+    system->tell({.kind = RelayFrame::Kind::message, .client = id, .bytes = std::string(text)});
+}
+
+std::string Classroom::why_not(const Client& client, const Json& request) {
+    const auto text = [&](const char* name) {
+        const auto found = request.is_object() ? request.find(name) : request.end();
+        return found != request.end() && found->is_string() ? found->get<std::string>() : "";
+    };
+    const std::string what = text("do");
+    const bool looks = std::find(while_looking.begin(), while_looking.end(), what) != while_looking.end();
+    const bool is_pupil = client.role == Role::pupil || client.role == Role::guest;
+    if (is_frozen_ && is_pupil && !looks) return "the teacher has paused the class";
+    if (client.role == Role::guest) return looks ? "" : why_not_shared(client, request);
+    const Seat* seat = seat_of(client.system);
+    if (seat == nullptr || what != "edit" || text("what") != "save") return "";
+    const auto fits = check_quota(pupils_.work_of(seat->pupil), text("file"), text("text"), options_.quota);
+    return fits ? "" : describe(fits.error());
 }
 
 std::optional<Outgoing> Classroom::next(ClientId id) {
@@ -265,8 +300,8 @@ std::optional<Outgoing> Classroom::next(ClientId id) {
     if (found == clients_.end() || found->second.waiting.empty()) return std::nullopt;
     Waiting waiting = std::move(found->second.waiting.front());
     found->second.waiting.pop_front();
-    Seat* seat = waiting.relayed ? seat_of(found->second.pupil) : nullptr;
-    if (seat != nullptr) seat->tell({.kind = RelayFrame::Kind::ready, .client = id});
+    ClassSystem* system = waiting.relayed ? system_at(found->second.system) : nullptr;
+    if (system != nullptr) system->tell({.kind = RelayFrame::Kind::ready, .client = id});
     return std::move(waiting.message);
 }
 
@@ -274,8 +309,14 @@ void Classroom::closed(ClientId id) {
     const std::lock_guard lock(mutex_);
     const auto found = clients_.find(id);
     if (found == clients_.end()) return;
-    if (Seat* seat = seat_of(found->second.pupil)) seat->tell({.kind = RelayFrame::Kind::closed, .client = id});
+    ClassSystem* system = system_at(found->second.system);
+    if (system != nullptr) system->tell({.kind = RelayFrame::Kind::closed, .client = id});
+    // A robot does not move on without a page of the pupil who drives it.
+    const bool drove = drives(found->second);
     clients_.erase(found);
+    const bool still =
+        std::any_of(clients_.begin(), clients_.end(), [&](const auto& each) { return drives(each.second); });
+    if (drove && !still) system->tell(stop_message);
 }
 
 void Classroom::send(Client& client, const Json& json) {
@@ -287,6 +328,15 @@ void Classroom::close(Client& client) { client.waiting.push_back({{.closes = tru
 Seat* Classroom::seat_of(int pupil) {
     const auto found = seats_.find(pupil);
     return found == seats_.end() ? nullptr : found->second.get();
+}
+
+ClassSystem* Classroom::system_at(int number) {
+    return number == SharedSystem::number ? shared_.get() : static_cast<ClassSystem*>(seat_of(number));
+}
+
+bool Classroom::only_looks(const Client& client) const {
+    return client.role == Role::looker || client.role == Role::spectator ||
+           (client.role == Role::guest && !drives(client));
 }
 
 }  // namespace nezumi::web

@@ -12,11 +12,14 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bindings/web/access.hpp"
 #include "bindings/web/classroom/exercises.hpp"
 #include "bindings/web/classroom/seat.hpp"
+#include "bindings/web/classroom/shared_system.hpp"
+#include "bindings/web/classroom/work_folder.hpp"
 #include "bindings/web/job_thread.hpp"
 #include "bindings/web/sockets.hpp"
 #include "bindings/web/static_files.hpp"
@@ -31,6 +34,8 @@ struct ClassOptions {
     std::filesystem::path page{};                    ///< folder of the page's files
     std::string program{};                           ///< nezumi
     bool trust = false;                              ///< the kernel does not confine pupils' processes
+    Quota quota{};                                   ///< of a pupil's copy of an exercise
+    SharedOptions shared{};
     SocketOptions sockets{};
 };
 
@@ -43,7 +48,7 @@ public:
     /// Browsers that are no pupil yet, and of one pupil.
     static constexpr std::size_t most_visitors = 40, most_of_pupil = 6;
     /// Browsers at once.
-    static constexpr std::size_t most_browsers = 2 * most_pupils + most_visitors;
+    static constexpr std::size_t most_browsers = 3 * most_pupils + most_visitors;
     /// New pupils in a minute.
     static constexpr std::size_t most_joins = 40;
     /// Requests to the class of one browser: [1/s], and how many at once.
@@ -73,8 +78,11 @@ public:
 
 private:
     using Json = nlohmann::ordered_json;
+    // Who only looks at a system, or is frozen, may still send these.
+    static constexpr std::array<std::string_view, 5> while_looking{"watch", "floor", "stop", "remembered", "systems"};
     using Clock = std::chrono::steady_clock;
-    enum class Role { visitor, teacher, pupil, helper, looker, spectator };
+    // A guest is a pupil at the shared system.
+    enum class Role { visitor, teacher, pupil, helper, looker, spectator, guest };
 
     struct Waiting {
         Outgoing message;
@@ -82,7 +90,8 @@ private:
     };
     struct Client {
         Role role = Role::visitor;
-        int pupil = 0;  // whose system it shows; 0: none
+        int pupil = 0;   // of a pupil, or whose system it shows; 0: none
+        int system = 0;  // whose system it shows: a pupil's, or the shared one; 0: none
         std::string source{};
         std::deque<Waiting> waiting{};
         std::string shown{};  // the last state of the class that it got
@@ -95,10 +104,14 @@ private:
 
     // All of these need the lock.
     Seat* seat_of(int pupil);
-    bool shows_system(const Client& client) const { return client.pupil != 0; }
+    ClassSystem* system_at(int number);
+    bool only_looks(const Client& client) const;
+    bool is_there(int pupil) const;
     void send(Client& client, const Json& json);
     void close(Client& client);
     void relay(Client& client, ClientId id, std::string_view text);
+    /// Why this message may not reach the system; "" if it may.
+    std::string why_not(const Client& client, const Json& request);
     bool is_too_fast(Client& client) const;
     Expected<Json> perform(Client& client, const Json& request);
     Expected<Json> join(Client& client, const Json& request);
@@ -107,18 +120,32 @@ private:
     Expected<void> give_exercise(Seat& seat, const std::string& name);
     Expected<void> check_later(Seat& seat);
     Expected<Json> collect();
-    void tell_all(const std::string& message);
+    void tell_all(std::string_view message);
     Seat& add_seat(Pupil& pupil);
     void start(Seat& seat);
-    void restart(Seat& seat);
+    void start(ClassSystem& system, std::vector<std::string> words);
+    void restart(ClassSystem& system);
     void ended(Seat& seat);
-    void read_from(Seat& seat);
+    void read_from(ClassSystem& system);
     void upkeep(Clock::time_point now);
     void show_states();
     Json state_for_teacher() const;
     Json state_for_pupil(const Client& client) const;
     Json tile(const Seat& seat) const;
     const Exercise* exercise_called(std::string_view name) const;
+
+    // The shared system; also with the lock.
+    bool drives(const Client& client) const;
+    /// Why a guest, who may look, may not send this to it; "" if it may.
+    std::string why_not_shared(const Client& client, const Json& request) const;
+    Expected<Json> ask_shared(const Client& client, std::string_view what);
+    Expected<Json> teach_shared(const Json& request);
+    void take_behaviors();
+    void begin_turn();
+    void end_turn();
+    void serve_shared(Clock::time_point now);
+    Json state_of_shared() const;
+    Json shared_for_pupil(const Client& client) const;
 
     void serve_once();
     void check_now(int pupil);
@@ -133,6 +160,7 @@ private:
     mutable Mutex mutex_;  // for all members below
     Pupils pupils_;
     std::map<int, std::unique_ptr<Seat>> seats_;
+    std::unique_ptr<SharedSystem> shared_;  // null if there is none
     std::vector<std::unique_ptr<PupilRun>> ending_;
     std::map<ClientId, Client> clients_;
     std::array<std::string, 256> sources_;  // addresses of the latest visitors
@@ -142,7 +170,7 @@ private:
     std::string first_exercise_;  // that a new pupil gets
     bool door_is_open_ = true;
     bool is_frozen_ = false;
-    int projected_ = 0;  // the pupil whose system spectators see
+    int projected_ = 0;  // whose system spectators see: a pupil's, or the shared one
     std::string collected_;
     Clock::time_point looked_{};
     Clock::time_point shown_{};

@@ -7,12 +7,14 @@
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
@@ -45,12 +47,13 @@ struct [[gnu::packed]] PathRule {
 // Rights on files, by their bits.
 constexpr std::uint64_t execute = 1U << 0U, write_file = 1U << 1U, read_file = 1U << 2U, read_folder = 1U << 3U,
                         remove_folder = 1U << 4U, remove_file = 1U << 5U, make_folder = 1U << 7U, make_file = 1U << 8U,
-                        move = 1U << 13U, truncate_file = 1U << 14U;
+                        move = 1U << 13U, truncate_file = 1U << 14U, control_device = 1U << 15U;
 constexpr std::uint64_t for_reading = execute | read_file | read_folder;
 constexpr std::uint64_t for_work =
     read_file | read_folder | write_file | remove_folder | remove_file | make_folder | make_file | move | truncate_file;
 // A rule on a file may have only these.
-constexpr std::uint64_t of_files = execute | write_file | read_file | truncate_file;
+constexpr std::uint64_t of_files = execute | write_file | read_file | truncate_file | control_device;
+constexpr std::uint64_t for_devices = read_file | read_folder | write_file | truncate_file | control_device;
 
 int version() { return static_cast<int>(syscall(create_ruleset, nullptr, 0, get_version)); }
 
@@ -88,6 +91,9 @@ Expected<void> confine_files(const Confinement& confinement) {
     for (const fs::path& path : confinement.readable) {
         if (auto ok = allow(ruleset.get(), path, for_reading & rights); !ok) return ok;
     }
+    for (const fs::path& path : confinement.devices) {
+        if (auto ok = allow(ruleset.get(), path, for_devices & rights); !ok) return ok;
+    }
     for (const char* device : {"/dev/null", "/dev/zero", "/dev/urandom"}) {
         if (auto ok = allow(ruleset.get(), device, (read_file | write_file) & rights); !ok) return ok;
     }
@@ -107,20 +113,26 @@ constexpr std::uint32_t processor = AUDIT_ARCH_RISCV64;
 constexpr std::uint32_t processor = 0;  // every call is refused
 #endif
 
-// Refuses new sockets, and the calls that could make one in another way.
-Expected<void> refuse_sockets() {
+// Refuses new sockets, and the calls that could make one in another way. Local ones are needed to reserve a robot.
+Expected<void> refuse_sockets(bool but_local) {
     constexpr std::uint32_t refused = SECCOMP_RET_ERRNO | EACCES;
     constexpr std::uint32_t x32_bit = 0x40000000;
-    std::array<sock_filter, 10> filter{{
+    // The lower half of the first argument of socket(), which is its domain.
+    constexpr std::uint32_t domain = offsetof(seccomp_data, args) + (std::endian::native == std::endian::big ? 4 : 0);
+    const std::uint32_t local = but_local ? SECCOMP_RET_ALLOW : refused;
+    std::array<sock_filter, 13> filter{{
         BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch)),
         BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, processor, 1, 0),
         BPF_STMT(BPF_RET | BPF_K, refused),
         BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
-        BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, x32_bit, 4, 0),
+        BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, x32_bit, 7, 0),
         BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, __NR_socket, 3, 0),
-        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, __NR_io_uring_setup, 2, 0),
-        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, __NR_ptrace, 1, 0),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, __NR_io_uring_setup, 5, 0),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, __NR_ptrace, 4, 0),
         BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, domain),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, AF_UNIX, 0, 1),
+        BPF_STMT(BPF_RET | BPF_K, local),
         BPF_STMT(BPF_RET | BPF_K, refused),
     }};
     const sock_fprog program{.len = static_cast<unsigned short>(filter.size()), .filter = filter.data()};
@@ -128,7 +140,7 @@ Expected<void> refuse_sockets() {
     return {};
 }
 
-void set_bounds() {
+void set_bounds(bool lowers_priority) {
     const auto at_most = [](auto resource, rlim_t most) {
         rlimit limit{};
         if (getrlimit(resource, &limit) != 0) return;
@@ -141,7 +153,7 @@ void set_bounds() {
     at_most(RLIMIT_NOFILE, most_open_files);
     at_most(RLIMIT_CORE, 0);
     errno = 0;
-    [[maybe_unused]] const int now = nice(lower_priority);
+    [[maybe_unused]] const int now = lowers_priority ? nice(lower_priority) : 0;
 }
 
 }  // namespace
@@ -149,11 +161,11 @@ void set_bounds() {
 bool can_confine() { return version() >= 1; }
 
 Expected<void> confine(const Confinement& confinement) {
-    set_bounds();
+    set_bounds(confinement.devices.empty());  // real robots need regular ticks
     if (!confinement.by_kernel) return {};
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return failure(problem("new privileges can't be refused"));
     if (auto ok = confine_files(confinement); !ok) return ok;
-    return refuse_sockets();
+    return refuse_sockets(!confinement.devices.empty());
 }
 
 std::vector<fs::path> readable_parts(const fs::path& program, const std::vector<fs::path>& installed) {

@@ -13,6 +13,7 @@ namespace nezumi::web {
 struct Confinement {
     std::filesystem::path work{};                   ///< files and folders below may be read and written
     std::vector<std::filesystem::path> readable{};  ///< files, or folders with all below: may be read and run
+    std::vector<std::filesystem::path> devices{};   ///< folders: devices below may be used, and local sockets
     bool by_kernel = true;                          ///< false: only the bounds below hold
 };
 
@@ -20,7 +21,7 @@ struct Confinement {
 inline constexpr rlim_t most_memory = rlim_t{512} << 20;        ///< [bytes] that it writes to
 inline constexpr rlim_t longest_pupil_file = rlim_t{64} << 20;  ///< [bytes]
 inline constexpr rlim_t most_open_files = 256;
-/// Added to its niceness: the class and the teacher's programs come first.
+/// Added to its niceness unless it has devices: the class and the teacher's programs come first.
 inline constexpr int lower_priority = 10;
 
 /// Whether this kernel can confine programs (Landlock, Linux 5.13).

@@ -73,6 +73,8 @@ Expected<void> copy_files(const fs::path& from, const fs::path& to, bool replace
             problem.clear();
             if (is_there && !replaces) continue;
             fs::copy_file(path, there, fs::copy_options::overwrite_existing, problem);
+            std::error_code none;
+            fs::last_write_time(there, fs::last_write_time(path, none), none);
         }
         if (problem) return wrong(path);
     }

@@ -72,7 +72,7 @@ Expected<Pupils> Pupils::load(fs::path folder) {
         const std::string name = entry->path().filename().string();
         int number = 0;
         const auto [rest, wrong] = std::from_chars(name.data(), name.data() + name.size(), number);
-        if (wrong != std::errc() || rest != name.data() + name.size() || number < 1) continue;
+        if (wrong != std::errc() || rest != name.data() + name.size() || number < 1 || number > most_number) continue;
         auto pupil = read_pupil(entry->path() / "pupil.json", number);
         if (!pupil) return Unexpected(pupil.error());
         pupils.all_.push_back(std::make_unique<Pupil>(std::move(*pupil)));
@@ -105,9 +105,18 @@ Expected<Pupil*> Pupils::join(std::string_view given) {
     if (!code) return Unexpected(code.error());
     Pupil pupil{
         .number = all_.empty() ? 1 : all_.back()->number + 1, .name = name, .code = *code, .token = make_token()};
-    if (auto ok = save(pupil); !ok) return Unexpected(ok.error());
+    if (auto ok = save(pupil); !ok) {
+        remove(pupil);
+        return Unexpected(ok.error());
+    }
     all_.push_back(std::make_unique<Pupil>(std::move(pupil)));
     return all_.back().get();
+}
+
+void Pupils::remove(const Pupil& pupil) {
+    std::error_code none;
+    fs::remove_all(folder_of(pupil), none);
+    std::erase_if(all_, [&](const auto& each) { return each.get() == &pupil; });
 }
 
 Expected<std::string> Pupils::free_code() const {

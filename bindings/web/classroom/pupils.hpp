@@ -14,8 +14,11 @@
 
 namespace nezumi::web {
 
+/// The largest number of a pupil.
+inline constexpr int most_number = 999'999;
+
 struct Pupil {
-    int number = 0;      ///< from 1; names their folder
+    int number = 0;      ///< 1 ... `most_number`; names their folder
     std::string name{};  ///< in any script; never part of a path
     std::string code{};  ///< to come back with
     std::string token{};
@@ -40,6 +43,8 @@ public:
 
     /// A new pupil. Refused: a name that is empty, too long, not visible, or there already.
     Expected<Pupil*> join(std::string_view name);
+    /// Forgets a pupil who has just joined, and removes the folder.
+    void remove(const Pupil& pupil);
     /// Gives a new code. The old one and open pages of the pupil are refused from then on.
     Expected<void> renew(Pupil& pupil);
     /// Writes what has changed.

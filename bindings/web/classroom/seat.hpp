@@ -1,4 +1,4 @@
-// One pupil's place in a class: the process, and what the class sees of it through a connection of its own.
+// The systems of a class: their processes, and what the class sees of them through a connection of its own.
 #pragma once
 
 #include <chrono>
@@ -6,8 +6,10 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "bindings/web/access.hpp"
 #include "bindings/web/classroom/pupil_run.hpp"
 #include "bindings/web/classroom/pupils.hpp"
 #include "bindings/web/relay.hpp"
@@ -36,6 +38,9 @@ public:
     const std::string& error() const { return error_; }
     /// [s] since 1970: when the error began; 0: none.
     std::int64_t error_since() const { return error_since_; }
+    bool is_described() const { return described_; }
+    /// The files of its behaviours, as messages show them.
+    const std::vector<std::string>& scripts() const { return scripts_; }
 
 private:
     bool described_ = false;
@@ -43,10 +48,16 @@ private:
     bool stopped_ = false;
     std::string error_;
     std::int64_t error_since_ = 0;
+    std::vector<std::string> scripts_;
 };
 
-struct Seat {
-    Pupil& pupil;
+/// The class's own connection: browsers have numbers from 1.
+inline constexpr ClientId own_client = 0;
+/// What it sends to stop all robots of a system.
+inline constexpr std::string_view stop_message = R"({"do":"stop"})";
+
+/// A system in a process of its own.
+struct ClassSystem {
     std::string help_token{}, look_token{};  ///< of the teacher, and of viewers
     std::unique_ptr<PupilRun> run{};
     RelayReader reader{};
@@ -58,16 +69,26 @@ struct Seat {
     std::string problem{};       ///< why
     int failures = 0;            ///< short runs, one after the other
     PupilRun::Clock::time_point next_start{};
-    std::int64_t last_save = 0;  ///< [s] since 1970
-    std::vector<CheckedScenario> checked{};
-    std::string check{};  ///< "waits", "runs", "" or why it could not be done
 
+    ClassSystem();
     /// Queues a frame for the process, and sends what it takes now.
     void tell(const RelayFrame& frame);
+    /// The same with a message of the class itself.
+    void tell(std::string_view message);
     void flush();
+    /// Notes why the process has ended, and when it may start again. Returns true if its system file can't run.
+    bool note_end(PupilRun::Clock::time_point now);
 };
 
-/// The class's own connection: browsers have numbers from 1.
-inline constexpr ClientId own_client = 0;
+/// A pupil's place in a class.
+struct Seat : ClassSystem {
+    explicit Seat(Pupil& its) : pupil(its) {}
+
+    Pupil& pupil;
+    std::string shared_token = make_token();  ///< of the pupil, for the shared system
+    std::int64_t last_save = 0;               ///< [s] since 1970
+    std::vector<CheckedScenario> checked{};
+    std::string check{};  ///< "waits", "runs", "" or why it could not be done
+};
 
 }  // namespace nezumi::web

@@ -2,6 +2,7 @@
 import { el } from "./dom.js";
 import { Link } from "./link.js";
 import { in_language, shown_code } from "./class_bar.js";
+import { make_shared_tile } from "./class_shared_tile.js";
 import { make_language_button, T } from "./texts.js";
 
 function take_token() {
@@ -105,6 +106,7 @@ const frozen = el("p", { class: "told frozen", text: T.class.frozen, hidden: tru
 const projector = el("p", { class: "told projector", hidden: true });
 const collected = el("p", { class: "told collected", hidden: true });
 const tiles = el("div", { class: "tiles" });
+const shared = make_shared_tile(request);
 const nobody = el("p", { class: "empty", text: T.class.nobody });
 const shown = new Map();
 let state = {};
@@ -115,7 +117,7 @@ document.body.append(el("div", { class: "class" },
     el("div", { class: "row" }, freeze, door, chooser, el("button", { text: T.class.send, onclick: () => request("exercise", { exercise: chooser.value }) }),
       el("button", { text: T.class.hint_all, onclick: () => give_hint(0, "") }), el("button", { text: T.class.check, onclick: () => request("check") }),
       el("button", { text: T.class.collect, onclick: () => request("collect") }), project)),
-  told, frozen, projector, collected, nobody, tiles));
+  told, frozen, projector, collected, shared.node, nobody, tiles));
 
 function show(next) {
   state = next;
@@ -134,6 +136,7 @@ function show(next) {
     chooser.replaceChildren(...state.exercises.map(({ name, title, title_ja }) => el("option", { value: name, text: in_language(title, title_ja).replace(/^#+ /, "") })));
     chooser.value = state.first;
   }
+  shared.show(state.shared);
   for (const pupil of pupils) {
     if (!shown.has(pupil.number)) {
       const tile = new Tile();

@@ -1,5 +1,6 @@
 // The bar of a pupil's page in a class: exercise, hints, checks, mark, and what the teacher does.
 import { el } from "./dom.js";
+import { make_shared } from "./class_shared.js";
 import { language, T } from "./texts.js";
 
 /// "abcdef" as people read it.
@@ -54,9 +55,12 @@ function make_bar({ link, notices }) {
     sessionStorage.removeItem("nezumi.token");
     location.assign("/");
   } });
-  const node = el("section", { class: "class-bar" }, title, open, check, code, who, told, mark, frozen, leave, broken);
+  const shared = make_shared({ request: (what) => request(what), link, notices });
+  const node = el("section", { class: "class-bar" }, title, open, check, code, who, told, mark, frozen, shared.node, leave, broken);
   document.body.querySelector("header").after(node);
   document.body.classList.add("in-class");
+  // Notices do not hide its buttons.
+  new ResizeObserver(() => (notices.node.style.top = `${node.getBoundingClientRect().bottom + 8}px`)).observe(node);
   let hints_before = -1;
   let text_before = null;
 
@@ -78,6 +82,15 @@ function make_bar({ link, notices }) {
 
   return (state) => {
     const own = state.role === "pupil";
+    const at_shared = state.role === "guest" || state.role === "shared";
+    shared.show(state.shared, at_shared);
+    frozen.hidden = !state.frozen;
+    if (at_shared) {
+      title.textContent = T.class.shared.title(state.shared.name);
+      document.body.classList.toggle("guest", state.role === "guest");
+      check.hidden = open.hidden = code.hidden = leave.hidden = broken.hidden = true;
+      return;
+    }
     const written = in_language(state.text ?? "", state.text_ja ?? "");
     const [first, ...rest] = written.split("\n");
     title.textContent = own || state.role === "helper" ? first.replace(/^#+ /, "") : T.class.bar.of(state.name);
@@ -87,7 +100,6 @@ function make_bar({ link, notices }) {
     if (own) code.textContent = T.class.bar.code(shown_code(state.code));
     told.textContent = [own && state.helps && T.class.bar.helps, own && state.looks && T.class.bar.looks, own && state.projected && T.class.bar.projected].filter(Boolean).join(" · ");
     mark.textContent = state.mark ? T.class.bar.mark(state.mark) : "";
-    frozen.hidden = !state.frozen;
     document.body.classList.toggle("frozen", state.frozen && own);
     broken.hidden = !state.broken;
     why.textContent = T.class.bar.broken(state.broken);

@@ -183,6 +183,14 @@ export const EN = {
     since: (time) => `since ${time}`, saved: (time) => `saved ${time}`, never: "nothing saved", passed: (passed, all) => `${passed} of ${all} passed`, unchecked: "not checked",
     away: "away", windows: (n) => (n === 1 ? "here" : `here, ${n} windows`), memory: (n) => `${n} MB`, code: (code) => `code ${code}`, failed: (why) => why || "It failed.",
     lost: "The connection to the class is lost; it connects again.",
+    shared: {
+      title: (name) => `Shared by the class: ${name}`, real: "real robot", drives: (name, left) => `${name} drives, ${left} left`, free: "Nobody drives",
+      you_drive: (left) => `You drive, ${left} left`, place: (n) => `you are ${n}${{ 1: "st", 2: "nd", 3: "rd" }[n % 100 > 10 && n % 100 < 14 ? 0 : n % 10] ?? "th"}`,
+      queue: "Queue to drive", leave_queue: "Leave the queue", give_back: "End my turn", load: "Load my behaviours",
+      load_hint: "Take the present behaviours of your own copy; they reload here as saved files do", stop: "Stop shared", stop_hint: "Emergency stop of the shared system",
+      not_taken: (why) => `Your behaviours are not loaded: ${why}`, your_turn: "It is your turn. Re-arm, then drive.", turn_over: "Your turn is over.",
+      back: "My own system", open: (name) => `Go to ${name}`, look: "Open", end: "Take away", up: "Earlier", remove: "Remove", limit: "Minutes for each", nobody: "Nobody waits.",
+    },
     join: {
       title: "Join the class", name: "Your name", name_hint: "in any script", go: "Join", code: "Your code", code_hint: "six letters and digits that the class gave you",
       back: "Come back", or: "You were here before?", away: "The class can't be reached. Is it still open?",

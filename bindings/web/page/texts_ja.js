@@ -183,6 +183,14 @@ export const JA = {
     since: (time) => `${time} から`, saved: (time) => `${time} に保存`, never: "保存なし", passed: (passed, all) => `${all} 件中 ${passed} 件合格`, unchecked: "未確認",
     away: "不在", windows: (n) => (n === 1 ? "参加中" : `参加中 (画面 ${n} 枚)`), memory: (n) => `${n} MB`, code: (code) => `コード ${code}`, failed: (why) => why || "失敗しました。",
     lost: "クラスとの接続が切れました。自動的につなぎ直します。",
+    shared: {
+      title: (name) => `みんなで使うシステム: ${name}`, real: "実機", drives: (name, left) => `${name} さんが運転中 (残り ${left})`, free: "だれも運転していません",
+      you_drive: (left) => `あなたが運転中 (残り ${left})`, place: (n) => `あなたは ${n} 番目です`,
+      queue: "順番を待つ", leave_queue: "待つのをやめる", give_back: "運転を終わる", load: "自分の動作を入れる",
+      load_hint: "自分のコピーにある今の動作を、ここに入れます。保存したときと同じように読み込まれます", stop: "共用を停止", stop_hint: "みんなで使うシステムを非常停止します",
+      not_taken: (why) => `あなたの動作は入っていません: ${why}`, your_turn: "あなたの番です。非常停止を解除してから、運転してください。", turn_over: "あなたの番は終わりました。",
+      back: "自分のシステムへ", open: (name) => `${name} へ`, look: "開く", end: "運転を終わらせる", up: "前へ", remove: "外す", limit: "1 人の時間 (分)", nobody: "待っている人はいません。",
+    },
     join: {
       title: "クラスに参加する", name: "名前", name_hint: "どんな文字でもかまいません", go: "参加する", code: "コード", code_hint: "参加したときにもらった、英字と数字の 6 文字",
       back: "続きを始める", or: "前に参加したことがある人", away: "クラスに接続できません。まだ開いているか、先生に確かめてください。",

@@ -1,0 +1,60 @@
+// Who drives the shared system of a class, and who waits for it.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <optional>
+
+namespace nezumi::web {
+
+/// Pupils are named by their numbers.
+class Turns {
+public:
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::minutes usual_limit{5}, longest_limit{120};
+    /// A pupil without a page for longer than this gives up the turn, or the place in the queue.
+    static constexpr std::chrono::seconds longest_absence{10};
+
+    /// The pupil whose turn it is; 0: nobody's.
+    int driver() const { return driver_; }
+    /// Who waits, the next one first.
+    const std::deque<int>& waiting() const { return waiting_; }
+    /// From 1; 0: the pupil does not wait.
+    std::size_t place_of(int pupil) const;
+    std::chrono::minutes limit() const { return limit_; }
+    /// Holds for the present turn, too. Does nothing outside 1 minute ... `longest_limit`.
+    void set_limit(std::chrono::minutes limit);
+    /// What is left of the turn; zero without a driver.
+    Clock::duration left(Clock::time_point now) const;
+
+    /// Waits as the last one. Does nothing for the driver, and for who waits already.
+    void enter(int pupil);
+    /// Waits no longer; does not end a turn.
+    void remove(int pupil);
+    /// Changes places with the one before.
+    void move_up(int pupil);
+
+    /// Begins the turn of the next one. Returns false if one has a turn, or nobody waits.
+    bool begin(Clock::time_point now);
+    void end() { driver_ = 0; }
+
+    /// Removes those who have been away too long. Returns true if the turn is over: its time is up, or its driver has
+    /// been away too long.
+    bool look(Clock::time_point now, const std::function<bool(int pupil)>& is_there);
+
+private:
+    struct Away {
+        int pupil = 0;
+        Clock::time_point since{};
+    };
+
+    std::deque<int> waiting_;
+    std::deque<Away> away_;
+    std::chrono::minutes limit_ = usual_limit;
+    Clock::time_point begin_{};
+    int driver_ = 0;
+};
+
+}  // namespace nezumi::web
