@@ -293,5 +293,36 @@ class Bounds(class_test.ClassCase):
         self.until_tile(teacher, "Taro", "/saved \\d/.test(tile.textContent)", "the tile shows the save")
 
 
+class RealRobot(SharedCase):
+    """The nodes of a mouse are plain files here."""
+
+    def setUp(self):
+        self.devices = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.devices)
+        for name, text in {"rtmotor_raw_l0": "0", "rtmotor_raw_r0": "0", "rtmotoren0": "0", "rtlightsensor0": "10 10 10 10\n"}.items():
+            with open(os.path.join(self.devices, name), "w") as node:
+                node.write(text)
+        self.room = self.begin(options=["--shared", SHARED, "--hw", "--dev-root", self.devices])
+        self.page.driver.get(self.room.url)
+
+    def node(self, name):
+        with open(os.path.join(self.devices, name)) as node:
+            return node.read().strip()
+
+    def test_a_real_robot_is_driven_in_turn_and_loses_its_power_at_the_end(self):
+        room, page = self.room, self.page
+        self.join(room, "Taro")
+        pupils_file(room, 1, DRIVES % ("taro", "taro"))
+        page.press("Queue to drive")
+        self.told(page, "You drive, ", 60)
+        self.assertEqual((self.node("rtmotor_raw_l0"), self.node("rtmotoren0")), ("0", "0"))
+        self.go(page)
+        page.until("document.body.classList.contains('stopped')", "it begins stopped")
+        page.press("Re-arm")
+        rig.wait_until(lambda: self.node("rtmotor_raw_l0") not in ("", "0") and self.node("rtmotoren0") == "1", "the motors turn", 20)
+        self.assertTrue(self.asks_teacher(what="shared", go="end")["ok"])
+        rig.wait_until(lambda: (self.node("rtmotor_raw_l0"), self.node("rtmotoren0")) == ("0", "0"), "the motors have no power", 20)
+
+
 if __name__ == "__main__":
     sys.exit(rig.main(__name__))

@@ -68,7 +68,7 @@ void Classroom::start(ClassSystem& system, std::vector<std::string> words) {
     };
     comes(own_client, false);
     for (const auto& [id, client] : clients_) {
-        if (system_at(client.system) == &system) comes(id, only_looks(client));
+        if (system_at(client.system) == &system) comes(id, is_spectator(client));
     }
     if (is_frozen_) system.tell(R"({"do":"time","what":"pause"})");
 }

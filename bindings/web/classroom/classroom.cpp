@@ -217,7 +217,8 @@ void Classroom::opened(ClientId id, const Admission& admission) {
     client.system = client.role == Role::guest ? SharedSystem::number : client.role == Role::visitor ? 0 : client.pupil;
     client.came = Clock::now();
     if (ClassSystem* system = system_at(client.system); system != nullptr && system->run) {
-        system->tell({.kind = only_looks(client) ? RelayFrame::Kind::viewer : RelayFrame::Kind::opened, .client = id});
+        system->tell(
+            {.kind = is_spectator(client) ? RelayFrame::Kind::viewer : RelayFrame::Kind::opened, .client = id});
         system->tell({.kind = RelayFrame::Kind::ready, .client = id});
     }
     eventfd_write(news_.get(), 1);
@@ -334,7 +335,7 @@ ClassSystem* Classroom::system_at(int number) {
     return number == SharedSystem::number ? shared_.get() : static_cast<ClassSystem*>(seat_of(number));
 }
 
-bool Classroom::only_looks(const Client& client) const {
+bool Classroom::is_spectator(const Client& client) const {
     return client.role == Role::looker || client.role == Role::spectator ||
            (client.role == Role::guest && !drives(client));
 }

@@ -105,7 +105,7 @@ private:
     // All of these need the lock.
     Seat* seat_of(int pupil);
     ClassSystem* system_at(int number);
-    bool only_looks(const Client& client) const;
+    bool is_spectator(const Client& client) const;
     bool is_there(int pupil) const;
     void send(Client& client, const Json& json);
     void close(Client& client);
