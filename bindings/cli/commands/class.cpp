@@ -24,11 +24,14 @@
 #include "bindings/cli/run/options.hpp"
 #include "bindings/cli/run/web.hpp"
 #include "bindings/console/put_text.hpp"
+#include "bindings/lua/files/system_file.hpp"
 #include "bindings/web/classroom/check_work.hpp"
 #include "bindings/web/classroom/classroom.hpp"
 #include "bindings/web/qr_code.hpp"
 #include "engine/base/own_program.hpp"
 #include "engine/base/visible.hpp"
+#include "engine/devices/wired_device.hpp"
+#include "engine/project/project.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -52,6 +55,17 @@ Expected<web::SharedOptions> shared_of(const ClassWords& words, const std::optio
     if (!file) return Unexpected(file.error());
     shared.file = *file;
     if (!hardware) return shared;
+    const auto system = read_system_file(*file, Project::of(*file, installed_folders()), {.peer_words = peer_words()});
+    if (!system) return Unexpected(system.error());
+    // A pupil's copy of a driver would stand between the robot's limits and its motors.
+    const auto has_script = [](const auto& model) { return !model.second.hardware.script.empty(); };
+    const auto is_wire = [](const ComponentEntry* entry) { return find_device_kind(entry->type) != nullptr; };
+    const auto components = entries_of<ComponentEntry>(*system);
+    if (std::any_of(system->models.begin(), system->models.end(), has_script) ||
+        std::any_of(components.begin(), components.end(), is_wire))
+        return failure(
+            "--hw: a class shares no robots whose driver is a script, and no serial lines: pupils could replace "
+            "the driver");
     shared.hardware.push_back(words.web.hw.text == "true" ? "--hw" : "--hw=" + words.web.hw.text);
     for (const auto& [option, folder] :
          {std::pair{"--dev-root", hardware->dev_root}, {"--sys-root", hardware->sys_root}}) {
