@@ -1,5 +1,12 @@
 """Environments of Gymnasium's shape on simulated systems: `reset` and `step`, one world or many at once.
 
+    envs = nezumi_env.Vector("behaviors/environments/stop_at_wall.lua", 64)
+    observations, infos = envs.reset(seed=1)
+    observations, rewards, terminations, truncations, infos = envs.step(actions)
+
+`Vector` is for learning: many worlds in few processes, and NumPy arrays in memory that they share. What an agent does
+and sees is described in a file of Lua. `Environment` is one world with a console; it needs no file and no NumPy.
+
     env = nezumi_env.Environment(
         "behaviors/systems/stop_at_wall.lua",
         act='hold("mouse.target_velocity_in", { vx = action[1], va = action[2] })',
@@ -16,7 +23,12 @@ the seed decides everything: the same seed and the same actions give the same ep
 whoever has it registers these classes as they are.
 """
 
+import contextlib
+import json
+import mmap
+import os
 import random
+import subprocess
 
 import nezumi
 
@@ -155,6 +167,159 @@ class Environments:
     def close(self):
         for env in self.envs:
             env.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+
+class Box:
+    """What the values of an array may be: Gymnasium's space of this name, as far as learners read it."""
+
+    def __init__(self, low, high):
+        self.low, self.high, self.shape, self.dtype = low, high, low.shape, low.dtype
+
+    def contains(self, values):
+        return values.shape == self.shape and bool(((values >= self.low) & (values <= self.high)).all())
+
+    def __repr__(self):
+        return "Box(%s, %s, %s)" % (self.low.min(), self.high.max(), self.shape)
+
+
+class Vector:
+    """`num_envs` worlds of an environment's file, in `processes` processes (default: one a processor core).
+
+    Arrays have the worlds as rows. A world whose episode is over begins the next one in the next step, whose action it
+    ignores. `copy=False`: the arrays that are returned are the shared memory, which the next call changes."""
+
+    metadata = {"autoreset_mode": "NextStep", "render_modes": []}
+    render_mode = None
+    spec = None
+
+    def __init__(self, file, num_envs=1, processes=None, copy=True, program="nezumi", folder=None):
+        try:
+            import numpy
+        except ImportError:
+            raise nezumi.Error("nezumi_env.Vector needs NumPy: sudo apt install python3-numpy") from None
+        self._numpy, self._copy, self.num_envs = numpy, copy, num_envs
+        if processes is None:
+            processes = len(os.sched_getaffinity(0))
+        processes = max(1, min(processes, num_envs))
+        self._is_seeded = False
+        self._processes = []
+        bounds = [num_envs * i // processes for i in range(processes + 1)]
+        self._firsts = bounds[:-1]
+        memory = os.memfd_create("nezumi worlds", 0)
+        try:
+            for first, end in zip(bounds, bounds[1:]):
+                words = [program, "environment", str(file), "--memory", str(memory), "--worlds", str(num_envs),
+                         "--first", str(first), "--count", str(end - first)]
+                self._processes.append(self._start(words, memory, folder))
+            said = [self._answer(process) for process in self._processes]
+            for each in said:
+                if "error" in each:
+                    raise nezumi.Error(each["error"])
+            self._map(said[0], memory)
+        except BaseException:
+            self.close()
+            raise
+        finally:
+            os.close(memory)
+
+    @staticmethod
+    def _start(words, memory, folder):
+        # A session of its own: Ctrl-C is for the learner, whose end closes the pipes.
+        return subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                pass_fds=(memory,), cwd=folder, start_new_session=True)
+
+    def _map(self, said, memory):
+        numpy = self._numpy
+        self._memory = mmap.mmap(memory, said["bytes"])
+        self.arrays = {
+            name: numpy.frombuffer(self._memory, place["type"], int(numpy.prod(place["shape"])),
+                                   place["offset"]).reshape(place["shape"])
+            for name, place in said["arrays"].items()}
+        self.description = said
+        self.single_action_space = self._space(said["action"])
+        self.single_observation_space = self._space(said["observation"])
+        self.action_space = self._of_all(self.single_action_space)
+        self.observation_space = self._of_all(self.single_observation_space)
+
+    def _space(self, channels):
+        def limits(name, otherwise):
+            values = [channel.get(name, otherwise) for channel in channels for _ in range(channel["count"])]
+            return self._numpy.array(values, "f4")
+        return Box(limits("min", -float("inf")), limits("max", float("inf")))
+
+    def _of_all(self, space):
+        rows = (self.num_envs, 1)
+        return Box(self._numpy.tile(space.low, rows), self._numpy.tile(space.high, rows))
+
+    def _answer(self, process):
+        line = process.stdout.readline()
+        return json.loads(line) if line else {"error": "a process with worlds has ended"}
+
+    def _all(self, line, of=None):
+        if not self._processes:
+            raise nezumi.Error("the worlds are closed")
+        chosen = self._processes if of is None else [self._processes[of]]
+        for process in chosen:
+            with contextlib.suppress(BrokenPipeError):  # then there is no answer
+                process.stdin.write(line.encode() + b"\n")
+                process.stdin.flush()
+        errors = [answer["error"] for answer in map(self._answer, chosen) if "error" in answer]
+        if errors:
+            raise nezumi.Error(errors[0])
+
+    def _taken(self, name):
+        array = self.arrays[name]
+        if array.dtype == self._numpy.uint8:
+            array = array.view(bool)
+        return array.copy() if self._copy else array
+
+    @property
+    def unwrapped(self):
+        return self
+
+    def reset(self, *, seed=None, options=None):
+        """Begins an episode in each world: the first observations, and infos with the seeds. World i has the seed
+        `seed + i`; without a `seed` it follows from the one before."""
+        if seed is None and not self._is_seeded:
+            seed = random.getrandbits(31)
+        self._is_seeded = True
+        self._all("reset" if seed is None else "reset %d" % seed)
+        return self._taken("observations"), {"seed": self._taken("seeds")}
+
+    def step(self, actions):
+        """One step of all worlds: observations, rewards, terminations, truncations, infos. Actions are kept within
+        their limits."""
+        self.arrays["actions"][...] = self._numpy.reshape(actions, self.arrays["actions"].shape)
+        self._all("step")
+        return (self._taken("observations"), self._taken("rewards"), self._taken("terminated"),
+                self._taken("truncated"), {})
+
+    def seeds(self):
+        """Of the present episodes."""
+        return self._taken("seeds")
+
+    def reload(self):
+        """Episodes that begin from now on use the environment's file as it is now."""
+        self._all("reload")
+
+    def save_episode(self, world, file):
+        """Writes the journal of a world's episode up to now; `nezumi open FILE` shows it in the time line."""
+        of = max(i for i, first in enumerate(self._firsts) if first <= world)
+        self._all("save %d %s" % (world, os.path.abspath(file)), of)
+
+    def close(self):
+        for process in self._processes:
+            with contextlib.suppress(BrokenPipeError):
+                process.stdin.close()
+            process.stdout.close()
+            process.wait()
+        self._processes = []
 
     def __enter__(self):
         return self

@@ -24,6 +24,7 @@ SubCommand marker_command();
 SubCommand maze_command();
 SubCommand mms_command();
 SubCommand mcp_command();
+SubCommand environment_command();
 
 SubCommand network_command();
 SubCommand rtc_command();

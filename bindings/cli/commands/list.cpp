@@ -25,7 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 6> kinds{"systems", "robots", "behaviors", "messages", "modules", "scenarios"};
+constexpr std::array<std::string_view, 7> kinds{"systems", "robots",    "behaviors",   "messages",
+                                                "modules", "scenarios", "environments"};
 
 struct Named {
     std::string file, doc;
@@ -107,9 +108,10 @@ SubCommand list_command() {
     return {
         .name = "list",
         .help =
-            "Show the systems, robots, behaviours, messages, modules and scenarios of the project and the installed "
-            "ones",
-        .options = {{"[KIND]", kind.get(), "only systems, robots, behaviors, messages, modules or scenarios"}},
+            "Show the systems, robots, behaviours, messages, modules, scenarios and environments of the project and "
+            "the "
+            "installed ones",
+        .options = {{"[KIND]", kind.get(), "only " + fmt::format("{}", fmt::join(kinds, ", "))}},
         .run = [kind] { return list(*kind); },
         .footer = "A line for each: its name, its file, and the first line of the comment that the file begins with."};
 }

@@ -12,6 +12,7 @@
 #include "bindings/cli/files/named_files.hpp"
 #include "bindings/cli/files/system_error.hpp"
 #include "bindings/dds/network_maker.hpp"
+#include "bindings/learning/environment_file.hpp"
 #include "bindings/lua/files/calibration_file.hpp"
 #include "bindings/lua/files/message_file.hpp"
 #include "bindings/lua/files/robot_file.hpp"
@@ -173,6 +174,15 @@ std::vector<Error> check_calibration(const std::string& text, const std::string&
     return calibration ? std::vector<Error>() : std::vector<Error>{std::move(calibration.error())};
 }
 
+// Describes the environment, and finds its system, without running either.
+std::vector<Error> check_environment(const SourceText& source, const Project& project) {
+    std::vector<Error> errors;
+    const auto file = EnvironmentFile::read(source, project, 0, {}, &errors);
+    if (!file) return errors;
+    const auto system = (*file)->find_system(project);
+    return system ? errors : std::vector<Error>{system.error()};
+}
+
 // What it defines, with all that its fields name.
 std::vector<Error> check_message(const SourceText& source, const Project& project) {
     const auto types = MessageFiles(project, read_message_file).types_in(source);
@@ -201,6 +211,7 @@ std::vector<Error> check_text(const std::string& text, const fs::path& file, con
         case LuaKind::robot: return check_robot_text(text, shown, project, options.drivers);
         case LuaKind::scenario: return check_scenarios(file, text, options);
         case LuaKind::message: return check_message(source, project);
+        case LuaKind::environment: return check_environment(source, project);
         case LuaKind::definitions: break;
     }
     const auto chunk = compile(text, shown);

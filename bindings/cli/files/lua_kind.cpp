@@ -42,6 +42,7 @@ LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text) {
         if (use.name() == "robot_model") return LuaKind::robot;
         if (use.name() == "message" && returns(tree)) return LuaKind::message;
         if (use.name() == "scenario") return LuaKind::scenario;
+        if (use.name() == "environment") return LuaKind::environment;
         if (use.name() == "calibration") return LuaKind::calibration;
         if (use.assigned && use.name().starts_with("on_")) declares = true;
         if (has(script_globals(), use.name()) && use.name() != "require") ++of_behaviors;
@@ -62,6 +63,7 @@ std::string_view kind_name(LuaKind kind) {
         case LuaKind::module: return "modules";
         case LuaKind::message: return "messages";
         case LuaKind::scenario: return "scenarios";
+        case LuaKind::environment: return "environments";
         default: return "";
     }
 }

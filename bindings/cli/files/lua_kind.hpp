@@ -15,6 +15,7 @@ enum class LuaKind {
     calibration,  ///< `ROBOT.calibration.lua`
     scenario,     ///< `*_test.lua`
     message,      ///< defines a message type
+    environment,  ///< of a learning program
     definitions,  ///< `---@meta`: for the language server, never run
 };
 
@@ -22,8 +23,8 @@ enum class LuaKind {
 /// arbitrary kind: it is wrong as any kind.
 LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text);
 
-/// As `nezumi list` names these files: "systems", "robots", "behaviors", "messages", "modules", "scenarios"; "" for
-/// other kinds.
+/// As `nezumi list` names these files: "systems", "robots", "behaviors", "messages", "modules", "scenarios",
+/// "environments"; "" for other kinds.
 std::string_view kind_name(LuaKind kind);
 
 }  // namespace nezumi::cli

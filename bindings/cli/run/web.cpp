@@ -75,6 +75,7 @@ std::map<std::string, std::vector<std::string>> names_of_files() {
     add(LuaKind::system, system_word_names(peer_words()));
     add(LuaKind::robot, std::vector<std::string>{"robot_model"});
     add(LuaKind::scenario, std::vector<std::string>{"scenario", "range"});
+    add(LuaKind::environment, std::vector<std::string>{"environment", "require"});
     return names;
 }
 

@@ -75,12 +75,12 @@ bool matches(const std::vector<std::string>& lines, std::size_t at, const std::v
     return at < lines.size() && matches(lines[at], expected[wanted]) && matches(lines, at + 1, expected, wanted + 1);
 }
 
-// A terminal in a folder of its own, with this build's nezumi on its path.
+// A terminal in a folder of its own, with this build's nezumi on its path, and Debian's Python, which has NumPy.
 class Terminal {
 public:
     std::string run(const std::string& command) {
         const std::string bin = nezumi_program().substr(0, nezumi_program().rfind('/'));
-        scratch_.write("command", "PATH='" + bin + "':$PATH; export PYTHONDONTWRITEBYTECODE=1 PYTHONPATH='" +
+        scratch_.write("command", "PATH='" + bin + "':/usr/bin:$PATH; export PYTHONDONTWRITEBYTECODE=1 PYTHONPATH='" +
                                       source_root() + "/bindings/python'; cd '" + folder_ + "'\n" + command +
                                       "\npwd > '" + scratch_.path("folder").string() + "'\n");
         const std::string shell = "sh '" + scratch_.path("command").string() + "' 2>&1 </dev/null";
@@ -363,6 +363,8 @@ TEST_CASE("the page for papers does what it says", "[cli][docs]") { follow("meth
 TEST_CASE("the page about upgrading does what it says", "[cli][docs]") { follow("upgrading.md"); }
 
 TEST_CASE("the page about Micromouse does what it says", "[cli][docs]") { follow("micromouse.md"); }
+
+TEST_CASE("the page about learning does what it says", "[cli][docs]") { follow("learning.md"); }
 
 TEST_CASE("the page about agents does what it says", "[cli][docs]") { follow("agents.md"); }
 
