@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "sim/scenery.hpp"
 
@@ -17,6 +17,29 @@ constexpr int corners = 32;                // of a disc
 
 int pixels_along(double length, double pixel) { return std::max(1, static_cast<int>(std::lround(length / pixel))); }
 
+// Paints the pixels whose centres are within the convex polygon.
+void fill_convex(Picture& picture, const std::vector<Point2D>& polygon, Rgb color) {
+    const auto [top, bottom] = std::minmax_element(polygon.begin(), polygon.end(),
+                                                   [](const Point2D& a, const Point2D& b) { return a.y < b.y; });
+    const int last = static_cast<int>(std::min(std::floor(bottom->y), picture.height - 1.0));
+    for (int row = static_cast<int>(std::max(std::ceil(top->y), 0.0)); row <= last; ++row) {
+        double left = picture.width, right = -1;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Point2D& a = polygon[i];
+            const Point2D& b = polygon[(i + 1) % polygon.size()];
+            if (std::min(a.y, b.y) > row || std::max(a.y, b.y) < row) continue;
+            const double x = a.y == b.y ? a.x : a.x + (row - a.y) / (b.y - a.y) * (b.x - a.x);
+            left = std::min(left, x);
+            right = std::max(right, a.y == b.y ? std::max(x, b.x) : x);
+        }
+        const int from = static_cast<int>(std::max(std::ceil(left), 0.0));
+        const int to = static_cast<int>(std::min(std::floor(right), picture.width - 1.0));
+        Rgb* const pixels =
+            picture.pixels.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width);
+        if (from <= to) std::fill(pixels + from, pixels + to + 1, color);
+    }
+}
+
 }  // namespace
 
 Picture plain_floor(const Point2D& size) {
@@ -28,21 +51,14 @@ Picture plain_floor(const Point2D& size) {
 }
 
 void paint_line(Picture& floor, const Point2D& size, const LineSpec& line) {
-    // OpenCV takes corners in fractions of a pixel; the centre of a pixel is an integer.
-    constexpr int shift = 6;
-    constexpr double fraction = 1 << shift;
-    static_assert(sizeof(Rgb) == 4);
-    cv::Mat canvas(floor.height, floor.width, CV_8UC4, floor.pixels.data());
     const Rgb color = parse_color(line.color);
-    const cv::Scalar bytes(color & 0xff, color >> 8 & 0xff, color >> 16 & 0xff, 0);  // in memory order
-    const auto pixel = [&](double x, double y) {
-        return cv::Point(static_cast<int>(std::lround(((x / size.x + 0.5) * floor.width - 0.5) * fraction)),
-                         static_cast<int>(std::lround(((0.5 - y / size.y) * floor.height - 0.5) * fraction)));
+    const auto pixel = [&](double x, double y) {  // the centre of a pixel is an integer
+        return Point2D{(x / size.x + 0.5) * floor.width - 0.5, (0.5 - y / size.y) * floor.height - 0.5};
     };
     const double half = line.width / 2;
-    std::vector<cv::Point> polygon;
+    std::vector<Point2D> polygon;
     const auto fill = [&] {
-        cv::fillConvexPoly(canvas, polygon, bytes, cv::LINE_8, shift);
+        fill_convex(floor, polygon, color);
         polygon.clear();
     };
     for (std::size_t i = 0; i < line.points.size(); ++i) {

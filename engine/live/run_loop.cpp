@@ -97,11 +97,27 @@ void RunLoop::run() {
             wait_for_files(slice, true);
             continue;
         }
-        for (const auto& action : before_tick_) action();
-        follow_restart();
-        if (ended()) return;
-        tick();
+        begin_tick();
     }
+}
+
+void RunLoop::begin_tick() {
+    for (const auto& action : before_tick_) action();
+    follow_restart();
+    if (!ended()) tick();
+}
+
+double RunLoop::go_on(double seconds) {
+    const auto end = Clock::now() + duration_of(seconds);
+    serve(end);
+    if (stands_still()) live_.between_ticks();
+    follow_restart();
+    while (!ended() && !stands_still() && spare_seconds() <= 0) {
+        begin_tick();
+        if (Clock::now() >= end) break;
+    }
+    if (ended()) return -1;
+    return more_waits_ ? 0 : std::clamp(spare_seconds(), 0.0, longest_wait);
 }
 
 // Usually other hosts are ready within a moment. Until then, attendants get time as in a pause.

@@ -64,6 +64,9 @@ public:
 
     /// Runs until the end: `quit`, `end_when`, `end_at`, or a fatal error of the system.
     void run();
+    /// Does what `run` would do in about this time [s], but never waits: for programs with their own loop. Returns the
+    /// time until more is due [s]; 0: at once, negative: the run has ended.
+    double go_on(double seconds);
     /// Runs one tick, like `run`, when it is due: for programs with their own loop.
     void tick();
 
@@ -101,6 +104,7 @@ private:
     bool stands_still() const { return is_paused() && !is_hardware(); }
     void follow_restart();
     void pace_anew();
+    void begin_tick();
     void serve_until_due();
     double spare_seconds() const;
     void serve(Clock::time_point until);

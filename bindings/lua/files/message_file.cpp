@@ -37,7 +37,8 @@ std::string read_kind(std::string_view text, FieldDefinition& field) {
     }
     std::size_t length = 0;
     const auto read = std::from_chars(inside.data(), inside.data() + inside.size(), length);
-    if (read.ec != std::errc() || length == 0 || std::string_view(read.ptr, inside.data() + inside.size()) != "]")
+    if (read.ec != std::errc() || length == 0 ||
+        inside.substr(static_cast<std::size_t>(read.ptr - inside.data())) != "]")
         return fmt::format("expected an array as \"{0}[8]\" or \"{0}[]\", got '{1}'", field.kind, shown(text));
     field.shape.push_back(length);
     return "";

@@ -38,7 +38,7 @@ LineProfile::~LineProfile() {
 }
 
 void LineProfile::follow(lua_State* coroutine) {
-    if (current_profile != nullptr && lua_gethook(coroutine) == nullptr)
+    if (current_profile != nullptr && has_free_hook(coroutine))
         lua_sethook(coroutine, on_event, LUA_MASKLINE | LUA_MASKRET, 0);
 }
 
@@ -46,7 +46,7 @@ void LineProfile::on_event(lua_State* lua, lua_Debug* event) {
     LineProfile* const profile = current_profile;
     if (profile == nullptr) {
         // The watchdog may have set its hook meanwhile; that one must stay.
-        if (lua_gethook(lua) == on_event) lua_sethook(lua, nullptr, 0, 0);
+        if (lua_gethook(lua) == on_event) free_hook(lua);
         return;
     }
     const std::int64_t began = thread_time();
@@ -59,6 +59,7 @@ void LineProfile::on_event(lua_State* lua, lua_Debug* event) {
     profile->since_ = thread_time();
     profile->hooks_ += profile->since_ - began;
     charge_calls(began - profile->since_);
+    look_at_time(lua);
 }
 
 void LineProfile::note(lua_State* lua, lua_Debug* event) {

@@ -155,7 +155,7 @@ LineTrace::~LineTrace() {
 }
 
 void LineTrace::follow(lua_State* coroutine) {
-    if (current_trace != nullptr && lua_gethook(coroutine) == nullptr)
+    if (current_trace != nullptr && has_free_hook(coroutine))
         lua_sethook(coroutine, on_event, LUA_MASKLINE | LUA_MASKRET, 0);
     LineProfile::follow(coroutine);
 }
@@ -164,7 +164,7 @@ void LineTrace::on_event(lua_State* lua, lua_Debug* event) {
     LineTrace* const trace = current_trace;
     if (trace == nullptr || trace->is_over()) {
         // The watchdog may have set its hook meanwhile; that one must stay.
-        if (lua_gethook(lua) == on_event) lua_sethook(lua, nullptr, 0, 0);
+        if (lua_gethook(lua) == on_event) free_hook(lua);
         return;
     }
     const std::int64_t began = thread_time();
@@ -174,6 +174,7 @@ void LineTrace::on_event(lua_State* lua, lua_Debug* event) {
         trace->seen_.is_cut = true;
     }
     charge_calls(began - thread_time());
+    look_at_time(lua);
 }
 
 void LineTrace::note(lua_State* lua, lua_Debug* event) {

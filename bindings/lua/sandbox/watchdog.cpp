@@ -28,6 +28,12 @@ extern "C" void __longjmp_chk(jmp_buf target, int value) { longjmp(target, value
 // The handler must not call functions that the sanitizer intercepts.
 #define NEZUMI_CLOCK_GETTIME(clock, time) syscall(SYS_clock_gettime, clock, time)
 #define NEZUMI_CAN_LEAVE false
+#elif defined(__EMSCRIPTEN__)
+// Nothing interrupts a web page's program, and it has no clock of the thread's own time.
+#define NEZUMI_IN_SIGNAL
+#define NEZUMI_CLOCK_GETTIME(clock, time) clock_gettime(CLOCK_MONOTONIC, time)
+#define NEZUMI_CAN_LEAVE false
+#define NEZUMI_POLLS 1
 #else
 #define NEZUMI_IN_SIGNAL
 #define NEZUMI_CLOCK_GETTIME(clock, time) clock_gettime(clock, time)
@@ -84,8 +90,8 @@ NEZUMI_IN_SIGNAL std::int64_t time_in_signal() {
 // The hook that stops a script. Removes itself if there is nothing to do.
 void watch_hook(lua_State* lua, lua_Debug*) {
     CallRecord* const call = current_call;
-    if (call == nullptr) return lua_sethook(lua, nullptr, 0, 0);
-    if (call->expired == 0) return lua_sethook(lua, nullptr, 0, 0);  // left by a call that was stopped
+    if (call == nullptr) return free_hook(lua);
+    if (call->expired == 0) return free_hook(lua);  // left by a call that was stopped
     // From here on every instruction ends here, also of handlers and of closing variables.
     raise_expiry(lua);
 }
@@ -134,6 +140,15 @@ NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t*, void* context) {
         leave_lua(innermost);
 }
 
+#if defined(NEZUMI_POLLS)
+constexpr int poll_interval = 10'000;  // instructions
+
+void look(lua_State* lua, lua_Debug* /*activation*/) {
+    on_tick(0, nullptr, nullptr);
+    if (current_call != nullptr && current_call->expired != 0) watch_hook(lua, nullptr);
+}
+#endif
+
 enum class Watch : unsigned char { not_yet, runs, impossible };
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a timer belongs to its thread
 constinit thread_local Watch watch = Watch::not_yet;
@@ -146,13 +161,27 @@ struct WatchTimer : ThreadTimer {
 
 }  // namespace
 
+#if defined(NEZUMI_POLLS)
+bool has_free_hook(lua_State* lua) { return lua_gethook(lua) == nullptr || lua_gethook(lua) == look; }
+void free_hook(lua_State* lua) { lua_sethook(lua, look, LUA_MASKCOUNT, poll_interval); }
+void look_at_time(lua_State* lua) { look(lua, nullptr); }
+#else
+bool has_free_hook(lua_State* lua) { return lua_gethook(lua) == nullptr; }
+void free_hook(lua_State* lua) { lua_sethook(lua, nullptr, 0, 0); }
+void look_at_time(lua_State* /*lua*/) {}
+#endif
+
 bool watch_this_thread() {
     if (watch == Watch::runs) return true;
     if (watch == Watch::impossible) return false;
     static const int once = [] {
         find_lua_text();
+#if !defined(NEZUMI_POLLS)
         // The child of a fork has the variables of its parent, but not its timers.
         return pthread_atfork(nullptr, nullptr, forget_timer);
+#else
+        return 0;
+#endif
     }();
     static_cast<void>(once);
     static thread_local WatchTimer timer;
@@ -177,6 +206,9 @@ CallRecord::CallRecord(lua_State* thread, Budget budget)
       stack_base(outer != nullptr ? outer->stack_base : static_cast<const char*>(__builtin_frame_address(0))) {
     std::atomic_signal_fence(std::memory_order_seq_cst);
     current_call = this;
+#if defined(NEZUMI_POLLS)
+    if (lua_gethook(thread) == nullptr) free_hook(thread);
+#endif
 }
 
 CallRecord::~CallRecord() {
@@ -272,7 +304,7 @@ void check_c_stack(lua_State* lua) {
 
 std::int64_t thread_time() {
     timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    NEZUMI_CLOCK_GETTIME(CLOCK_THREAD_CPUTIME_ID, &now);
     return nanoseconds(now);
 }
 

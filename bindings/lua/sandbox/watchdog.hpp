@@ -120,6 +120,13 @@ void charge_calls(std::int64_t nanoseconds);
 /// object around it may need a destructor. If the state of the call was lost during a pause, jumps out of it.
 [[noreturn]] void end_call(lua_State* lua);
 
+/// Whether a hook of another use may be set: there is none, or only the one that looks at the time in a web page.
+bool has_free_hook(lua_State* lua);
+/// Removes a hook of another use.
+void free_hook(lua_State* lua);
+/// Called by hooks of other uses: ends a call that is over its time, where no timer does it. May raise a Lua error.
+void look_at_time(lua_State* lua);
+
 /// Starts watching the calls of this thread. False if this is impossible; then nothing may be called.
 bool watch_this_thread();
 

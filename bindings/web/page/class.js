@@ -1,6 +1,7 @@
 // The teacher's page: a tile for each pupil, and what is done for one or for all.
 import { el } from "./dom.js";
 import { Link } from "./link.js";
+import { Socket } from "./socket.js";
 import { in_language, shown_code } from "./class_bar.js";
 import { make_shared_tile } from "./class_shared_tile.js";
 import { make_language_button, T } from "./texts.js";
@@ -14,7 +15,7 @@ function take_token() {
   return sessionStorage.getItem("nezumi.class") ?? "";
 }
 
-const link = new Link(take_token());
+const link = new Link(new Socket(take_token()));
 const told = el("p", { class: "told", role: "status", "aria-live": "polite" });
 
 async function request(what, more = {}) {

@@ -1,9 +1,9 @@
 // Debian's CodeMirror, loaded when the editor is first used.
 
-const HOME = "/lib/codemirror/";
+const HOME = new URL("./lib/codemirror/", import.meta.url).href;
 const SCRIPTS = ["lib/codemirror.js", "mode/lua/lua.js", "addon/hint/show-hint.js", "addon/edit/matchbrackets.js", "addon/comment/comment.js",
   "addon/search/searchcursor.js", "addon/dialog/dialog.js", "addon/search/search.js"];
-const STYLES = [`${HOME}lib/codemirror.css`, `${HOME}addon/hint/show-hint.css`, `${HOME}addon/dialog/dialog.css`, "/editor.css"];
+const STYLES = [`${HOME}lib/codemirror.css`, `${HOME}addon/hint/show-hint.css`, `${HOME}addon/dialog/dialog.css`, new URL("./editor.css", import.meta.url).href];
 
 function load(node) {
   return new Promise((resolve, reject) => {

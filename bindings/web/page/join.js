@@ -1,9 +1,10 @@
 // Joins a class by a name, or comes back by a code.
 import { el } from "./dom.js";
 import { Link } from "./link.js";
+import { Socket } from "./socket.js";
 import { make_language_button, T } from "./texts.js";
 
-const link = new Link("join");
+const link = new Link(new Socket("join"));
 const problem = el("p", { class: "problem", role: "alert", hidden: true });
 
 const show = (text) => {

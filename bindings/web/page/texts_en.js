@@ -206,6 +206,16 @@ export const EN = {
     },
   },
 
+  playground: {
+    title: "Playground", about: "Robots that run in this page: change their programs, break them, mend them. Nothing is sent anywhere; what you save stays in this browser.",
+    kept: "Your projects", shipped: "Systems", no_cameras: "Needs a camera, which nezumi in a page does not have.", no_system: "no system is in it",
+    import: "Open a project (.zip):", not_imported: (why) => `Not opened: ${why}`, not_opened: (why) => `This address names no project that can be opened: ${why}`,
+    forget: "Forget", forget_question: (name) => `Forget ${name} and all of its files?`,
+    link: "Link", link_hint: "Copy an address that holds the whole project", link_copied: (n) => `Copied: an address of ${n} characters holds the project.`,
+    export: "Export", export_hint: "Save the project as .zip: unpack it, and nezumi runs it", anew: "Begin anew", anew_hint: "End the engine and start it with the saved files",
+    silent: "The engine does not answer: begin anew.", ended: "quit", try_again: "Save and start",
+  },
+
   missing: (library) => `Debian's package ${library} is not installed where the engine runs: this view needs it. There, type: sudo apt install ${library}`,
   bytes: (n) => `${n} bytes`,
   close: "Close",

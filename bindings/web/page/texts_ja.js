@@ -206,6 +206,16 @@ export const JA = {
     },
   },
 
+  playground: {
+    title: "プレイグラウンド", about: "このページの中で動くロボットです。プログラムを変えて、壊して、直してみましょう。どこにも送信されません。保存したものはこのブラウザに残ります。",
+    kept: "あなたのプロジェクト", shipped: "システム", no_cameras: "カメラが必要です。ページの中の nezumi にカメラはありません。", no_system: "システムがありません",
+    import: "プロジェクト (.zip) を開く:", not_imported: (why) => `開けませんでした: ${why}`, not_opened: (why) => `このアドレスのプロジェクトは開けません: ${why}`,
+    forget: "消す", forget_question: (name) => `${name} とそのすべてのファイルを消しますか?`,
+    link: "リンク", link_hint: "プロジェクト全体を含むアドレスをコピーします", link_copied: (n) => `コピーしました: ${n} 文字のアドレスにプロジェクトが入っています。`,
+    export: "書き出す", export_hint: "プロジェクトを .zip で保存します。展開すると nezumi で動きます", anew: "やり直す", anew_hint: "エンジンを終了し、保存したファイルで始めます",
+    silent: "エンジンが応答しません。やり直してください。", ended: "quit", try_again: "保存して始める",
+  },
+
   missing: (library) => `エンジンのコンピュータに、Debian のパッケージ ${library} がインストールされていません。この画面に必要です。そのコンピュータで次のように入力してください: sudo apt install ${library}`,
   bytes: (n) => `${n} バイト`,
   close: "閉じる",

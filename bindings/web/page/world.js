@@ -1,5 +1,5 @@
 // The view of the world: its picture, its tools, and labels over it.
-import * as THREE from "/lib/three/three.module.js";
+import * as THREE from "./lib/three/three.module.js";
 import { el } from "./dom.js";
 import { ghost_of } from "./past_tracks.js";
 import { T } from "./texts.js";

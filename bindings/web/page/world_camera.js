@@ -1,5 +1,5 @@
 // The camera of the view: turns about a point, looks from above, follows a robot.
-import * as THREE from "/lib/three/three.module.js";
+import * as THREE from "./lib/three/three.module.js";
 
 const LOWEST = 0.02;  // rad above the floor
 const NEAREST = 0.15;  // m

@@ -1,5 +1,5 @@
 // The robots and trails of another branch of the run, pale.
-import * as THREE from "/lib/three/three.module.js";
+import * as THREE from "./lib/three/three.module.js";
 import { matrix_of } from "./world_shapes.js";
 
 const PALE = 0.3;

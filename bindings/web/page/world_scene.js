@@ -1,5 +1,5 @@
 // The world in three dimensions: objects of the arena, robots, sensor rays and trails.
-import * as THREE from "/lib/three/three.module.js";
+import * as THREE from "./lib/three/three.module.js";
 import { marker_atlas, matrix_of, merge, painted_lines, robot_geometry, solids_of } from "./world_shapes.js";
 import { Ghosts } from "./world_ghosts.js";
 import { Trails } from "./world_trails.js";

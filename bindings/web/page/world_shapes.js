@@ -1,5 +1,5 @@
 // Geometry of the world's parts, merged so that a whole arena is drawn in one call.
-import * as THREE from "/lib/three/three.module.js";
+import * as THREE from "./lib/three/three.module.js";
 
 /// Merges parts { geometry, matrix, color } into one geometry with a colour per vertex.
 export function merge(parts) {

@@ -1,5 +1,5 @@
 // Trails of robots: the latest segments of their paths, in one drawing.
-import * as THREE from "/lib/three/three.module.js";
+import * as THREE from "./lib/three/three.module.js";
 
 const MOST = 40000;  // segments of all robots
 const EACH = 600;  // segments per robot

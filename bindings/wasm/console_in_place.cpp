@@ -1,0 +1,108 @@
+// Consoles without sockets: the lines of both directions wait in memory.
+#include <sys/socket.h>
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "bindings/console/transport.hpp"
+#include "bindings/web/console_relay.hpp"
+
+namespace nezumi {
+namespace {
+
+struct Lines {
+    std::string requests;
+    std::string events;
+};
+
+// By the number that stands for both ends of a connection. They are no files.
+std::map<int, Lines>& connections() {
+    static std::map<int, Lines> the;
+    return the;
+}
+
+// Takes the complete lines, each with its end.
+std::string take_lines(std::string& from) { return std::exchange(from, {}); }
+
+}  // namespace
+
+Transport::Transport() = default;
+Transport::~Transport() = default;
+Expected<void> Transport::ready() const { return {}; }
+void Transport::listen(Listener /*listener*/, uid_t /*user*/) {}
+
+ClientId Transport::add(Descriptor socket, Flow flow) {
+    auto client = std::make_unique<Client>();
+    client->socket = std::move(socket);
+    client->flow = flow;
+    const ClientId id = ++last_id_;
+    clients_.emplace(id, std::move(client));
+    incoming_.push_back({.client = id, .what = Incoming::What::opened, .request = {}});
+    return id;
+}
+
+std::vector<Transport::Incoming> Transport::take() {
+    for (auto& [id, client] : clients_) {
+        client->reader.feed(take_lines(connections()[client->socket.get()].requests));
+        while (auto line = client->reader.next()) {
+            auto request = line->has_value() ? read_request(**line) : Unexpected(line->error());
+            if (request) {
+                incoming_.push_back({.client = id, .what = Incoming::What::request, .request = std::move(*request)});
+            } else {
+                send(id, {.kind = Event::Kind::error, .text = "not understood: " + request.error().message});
+            }
+        }
+    }
+    return std::exchange(incoming_, {});
+}
+
+void Transport::finish_request(ClientId /*client*/) {}
+bool Transport::takes_more(ClientId /*client*/) { return true; }
+bool Transport::is_behind() { return false; }
+
+void Transport::send(ClientId id, Event event) {
+    const auto client = clients_.find(id);
+    if (client != clients_.end()) connections()[client->second->socket.get()].events += to_line(event);
+}
+
+std::filesystem::path console_folder() { return "/tmp"; }
+Expected<Listener> Listener::open(std::string_view /*name*/, const std::filesystem::path& /*folder*/) {
+    return failure("nothing can attach to a page");
+}
+Listener::~Listener() = default;
+
+}  // namespace nezumi
+
+namespace nezumi::web {
+
+Expected<void> ConsoleRelay::send(ClientId client, const std::string& line, const Actor& who) {
+    auto found = consoles_of_.find(client);
+    if (found == consoles_of_.end()) {
+        auto socket = consoles_.connect(ConsoleServer::Use::prompt, who);
+        if (!socket) return Unexpected(socket.error());
+        found = consoles_of_.emplace(client, Console{.socket = std::move(*socket)}).first;
+    }
+    connections()[found->second.socket.get()].requests += line;
+    return {};
+}
+
+void ConsoleRelay::serve() {
+    for (auto& [client, console] : consoles_of_) {
+        console.reader.feed(take_lines(connections()[console.socket.get()].events));
+        while (auto line = console.reader.next()) {
+            if (*line) tell_(client, **line);
+        }
+    }
+}
+
+void ConsoleRelay::add_files(std::vector<int>& /*files*/) const {}
+
+}  // namespace nezumi::web
+
+// Both ends have one number, so neither may be closed twice: `close` refuses it.
+extern "C" int socketpair(int /*domain*/, int /*type*/, int /*protocol*/, int ends[2]) {
+    static int last = 1 << 20;
+    ends[0] = ends[1] = ++last;
+    return 0;
+}

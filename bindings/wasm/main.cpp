@@ -1,0 +1,84 @@
+// The program of the web build: what a worker calls for a page, and `run FILE` for comparing hashes in node.
+#include <emscripten.h>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "bindings/embed/simulation.hpp"
+#include "bindings/wasm/page_run.hpp"
+#include "engine/base/visible.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+constexpr const char* installed_files = "/share/nezumi";
+
+// clang-format off
+EM_JS(void, send_to_page, (const char* bytes, int size, int is_binary), {
+    const sent = HEAPU8.slice(bytes, bytes + size);
+    Module["send"](is_binary ? sent.buffer : new TextDecoder().decode(sent));
+})
+// clang-format on
+
+std::unique_ptr<web::PageRun>& page_run() {
+    static std::unique_ptr<web::PageRun> the;
+    return the;
+}
+
+int refuse(const Error& error) {
+    std::fprintf(stderr, "%s\n", visible(describe(error)).c_str());
+    return 2;
+}
+
+// `run FILE ... --duration SECONDS ...`: what tests/hashes asks for.
+int run_headless(int count, char** words) {
+    double seconds = 0;
+    for (int i = 3; i + 1 < count; ++i) {
+        if (std::strcmp(words[i], "--duration") == 0) seconds = std::atof(words[i + 1]);
+    }
+    LiveOptions options = simulated_systems({installed_files});
+    options.budget = headless_budget;
+    options.build.seed = web::usual_seed;
+    auto simulation = Simulation::load_with(words[2], std::move(options));
+    if (!simulation) return refuse(simulation.error());
+    simulation->run(seconds);
+    std::printf("trace hash %016llx\n", static_cast<unsigned long long>(simulation->running().trace_hash()));
+    return 0;
+}
+
+}  // namespace
+
+extern "C" {
+
+/// Opens the run of a page. Returns whether it runs; the reason why not goes to standard error.
+EMSCRIPTEN_KEEPALIVE int nezumi_open(const char* file) {
+    page_run().reset();
+    auto run = web::PageRun::open(file, {installed_files}, [](const web::Outgoing& message) {
+        send_to_page(message.bytes.data(), static_cast<int>(message.bytes.size()), message.binary ? 1 : 0);
+    });
+    if (!run) return refuse(run.error());
+    page_run() = std::move(*run);
+    return 0;
+}
+
+/// A message of the page.
+EMSCRIPTEN_KEEPALIVE void nezumi_receive(const char* text) {
+    if (page_run()) page_run()->receive(text);
+}
+
+/// Goes on for about so many seconds. Returns the time until more is due [s]; negative: the run has ended.
+EMSCRIPTEN_KEEPALIVE double nezumi_go_on(double seconds) { return page_run() ? page_run()->go_on(seconds) : -1; }
+
+}  // extern "C"
+
+int main(int count, char** words) {
+    if (count >= 3 && std::string_view(words[1]) == "run") return run_headless(count, words);
+    return 0;
+}

@@ -1,0 +1,59 @@
+// A run in a web page: the engine and the server of the page, whose messages go by a function rather than a socket.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/console/server.hpp"
+#include "bindings/web/web_server.hpp"
+#include "engine/base/error.hpp"
+#include "engine/live/problems.hpp"
+#include "engine/live/run_loop.hpp"
+#include "engine/live/running_system.hpp"
+
+namespace nezumi::web {
+
+/// The seed of a system file that has none, as of `nezumi run`.
+inline constexpr std::uint64_t usual_seed = 124;
+
+class PageRun {
+public:
+    using Clock = Pacer::Clock;
+    /// Takes a message for the page.
+    using Send = std::function<void(const Outgoing& message)>;
+
+    /// Loads the system file, activates the system, and greets the page. `installed` are as in `simulated_systems`.
+    static Expected<std::unique_ptr<PageRun>> open(const std::filesystem::path& file,
+                                                   std::vector<std::filesystem::path> installed, Send send);
+    ~PageRun();
+    PageRun(const PageRun&) = delete;
+    PageRun& operator=(const PageRun&) = delete;
+
+    /// Takes a message of the page.
+    void receive(std::string_view text);
+    /// Does what is due, for about this time [s], and sends what is new. Returns the time until more is due [s]; 0: at
+    /// once, negative: the run has ended.
+    double go_on(double seconds);
+
+private:
+    class Served;
+
+    explicit PageRun(Send send);
+    void send_all();
+    bool tick_for_console();
+
+    Send send_;
+    Problems problems_;
+    std::unique_ptr<RunningSystem> live_;
+    std::unique_ptr<RunLoop> loop_;
+    std::unique_ptr<ConsoleServer> consoles_;
+    std::unique_ptr<WebServer> server_;
+    std::unique_ptr<Served> served_;
+};
+
+}  // namespace nezumi::web

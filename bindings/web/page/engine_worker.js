@@ -1,0 +1,59 @@
+// The engine in a worker, as a transport of `Link`. It is ended when it does not answer, and can begin anew.
+import { Emitter } from "./emitter.js";
+
+const LONGEST_SILENCE = 8000;  // ms; the engine sends at least once a second
+
+/// Emits: open, message (text or ArrayBuffer), closed, lost ("ended"), saved (files by name), refused (why).
+export class EngineWorker extends Emitter {
+  #make;
+  #start;
+  #worker = null;
+  #heard = 0;
+  #is_open = false;
+
+  /// `make` gives a Worker, `start` what worker.js begins with.
+  constructor(make, start) {
+    super();
+    this.#make = make;
+    this.#start = start;
+    setInterval(() => this.#is_open && !document.hidden && performance.now() - this.#heard > LONGEST_SILENCE && this.emit("silent"), 1000);
+  }
+
+  get is_open() {
+    return this.#is_open;
+  }
+
+  /// Also begins anew, with other files.
+  connect(start = this.#start) {
+    this.end();
+    this.#start = start;
+    this.#worker = this.#make();
+    this.#worker.onmessage = ({ data }) => this.#take(data);
+    this.#worker.onerror = ({ message }) => this.emit("refused", message);
+    this.#worker.postMessage({ start });
+  }
+
+  send(text) {
+    this.#worker.postMessage(text);
+  }
+
+  end() {
+    this.#worker?.terminate();
+    this.#worker = null;
+    this.#is_open = false;
+    this.emit("closed");
+  }
+
+  #take({ message, saved, refused, opened, ended }) {
+    this.#heard = performance.now();
+    if (message !== undefined) this.emit("message", message);
+    else if (saved) this.emit("saved", saved);
+    else if (refused) this.emit("refused", refused);
+    else if (opened) {
+      this.#is_open = true;
+      this.emit("open");
+    } else if (ended) {
+      this.emit("ended");
+    }
+  }
+}

@@ -1,0 +1,96 @@
+// The playground: shows the gallery, or runs the project that the address's fragment names.
+import { el } from "./dom.js";
+import { EngineWorker } from "./engine_worker.js";
+import { load_editor_library } from "./editor_library.js";
+import { show_gallery } from "./gallery.js";
+import { Link } from "./link.js";
+import { make_page } from "./page.js";
+import { from_fragment, to_fragment } from "./project_link.js";
+import { find_project, keep_project, new_id } from "./projects.js";
+import { shipped_project } from "./shipped.js";
+import { T } from "./texts.js";
+import { write_zip } from "./zip.js";
+
+const W = T.playground;
+
+/// The project of the fragment, or undefined.
+async function find(shipped) {
+  const [kind, value] = location.hash.slice(1).split(/=(.*)/s);
+  if (kind === "run" && shipped[`behaviors/systems/${value}.lua`]) return shipped_project(shipped, value);
+  if (kind === "project") return find_project(value);
+  if (kind === "code") return from_fragment(value);
+  return undefined;
+}
+
+/// What was saved is kept under the project's own key; a shipped system, and one of a link, get one then.
+async function keep(project, saved) {
+  project.files = { ...project.files, ...saved };
+  if (!project.id) {
+    project.id = new_id();
+    history.replaceState(null, "", `#project=${project.id}`);
+  }
+  await keep_project(project);
+}
+
+function make_bar(project, engine, start) {
+  const told = el("span", { class: "told", role: "status", "aria-live": "polite" });
+  const button = (text, title, work) => el("button", { text, title, onclick: async () => {
+    try {
+      told.textContent = (await work()) ?? "";
+    } catch (wrong) {
+      told.textContent = wrong.message;
+    }
+  } });
+  const bar = el("nav", { class: "playground-bar" },
+    el("a", { href: "#", text: W.title }), el("span", { class: "name", text: project.name }), told,
+    button(W.link, W.link_hint, async () => {
+      const address = location.href.replace(/#.*/, "") + (await to_fragment(project));
+      await navigator.clipboard?.writeText(address);
+      return W.link_copied(address.length);
+    }),
+    button(W.export, W.export_hint, async () => {
+      const link = el("a", { href: URL.createObjectURL(await write_zip(project.files)), download: `${project.name}.zip` });
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+    }),
+    button(W.anew, W.anew_hint, () => engine.connect(start())));
+  engine.on("silent", () => (told.textContent = W.silent));
+  return bar;
+}
+
+/// A system that can't be loaded: its files as plain texts, until they are mended.
+function show_mending(project, why) {
+  const named = Object.keys(project.files).find((name) => why.includes(name)) ?? project.system;
+  const text = el("textarea", { spellcheck: "false", "aria-label": named, value: project.files[named] });
+  document.body.replaceChildren(el("main", { class: "gallery" }, el("p", {}, el("a", { href: "#", text: W.title })), el("pre", { role: "alert", text: why }),
+    el("h2", { text: named }), text, el("button", { class: "primary", text: W.try_again, onclick: async () => {
+      await keep(project, { [named]: text.value });
+      location.reload();
+    } })));
+}
+
+async function run(project, shipped) {
+  const start = () => ({ shipped, project: project.files, system: project.system });
+  const engine = new EngineWorker(() => new Worker("worker.js"), start());
+  await load_editor_library();  // after this nothing is loaded any more
+  const { notices } = await make_page(new Link(engine));
+  document.body.prepend(make_bar(project, engine, start));
+  engine.on("saved", (files) => keep(project, files));
+  engine.on("refused", (why) => show_mending(project, why));
+  engine.on("ended", () => notices.say(T.link.bye(W.ended), "warn"));
+  engine.connect();
+}
+
+async function start() {
+  const shipped = await (await fetch("files.json")).json();
+  addEventListener("hashchange", () => location.reload());
+  try {
+    const project = await find(shipped);
+    if (project) await run(project, shipped);
+    else await show_gallery(shipped);
+  } catch (wrong) {
+    await show_gallery(shipped, W.not_opened(wrong.message));
+  }
+}
+
+start();

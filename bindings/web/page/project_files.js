@@ -1,0 +1,27 @@
+// What a project of somebody else may hold: files with plain names within it.
+
+const MOST_FILES = 500;
+const ENDINGS = /\.(lua|csv|png|msg|idl|txt|md)$/;
+
+export const is_name = (name) => name.length < 200 && ENDINGS.test(name) && name.split("/").every((part) => /^[\w.+@ -]+$/u.test(part) && !/^\.+$/.test(part));
+
+/// The same files, or an error. A content is a text or { base64 }.
+export function checked_files(files) {
+  const names = Object.keys(files ?? {});
+  if (names.length === 0 || names.length > MOST_FILES) throw new Error(`${names.length} files`);
+  const checked = {};
+  for (const name of names) {
+    if (!is_name(name)) throw new Error(`'${name.slice(0, 80)}' is no name of a project's file`);
+    const content = files[name];
+    if (typeof content !== "string" && typeof content?.base64 !== "string") throw new Error(`'${name}' has no content`);
+    checked[name] = typeof content === "string" ? content : { base64: content.base64 };
+  }
+  return checked;
+}
+
+/// The files that hold a system: in behaviors/systems, or all of behaviors if there are none.
+export function systems_in(files) {
+  const all = Object.keys(files).filter((name) => name.endsWith(".lua")).sort();
+  const within = all.filter((name) => name.startsWith("behaviors/systems/"));
+  return within.length > 0 ? within : all;
+}

@@ -1,0 +1,57 @@
+// The engine's thread: takes the page's messages, and ticks when it is time.
+importScripts("nezumi.js", "engine_files.js");
+
+const SLICE = 0.012;  // [s] of work until messages are looked at again
+const LOOK_PERIOD = 300;  // [ms] between two looks at the project's files
+
+let engine;
+let due = null;
+let looked = 0;
+const known = new Map();
+
+const soon = new MessageChannel();  // a timer of 0 ms waits for 4
+soon.port1.onmessage = go_on;
+
+/// Only one turn waits at a time.
+function go_on_after(ms) {
+  clearTimeout(due);
+  due = null;
+  if (ms <= 0) soon.port2.postMessage(0);
+  else due = setTimeout(go_on, ms);
+}
+
+function go_on() {
+  const wait = engine.ccall("nezumi_go_on", "number", ["number"], [SLICE]);
+  const now = performance.now();
+  if (now - looked > LOOK_PERIOD) {
+    looked = now;
+    const saved = changed_files(engine, "/project", known);
+    if (Object.keys(saved).length > 0) postMessage({ saved });
+  }
+  if (wait < 0) postMessage({ ended: true });
+  else go_on_after(wait * 1000);
+}
+
+/// `start`: { wasm?, shipped, project, system }: the program if it is not beside this file, files by name, and the system file.
+async function open({ start }) {
+  const errors = [];
+  engine = await nezumi_engine({
+    noInitialRun: true, printErr: (line) => errors.push(line), send: (message) => postMessage({ message }, typeof message === "string" ? [] : [message]),
+    ...(start.wasm && { wasmBinary: start.wasm }),
+  });
+  write_files(engine, "/share/nezumi", start.shipped);
+  write_files(engine, "/project", start.project);
+  engine.FS.chdir("/project");
+  changed_files(engine, "/project", known);
+  postMessage({ opened: true });
+  const status = engine.ccall("nezumi_open", "number", ["string"], [start.system]);
+  if (status !== 0) return postMessage({ refused: errors.join("\n") });
+  go_on();
+}
+
+onmessage = ({ data }) => {
+  if (data.start) return open(data);
+  engine.ccall("nezumi_receive", null, ["string"], [data]);
+  clearTimeout(due);
+  if (due !== null) go_on_after(0);
+};
