@@ -1166,6 +1166,29 @@ function range(from, to, step) end
 ---@overload fun(name: string, fn: fun(s: Scenario))
 function scenario(name, options, fn) end
 
+---@class SpacePart
+---@field [1] string its name
+---@field count? integer number of values, 1 without it
+---@field min? number
+---@field max? number
+
+---@class Environment
+---@field system string the name of a system file
+---@field ticks? integer of a step, 1 without it
+---@field limit? integer steps after which an episode is truncated
+---@field action (SpacePart|string)[]
+---@field observation (SpacePart|string)[]
+---@field start? fun(): table<string, any> values as of `--set`, for the system of this episode
+---@field reset? fun(world: World) before the first tick
+---@field act fun(world: World, action: number[])
+---@field observe fun(world: World): any the numbers of the observation, also in nested lists
+---@field reward fun(world: World, action: number[]): number
+---@field terminated? fun(world: World): boolean
+
+---Describes an environment for learning programs.
+---@param description Environment
+function environment(description) end
+
 ---@class Scenario
 ---@field seed integer of this run
 ---@field world World the components of the system, once there is one
