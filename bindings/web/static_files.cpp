@@ -49,6 +49,12 @@ HttpReply not_found() { return with_headers({.status = 404, .body = "there is no
 
 }  // namespace
 
+StaticFiles::StaticFiles(const std::filesystem::path& page) : StaticFiles(page, "/usr/share/javascript") {
+    std::error_code none;
+    const std::filesystem::path own = (page / "../../../javascript").lexically_normal();
+    if (std::filesystem::is_directory(own, none)) libraries_ = own;
+}
+
 HttpReply StaticFiles::get(std::string_view path) const {
     if (path.empty() || path.front() != '/' || path.size() > 256) return not_found();
     path.remove_prefix(1);
