@@ -5,11 +5,13 @@
 
 #include "bindings/embed/simulation.hpp"
 #include "bindings/wasm/in_place.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi::web {
 namespace {
 
 constexpr ClientId the_page = 1;
+constexpr std::size_t largest_journal = std::size_t{1} << 28;  // [bytes]
 
 // The site whose messages the page takes.
 Site*& site() {
@@ -105,7 +107,9 @@ Expected<std::unique_ptr<PageRun>> PageRun::open(const std::filesystem::path& fi
 Expected<std::unique_ptr<PageRun>> PageRun::open_run(const std::filesystem::path& journal,
                                                      std::vector<std::filesystem::path> installed, Send send) {
     std::unique_ptr<PageRun> run(new PageRun(std::move(send)));
-    auto replay = Replay::read(journal, NEZUMI_VERSION);
+    const auto text = read_whole(journal, journal.string(), largest_journal);
+    if (!text) return Unexpected(text.error());
+    auto replay = Replay::of_text(*text, journal, NEZUMI_VERSION);
     if (!replay) return Unexpected(replay.error());
     run->replay_ = std::move(*replay);
     auto live = run->replay_->load(run->options(std::move(installed)));

@@ -140,8 +140,8 @@ class Running(PlaygroundCase):
         self.run_system("left_hand")
         self.edit("left_hand.lua", "function on_execute()", "function on_execute()\n  while true do end")
         self.wait("/endless loop/.test(document.body.innerText)", "the message names the loop")
-        self.console("print('state ' .. solver.state)")
-        self.shows("state ERROR")
+        self.console("print('error ' .. solver.error)")
+        self.shows("endless loop")
 
     def test_time_is_rewound_and_a_line_is_explained(self):
         self.run_system("left_hand")

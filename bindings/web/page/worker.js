@@ -41,6 +41,7 @@ async function open({ start }) {
     ...(start.wasm && { wasmBinary: start.wasm }),
   });
   write_files(engine, "/share/nezumi", start.shipped);
+  engine.FS.mkdirTree("/project");
   write_files(engine, "/project", start.project);
   engine.FS.chdir("/project");
   changed_files(engine, "/project", known);
