@@ -28,6 +28,7 @@ SubCommand program() {
                          receive_command(),
                          marker_command(),
                          maze_command(),
+                         share_command(),
                          mms_command(),
                          class_command(),
                          confined_command(),

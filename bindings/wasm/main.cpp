@@ -37,6 +37,16 @@ int refuse(const Error& error) {
     return 2;
 }
 
+void send(const web::Outgoing& message) {
+    send_to_page(message.bytes.data(), static_cast<int>(message.bytes.size()), message.binary ? 1 : 0);
+}
+
+int take(Expected<std::unique_ptr<web::PageRun>> run) {
+    if (!run) return refuse(run.error());
+    page_run() = std::move(*run);
+    return 0;
+}
+
 // `run FILE ... --duration SECONDS ...`: what tests/hashes asks for.
 int run_headless(int count, char** words) {
     double seconds = 0;
@@ -57,15 +67,16 @@ int run_headless(int count, char** words) {
 
 extern "C" {
 
-/// Opens the run of a page. Returns whether it runs; the reason why not goes to standard error.
+/// Opens the run of a page. Returns 0, or 2 with the reason on standard error.
 EMSCRIPTEN_KEEPALIVE int nezumi_open(const char* file) {
     page_run().reset();
-    auto run = web::PageRun::open(file, {installed_files}, [](const web::Outgoing& message) {
-        send_to_page(message.bytes.data(), static_cast<int>(message.bytes.size()), message.binary ? 1 : 0);
-    });
-    if (!run) return refuse(run.error());
-    page_run() = std::move(*run);
-    return 0;
+    return take(web::PageRun::open(file, {installed_files}, send));
+}
+
+/// The same for the run of a journal.
+EMSCRIPTEN_KEEPALIVE int nezumi_open_run(const char* journal) {
+    page_run().reset();
+    return take(web::PageRun::open_run(journal, {installed_files}, send));
 }
 
 /// A message of the page.

@@ -5,11 +5,13 @@
 
 #include "bindings/embed/simulation.hpp"
 #include "bindings/wasm/in_place.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi::web {
 namespace {
 
 constexpr ClientId the_page = 1;
+constexpr std::size_t largest_journal = std::size_t{1} << 28;  // [bytes]
 
 // The site whose messages the page takes.
 Site*& site() {
@@ -58,37 +60,69 @@ PageRun::~PageRun() {
     consoles_.reset();
 }
 
-Expected<std::unique_ptr<PageRun>> PageRun::open(const std::filesystem::path& file,
-                                                 std::vector<std::filesystem::path> installed, Send send) {
-    std::unique_ptr<PageRun> run(new PageRun(std::move(send)));
-    PageRun& here = *run;
+LiveOptions PageRun::options(std::vector<std::filesystem::path> installed) {
     LiveOptions options = simulated_systems(std::move(installed));
     options.watch = true;
     options.build.seed = usual_seed;
-    options.build.log = [&here](const LogLine& line) {
-        here.problems_.take(line);
-        if (here.server_) here.server_->log(line);
-        if (here.consoles_) here.consoles_->log(line);
+    options.build.log = [this](const LogLine& line) {
+        problems_.take(line);
+        if (server_) server_->log(line);
+        if (consoles_) consoles_->log(line);
     };
-    options.print = [&here](std::string_view line) {
-        if (here.server_) here.server_->say(std::string(line));
+    options.print = [this](std::string_view line) {
+        if (server_) server_->say(std::string(line));
     };
-    auto live = RunningSystem::load(file, std::move(options));
+    return options;
+}
+
+// The loaded system gets its loop, its consoles and its page.
+Expected<void> PageRun::serve() {
+    live_->trace().remember_ports();
+    live_->remember_run();
+    loop_ = std::make_unique<RunLoop>(*live_, RunLoop::Options{.problems = &problems_});
+    consoles_ = std::make_unique<ConsoleServer>(*live_, *loop_);
+    auto server = WebServer::open(*live_, *loop_, *consoles_, {.sockets = {.relay = 0}, .version = NEZUMI_VERSION});
+    if (!server) return Unexpected(server.error());
+    server_ = std::move(*server);
+    served_ = std::make_unique<Served>(*consoles_, *server_);
+    loop_->add(*served_);
+    loop_->after_tick([this] { consoles_->after_tick(); });
+    tick_in_place_by([this] { return tick_for_console(); });
+    live_->activate();
+    return {};
+}
+
+Expected<std::unique_ptr<PageRun>> PageRun::open(const std::filesystem::path& file,
+                                                 std::vector<std::filesystem::path> installed, Send send) {
+    std::unique_ptr<PageRun> run(new PageRun(std::move(send)));
+    auto live = RunningSystem::load(file, run->options(std::move(installed)));
     if (!live) return Unexpected(live.error());
     run->live_ = std::move(*live);
-    run->live_->trace().remember_ports();
-    run->live_->remember_run();
-    run->loop_ = std::make_unique<RunLoop>(*run->live_, RunLoop::Options{.problems = &run->problems_});
-    run->consoles_ = std::make_unique<ConsoleServer>(*run->live_, *run->loop_);
-    auto server =
-        WebServer::open(*run->live_, *run->loop_, *run->consoles_, {.sockets = {.relay = 0}, .version = "web"});
-    if (!server) return Unexpected(server.error());
-    run->server_ = std::move(*server);
-    run->live_->activate();
-    run->served_ = std::make_unique<Served>(*run->consoles_, *run->server_);
-    run->loop_->add(*run->served_);
-    run->loop_->after_tick([&here] { here.consoles_->after_tick(); });
-    tick_in_place_by([&here] { return here.tick_for_console(); });
+    if (auto served = run->serve(); !served) return Unexpected(served.error());
+    site()->opened(the_page, {});
+    run->send_all();
+    return run;
+}
+
+Expected<std::unique_ptr<PageRun>> PageRun::open_run(const std::filesystem::path& journal,
+                                                     std::vector<std::filesystem::path> installed, Send send) {
+    std::unique_ptr<PageRun> run(new PageRun(std::move(send)));
+    const auto text = read_whole(journal, journal.string(), largest_journal);
+    if (!text) return Unexpected(text.error());
+    auto replay = Replay::of_text(*text, journal, NEZUMI_VERSION);
+    if (!replay) return Unexpected(replay.error());
+    run->replay_ = std::move(*replay);
+    auto live = run->replay_->load(run->options(std::move(installed)));
+    if (!live) return Unexpected(live.error());
+    run->live_ = std::move(*live);
+    if (auto served = run->serve(); !served) return Unexpected(served.error());
+    for (;;) {
+        const auto more = run->replay_->before_tick(*run->live_);
+        if (!more) return Unexpected(more.error());
+        if (!*more) break;
+        run->live_->tick();
+    }
+    run->loop_->pause();
     site()->opened(the_page, {});
     run->send_all();
     return run;
@@ -110,6 +144,7 @@ double PageRun::go_on(double seconds) {
 bool PageRun::tick_for_console() {
     if (loop_->is_paused()) return false;
     loop_->tick();
+    server_->serve(Clock::now(), 0);  // the page sees it, while the command keeps its messages waiting
     send_all();
     return true;
 }

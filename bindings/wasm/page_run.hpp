@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bindings/console/server.hpp"
+#include "bindings/journal/replay.hpp"
 #include "bindings/web/web_server.hpp"
 #include "engine/base/error.hpp"
 #include "engine/live/problems.hpp"
@@ -30,6 +31,9 @@ public:
     /// Loads the system file, activates the system, and greets the page. `installed` are as in `simulated_systems`.
     static Expected<std::unique_ptr<PageRun>> open(const std::filesystem::path& file,
                                                    std::vector<std::filesystem::path> installed, Send send);
+    /// Repeats the run of a journal, as fast as possible, and pauses at its end.
+    static Expected<std::unique_ptr<PageRun>> open_run(const std::filesystem::path& journal,
+                                                       std::vector<std::filesystem::path> installed, Send send);
     ~PageRun();
     PageRun(const PageRun&) = delete;
     PageRun& operator=(const PageRun&) = delete;
@@ -44,11 +48,14 @@ private:
     class Served;
 
     explicit PageRun(Send send);
+    LiveOptions options(std::vector<std::filesystem::path> installed);
+    Expected<void> serve();
     void send_all();
     bool tick_for_console();
 
     Send send_;
     Problems problems_;
+    std::unique_ptr<Replay> replay_;  // the system reads its files
     std::unique_ptr<RunningSystem> live_;
     std::unique_ptr<RunLoop> loop_;
     std::unique_ptr<ConsoleServer> consoles_;

@@ -35,7 +35,15 @@ std::string why(int problem) { return problem == ELOOP ? "is a link, which is no
 std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
 // The name of an open folder, under which the kernel finds exactly this folder.
-std::string name_of(const Descriptor& folder) { return "/proc/self/fd/" + std::to_string(folder.get()); }
+std::string name_of(const Descriptor& folder) {
+    const std::string name = "/proc/self/fd/" + std::to_string(folder.get());
+#if defined(__EMSCRIPTEN__)  // files are found by whole names only
+    std::error_code none;
+    return std::filesystem::read_symlink(name, none).string();
+#else
+    return name;
+#endif
+}
 
 // The text of a file in an open folder; nothing if it does not exist.
 Expected<std::optional<std::string>> read_in(const Descriptor& folder, const std::string& name, mode_t* mode) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -172,7 +173,7 @@ struct PortSpec {
         items;  ///< what it carries: sensors' or an actuator's names, or one of "velocity", "odometry", "drive"
     enum class Quantity { value, distance, rate, acceleration } quantity = Quantity::value;
     double rate = 0;               ///< [Hz] of an out-port; 0: every tick
-    std::size_t queue = 0;         ///< length of an in-port's queue; 0: the latest value
+    std::uint32_t queue = 0;       ///< length of an in-port's queue; 0: the latest value
     bool off_when_silent = false;  ///< in-port of an actuator: off after `silence` seconds without a message
     std::string doc;
 };

@@ -22,6 +22,7 @@ SubCommand push_command();
 SubCommand receive_command();
 SubCommand marker_command();
 SubCommand maze_command();
+SubCommand share_command();
 SubCommand mms_command();
 SubCommand mcp_command();
 SubCommand environment_command();

@@ -52,7 +52,7 @@ struct PortDeclaration {
     std::string name;
     const MessageType* type = nullptr;
     std::string doc;
-    std::size_t queue = 0;    ///< length of the queue of an in-port
+    std::uint32_t queue = 0;  ///< length of the queue of an in-port
     std::vector<Value> safe;  ///< safe value of an out-port, if it has one; a vector because payloads are large
     Place place;
 

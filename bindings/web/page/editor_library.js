@@ -15,6 +15,7 @@ function load(node) {
 
 /// Resolves to CodeMirror; fails if the library is not installed.
 export async function load_editor_library() {
+  if (globalThis.CodeMirror) return globalThis.CodeMirror;
   await Promise.all(STYLES.map((href) => load(Object.assign(document.createElement("link"), { rel: "stylesheet", href }))));
   for (const name of SCRIPTS) await load(Object.assign(document.createElement("script"), { src: HOME + name }));
   return globalThis.CodeMirror;

@@ -72,7 +72,7 @@ function show_mending(project, why) {
 async function run(project, shipped) {
   const start = () => ({ shipped, project: project.files, system: project.system });
   const engine = new EngineWorker(() => new Worker("worker.js"), start());
-  await load_editor_library();  // after this nothing is loaded any more
+  await Promise.all([load_editor_library(), import("./editor_view.js"), import("./arena_edit.js")]);  // after this nothing is loaded any more
   const { notices } = await make_page(new Link(engine));
   document.body.prepend(make_bar(project, engine, start));
   engine.on("saved", (files) => keep(project, files));

@@ -8,7 +8,7 @@ function with_named(shipped, file, found = {}) {
   if (typeof shipped[file] !== "string" || found[file] !== undefined) return found;
   found[file] = shipped[file];
   for (const name of names_in(shipped[file])) {
-    for (const named of [`behaviors/${name}.lua`, `behaviors/${name.replaceAll(".", "/")}.lua`]) with_named(shipped, named, found);
+    for (const named of [`behaviors/${name}.lua`, `behaviors/lib/${name}.lua`, `behaviors/${name.replaceAll(".", "/")}.lua`]) with_named(shipped, named, found);
   }
   return found;
 }

@@ -1,5 +1,5 @@
 // The engine's thread: takes the page's messages, and ticks when it is time.
-importScripts("nezumi.js", "engine_files.js");
+if (typeof nezumi_engine === "undefined") importScripts("nezumi.js", "engine_files.js");  // else all three are one file
 
 const SLICE = 0.012;  // [s] of work until messages are looked at again
 const LOOK_PERIOD = 300;  // [ms] between two looks at the project's files
@@ -32,7 +32,8 @@ function go_on() {
   else go_on_after(wait * 1000);
 }
 
-/// `start`: { wasm?, shipped, project, system }: the program if it is not beside this file, files by name, and the system file.
+/// `start`: { wasm?, shipped, project, system or journal }: the program if it is not beside this file, files by name, and the system
+/// file, or the text of a run to repeat.
 async function open({ start }) {
   const errors = [];
   engine = await nezumi_engine({
@@ -40,11 +41,14 @@ async function open({ start }) {
     ...(start.wasm && { wasmBinary: start.wasm }),
   });
   write_files(engine, "/share/nezumi", start.shipped);
+  engine.FS.mkdirTree("/project");
   write_files(engine, "/project", start.project);
   engine.FS.chdir("/project");
   changed_files(engine, "/project", known);
   postMessage({ opened: true });
-  const status = engine.ccall("nezumi_open", "number", ["string"], [start.system]);
+  if (start.journal !== undefined) engine.FS.writeFile("/run.journal", start.journal);
+  const status = start.journal !== undefined ? engine.ccall("nezumi_open_run", "number", ["string"], ["/run.journal"])
+    : engine.ccall("nezumi_open", "number", ["string"], [start.system]);
   if (status !== 0) return postMessage({ refused: errors.join("\n") });
   go_on();
 }

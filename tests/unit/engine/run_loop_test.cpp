@@ -172,3 +172,29 @@ TEST_CASE("a long press of a robot's shutdown button ends the run", "[engine][ha
     CHECK(said ==
           std::vector<std::string>{"mouse: button was held for 3 s: the run ends, and the computer is shut down"});
 }
+
+TEST_CASE("a program with its own loop has what is due done, and is never kept waiting", "[engine][live][loop]") {
+    RealLoop real;
+    RunLoop loop(*real.live, {.speed = as_fast_as_possible});
+    struct Counted final : Attendant {
+        bool serve(Pacer::Clock::time_point) override {
+            ++turns;
+            return false;
+        }
+        int turns = 0;
+    } counted;
+    loop.add(counted);
+    CHECK(loop.go_on(0.005) == 0);
+    CHECK(counted.turns == 1);
+    CHECK(real.live->system().now().tick > 0);
+
+    loop.set_speed(1);
+    const double wait = loop.go_on(0.005);
+    CHECK(wait >= 0);
+    CHECK(wait <= RunLoop::longest_wait);
+
+    loop.end_at(real.live->system().now().seconds);
+    const auto tick = real.live->system().now().tick;
+    CHECK(loop.go_on(0.005) < 0);
+    CHECK(real.live->system().now().tick == tick);
+}

@@ -1,0 +1,16 @@
+// The page of a run in one file: the engine repeats its journal, and goes on from any moment of it.
+import { EngineWorker } from "./engine_worker.js";
+import { Link } from "./link.js";
+import { make_page } from "./page.js";
+import { T } from "./texts.js";
+
+async function start() {
+  const { wasm, worker, shipped, journal } = globalThis.nezumi_run;
+  const engine = new EngineWorker(() => new Worker(worker), { wasm, shipped, journal, project: {} });
+  const { notices } = await make_page(new Link(engine));
+  engine.on("refused", (why) => notices.lasting("link", why, "error"));
+  engine.on("ended", () => notices.say(T.link.bye(T.playground.ended), "warn"));
+  engine.connect();
+}
+
+start();
