@@ -137,6 +137,9 @@ Expected<std::unique_ptr<Component>> make_wired_device(const ComponentEntry& ent
     Parameters parameters;
     for (const ParameterSpec& parameter : kind.parameters) static_cast<void>(parameters.declare(parameter));
     if (auto ok = parameters.set_all(entry.config); !ok) return refuse(ok.error().message);
+    if (kind.check != nullptr) {
+        if (const std::string wrong = kind.check(parameters); !wrong.empty()) return refuse(wrong);
+    }
     auto* robot = entry.on.empty() ? nullptr : dynamic_cast<Robot*>(system.find(entry.on));
     const auto& safe = parameters.find("safe")->value.get<std::string>();
     if (safe.size() > 255) return refuse(fmt::format("safe has {} bytes: expected at most 255", safe.size()));

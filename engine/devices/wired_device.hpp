@@ -19,11 +19,13 @@ namespace nezumi {
 class Robot;
 class System;
 
-/// A kind of device: its word in robot files, and the parameters of its component.
+/// A kind of device: its word in robot files, and its component.
 struct DeviceKind {
     std::string_view word;  ///< "serial"
     std::string_view type;  ///< of the component: "Serial"
     std::vector<ParameterSpec> parameters;
+    /// What is wrong with values that do not go together; "": nothing. Null: all do.
+    std::string (*check)(const Parameters& parameters) = nullptr;
 };
 /// All kinds.
 std::span<const DeviceKind> device_kinds();

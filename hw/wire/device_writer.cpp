@@ -67,12 +67,12 @@ int DeviceWriter::order(const WriterOrder& order, std::string_view bytes, int fi
     return sendmsg(socket_, &message, MSG_DONTWAIT | MSG_NOSIGNAL) < 0 ? errno : 0;
 }
 
-int DeviceWriter::give(const Device& device) const {
+int DeviceWriter::give(const WriteTarget& target, const std::string& end, const std::string& safe) const {
     return order({.kind = WriterOrder::Kind::device,
-                  .is_plain = device.is_plain,
-                  .is_datagram = device.is_datagram,
-                  .end_size = static_cast<std::uint8_t>(device.end.size())},
-                 device.end + device.safe, device.file);
+                  .by = target.by,
+                  .end_size = static_cast<std::uint8_t>(end.size()),
+                  .address = target.address},
+                 end + safe, target.file);
 }
 
 void DeviceWriter::send(std::string_view message) const { order({.kind = WriterOrder::Kind::message}, message); }

@@ -27,16 +27,9 @@ public:
     DeviceWriter(const DeviceWriter&) = delete;
     DeviceWriter& operator=(const DeviceWriter&) = delete;
 
-    /// What it needs to know about a device.
-    struct Device {
-        int file;          ///< open for writing; the writer gets a duplicate
-        bool is_plain;     ///< a plain file
-        bool is_datagram;  ///< a message is sent whole or not at all
-        std::string end;   ///< ends a torn message
-        std::string safe;
-    };
-    /// Gives it the device that it writes to from now on. Returns an `errno`, or 0.
-    int give(const Device& device) const;
+    /// Gives it the device that it writes to from now on; it gets a duplicate of its file. `end`: ends a torn message.
+    /// Returns an `errno`, or 0.
+    int give(const WriteTarget& target, const std::string& end, const std::string& safe) const;
     void send(std::string_view message) const;
     void beat(double now) const;
     void stop() const;

@@ -25,13 +25,12 @@ class Writer {
 public:
     explicit Writer(int socket) : socket_(socket) {}
 
-    int file() const { return file_; }
-    bool has_work() const { return file_ >= 0 && count_ > 0; }
+    int file() const { return target_.file; }
+    bool has_work() const { return target_.file >= 0 && count_ > 0; }
 
     void take_device(const WriterOrder& order, const char* bytes, std::size_t size, int file) {
-        if (file_ >= 0) close(file_);
-        file_ = file;
-        order_ = order;
+        if (target_.file >= 0) close(target_.file);
+        target_ = {.by = order.by, .address = order.address, .file = file};
         count_ = 0;
         safe_size_ = std::min(size - order.end_size, longest_safe);
         std::memcpy(safe_.data(), bytes + order.end_size, safe_size_);
@@ -41,7 +40,7 @@ public:
     }
 
     void add(const char* bytes, std::size_t size) {
-        if (size == 0 || size > longest_message || file_ < 0) return;
+        if (size == 0 || size > longest_message || target_.file < 0) return;
         if (count_ == waiting_.size()) {
             // The first one may be half written.
             std::rotate(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_), waiting_.end());
@@ -66,10 +65,11 @@ public:
     void write_some() {
         while (has_work()) {
             Outgoing& next = waiting_[first_];
-            const ssize_t written = write_rest(next);
+            const ssize_t written = write_message(target_, next.bytes.data() + next.done, next.size - next.done);
+            const bool is_datagram = target_.by == WriteBy::datagram;
             if (written < 0 && errno == EINTR) continue;
-            if (written < 0 && (errno == EAGAIN || errno == ECONNREFUSED) && !order_.is_datagram) return;
-            if (written < 0 && !order_.is_datagram) return lose(errno);
+            if (written < 0 && errno == EAGAIN && target_.by == WriteBy::stream) return;
+            if (written < 0 && !is_datagram) return lose(errno);
             next.done += written < 0 ? next.size : static_cast<std::size_t>(written);
             if (next.done < next.size) continue;
             first_ = (first_ + 1) % waiting_.size();
@@ -83,14 +83,14 @@ public:
         const double begin = clock_seconds();
         stop();
         while (has_work() && clock_seconds() - begin < patience) {
-            pollfd device{.fd = file_, .events = POLLOUT, .revents = 0};
+            pollfd device{.fd = target_.file, .events = POLLOUT, .revents = 0};
             poll(&device, 1, 20);
             write_some();
         }
         // The kernel drops what a closed line has not sent.
         int unsent = 0;
-        while (file_ >= 0 && isatty(file_) != 0 && ioctl(file_, TIOCOUTQ, &unsent) == 0 && unsent > 0 &&
-               clock_seconds() - begin < patience)
+        while (target_.file >= 0 && isatty(target_.file) != 0 && ioctl(target_.file, TIOCOUTQ, &unsent) == 0 &&
+               unsent > 0 && clock_seconds() - begin < patience)
             usleep(1000);
     }
 
@@ -99,22 +99,15 @@ public:
 private:
     void add_safe() { add(safe_.data(), safe_size_); }
 
-    ssize_t write_rest(const Outgoing& next) const {
-        if (!order_.is_plain) return write(file_, next.bytes.data() + next.done, next.size - next.done);
-        if (ftruncate(file_, 0) != 0) return -1;
-        return pwrite(file_, next.bytes.data(), next.size, 0);
-    }
-
     void lose(int error) {
-        close(file_);
-        file_ = -1;
+        close(target_.file);
+        target_.file = -1;
         count_ = 0;
         say({.kind = WriterAnswer::Kind::lost, .error = error});
     }
 
     int socket_;
-    int file_ = -1;
-    WriterOrder order_{};
+    WriteTarget target_;
     std::array<char, longest_safe> safe_{};
     std::size_t safe_size_ = 0;
     std::array<Outgoing, 16> waiting_{};

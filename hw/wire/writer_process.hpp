@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "hw/guard/guard_process.hpp"
+#include "hw/wire/write_target.hpp"
 
 namespace nezumi::hw {
 
@@ -24,10 +25,10 @@ struct WriterOrder {
         stop,     ///< drops what waits, completes a message that was begun, and sends the safe bytes
     };
     Kind kind = Kind::beat;
-    bool is_plain = false;     ///< of a device: a plain file, which has only the last message
-    bool is_datagram = false;  ///< of a device: each message is sent whole or not at all
+    WriteBy by = WriteBy::stream;  ///< of a device
     std::uint8_t end_size = 0;
-    double tm = 0;  ///< [s] by `clock_seconds`
+    std::uint16_t address = 0;  ///< of a device on an I2C bus
+    double tm = 0;              ///< [s] by `clock_seconds`
 };
 
 /// A message from the writer to the engine.

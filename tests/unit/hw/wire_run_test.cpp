@@ -13,7 +13,7 @@
 #include <string>
 
 #include "hw/device/clock.hpp"
-#include "hw/wire/endpoint.hpp"
+#include "hw/wire/wire_driver.hpp"
 #include "tests/fakes/fake_rover.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"

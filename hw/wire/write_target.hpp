@@ -1,0 +1,45 @@
+// Writes one message to a device, by the call that its kind needs.
+#pragma once
+
+#include <sys/types.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace nezumi::hw {
+
+/// How a message is written.
+enum class WriteBy : std::uint8_t {
+    stream,    ///< a stream of bytes, which may take a part of them
+    datagram,  ///< a socket: a message is sent whole or not at all, and its loss is no fault
+    plain,     ///< a plain file, which has only the last message
+    i2c,       ///< one transaction with an address on an I2C bus
+};
+
+/// An open device, as its writer sees it.
+struct WriteTarget {
+    WriteBy by = WriteBy::stream;
+    std::uint16_t address = 0;  ///< on an I2C bus
+    int file = -1;
+
+    /// Whether a message is written whole or not at all.
+    bool is_whole() const { return by != WriteBy::stream; }
+};
+
+/// Tries a transaction, which returns an `errno` or 0, at most three times: motors disturb the lines of a bus.
+template <class Transaction>
+int retry_transfer(const Transaction& transaction) {
+    int error = 0;
+    for (int left = 3; left > 0; --left) {
+        error = transaction();
+        if (error == 0) break;
+    }
+    return error;
+}
+
+/// Writes a message, of a stream a part of it. Returns the number of bytes, or -1 with `errno`. A transaction that
+/// fails is tried three times. Allocates nothing.
+ssize_t write_message(const WriteTarget& target, const char* bytes, std::size_t size);
+
+}  // namespace nezumi::hw
