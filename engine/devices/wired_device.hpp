@@ -26,6 +26,9 @@ struct DeviceKind {
     std::vector<ParameterSpec> parameters;
     /// What is wrong with values that do not go together; "": nothing. Null: all do.
     std::string (*check)(const Parameters& parameters) = nullptr;
+    bool is_text = false;  ///< messages are texts, also without the parameter `ends`
+    /// What is wrong with a message to the device; "": nothing. Null: any bytes are right.
+    std::string (*check_message)(const Parameters& parameters, std::string_view message) = nullptr;
 };
 /// All kinds.
 std::span<const DeviceKind> device_kinds();
@@ -57,8 +60,9 @@ public:
 };
 
 /// Its out-port `out` publishes what the device sends; what arrives at `in` is sent to the device. Both are
-/// TimedString, a line each, if the parameter `ends` is given, else TimedOctetSeq. In simulation `wire_out` has what
-/// would be sent, and what arrives at `wire_in` counts as sent by the device: for a behaviour that stands for it.
+/// TimedString, if its kind has texts, or, a line each, if the parameter `ends` is given; else TimedOctetSeq. In
+/// simulation `wire_out` has what would be sent, and what arrives at `wire_in` counts as sent by the device: for a
+/// behaviour that stands for it.
 ///
 /// It sends only while it is open: it is ACTIVE, so are all components that write to `in`, nothing is stopped or
 /// paused, and the motors of the robot that it is on have power. When it closes, and when a component that writes to
@@ -85,6 +89,7 @@ private:
     void send(std::string_view bytes);
     void stop();
 
+    const DeviceKind& kind_;
     const System& system_;
     const Robot* robot_;
     std::unique_ptr<DeviceLink> link_;
@@ -95,6 +100,7 @@ private:
     InPortBase* wire_in_ = nullptr;    // unused by a real device
     OutPortBase* wire_out_ = nullptr;  // the same
     bool was_open_ = false;
+    bool said_wrong_ = false;  // that the messages to the device are wrong
     std::uint64_t versions_ = 0;
 };
 

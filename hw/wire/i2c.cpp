@@ -6,6 +6,7 @@
 #include "hw/device/clock.hpp"
 #include "hw/device/numbered_nodes.hpp"
 #include "hw/wire/i2c_bus.hpp"
+#include "hw/wire/period.hpp"
 #include "hw/wire/wire_driver.hpp"
 #include "hw/wire/wire_node.hpp"
 
@@ -27,12 +28,11 @@ struct Register {
 class I2cWire final : public OpenWire {
 public:
     I2cWire(Descriptor bus, std::uint16_t address, std::vector<Register> registers, double every)
-        : bus_(std::move(bus)), address_(address), registers_(std::move(registers)), every_(every) {}
+        : bus_(std::move(bus)), address_(address), registers_(std::move(registers)), period_(every) {}
 
     tl::expected<double, int> read(std::vector<Arrived>& arrived) override {
-        const double begin = clock_seconds();
-        if (begin < next_) return next_ - begin;
-        next_ = begin - next_ < every_ ? next_ + every_ : begin + every_;
+        if (registers_.empty()) return 0.5;
+        if (!period_.is_due(clock_seconds())) return period_.left(clock_seconds());
         for (const Register& each : registers_) {
             std::string message(1 + std::size_t{each.length}, static_cast<char>(each.number));
             const int error = retry_transfer(
@@ -40,7 +40,7 @@ public:
             if (error != 0) return tl::unexpected(error);
             arrived.push_back({clock_seconds(), std::move(message)});
         }
-        return registers_.empty() ? 0.5 : std::max(0.0, next_ - clock_seconds());
+        return period_.left(clock_seconds());
     }
     WriteTarget target() const override { return {.by = WriteBy::i2c, .address = address_, .file = bus_.get()}; }
 
@@ -48,8 +48,7 @@ private:
     Descriptor bus_;
     const std::uint16_t address_;
     const std::vector<Register> registers_;
-    const double every_;  // [s]
-    double next_ = 0;     // [s] by `clock_seconds`
+    Period period_;
 };
 
 class I2cDriver final : public WireDriver {

@@ -51,6 +51,8 @@ public:
     virtual OrWhy<std::string> encode(std::string_view message) const { return std::string(message); }
     /// The bytes of `safe`.
     virtual std::string encode_safe(std::string_view safe) const { return std::string(safe); }
+    /// Whether each message from the device gets its time [s] by the system's clock as its last word.
+    virtual bool has_times() const { return false; }
     /// What ends a torn message.
     virtual std::string end() const { return ""; }
     /// Why a device with this error, as of `OpenWire::read`, is lost.
@@ -68,6 +70,10 @@ DriverOrWhy serial_driver(const Parameters& parameters, const DeviceRoots& roots
 DriverOrWhy udp_driver(const Parameters& parameters, const DeviceRoots& roots);
 /// A device on an I2C bus: its registers are read every period.
 DriverOrWhy i2c_driver(const Parameters& parameters, const DeviceRoots& roots);
+/// A device on SPI: it is sent frames every period, and what it answers is read.
+DriverOrWhy spi_driver(const Parameters& parameters, const DeviceRoots& roots);
+/// Lines of a GPIO chip, and PWM channels. Input lines send a message at the start and with each edge.
+DriverOrWhy gpio_driver(const Parameters& parameters, const DeviceRoots& roots);
 
 /// The device node of the USB device with this vendor (four hexadecimal digits) and serial number ("": any), or an
 /// error with those that there are.

@@ -73,6 +73,7 @@ public:
 private:
     void lose(int error) {
         is_open_ = false;
+        writer_->release();
         wire_.reset();
         health_.lost(driver_->why_lost(error));
     }
@@ -119,8 +120,10 @@ public:
     std::vector<Message> take(const Time& now) override {
         clock_.look(now);
         std::vector<Message> messages;
-        for (Arrived& each : job_->take())
+        for (Arrived& each : job_->take()) {
+            if (driver_->has_times()) each.bytes += fmt::format(" {:.6f}", clock_.exact_time(each.tm));
             messages.push_back({clock_.system_time(now, each.tm), std::move(each.bytes)});
+        }
         while (const auto answer = writer_->take_answer()) {
             if (answer->kind == WriterAnswer::Kind::lost) {
                 job_->note_lost(answer->error);

@@ -3,9 +3,13 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstring>
 
+#include "hw/wire/gpio_lines.hpp"
 #include "hw/wire/i2c_bus.hpp"
+#include "hw/wire/spi_bus.hpp"
 
 namespace nezumi::hw {
 namespace {
@@ -29,6 +33,12 @@ ssize_t write_message(const WriteTarget& target, const char* bytes, std::size_t 
             return pwrite(target.file, bytes, size, 0);
         case WriteBy::i2c:
             return write_whole(size, [&] { return i2c_write(target.file, target.address, bytes, size); });
+        case WriteBy::spi: return write_whole(size, [&] { return spi_transfer(target.file, bytes, nullptr, size); });
+        case WriteBy::gpio: {
+            GpioLevels levels;
+            std::memcpy(&levels, bytes, std::min(size, sizeof levels));
+            return write_whole(size, [&] { return set_gpio(target.file, target.pwm, levels); });
+        }
     }
     return write(target.file, bytes, size);
 }

@@ -21,6 +21,9 @@ struct Outgoing {
     std::size_t size = 0, done = 0;
 };
 
+// -1: none.
+using PassedFiles = std::array<int, most_files>;
+
 class Writer {
 public:
     explicit Writer(int socket) : socket_(socket) {}
@@ -28,9 +31,10 @@ public:
     int file() const { return target_.file; }
     bool has_work() const { return target_.file >= 0 && count_ > 0; }
 
-    void take_device(const WriterOrder& order, const char* bytes, std::size_t size, int file) {
-        if (target_.file >= 0) close(target_.file);
-        target_ = {.by = order.by, .address = order.address, .file = file};
+    void take_device(const WriterOrder& order, const char* bytes, std::size_t size, const PassedFiles& files) {
+        close_files();
+        target_ = {.by = order.by, .address = order.address, .file = files.front()};
+        std::copy(files.begin() + 1, files.end(), target_.pwm.begin());
         count_ = 0;
         safe_size_ = std::min(size - order.end_size, longest_safe);
         std::memcpy(safe_.data(), bytes + order.end_size, safe_size_);
@@ -59,6 +63,14 @@ public:
     void stop() {
         count_ = count_ > 0 && waiting_[first_].done > 0 ? 1 : 0;
         add_safe();
+    }
+
+    // The device may be only half lost: what it still takes stops it.
+    void release() {
+        stop();
+        write_some();
+        close_files();
+        count_ = 0;
     }
 
     // Writes what the device takes now.
@@ -99,9 +111,16 @@ public:
 private:
     void add_safe() { add(safe_.data(), safe_size_); }
 
+    void close_files() {
+        for (const int file : target_.pwm) {
+            if (file >= 0) close(file);
+        }
+        if (target_.file >= 0) close(target_.file);
+        target_ = {};
+    }
+
     void lose(int error) {
-        close(target_.file);
-        target_.file = -1;
+        close_files();
         count_ = 0;
         say({.kind = WriterAnswer::Kind::lost, .error = error});
     }
@@ -121,19 +140,19 @@ struct Packet {
 
 // Receives one packet. Returns the number of its bytes after the order; -1 at the end of the socket, -2 if there is
 // none.
-ssize_t receive(int socket, Packet& packet, int& file) {
+ssize_t receive(int socket, Packet& packet, PassedFiles& files) {
     std::array<iovec, 2> parts{iovec{.iov_base = &packet.order, .iov_len = sizeof packet.order},
                                iovec{.iov_base = packet.bytes.data(), .iov_len = packet.bytes.size()}};
-    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> extra{};
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(PassedFiles))> extra{};
     msghdr message{};
     message.msg_iov = parts.data();
     message.msg_iovlen = parts.size();
     message.msg_control = extra.data();
     message.msg_controllen = extra.size();
     const ssize_t length = recvmsg(socket, &message, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
-    file = -1;
+    files.fill(-1);
     if (const cmsghdr* header = CMSG_FIRSTHDR(&message); length > 0 && header != nullptr)
-        std::memcpy(&file, CMSG_DATA(header), sizeof file);
+        std::memcpy(files.data(), CMSG_DATA(header), std::min(header->cmsg_len - CMSG_LEN(0), sizeof files));
     if (length == 0 || (length < 0 && errno != EAGAIN && errno != EINTR)) return -1;
     const ssize_t bytes = length - static_cast<ssize_t>(sizeof packet.order);
     return bytes < 0 ? -2 : bytes;
@@ -155,19 +174,23 @@ void be_writer(int socket, int lease, pid_t engine, const ProcessWords& words) {
         const int timeout = awaits_beat ? std::max(0, static_cast<int>(left * 1e3) + 1) : -1;
         if (poll(files.data(), files.size(), timeout) < 0 && errno != EINTR) break;
         if (files[1].revents != 0) break;
-        int file = -1;
-        const ssize_t size = files[0].revents != 0 ? receive(socket, packet, file) : -2;
+        PassedFiles passed{};
+        const ssize_t size = files[0].revents != 0 ? receive(socket, packet, passed) : -2;
         if (size == -1) break;
         if (size >= 0) {
             switch (packet.order.kind) {
                 case WriterOrder::Kind::device:
-                    if (file >= 0 && size >= packet.order.end_size)
-                        writer.take_device(packet.order, packet.bytes.data(), static_cast<std::size_t>(size), file);
+                    if (passed.front() >= 0 && size >= packet.order.end_size)
+                        writer.take_device(packet.order, packet.bytes.data(), static_cast<std::size_t>(size), passed);
                     break;
                 case WriterOrder::Kind::message: writer.add(packet.bytes.data(), static_cast<std::size_t>(size)); break;
                 case WriterOrder::Kind::beat:
                     awaits_beat = true;
                     beat_at = packet.order.tm;
+                    break;
+                case WriterOrder::Kind::release:
+                    awaits_beat = false;
+                    writer.release();
                     break;
                 case WriterOrder::Kind::stop:
                     awaits_beat = false;

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
@@ -43,6 +44,20 @@ public:
     /// A driver of the kernel uses this address.
     void take_by_kernel(std::uint16_t address) { taken_ = address; }
 
+    /// What its devices do when an output line changes. Called by the board's thread.
+    void on_output(std::function<void(std::int64_t line, bool level)> react) { react_ = std::move(react); }
+    bool level(std::int64_t line) const;
+    /// An input line gets this level at `tm` [s] by `clock_seconds`.
+    void edge(std::int64_t line, bool level, double tm);
+    /// Another program uses this line.
+    void take_line(std::int64_t line) { used_line_ = line; }
+
+    /// What a device on SPI receives, and answers at the same time.
+    void set_spi(const std::string& node, std::function<std::string(const std::string& sent)> answer) {
+        const std::lock_guard lock(mutex_);
+        spi_[node] = std::move(answer);
+    }
+
     /// All that was asked: "60 w FD 10", "40 w 02 r 2".
     std::vector<std::string> transactions() const;
 
@@ -50,6 +65,10 @@ private:
     struct Connection {
         int file;
         std::string node;
+        int mode = 0;                       // of SPI
+        unsigned bits = 0;                  // the same
+        std::vector<std::int64_t> lines{};  // that were requested
+        bool is_input = false;
     };
     struct I2cDevice {
         std::array<std::uint8_t, 256> registers{};
@@ -57,15 +76,23 @@ private:
         bool answers = true;
     };
     void live();
-    bool serve(Connection& connection);
-    BoardAnswer answer(const Connection& connection, const BoardCall& call, const char* bytes, std::string& reply);
+    bool serve(std::size_t index);
+    // `passed`: a descriptor that goes to the program; -1: none.
+    BoardAnswer answer(std::size_t index, const BoardCall& call, const char* bytes, std::string& reply, int& passed);
+    BoardAnswer transfer_spi(const std::string& node, const BoardCall& call, const char* bytes, std::string& reply);
+    BoardAnswer request_lines(const std::string& node, std::string& reply, int& passed);
+    BoardAnswer set_lines(const Connection& connection, const std::string& values);
     BoardAnswer transfer_i2c(const BoardCall& call, const char* bytes, std::string& reply);
 
     const std::string dev_, sys_;
     std::atomic<bool> ends_ = false;
     std::atomic<int> disturbed_ = 0;
     std::atomic<std::uint16_t> taken_ = 0;
-    mutable std::mutex mutex_;
+    std::atomic<std::int64_t> used_line_ = -1;
+    std::function<void(std::int64_t, bool)> react_;
+    mutable std::recursive_mutex mutex_;
+    std::map<std::int64_t, bool> levels_;
+    std::map<std::string, std::function<std::string(const std::string&)>> spi_;
     std::map<std::string, int> nodes_;  // listening sockets
     std::vector<Connection> connections_;
     std::map<std::uint16_t, I2cDevice> i2c_;

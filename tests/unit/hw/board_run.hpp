@@ -3,26 +3,16 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "hw/device/clock.hpp"
 #include "tests/fakes/fake_board.hpp"
 #include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/hw/holds_within.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 namespace nezumi::hw {
-
-inline bool holds_within(double seconds, const std::function<bool()>& condition) {
-    const double end = clock_seconds() + seconds;
-    while (clock_seconds() < end) {
-        if (condition()) return true;
-        usleep(2000);
-    }
-    return condition();
-}
 
 struct BoardRun {
     Scratch folder;

@@ -12,10 +12,10 @@ using namespace nezumi::hw;
 namespace {
 
 // A motor driver at 0x60: register 06 is the speed in hundredths; FD stops all.
-const std::string motors =
+const std::string hat_devices =
     "hat = i2c { address = 0x60, registers = { 0x00, 0x10 }, lengths = { 1, 2 }, every = 0.02, safe = '\\xFD\\x10' }";
 
-const std::string driver = R"(
+const std::string hat_driver = R"(
 local target = input("target_velocity_in", "TimedVelocity2D")
 local velocity = output("current_velocity_out", "TimedVelocity2D")
 local hat_in = input("hat_in", "TimedOctetSeq", nil, { queue = 100 })
@@ -39,8 +39,8 @@ struct HatRun : BoardRun {
         board->add("i2c-1");
         board->add_i2c(0x60);
         board->set_registers(0x60, 0x10, "\x12\x34");
-        write_robot(motors);
-        write_driver(driver);
+        write_robot(hat_devices);
+        write_driver(hat_driver);
     }
     bool goes_ahead() {
         return goes([&] { return board->register_of(0x60, 6) == 20; });
