@@ -98,6 +98,12 @@ public:
         return std::make_unique<GpioWire>(std::move(node->file), std::move(outs), std::move(ins), std::move(duty),
                                           inputs());
     }
+    // The kernel gives a line to one program only. Channels it gives to all.
+    Expected<Lease> lease() const override {
+        std::error_code none;
+        if (channels().empty() || is_plain() || !std::filesystem::exists(pwm_folder_, none)) return Lease::of_nothing();
+        return Lease::take(fmt::format("wire {} {}", pwm_folder_, fmt::join(channels(), ",")), pwm_folder_);
+    }
     OrWhy<std::string> encode(std::string_view message) const override {
         if (is_plain()) return std::string(message);
         auto levels = levels_of(message);

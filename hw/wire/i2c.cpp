@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <filesystem>
 
 #include "hw/device/clock.hpp"
 #include "hw/device/numbered_nodes.hpp"
@@ -75,7 +76,11 @@ public:
         return std::make_unique<I2cWire>(std::move(node->file), address_, registers_, every_);
     }
     // Other devices of the bus are free.
-    Expected<Lease> lease() const override { return Lease::take(fmt::format("wire {} {:#x}", path_, address_), path_); }
+    Expected<Lease> lease() const override {
+        std::error_code none;
+        if (!std::filesystem::exists(path_, none)) return Lease::of_nothing();
+        return Lease::take(fmt::format("wire {} {:#x}", path_, address_), path_);
+    }
     std::string why_lost(int error) const override {
         if (error != ENXIO && error != EREMOTEIO && error != EIO && error != ETIMEDOUT)
             return with_advice(path_, error, i2c_bus);

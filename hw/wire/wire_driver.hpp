@@ -45,7 +45,7 @@ public:
     virtual ~WireDriver() = default;
     /// Opens the device, after checking that it is of this kind.
     virtual Opened open() const = 0;
-    /// Only one program may write to a device.
+    /// Only one program may write to a device. Of nothing if there is no such device.
     virtual Expected<Lease> lease() const { return Lease::of_nothing(); }
     /// The bytes of a message; an error if it is no message for this device.
     virtual OrWhy<std::string> encode(std::string_view message) const { return std::string(message); }

@@ -182,10 +182,10 @@ Expected<std::unique_ptr<DeviceLink>> open_wire(MakeWireDriver make, const std::
     if (!made) return failure(made.error());
     const Driver driver = std::move(*made);
     const std::string safe = driver->encode_safe(value_of<std::string>(parameters, "safe"));
-    // First looks whether it is there, and what it is; only then takes it.
-    if (const auto there = driver->open(); !there && !safe.empty()) return failure(there.error());
+    // Opening may already stop the device, so it must not be another program's.
     auto lease = driver->lease();
     if (!lease) return Unexpected(lease.error());
+    if (const auto there = driver->open(); !there && !safe.empty()) return failure(there.error());
     auto writer = DeviceWriter::start(std::move(*lease));
     if (!writer) return Unexpected(writer.error());
     std::shared_ptr<DeviceWriter> shared = std::move(*writer);

@@ -40,13 +40,16 @@ struct BoardRun {
     }
     void write_driver(const std::string& text) { folder.write("behaviors/rover_driver.lua", text); }
 
-    void start(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words() const {
         const std::string dev = folder.path("dev").string();
-        std::vector<std::string> words{"run",        "system.lua", "--hw",       "--headless",
-                                       "--dev-root", dev,          "--sys-root", folder.path("sys").string()};
-        words.insert(words.end(), more.begin(), more.end());
-        const FakeBoard::Environment environment(dev);
-        program.emplace(words, folder.path("").string());
+        return {"run",        "system.lua", "--hw",       "--headless",
+                "--dev-root", dev,          "--sys-root", folder.path("sys").string()};
+    }
+    void start(const std::vector<std::string>& more = {}) {
+        std::vector<std::string> all = words();
+        all.insert(all.end(), more.begin(), more.end());
+        const FakeBoard::Environment environment(folder.path("dev").string());
+        program.emplace(all, folder.path("").string());
     }
     bool goes(const std::function<bool()>& drives) {
         start();

@@ -148,6 +148,25 @@ TEST_CASE("a GPIO device that can't be used is refused by one line", "[hw][wire]
     CHECK(refusal.find(expected) != std::string::npos);
 }
 
+TEST_CASE("a message for a line that is no output is dropped and reported", "[hw][wire][run][wallclock]") {
+    PinRun run;
+    run.write_driver(
+        "local pins_out = output('pins_out', 'TimedString')\nfunction on_execute() pins_out:write('24=1') end\n");
+    run.start();
+    CHECK(run.program->wait_for_error("rover_pins: a message was dropped: '24=1': 24 is none of outputs (23, 5)", 20));
+}
+
+TEST_CASE("a PWM channel is driven by one program only", "[hw][wire][run][wallclock]") {
+    PinRun run;
+    REQUIRE(run.goes_ahead());
+    const FakeBoard::Environment environment(run.folder.path("dev").string());
+    Program second(run.words(), run.folder.path("").string());
+    CHECK(second.wait() == 2);
+    INFO(second.error);
+    CHECK(second.error.find("pwmchip0: another program (process ") != std::string::npos);
+    CHECK(run.content("duty_cycle") == "200000");
+}
+
 TEST_CASE("messages of GPIO are words with a line and its level", "[hw][wire]") {
     const std::vector<std::int64_t> lines{23, 24}, channels{0};
     const auto read = [&](const std::string& text) { return read_gpio_message(text, {lines, channels}); };
