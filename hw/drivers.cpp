@@ -50,9 +50,8 @@ decltype(Makers::components) device_drivers(const DeviceRoots& roots) {
     for (const auto& [type, make] : wire_drivers) {
         all[std::string(type)][std::string(wired_backend)] = [roots, make = make](const ComponentEntry& entry,
                                                                                   System& system) {
-            return make_wired_device(entry, system, [&](const std::string& name, const Parameters& parameters) {
-                return open_wire(make, name, parameters, roots);
-            });
+            return make_wired_device(entry, system,
+                                     [&](const Parameters& parameters) { return open_wire(make, parameters, roots); });
         };
     }
     return all;

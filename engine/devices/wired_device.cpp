@@ -160,7 +160,7 @@ Expected<std::unique_ptr<Component>> make_wired_device(const ComponentEntry& ent
             return refuse(
                 "--hw needs its safe bytes: give safe = \"...\", what stops the device, or safe = false in a robot "
                 "file (measures_only = true in a system) if it moves nothing");
-        auto opened = open(entry.name, parameters);
+        auto opened = open(parameters);
         if (!opened) return refuse(opened.error().message);
         link = std::move(*opened);
     }

@@ -104,9 +104,8 @@ private:
     std::uint64_t versions_ = 0;
 };
 
-/// Opens the real device of a component: by its name and its parameters, which have been checked.
-using OpenDevice =
-    std::function<Expected<std::unique_ptr<DeviceLink>>(const std::string& name, const Parameters& parameters)>;
+/// Opens the real device of a component by its parameters, which have been checked.
+using OpenDevice = std::function<Expected<std::unique_ptr<DeviceLink>>(const Parameters& parameters)>;
 
 /// Makes the component `entry`, of a type of `device_kinds()`. Without `open` it is simulated. An error if a parameter
 /// is wrong; and with `open`, if it neither has `safe` nor only measures, or if the device can't be opened.

@@ -26,8 +26,8 @@ using Driver = std::shared_ptr<const WireDriver>;
 // What the reading thread and the control loop share.
 class WireJob final : public DeviceJob {
 public:
-    WireJob(std::string name, Driver driver, std::string safe, std::shared_ptr<DeviceWriter> writer)
-        : health_(std::move(name)), driver_(std::move(driver)), safe_(std::move(safe)), writer_(std::move(writer)) {}
+    WireJob(Driver driver, std::string safe, std::shared_ptr<DeviceWriter> writer)
+        : driver_(std::move(driver)), safe_(std::move(safe)), writer_(std::move(writer)) {}
 
     // Nothing, or why the device can't be used.
     tl::expected<void, std::string> try_open() {
@@ -101,7 +101,7 @@ private:
         while (arrived_.size() > WiredDevice::queue) arrived_.pop_front();
     }
 
-    Health health_;
+    Health health_{""};
     const Driver driver_;
     const std::string safe_;
     std::shared_ptr<DeviceWriter> writer_;  // shared with the link: this thread may hang in the device
@@ -114,8 +114,8 @@ private:
 
 class WireLink final : public DeviceLink {
 public:
-    WireLink(const std::string& name, Driver driver, std::unique_ptr<WireJob> job, std::shared_ptr<DeviceWriter> writer)
-        : driver_(std::move(driver)), writer_(std::move(writer)), guard_health_(name), job_(std::move(job)) {}
+    WireLink(Driver driver, std::unique_ptr<WireJob> job, std::shared_ptr<DeviceWriter> writer)
+        : driver_(std::move(driver)), writer_(std::move(writer)), job_(std::move(job)) {}
 
     std::vector<Message> take(const Time& now) override {
         clock_.look(now);
@@ -168,15 +168,15 @@ private:
     TickClock clock_;
     const Driver driver_;
     std::shared_ptr<DeviceWriter> writer_;
-    Health guard_health_;
+    Health guard_health_{""};
     bool has_stopped_ = false;  // after the end of the writer
     RunningJob<WireJob> job_;
 };
 
 }  // namespace
 
-Expected<std::unique_ptr<DeviceLink>> open_wire(MakeWireDriver make, const std::string& name,
-                                                const Parameters& parameters, const DeviceRoots& roots) {
+Expected<std::unique_ptr<DeviceLink>> open_wire(MakeWireDriver make, const Parameters& parameters,
+                                                const DeviceRoots& roots) {
     if (!roots.files->are_real()) return failure("a device log has no messages of such devices: it can't be replayed");
     auto made = make(parameters, roots);
     if (!made) return failure(made.error());
@@ -189,9 +189,9 @@ Expected<std::unique_ptr<DeviceLink>> open_wire(MakeWireDriver make, const std::
     auto writer = DeviceWriter::start(std::move(*lease));
     if (!writer) return Unexpected(writer.error());
     std::shared_ptr<DeviceWriter> shared = std::move(*writer);
-    auto job = std::make_unique<WireJob>(name, driver, safe, shared);
+    auto job = std::make_unique<WireJob>(driver, safe, shared);
     if (const auto opened = job->try_open(); !opened && !safe.empty()) return failure(opened.error());
-    return std::make_unique<WireLink>(name, driver, std::move(job), std::move(shared));
+    return std::make_unique<WireLink>(driver, std::move(job), std::move(shared));
 }
 
 }  // namespace nezumi::hw

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "engine/devices/wired_device.hpp"
 #include "hw/device/roots.hpp"
@@ -13,7 +12,7 @@ namespace nezumi::hw {
 /// Opens a device with the driver of its kind. Fails if the device is no such device, if another program
 /// writes to it, or if it has safe bytes and is missing. A device that only measures may come later. A device that was
 /// unplugged is looked for every half second.
-Expected<std::unique_ptr<DeviceLink>> open_wire(MakeWireDriver make, const std::string& name,
-                                                const Parameters& parameters, const DeviceRoots& roots);
+Expected<std::unique_ptr<DeviceLink>> open_wire(MakeWireDriver make, const Parameters& parameters,
+                                                const DeviceRoots& roots);
 
 }  // namespace nezumi::hw

@@ -119,6 +119,10 @@ std::vector<std::string> FakeBoard::transactions() const {
 
 void FakeBoard::live() {
     while (!ends_) {
+        if (hangs_) {
+            usleep(2000);
+            continue;
+        }
         std::vector<pollfd> files;
         {
             const std::lock_guard lock(mutex_);

@@ -39,6 +39,8 @@ public:
     std::uint8_t register_of(std::uint16_t address, std::uint8_t number) const;
     /// It stops answering, as one without power.
     void set_answers(std::uint16_t address, bool answers);
+    /// It answers nothing, as a bus whose clock is held low.
+    void hang(bool hangs) { hangs_ = hangs; }
     /// The next transactions fail once each.
     void disturb(int transactions) { disturbed_ = transactions; }
     /// A driver of the kernel uses this address.
@@ -85,7 +87,7 @@ private:
     BoardAnswer transfer_i2c(const BoardCall& call, const char* bytes, std::string& reply);
 
     const std::string dev_, sys_;
-    std::atomic<bool> ends_ = false;
+    std::atomic<bool> ends_ = false, hangs_ = false;
     std::atomic<int> disturbed_ = 0;
     std::atomic<std::uint16_t> taken_ = 0;
     std::atomic<std::int64_t> used_line_ = -1;

@@ -109,6 +109,16 @@ TEST_CASE("a transaction that fails is tried again, and a device that stops answ
     CHECK(*first == "60 w FD 10");
 }
 
+TEST_CASE("a bus that hangs is reported, and its robot drives on when it works again", "[hw][wire][run][wallclock]") {
+    HatRun run;
+    REQUIRE(run.goes_ahead());
+    run.board->hang(true);
+    CHECK(run.program->wait_for_error("rover_hat: no answer for 0.3 s: restart its driver, or the robot", 5));
+    run.board->hang(false);
+    CHECK(run.program->wait_for_error("rover_hat: back again", 5));
+    CHECK(holds_within(5, [&] { return run.last_written() == "60 w 06 14"; }));
+}
+
 TEST_CASE("a device on I2C that can't be used is refused by one line", "[hw][wire][run][wallclock]") {
     HatRun run;
     std::string device = "bus = 1, address = 0x60, safe = '\\xFD\\x10'", expected;
