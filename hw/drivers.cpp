@@ -1,6 +1,9 @@
 // The drivers, one line each.
 #include "hw/drivers.hpp"
 
+#include <string_view>
+#include <utility>
+
 #include "engine/devices/camera.hpp"
 #include "engine/devices/joystick.hpp"
 #include "engine/devices/wired_device.hpp"
@@ -28,6 +31,10 @@ ComponentMaker cameras(const std::string& dev) {
     };
 }
 
+// By the type of the component (engine/devices/device_kinds.cpp).
+constexpr std::pair<std::string_view, MakeWireDriver> wire_drivers[] = {
+    {"Serial", serial_driver}, {"Udp", udp_driver}, {"I2c", i2c_driver}, {"Spi", spi_driver}, {"Gpio", gpio_driver}};
+
 }  // namespace
 
 ByBackend<BodyMaker> drivers(const DeviceRoots& roots) {
@@ -40,12 +47,11 @@ ByBackend<BodyMaker> drivers(const DeviceRoots& roots) {
 decltype(Makers::components) device_drivers(const DeviceRoots& roots) {
     decltype(Makers::components) all{{"Joystick", {{"gamepad", gamepads(roots.dev)}}},
                                      {"Camera", {{"video", cameras(roots.dev)}}}};
-    for (const DeviceKind& kind : device_kinds()) {
-        const std::string type(kind.type);
-        all[type][std::string(wired_backend)] = [roots, type](const ComponentEntry& entry, System& system) {
-            return make_wired_device(entry, system, [&](const std::string& name, const Parameters& parameters) {
-                return open_wire(type, name, parameters, roots);
-            });
+    for (const auto& [type, make] : wire_drivers) {
+        all[std::string(type)][std::string(wired_backend)] = [roots, make = make](const ComponentEntry& entry,
+                                                                                  System& system) {
+            return make_wired_device(entry, system,
+                                     [&](const Parameters& parameters) { return open_wire(make, parameters, roots); });
         };
     }
     return all;

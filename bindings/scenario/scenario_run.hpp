@@ -130,6 +130,7 @@ private:
     Described& described();
     Expected<void> settle();
     Expected<void> settle_or_note();
+    Expected<void> add_drivers(SystemSpec& spec);
     Expected<void> build(Described& described);
     Expected<void> rebuild(Described& described);
     Expected<void> add_new(Described& described);

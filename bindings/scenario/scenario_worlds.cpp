@@ -139,6 +139,17 @@ RunningSystem& ScenarioRun::current() {
     return is_described ? *described_.back().live : worlds_[worlds_.size() - 1];
 }
 
+// The parts of a driver that is a script depend on whether its robot is real.
+Expected<void> ScenarioRun::add_drivers(SystemSpec& spec) {
+    const bool has_script = std::any_of(spec.models.begin(), spec.models.end(),
+                                        [](const auto& model) { return !model.second.hardware.script.empty(); });
+    const LiveOptions options = world_options();
+    if (has_script && options.prepare) {
+        if (auto ready = options.prepare(spec); !ready) return ready;
+    }
+    return add_script_drivers(spec);
+}
+
 Expected<void> ScenarioRun::build(Described& described) {
     LiveOptions options = world_options();
     if (options.build.real_time && !worlds_.empty())
@@ -245,7 +256,7 @@ Expected<void> ScenarioRun::load(const std::string& name, const Expected<Value>&
                                   .peer_words = file_.peer_words()});
     if (!spec) return Unexpected(spec.error());
     if (auto ok = change_robots(*spec, *options, theirs, place); !ok) return ok;
-    if (auto ok = add_script_drivers(*spec); !ok) return ok;
+    if (auto ok = add_drivers(*spec); !ok) return ok;
     merge(*spec, before);
     Described next;
     next.project = std::make_unique<Project>(file_.project().root().empty() ? theirs : file_.project());

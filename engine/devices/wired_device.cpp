@@ -32,7 +32,11 @@ void write_bytes(OutPortBase& port, std::string_view bytes) {
 
 WiredDevice::WiredDevice(std::string name, const DeviceKind& kind, const ParameterValues& config, System& system,
                          const Robot* robot, std::unique_ptr<DeviceLink> link)
-    : Device(std::move(name), std::string(kind.type)), system_(system), robot_(robot), link_(std::move(link)) {
+    : Device(std::move(name), std::string(kind.type)),
+      kind_(kind),
+      system_(system),
+      robot_(robot),
+      link_(std::move(link)) {
     for (const ParameterSpec& parameter : kind.parameters) static_cast<void>(parameters_.declare(parameter));
     static_cast<void>(parameters_.set_all(config));
     const auto text = [this](std::string_view parameter) {
@@ -42,7 +46,7 @@ WiredDevice::WiredDevice(std::string name, const DeviceKind& kind, const Paramet
     ends_ = text("ends");
     safe_ = text("safe");
     measures_only_ = parameters_.find("measures_only")->value.get<bool>();
-    const MessageType* type = ends_.empty() ? message_of<Octets>() : message_of<std::string>();
+    const MessageType* type = ends_.empty() && !kind.is_text ? message_of<Octets>() : message_of<std::string>();
     const auto add_in = [&](const char* port, const char* doc) {
         in_ports_.push_back(make_in_port(type, port, doc, queue));
         return in_ports_.back().get();
@@ -97,6 +101,10 @@ bool WiredDevice::may_send() const {
 }
 
 void WiredDevice::send(std::string_view bytes) {
+    const std::string wrong = kind_.check_message != nullptr ? kind_.check_message(parameters_, bytes) : "";
+    if (!wrong.empty() && !said_wrong_) log(LogLevel::warn, "a message was dropped: " + wrong);
+    said_wrong_ = !wrong.empty();
+    if (said_wrong_) return;
     if (link_ == nullptr) {
         write_bytes(*wire_out_, bytes);
     } else {
@@ -137,6 +145,9 @@ Expected<std::unique_ptr<Component>> make_wired_device(const ComponentEntry& ent
     Parameters parameters;
     for (const ParameterSpec& parameter : kind.parameters) static_cast<void>(parameters.declare(parameter));
     if (auto ok = parameters.set_all(entry.config); !ok) return refuse(ok.error().message);
+    if (kind.check != nullptr) {
+        if (const std::string wrong = kind.check(parameters); !wrong.empty()) return refuse(wrong);
+    }
     auto* robot = entry.on.empty() ? nullptr : dynamic_cast<Robot*>(system.find(entry.on));
     const auto& safe = parameters.find("safe")->value.get<std::string>();
     if (safe.size() > 255) return refuse(fmt::format("safe has {} bytes: expected at most 255", safe.size()));
@@ -149,7 +160,7 @@ Expected<std::unique_ptr<Component>> make_wired_device(const ComponentEntry& ent
             return refuse(
                 "--hw needs its safe bytes: give safe = \"...\", what stops the device, or safe = false in a robot "
                 "file (measures_only = true in a system) if it moves nothing");
-        auto opened = open(entry.name, parameters);
+        auto opened = open(parameters);
         if (!opened) return refuse(opened.error().message);
         link = std::move(*opened);
     }

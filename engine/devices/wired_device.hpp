@@ -19,11 +19,16 @@ namespace nezumi {
 class Robot;
 class System;
 
-/// A kind of device: its word in robot files, and the parameters of its component.
+/// A kind of device: its word in robot files, and its component.
 struct DeviceKind {
     std::string_view word;  ///< "serial"
     std::string_view type;  ///< of the component: "Serial"
     std::vector<ParameterSpec> parameters;
+    /// What is wrong with values that do not go together; "": nothing. Null: all do.
+    std::string (*check)(const Parameters& parameters) = nullptr;
+    bool is_text = false;  ///< messages are texts, also without the parameter `ends`
+    /// What is wrong with a message to the device; "": nothing. Null: any bytes are right.
+    std::string (*check_message)(const Parameters& parameters, std::string_view message) = nullptr;
 };
 /// All kinds.
 std::span<const DeviceKind> device_kinds();
@@ -55,8 +60,9 @@ public:
 };
 
 /// Its out-port `out` publishes what the device sends; what arrives at `in` is sent to the device. Both are
-/// TimedString, a line each, if the parameter `ends` is given, else TimedOctetSeq. In simulation `wire_out` has what
-/// would be sent, and what arrives at `wire_in` counts as sent by the device: for a behaviour that stands for it.
+/// TimedString, if its kind has texts, or, a line each, if the parameter `ends` is given; else TimedOctetSeq. In
+/// simulation `wire_out` has what would be sent, and what arrives at `wire_in` counts as sent by the device: for a
+/// behaviour that stands for it.
 ///
 /// It sends only while it is open: it is ACTIVE, so are all components that write to `in`, nothing is stopped or
 /// paused, and the motors of the robot that it is on have power. When it closes, and when a component that writes to
@@ -83,6 +89,7 @@ private:
     void send(std::string_view bytes);
     void stop();
 
+    const DeviceKind& kind_;
     const System& system_;
     const Robot* robot_;
     std::unique_ptr<DeviceLink> link_;
@@ -93,12 +100,12 @@ private:
     InPortBase* wire_in_ = nullptr;    // unused by a real device
     OutPortBase* wire_out_ = nullptr;  // the same
     bool was_open_ = false;
+    bool said_wrong_ = false;  // that the messages to the device are wrong
     std::uint64_t versions_ = 0;
 };
 
-/// Opens the real device of a component: by its name and its parameters, which have been checked.
-using OpenDevice =
-    std::function<Expected<std::unique_ptr<DeviceLink>>(const std::string& name, const Parameters& parameters)>;
+/// Opens the real device of a component by its parameters, which have been checked.
+using OpenDevice = std::function<Expected<std::unique_ptr<DeviceLink>>(const Parameters& parameters)>;
 
 /// Makes the component `entry`, of a type of `device_kinds()`. Without `open` it is simulated. An error if a parameter
 /// is wrong; and with `open`, if it neither has `safe` nor only measures, or if the device can't be opened.

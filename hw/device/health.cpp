@@ -10,7 +10,7 @@ void Health::lost(const std::string& why) {
     const std::lock_guard lock(mutex_);
     is_lost_ = true;
     well_since_.reset();
-    if (!std::exchange(is_told_, true)) lines_.push_back(device_ + ": " + why);
+    if (!std::exchange(is_told_, true)) lines_.push_back(prefix_ + why);
 }
 
 void Health::works(double now) {
@@ -28,7 +28,7 @@ std::vector<std::string> Health::take(double now) {
     const std::lock_guard lock(mutex_);
     if (is_told_ && well_since_ && now - *well_since_ >= proven_after) {
         is_told_ = false;
-        lines_.push_back(device_ + ": back again");
+        lines_.push_back(prefix_ + "back again");
     }
     return std::exchange(lines_, {});
 }

@@ -17,8 +17,8 @@ inline constexpr const char* no_answer = "no answer for 0.3 s: restart its drive
 /// Any thread may call it.
 class Health {
 public:
-    /// `device` is the name in messages: "the light sensors".
-    explicit Health(std::string device) : device_(std::move(device)) {}
+    /// `device` is the name in messages: "the light sensors"; "": none, as where a component's messages have its name.
+    explicit Health(std::string device) : prefix_(device.empty() ? "" : std::move(device) + ": ") {}
 
     /// The device does not work, for this reason. Reported only if it worked before.
     void lost(const std::string& why);
@@ -33,7 +33,7 @@ public:
     static constexpr double proven_after = 1;
 
 private:
-    const std::string device_;
+    const std::string prefix_;
     mutable Mutex mutex_;
     bool is_lost_ = false;
     bool is_told_ = false;              // the loss was reported

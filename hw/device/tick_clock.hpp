@@ -19,7 +19,9 @@ public:
         return clock;
     }
     /// The system's time of a sample with the stamp `tm`; never later than now.
-    double system_time(const Time& now, double tm) const { return std::min(now.seconds, tm - offset_); }
+    double system_time(const Time& now, double tm) const { return std::min(now.seconds, exact_time(tm)); }
+    /// The same, also later than now; so differences are those of the samples.
+    double exact_time(double tm) const { return tm - offset_; }
 
 private:
     double offset_ = std::numeric_limits<double>::infinity();  // [s] the clock's value at the system's time 0

@@ -47,36 +47,43 @@ DeviceWriter::~DeviceWriter() {
     waitpid(process_, nullptr, WNOHANG);
 }
 
-int DeviceWriter::order(const WriterOrder& order, std::string_view bytes, int file) const {
+int DeviceWriter::order(const WriterOrder& order, std::string_view bytes, std::span<const int> files) const {
     WriterOrder head = order;
     std::array<iovec, 2> parts{iovec{.iov_base = &head, .iov_len = sizeof head},
                                iovec{.iov_base = const_cast<char*>(bytes.data()), .iov_len = bytes.size()}};
-    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof file)> extra{};
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(most_files * sizeof(int))> extra{};
     msghdr message{};
     message.msg_iov = parts.data();
     message.msg_iovlen = parts.size();
-    if (file >= 0) {
+    if (!files.empty()) {
         message.msg_control = extra.data();
-        message.msg_controllen = extra.size();
+        message.msg_controllen = CMSG_SPACE(files.size_bytes());
         cmsghdr* header = CMSG_FIRSTHDR(&message);
         header->cmsg_level = SOL_SOCKET;
         header->cmsg_type = SCM_RIGHTS;
-        header->cmsg_len = CMSG_LEN(sizeof file);
-        std::memcpy(CMSG_DATA(header), &file, sizeof file);
+        header->cmsg_len = CMSG_LEN(files.size_bytes());
+        std::memcpy(CMSG_DATA(header), files.data(), files.size_bytes());
     }
     return sendmsg(socket_, &message, MSG_DONTWAIT | MSG_NOSIGNAL) < 0 ? errno : 0;
 }
 
-int DeviceWriter::give(const Device& device) const {
+int DeviceWriter::give(const WriteTarget& target, const std::string& end, const std::string& safe) const {
+    std::array<int, most_files> files{target.file};
+    std::size_t count = 1;
+    // Channels are without gaps.
+    for (const int file : target.pwm) {
+        if (file >= 0) files[count++] = file;
+    }
     return order({.kind = WriterOrder::Kind::device,
-                  .is_plain = device.is_plain,
-                  .is_datagram = device.is_datagram,
-                  .end_size = static_cast<std::uint8_t>(device.end.size())},
-                 device.end + device.safe, device.file);
+                  .by = target.by,
+                  .end_size = static_cast<std::uint8_t>(end.size()),
+                  .address = target.address},
+                 end + safe, std::span(files).first(count));
 }
 
 void DeviceWriter::send(std::string_view message) const { order({.kind = WriterOrder::Kind::message}, message); }
 void DeviceWriter::beat(double now) const { order({.kind = WriterOrder::Kind::beat, .tm = now}, {}); }
+void DeviceWriter::release() const { order({.kind = WriterOrder::Kind::release}, {}); }
 void DeviceWriter::stop() const { order({.kind = WriterOrder::Kind::stop}, {}); }
 
 std::optional<WriterAnswer> DeviceWriter::take_answer() {

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -27,19 +28,14 @@ public:
     DeviceWriter(const DeviceWriter&) = delete;
     DeviceWriter& operator=(const DeviceWriter&) = delete;
 
-    /// What it needs to know about a device.
-    struct Device {
-        int file;          ///< open for writing; the writer gets a duplicate
-        bool is_plain;     ///< a plain file
-        bool is_datagram;  ///< a message is sent whole or not at all
-        std::string end;   ///< ends a torn message
-        std::string safe;
-    };
-    /// Gives it the device that it writes to from now on. Returns an `errno`, or 0.
-    int give(const Device& device) const;
+    /// Gives it the device that it writes to from now on; it gets duplicates of its files. `end`: ends a torn message.
+    /// Returns an `errno`, or 0.
+    int give(const WriteTarget& target, const std::string& end, const std::string& safe) const;
     void send(std::string_view message) const;
     void beat(double now) const;
     void stop() const;
+    /// Stops the device, and closes it: it is lost. Lines of a chip are free for the next `give` then.
+    void release() const;
 
     /// The next answer; nothing if there is none.
     std::optional<WriterAnswer> take_answer();
@@ -50,7 +46,7 @@ public:
 private:
     DeviceWriter(Lease lease, int socket, pid_t process)
         : lease_(std::move(lease)), socket_(socket), process_(process) {}
-    int order(const WriterOrder& order, std::string_view bytes, int file = -1) const;
+    int order(const WriterOrder& order, std::string_view bytes, std::span<const int> files = {}) const;
 
     Lease lease_;
     int socket_;

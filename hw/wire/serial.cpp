@@ -1,37 +1,30 @@
 // Serial lines.
 #include <asm/termbits.h>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/ioctl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <vector>
 
-#include "hw/device/node.hpp"
 #include "hw/device/numbered_nodes.hpp"
-#include "hw/wire/endpoint.hpp"
+#include "hw/wire/framing.hpp"
+#include "hw/wire/stream_wire.hpp"
+#include "hw/wire/wire_node.hpp"
 
 namespace nezumi::hw {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const Parameters& parameters, std::string_view name) {
-    return parameters.find(name)->value.get<std::string>();
-}
-
-std::string with_advice(const std::string& path, int error) {
-    std::string text = describe(NodeError{path, error});
-    if (error == EACCES) text += ": add this user to the group dialout: sudo adduser $USER dialout, then log in again";
-    if (error == ENOENT) text += ": is the device plugged in?";
-    return text;
-}
+const NodeKind serial_line{.subsystem = "",  // pseudo-terminals have none: isatty tells
+                           .what = "serial line",
+                           .example = "/dev/ttyACM0",
+                           .when_missing = "is the device plugged in?",
+                           .group = "dialout"};
 
 std::string first_line(const fs::path& file) {
     std::ifstream stream(file);
@@ -54,23 +47,65 @@ int set_up(int file, unsigned speed) {
     return ioctl(file, TCSETS2, &settings) != 0 ? errno : 0;
 }
 
-tl::expected<std::string, std::string> path_of(const Parameters& parameters, const DeviceRoots& roots) {
-    const std::string path = text_of(parameters, "path"), vendor = text_of(parameters, "vendor");
+OrWhy<std::string> path_of(const Parameters& parameters, const DeviceRoots& roots) {
+    const auto &path = value_of<std::string>(parameters, "path"), &vendor = value_of<std::string>(parameters, "vendor");
     if (path.empty() == vendor.empty())
         return tl::unexpected<std::string>(
             "expected either path, such as \"/dev/ttyACM0\", or vendor, the USB vendor's number");
-    if (path.empty()) return find_usb_serial(roots, vendor, text_of(parameters, "serial_number"));
+    if (path.empty()) return find_usb_serial(roots, vendor, value_of<std::string>(parameters, "serial_number"));
     return under_dev(roots.dev, path);
 }
 
-}  // namespace
-
-OpenWire::~OpenWire() {
-    if (file >= 0) close(file);
+OrWhy<Framing> framing_of(const Parameters& parameters) {
+    const auto& ends = value_of<std::string>(parameters, "ends");
+    const auto& terminator = value_of<std::string>(parameters, "terminator");
+    const auto length = value_of<std::int64_t>(parameters, "length");
+    const bool cobs = value_of<bool>(parameters, "cobs");
+    const int ways = (terminator.empty() ? 0 : 1) + (length > 0 ? 1 : 0) + (cobs ? 1 : 0) + (ends.empty() ? 0 : 1);
+    if (ways > 1) return tl::unexpected<std::string>("ends, terminator, length and cobs: expected only one of them");
+    return Framing{.end = ends.empty() ? terminator : ends, .length = static_cast<std::size_t>(length), .cobs = cobs};
 }
 
-tl::expected<std::string, std::string> find_usb_serial(const DeviceRoots& roots, const std::string& vendor,
-                                                       const std::string& serial_number) {
+class SerialDriver final : public WireDriver {
+public:
+    SerialDriver(Parameters parameters, DeviceRoots roots, Framing framing)
+        : parameters_(std::move(parameters)), roots_(std::move(roots)), framing_(std::move(framing)) {}
+
+    Opened open() const override {
+        const auto path = path_of(parameters_, roots_);
+        if (!path) return tl::unexpected(path.error());
+        auto node = open_node(*path, roots_, serial_line);
+        if (!node) return tl::unexpected(node.error());
+        if (node->is_plain) return plain_wire(std::move(node->file));
+        if (isatty(node->file.get()) == 0) return tl::unexpected(not_of_kind(*path, serial_line));
+        const auto speed = static_cast<unsigned>(value_of<std::int64_t>(parameters_, "baud"));
+        if (const int error = set_up(node->file.get(), speed); error != 0)
+            return tl::unexpected(with_advice(*path, error, serial_line));
+        return stream_wire(std::move(node->file), framing_);
+    }
+    Expected<Lease> lease() const override {
+        const std::string node = path_of(parameters_, roots_).value_or("");
+        std::error_code none;
+        const std::string place = fs::canonical(node, none).string();
+        return place.empty() ? Lease::of_nothing() : Lease::take("wire " + place, place);
+    }
+    OrWhy<std::string> encode(std::string_view message) const override {
+        auto bytes = Framer(framing_).encode(message);
+        if (!bytes) return tl::unexpected(fmt::format("expected {} bytes, its length", framing_.length));
+        return std::move(*bytes);
+    }
+    std::string end() const override { return Framer(framing_).end(); }
+
+private:
+    const Parameters parameters_;
+    const DeviceRoots roots_;
+    const Framing framing_;
+};
+
+}  // namespace
+
+OrWhy<std::string> find_usb_serial(const DeviceRoots& roots, const std::string& vendor,
+                                   const std::string& serial_number) {
     std::vector<std::string> found, others;
     std::error_code error;
     for (fs::directory_iterator entry(roots.sys + "/class/tty", error), end; !error && entry != end;
@@ -98,32 +133,10 @@ tl::expected<std::string, std::string> find_usb_serial(const DeviceRoots& roots,
                     others.empty() ? ": is it plugged in?" : fmt::format(": there are {}", fmt::join(others, ", "))));
 }
 
-Opened open_serial(const Parameters& parameters, const DeviceRoots& roots) {
-    const auto path = path_of(parameters, roots);
-    if (!path) return tl::unexpected(path.error());
-    const bool may_be_plain = roots.dev != "/dev" && path->starts_with(roots.dev + "/");
-    // Looks before it opens: opening may wake, rewind or block other devices.
-    struct stat status {};
-    if (stat(path->c_str(), &status) != 0) return tl::unexpected(with_advice(*path, errno));
-    const bool is_plain = S_ISREG(status.st_mode);
-    const auto no_line = [&] {
-        return tl::unexpected(fmt::format("{}: it is no serial line: expected a device such as /dev/ttyACM0", *path));
-    };
-    if (!S_ISCHR(status.st_mode) && !(is_plain && may_be_plain)) return no_line();
-    const int file = open(path->c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-    if (file < 0) return tl::unexpected(with_advice(*path, errno));
-    auto wire = std::make_unique<OpenWire>(file, is_plain, false);
-    if (is_plain) return wire;
-    if (isatty(file) == 0) return no_line();
-    const auto speed = static_cast<unsigned>(parameters.find("baud")->value.get<std::int64_t>());
-    if (const int error = set_up(file, speed); error != 0) return tl::unexpected(with_advice(*path, error));
-    return wire;
-}
-
-std::string lease_of(const std::string& type, const Parameters& parameters, const DeviceRoots& roots) {
-    if (type != "Serial") return "";
-    std::error_code none;
-    return fs::canonical(path_of(parameters, roots).value_or(""), none).string();
+DriverOrWhy serial_driver(const Parameters& parameters, const DeviceRoots& roots) {
+    auto framing = framing_of(parameters);
+    if (!framing) return tl::unexpected(framing.error());
+    return std::make_unique<SerialDriver>(parameters, roots, std::move(*framing));
 }
 
 }  // namespace nezumi::hw

@@ -1,19 +1,18 @@
 // A real device on a wire: one thread reads it, a process of its own writes to it.
 #pragma once
 
-#include <functional>
 #include <memory>
-#include <string>
 
 #include "engine/devices/wired_device.hpp"
 #include "hw/device/roots.hpp"
+#include "hw/wire/wire_driver.hpp"
 
 namespace nezumi::hw {
 
-/// Opens a device of this type of component ("Serial"). Fails if the device is no such device, if another program
+/// Opens a device with the driver of its kind. Fails if the device is no such device, if another program
 /// writes to it, or if it has safe bytes and is missing. A device that only measures may come later. A device that was
 /// unplugged is looked for every half second.
-Expected<std::unique_ptr<DeviceLink>> open_wire(const std::string& type, const std::string& name,
-                                                const Parameters& parameters, const DeviceRoots& roots);
+Expected<std::unique_ptr<DeviceLink>> open_wire(MakeWireDriver make, const Parameters& parameters,
+                                                const DeviceRoots& roots);
 
 }  // namespace nezumi::hw

@@ -21,17 +21,20 @@ struct Outgoing {
     std::size_t size = 0, done = 0;
 };
 
+// -1: none.
+using PassedFiles = std::array<int, most_files>;
+
 class Writer {
 public:
     explicit Writer(int socket) : socket_(socket) {}
 
-    int file() const { return file_; }
-    bool has_work() const { return file_ >= 0 && count_ > 0; }
+    int file() const { return target_.file; }
+    bool has_work() const { return target_.file >= 0 && count_ > 0; }
 
-    void take_device(const WriterOrder& order, const char* bytes, std::size_t size, int file) {
-        if (file_ >= 0) close(file_);
-        file_ = file;
-        order_ = order;
+    void take_device(const WriterOrder& order, const char* bytes, std::size_t size, const PassedFiles& files) {
+        close_files();
+        target_ = {.by = order.by, .address = order.address, .file = files.front()};
+        std::copy(files.begin() + 1, files.end(), target_.pwm.begin());
         count_ = 0;
         safe_size_ = std::min(size - order.end_size, longest_safe);
         std::memcpy(safe_.data(), bytes + order.end_size, safe_size_);
@@ -41,7 +44,7 @@ public:
     }
 
     void add(const char* bytes, std::size_t size) {
-        if (size == 0 || size > longest_message || file_ < 0) return;
+        if (size == 0 || size > longest_message || target_.file < 0) return;
         if (count_ == waiting_.size()) {
             // The first one may be half written.
             std::rotate(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_), waiting_.end());
@@ -62,14 +65,23 @@ public:
         add_safe();
     }
 
+    // The device may be only half lost: what it still takes stops it.
+    void release() {
+        stop();
+        write_some();
+        close_files();
+        count_ = 0;
+    }
+
     // Writes what the device takes now.
     void write_some() {
         while (has_work()) {
             Outgoing& next = waiting_[first_];
-            const ssize_t written = write_rest(next);
+            const ssize_t written = write_message(target_, next.bytes.data() + next.done, next.size - next.done);
+            const bool is_datagram = target_.by == WriteBy::datagram;
             if (written < 0 && errno == EINTR) continue;
-            if (written < 0 && (errno == EAGAIN || errno == ECONNREFUSED) && !order_.is_datagram) return;
-            if (written < 0 && !order_.is_datagram) return lose(errno);
+            if (written < 0 && errno == EAGAIN && target_.by == WriteBy::stream) return;
+            if (written < 0 && !is_datagram) return lose(errno);
             next.done += written < 0 ? next.size : static_cast<std::size_t>(written);
             if (next.done < next.size) continue;
             first_ = (first_ + 1) % waiting_.size();
@@ -83,14 +95,14 @@ public:
         const double begin = clock_seconds();
         stop();
         while (has_work() && clock_seconds() - begin < patience) {
-            pollfd device{.fd = file_, .events = POLLOUT, .revents = 0};
+            pollfd device{.fd = target_.file, .events = POLLOUT, .revents = 0};
             poll(&device, 1, 20);
             write_some();
         }
         // The kernel drops what a closed line has not sent.
         int unsent = 0;
-        while (file_ >= 0 && isatty(file_) != 0 && ioctl(file_, TIOCOUTQ, &unsent) == 0 && unsent > 0 &&
-               clock_seconds() - begin < patience)
+        while (target_.file >= 0 && isatty(target_.file) != 0 && ioctl(target_.file, TIOCOUTQ, &unsent) == 0 &&
+               unsent > 0 && clock_seconds() - begin < patience)
             usleep(1000);
     }
 
@@ -99,22 +111,22 @@ public:
 private:
     void add_safe() { add(safe_.data(), safe_size_); }
 
-    ssize_t write_rest(const Outgoing& next) const {
-        if (!order_.is_plain) return write(file_, next.bytes.data() + next.done, next.size - next.done);
-        if (ftruncate(file_, 0) != 0) return -1;
-        return pwrite(file_, next.bytes.data(), next.size, 0);
+    void close_files() {
+        for (const int file : target_.pwm) {
+            if (file >= 0) close(file);
+        }
+        if (target_.file >= 0) close(target_.file);
+        target_ = {};
     }
 
     void lose(int error) {
-        close(file_);
-        file_ = -1;
+        close_files();
         count_ = 0;
         say({.kind = WriterAnswer::Kind::lost, .error = error});
     }
 
     int socket_;
-    int file_ = -1;
-    WriterOrder order_{};
+    WriteTarget target_;
     std::array<char, longest_safe> safe_{};
     std::size_t safe_size_ = 0;
     std::array<Outgoing, 16> waiting_{};
@@ -128,19 +140,19 @@ struct Packet {
 
 // Receives one packet. Returns the number of its bytes after the order; -1 at the end of the socket, -2 if there is
 // none.
-ssize_t receive(int socket, Packet& packet, int& file) {
+ssize_t receive(int socket, Packet& packet, PassedFiles& files) {
     std::array<iovec, 2> parts{iovec{.iov_base = &packet.order, .iov_len = sizeof packet.order},
                                iovec{.iov_base = packet.bytes.data(), .iov_len = packet.bytes.size()}};
-    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> extra{};
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(PassedFiles))> extra{};
     msghdr message{};
     message.msg_iov = parts.data();
     message.msg_iovlen = parts.size();
     message.msg_control = extra.data();
     message.msg_controllen = extra.size();
     const ssize_t length = recvmsg(socket, &message, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
-    file = -1;
+    files.fill(-1);
     if (const cmsghdr* header = CMSG_FIRSTHDR(&message); length > 0 && header != nullptr)
-        std::memcpy(&file, CMSG_DATA(header), sizeof file);
+        std::memcpy(files.data(), CMSG_DATA(header), std::min(header->cmsg_len - CMSG_LEN(0), sizeof files));
     if (length == 0 || (length < 0 && errno != EAGAIN && errno != EINTR)) return -1;
     const ssize_t bytes = length - static_cast<ssize_t>(sizeof packet.order);
     return bytes < 0 ? -2 : bytes;
@@ -162,19 +174,23 @@ void be_writer(int socket, int lease, pid_t engine, const ProcessWords& words) {
         const int timeout = awaits_beat ? std::max(0, static_cast<int>(left * 1e3) + 1) : -1;
         if (poll(files.data(), files.size(), timeout) < 0 && errno != EINTR) break;
         if (files[1].revents != 0) break;
-        int file = -1;
-        const ssize_t size = files[0].revents != 0 ? receive(socket, packet, file) : -2;
+        PassedFiles passed{};
+        const ssize_t size = files[0].revents != 0 ? receive(socket, packet, passed) : -2;
         if (size == -1) break;
         if (size >= 0) {
             switch (packet.order.kind) {
                 case WriterOrder::Kind::device:
-                    if (file >= 0 && size >= packet.order.end_size)
-                        writer.take_device(packet.order, packet.bytes.data(), static_cast<std::size_t>(size), file);
+                    if (passed.front() >= 0 && size >= packet.order.end_size)
+                        writer.take_device(packet.order, packet.bytes.data(), static_cast<std::size_t>(size), passed);
                     break;
                 case WriterOrder::Kind::message: writer.add(packet.bytes.data(), static_cast<std::size_t>(size)); break;
                 case WriterOrder::Kind::beat:
                     awaits_beat = true;
                     beat_at = packet.order.tm;
+                    break;
+                case WriterOrder::Kind::release:
+                    awaits_beat = false;
+                    writer.release();
                     break;
                 case WriterOrder::Kind::stop:
                     awaits_beat = false;

@@ -8,26 +8,31 @@
 #include <cstdint>
 
 #include "hw/guard/guard_process.hpp"
+#include "hw/wire/write_target.hpp"
 
 namespace nezumi::hw {
 
 /// The longest message to a device [bytes], and the longest safe bytes.
 inline constexpr std::size_t longest_message = 1024, longest_safe = 255;
 
+/// The most descriptors that come with an order: of `WriteTarget`.
+inline constexpr std::size_t most_files = 1 + most_pwm_channels;
+
 /// A message from the engine to the writer, one packet each: this, and bytes.
 struct WriterOrder {
     enum class Kind : std::uint8_t {
-        device,  ///< with a descriptor, in place of the one before; the bytes: `end_size` that end a torn line, and the
-                 ///< safe bytes. It sends both at once.
+        device,   ///< with descriptors, in place of those before; the bytes: `end_size` that end a torn line, and the
+                  ///< safe bytes. It sends both at once.
         message,  ///< the bytes: to be sent
         beat,     ///< the control loop is alive at `tm`, and what is sent may move something
+        release,  ///< stops, and closes the device: the engine opens it again when it is back
         stop,     ///< drops what waits, completes a message that was begun, and sends the safe bytes
     };
     Kind kind = Kind::beat;
-    bool is_plain = false;     ///< of a device: a plain file, which has only the last message
-    bool is_datagram = false;  ///< of a device: each message is sent whole or not at all
+    WriteBy by = WriteBy::stream;  ///< of a device
     std::uint8_t end_size = 0;
-    double tm = 0;  ///< [s] by `clock_seconds`
+    std::uint16_t address = 0;  ///< of a device on an I2C bus
+    double tm = 0;              ///< [s] by `clock_seconds`
 };
 
 /// A message from the writer to the engine.

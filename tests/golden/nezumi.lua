@@ -1079,6 +1079,52 @@ function serial(fields) end
 ---@return Device
 function udp(fields) end
 
+---@class (exact) I2cFields
+---@field bus? integer the bus's number: 1 is /dev/i2c-1
+---@field path? string instead of `bus`: the bus, such as /dev/i2c-1
+---@field address? integer the device's address on the bus, 7 bits, such as 0x40
+---@field registers? integer[] the registers that are read every period
+---@field lengths? integer[] the bytes that are read from each of them
+---@field every? number [s] the period
+---@field safe? string|false the bytes that stop what the device moves: sent at every kind of stop, and when the engine dies; at most 255
+
+---A device of a robot whose driver is a script.
+---@param fields I2cFields
+---@return Device
+function i2c(fields) end
+
+---@class (exact) SpiFields
+---@field bus? integer the bus's number: 0 of /dev/spidev0.1
+---@field chip_select? integer the device's line: 1 of /dev/spidev0.1
+---@field path? string instead of `bus` and `chip_select`: the device, such as /dev/spidev0.1
+---@field speed? integer [Hz] of the clock
+---@field mode? integer the clock's polarity and phase, as in the device's data sheet
+---@field frames? string[] what is sent every period: its answers are read
+---@field every? number [s] the period
+---@field safe? string|false the bytes that stop what the device moves: sent at every kind of stop, and when the engine dies; at most 255
+
+---A device of a robot whose driver is a script.
+---@param fields SpiFields
+---@return Device
+function spi(fields) end
+
+---@class (exact) GpioFields
+---@field chip? integer the chip's number: 0 is /dev/gpiochip0
+---@field path? string instead of `chip`: the chip, such as /dev/gpiochip0
+---@field outputs? integer[] the chip's lines that are set
+---@field inputs? integer[] the chip's lines whose edges are reported
+---@field pull? string the resistors of the inputs
+---@field debounce? number [s] how long a level of an input must last
+---@field pwm_chip? integer the PWM chip's number: 0 is /sys/class/pwm/pwmchip0
+---@field pwm_channels? integer[] the PWM chip's channels that are set
+---@field pwm_frequency? number [Hz] of the PWM channels; 50 for servos
+---@field safe? string|false the bytes that stop what the device moves: sent at every kind of stop, and when the engine dies; at most 255
+
+---A device of a robot whose driver is a script.
+---@param fields GpioFields
+---@return Device
+function gpio(fields) end
+
 ---A port as seen from outside: reading it here does not consume messages.
 ---@class Port
 ---@field age number how long ago its stamp was [s]; math.huge before the first message

@@ -214,6 +214,12 @@ DeviceSpec read_device(const std::string& name, Fields& device) {
             device.check().wrong_at(device.path_of(parameter.name), value.error().message);
         }
     }
+    Parameters parameters;
+    for (const ParameterSpec& parameter : kind.parameters) static_cast<void>(parameters.declare(parameter));
+    if (kind.check != nullptr && parameters.set_all(spec.config)) {
+        if (const std::string wrong = kind.check(parameters); !wrong.empty())
+            device.check().wrong_at(device.path(), fmt::format("device '{}': {}", name, wrong));
+    }
     return spec;
 }
 

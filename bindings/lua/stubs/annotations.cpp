@@ -105,6 +105,13 @@ void add_word(std::string& text, std::string_view word, std::string_view suffix,
     text += fmt::format("function {}(name, type, doc, options) end\n\n", word);
 }
 
+// "integer", or "integer[]" of "array of integers".
+std::string annotated_type(const Value& value) {
+    constexpr std::string_view array = "array of ";
+    const std::string text = type_text(value);
+    return text.starts_with(array) ? text.substr(array.size(), text.size() - array.size() - 1) + "[]" : text;
+}
+
 // `serial { ... }` and the like, in robot files.
 std::string device_annotations() {
     std::string text = "---@class Device\n\n";
@@ -112,7 +119,7 @@ std::string device_annotations() {
         text += fmt::format("---@class (exact) {}Fields\n", kind.type);
         for (const ParameterSpec& each : kind.parameters) {
             if (each.name == "measures_only") continue;
-            text += fmt::format("---@field {}? {}{}{} {}\n", each.name, type_text(each.initial),
+            text += fmt::format("---@field {}? {}{}{} {}\n", each.name, annotated_type(each.initial),
                                 each.name == "safe" ? "|false" : "",
                                 each.unit.empty() ? "" : fmt::format(" [{}]", each.unit), each.doc);
         }

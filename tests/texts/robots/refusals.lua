@@ -48,6 +48,21 @@ hardware = { script = 'robot_controller', devices = { line = serial { boud = 960
 hardware = { script = 'robot_controller', devices = { line = serial { baud = 1 } } }
 --                                                    ^ error: robot_model: parameter 'baud' (integer): 1 is below its minimum 50
 
+hardware = { script = 'robot_controller', devices = { hat = i2c { safe = false } } }
+--                                                    ^ error: robot_model: device 'hat': address: expected the device's address on the bus, such as 0x40
+
+hardware = { script = 'robot_controller', devices = { hat = i2c { address = 0x40, registers = { 0, 2 }, lengths = { 1 } } } }
+--                                                    ^ error: robot_model: device 'hat': lengths: expected the bytes of each of the 2 registers, got 1 numbers
+
+hardware = { script = 'robot_controller', devices = { hat = i2c { address = 0x78 } } }
+--                                                    ^ error: robot_model: parameter 'address' (integer): 120 is above its maximum 119
+
+hardware = { script = 'robot_controller', devices = { pins = gpio { outputs = { 5, 6 }, safe = '5=0' } } }
+--                                                    ^ error: robot_model: device 'pins': safe: output 6 has no level: expected 6=0 or 6=1 among them
+
+hardware = { script = 'robot_controller', devices = { pins = gpio { inputs = { 5 }, pull = 'high', safe = false } } }
+--                                                    ^ error: robot_model: parameter 'pull' (string): "high" is not one of its choices "none", "up", "down"
+
 --- The message about a value of the wrong type names its field of the robot.
 return robot_model { mass = 0, body = { size = { 1, 1, 1 } }, drive = { radius = 1, track = 1 } }
 --                   ^ error: robot_model: field 'mass' expected a positive number, got 0

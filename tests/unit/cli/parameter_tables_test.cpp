@@ -51,9 +51,16 @@ std::vector<std::string> all_types() {
     return types;
 }
 
+// The parameters that a component of this type can't do without.
+std::string_view needed_by(std::string_view type) {
+    if (type == "I2c") return "address = 1";
+    return type == "Gpio" ? "inputs = { 1 }" : "";
+}
+
 Expected<std::string> parameters_of(std::string_view type) {
     Scratch folder;
-    const fs::path file = folder.write("s.lua", fmt::format("component 'it' {{ type = '{}' }}", type));
+    const fs::path file = folder.write(
+        "s.lua", fmt::format("component 'it' {{ type = '{}', config = {{ {} }} }}", type, needed_by(type)));
     const auto simulation = Simulation::load(file, {.installed = {root}, .log = {}});
     if (!simulation) return Unexpected(simulation.error());
     return parameter_table(*simulation->system().find("it"));

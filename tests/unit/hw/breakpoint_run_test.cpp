@@ -7,25 +7,12 @@
 
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/hw/hardware_run.hpp"
+#include "tests/unit/hw/own_sockets.hpp"
 
 using namespace nezumi;
 using namespace nezumi::hw;
 
 namespace {
-
-// A folder of its own for the program's socket.
-struct OwnSockets {
-    OwnSockets() {
-        if (const char* given = std::getenv("XDG_RUNTIME_DIR")) before = given;
-        setenv("XDG_RUNTIME_DIR", folder.path("").c_str(), 1);
-    }
-    ~OwnSockets() { before ? setenv("XDG_RUNTIME_DIR", before->c_str(), 1) : unsetenv("XDG_RUNTIME_DIR"); }
-    OwnSockets(const OwnSockets&) = delete;
-    OwnSockets& operator=(const OwnSockets&) = delete;
-
-    Scratch folder;
-    std::optional<std::string> before;
-};
 
 std::size_t count(const std::string& text, const std::string& part) {
     std::size_t found = 0;

@@ -1,4 +1,4 @@
-// `nezumi run --hw` on a rover whose driver is a behaviour: its microcontroller is a pseudo-terminal.
+// A rover whose driver is a behaviour, and all that can happen to it.
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -8,77 +8,13 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <optional>
 #include <string>
 
-#include "hw/device/clock.hpp"
-#include "hw/wire/endpoint.hpp"
-#include "tests/fakes/fake_rover.hpp"
-#include "tests/unit/cli/run_program.hpp"
-#include "tests/unit/lua/scratch_folder.hpp"
-#include "tests/unit/source_root.hpp"
+#include "hw/wire/wire_driver.hpp"
+#include "tests/unit/hw/rover_run.hpp"
 
 using namespace nezumi;
 using namespace nezumi::hw;
-
-namespace {
-
-bool holds_within(double seconds, const std::function<bool()>& condition) {
-    const double end = clock_seconds() + seconds;
-    while (clock_seconds() < end) {
-        if (condition()) return true;
-        usleep(2000);
-    }
-    return condition();
-}
-
-// Drives ahead at 0.2 m/s.
-const std::string ahead = R"(
-local target = output("target", "TimedVelocity2D")
-function on_execute() target:write { vx = 0.2 } end
-)";
-
-const std::string system_text = R"(
-robot 'rover' { model = 'rover' }
-behavior 'ahead' { script = 'ahead' }
-connect('ahead.target', 'rover.target_velocity_in')
-)";
-
-struct RoverRun {
-    Scratch folder;
-    std::optional<FakeRover> rover;
-    std::optional<Program> program;
-
-    RoverRun() {
-        folder.write("behaviors/ahead.lua", ahead);
-        folder.write("system.lua", system_text);
-        std::filesystem::create_directories(folder.path("dev"));
-        rover.emplace(node());
-    }
-    std::string node() const { return folder.path("dev/ttyACM0").string(); }
-    void copy(const std::string& from, const std::string& to) const {
-        std::filesystem::copy_file(source_root() + "/" + from, folder.path(to));
-    }
-    void start(const std::vector<std::string>& more = {}) {
-        std::vector<std::string> words{"run",        "system.lua", "--hw",
-                                       "--headless", "--dev-root", folder.path("dev").string()};
-        words.insert(words.end(), more.begin(), more.end());
-        program.emplace(words, folder.path("").string());
-    }
-    void get_going() {
-        start();
-        const bool goes = holds_within(20, [&] { return rover->speed() > 0.19; });
-        if (!goes) program->listen(0.2);
-        INFO(program->error);
-        REQUIRE(goes);
-    }
-    bool stands_within(double seconds) const {
-        return holds_within(seconds, [&] { return rover->speed() == 0; });
-    }
-};
-
-}  // namespace
 
 TEST_CASE("a rover of one's own drives through its driver, and brakes at the end", "[hw][wire][run][wallclock]") {
     RoverRun run;

@@ -1,0 +1,58 @@
+// Words, each with a name and a value.
+#include "engine/devices/gpio_message.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "engine/base/error.hpp"
+
+namespace nezumi {
+namespace {
+
+// The whole text as a number.
+template <class T>
+bool read_number(std::string_view text, T& number) {
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc() && rest == end;
+}
+
+tl::expected<GpioLevel, std::string> read_level(std::string_view word, const GpioOutputs& outputs) {
+    constexpr std::string_view pwm = "pwm";
+    GpioLevel level{.is_pwm = word.starts_with(pwm)};
+    const std::size_t equals = std::min(word.find('='), word.size());
+    const std::string_view name = word.substr(level.is_pwm ? pwm.size() : 0, equals - (level.is_pwm ? pwm.size() : 0));
+    const std::string_view value = word.substr(std::min(equals + 1, word.size()));
+    if (!read_number(name, level.number) || !read_number(value, level.value))
+        return tl::unexpected(
+            fmt::format("'{}': expected LINE=LEVEL, such as 23=1, or pwmCHANNEL=DUTY, such as pwm0=0.25", shown(word)));
+    const auto& known = level.is_pwm ? outputs.pwm_channels : outputs.lines;
+    if (std::find(known.begin(), known.end(), level.number) == known.end())
+        return tl::unexpected(fmt::format("'{}': {} is none of {} ({})", shown(word), level.number,
+                                          level.is_pwm ? "pwm_channels" : "outputs", fmt::join(known, ", ")));
+    if (level.is_pwm && !(level.value >= 0 && level.value <= 1))
+        return tl::unexpected(fmt::format("'{}': expected a duty from 0 to 1", shown(word)));
+    if (!level.is_pwm && level.value != 0 && level.value != 1)
+        return tl::unexpected(fmt::format("'{}': expected the level 0 or 1", shown(word)));
+    return level;
+}
+
+}  // namespace
+
+tl::expected<std::vector<GpioLevel>, std::string> read_gpio_message(std::string_view text, const GpioOutputs& outputs) {
+    std::vector<GpioLevel> levels;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(' '), text.size());
+        if (end > 0) {
+            const auto level = read_level(text.substr(0, end), outputs);
+            if (!level) return tl::unexpected(level.error());
+            levels.push_back(*level);
+        }
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return levels;
+}
+
+}  // namespace nezumi

@@ -1,0 +1,47 @@
+// Lines of a GPIO chip, by the kernel's character device, and PWM channels, by sysfs.
+//
+// The kernel's own interface (<linux/gpio.h>, version 2, since Linux 5.10) is used rather than libgpiod: it is the same
+// on every Debian, where libgpiod 1.6 and 2 have different functions.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/base/descriptor.hpp"
+#include "hw/wire/write_target.hpp"
+
+namespace nezumi::hw {
+
+/// Levels for output lines and PWM channels, by their index among the requested ones. It is what the writer gets.
+struct GpioLevels {
+    std::uint64_t lines = 0;   ///< one bit for each line that is set
+    std::uint64_t levels = 0;  ///< its level
+    std::uint8_t channels = 0;
+    std::array<std::uint64_t, most_pwm_channels> duty{};  ///< [ns] of each of `channels`
+};
+
+/// Sets them; 0 or an `errno`. Allocates nothing. `pwm`: of each channel its open file duty_cycle.
+int set_gpio(int lines, const std::array<int, most_pwm_channels>& pwm, const GpioLevels& levels);
+
+/// Requests lines of a chip, with this level at once. Nothing with `errno` if they are not there, or in use (EBUSY).
+Descriptor request_outputs(int chip, const std::vector<std::int64_t>& lines, std::uint64_t levels);
+enum class Pull { none, up, down };
+/// Requests lines whose edges are reported. `debounce`: [s] that a level must last; 0: every edge counts.
+Descriptor request_inputs(int chip, const std::vector<std::int64_t>& lines, Pull pull, double debounce);
+
+/// The level of an input at a time.
+struct GpioEdge {
+    double tm = 0;  ///< [s] by `clock_seconds`, as the kernel has stamped it in its interrupt
+    std::int64_t line = 0;
+    bool level = false;
+};
+/// Appends the edges since the last call. Returns an `errno`, or 0.
+int read_edges(int inputs, std::vector<GpioEdge>& edges);
+/// Appends the levels now.
+int read_levels(int inputs, const std::vector<std::int64_t>& lines, std::vector<GpioEdge>& edges);
+/// Whether it is a GPIO chip with version 2 of the interface.
+bool is_gpio_chip(int file);
+
+}  // namespace nezumi::hw

@@ -1,0 +1,22 @@
+// Transactions on an I2C bus, as Linux's i2c-dev does them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace nezumi::hw {
+
+/// Returns EBUSY if a driver of the kernel uses the device at this address; other `errno`s; or 0.
+int i2c_claim(int bus, std::uint16_t address);
+
+/// Reads a byte, to learn whether a device answers. Returns an `errno`, or 0.
+int i2c_probe(int bus, std::uint16_t address);
+
+/// Writes in one transaction. Returns an `errno`, or 0. Allocates nothing.
+int i2c_write(int bus, std::uint16_t address, const char* bytes, std::size_t size);
+
+/// Writes the number of a register and reads from there in one transaction, without a stop between them. Returns an
+/// `errno`, or 0.
+int i2c_read(int bus, std::uint16_t address, std::uint8_t first_register, char* bytes, std::size_t size);
+
+}  // namespace nezumi::hw

@@ -1,0 +1,176 @@
+// Devices on an I2C bus: the transactions that the kernel is asked for, and a robot that is driven by them.
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <fstream>
+#include <string>
+
+#include "tests/unit/hw/board_run.hpp"
+
+using namespace nezumi;
+using namespace nezumi::hw;
+
+namespace {
+
+// A motor driver at 0x60: register 06 is the speed in hundredths; FD stops all.
+const std::string hat_devices =
+    "hat = i2c { address = 0x60, registers = { 0x00, 0x10 }, lengths = { 1, 2 }, every = 0.02, safe = '\\xFD\\x10' }";
+
+const std::string hat_driver = R"(
+local target = input("target_velocity_in", "TimedVelocity2D")
+local velocity = output("current_velocity_out", "TimedVelocity2D")
+local hat_in = input("hat_in", "TimedOctetSeq", nil, { queue = 100 })
+local hat_out = output("hat_out", "TimedOctetSeq")
+function on_execute()
+  while hat_in.is_new do
+    local bytes = hat_in:read()
+    if bytes == "\x10\x12\x34" and not state.said then
+      state.said = true
+      log.info("register 10 has 2 bytes")
+    end
+  end
+  local speed = target:read()
+  velocity:write(speed)
+  hat_out:write("\x06" .. string.char(math.floor(speed.vx * 100 + 0.5)))
+end
+)";
+
+struct HatRun : BoardRun {
+    HatRun() {
+        board->add("i2c-1");
+        board->add_i2c(0x60);
+        board->set_registers(0x60, 0x10, "\x12\x34");
+        write_robot(hat_devices);
+        write_driver(hat_driver);
+    }
+    bool goes_ahead() {
+        return goes([&] { return board->register_of(0x60, 6) == 20; });
+    }
+    std::string last_written() const {
+        const auto all = board->transactions();
+        const auto is_writing = [](const std::string& each) { return each.find(" r ") == std::string::npos; };
+        const auto found = std::find_if(all.rbegin(), all.rend(), is_writing);
+        return found == all.rend() ? "" : *found;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a robot drives by the registers of a device on I2C, and reads others every period",
+          "[hw][wire][run][wallclock]") {
+    HatRun run;
+    const bool goes = run.goes_ahead();
+    INFO(run.program->error);
+    REQUIRE(goes);
+    CHECK(run.program->wait_for_error("register 10 has 2 bytes", 5));
+    const auto all = run.board->transactions();
+    REQUIRE(all.size() > 4);
+    CHECK(all[0] == "60 r 1");  // does it answer?
+    CHECK(std::find(all.begin(), all.end(), "60 w FD 10") != all.end());
+    CHECK(std::find(all.begin(), all.end(), "60 w 10 r 2") != all.end());
+    CHECK(std::find(all.begin(), all.end(), "60 w 06 14") != all.end());
+    run.program->send(SIGINT);
+    CHECK(run.program->wait() == 0);
+    CHECK(run.last_written() == "60 w FD 10");
+}
+
+TEST_CASE("when the engine is killed, a device on I2C gets its safe bytes", "[hw][wire][run][safety][wallclock]") {
+    HatRun run;
+    REQUIRE(run.goes_ahead());
+    const double begin = clock_seconds();
+    run.program->send(SIGKILL);
+    REQUIRE(holds_within(0.25, [&] { return run.last_written() == "60 w FD 10"; }));
+    WARN("the safe bytes came " << (clock_seconds() - begin) * 1e3 << " ms after the engine's end");
+    usleep(100000);
+    CHECK(run.last_written() == "60 w FD 10");
+}
+
+TEST_CASE("a transaction that fails is tried again, and a device that stops answering stops the robot",
+          "[hw][wire][run][wallclock]") {
+    HatRun run;
+    REQUIRE(run.goes_ahead());
+    run.board->disturb(2);
+    usleep(200000);
+    run.board->set_answers(0x60, false);
+    REQUIRE(run.program->wait_for_error("rover_hat: ", 5));
+    run.program->listen(0.1);
+    INFO(run.program->error);
+    CHECK(run.program->error.find("i2c-1: no answer from address 0x60: look at its wires, its power and its address "
+                                  "(i2cdetect)") != std::string::npos);
+    CHECK(std::count(run.program->error.begin(), run.program->error.end(), '\n') <= 2);
+    const std::size_t before = run.board->transactions().size();
+    run.board->set_answers(0x60, true);
+    CHECK(holds_within(5, [&] { return run.board->register_of(0x60, 6) == 20 && run.last_written() == "60 w 06 14"; }));
+    CHECK(run.program->wait_for_error("rover_hat: back again", 5));
+    // First it is stopped.
+    const auto all = run.board->transactions();
+    const auto first = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(before), all.end(),
+                                    [](const std::string& each) { return each.find(" r ") == std::string::npos; });
+    REQUIRE(first != all.end());
+    CHECK(*first == "60 w FD 10");
+}
+
+TEST_CASE("a bus that hangs is reported, and its robot drives on when it works again", "[hw][wire][run][wallclock]") {
+    HatRun run;
+    REQUIRE(run.goes_ahead());
+    run.board->hang(true);
+    CHECK(run.program->wait_for_error("rover_hat: no answer for 0.3 s: restart its driver, or the robot", 5));
+    run.board->hang(false);
+    CHECK(run.program->wait_for_error("rover_hat: back again", 5));
+    CHECK(holds_within(5, [&] { return run.last_written() == "60 w 06 14"; }));
+}
+
+TEST_CASE("a device on I2C that can't be used is refused by one line", "[hw][wire][run][wallclock]") {
+    HatRun run;
+    std::string device = "bus = 1, address = 0x60, safe = '\\xFD\\x10'", expected;
+    SECTION("without an address") {
+        device = "safe = '\\xFD\\x10'";
+        expected = "robot_model: device 'hat': address: expected the device's address on the bus, such as 0x40";
+    }
+    SECTION("without the length of a register") {
+        device += ", registers = { 0, 2 }, lengths = { 1 }";
+        expected = "robot_model: device 'hat': lengths: expected the bytes of each of the 2 registers, got 1 numbers";
+    }
+    SECTION("without safe bytes") {
+        device = "address = 0x60";
+        expected = "component 'rover_hat': --hw needs its safe bytes";
+    }
+    SECTION("without an answer") {
+        run.board->set_answers(0x60, false);
+        expected = "i2c-1: no answer from address 0x60: look at its wires";
+    }
+    SECTION("used by the kernel") {
+        run.board->take_by_kernel(0x60);
+        expected = "i2c-1 at 0x60: a driver of the kernel uses it";
+    }
+    SECTION("without the bus") {
+        device = "bus = 3, address = 0x60, safe = '\\xFD\\x10'";
+        expected = "i2c-3: no such file or directory: is I2C on? On a Raspberry Pi: sudo raspi-config nonint do_i2c 0";
+    }
+    SECTION("another device of the machine") {
+        std::filesystem::create_symlink("/dev/null", run.folder.path("dev/null"));
+        device = "path = '/dev/null', address = 0x60, safe = '\\xFD\\x10'";
+        expected = "/null: it is no I2C bus: expected a device such as /dev/i2c-1";
+    }
+    SECTION("a plain file of the machine") {
+        run.folder.write("precious.txt", "precious");
+        device = "path = '" + run.folder.path("precious.txt").string() + "', address = 0x60, safe = '\\xFD\\x10'";
+        expected = "precious.txt: it is no I2C bus";
+    }
+    run.write_robot("hat = i2c { " + device + " }");
+    const std::string refusal = run.refusal();
+    INFO(refusal);
+    CHECK(refusal.find(expected) != std::string::npos);
+}
+
+TEST_CASE("a plain file in place of an I2C bus has the last message", "[hw][wire][run]") {
+    HatRun run;
+    run.folder.write("dev/i2c-2", "");
+    run.write_robot("hat = i2c { bus = 2, address = 0x60, safe = '\\xFD\\x10' }");
+    run.start({"--duration", "1"});
+    CHECK(run.program->wait() == 0);
+    INFO(run.program->error);
+    std::ifstream file(run.folder.path("dev/i2c-2"));
+    std::string text;
+    std::getline(file, text);
+    CHECK(text == "\xFD\x10");
+}
