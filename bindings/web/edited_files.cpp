@@ -36,13 +36,12 @@ std::string last_part(const std::string& path) { return path.substr(path.rfind('
 
 // The name of an open folder, under which the kernel finds exactly this folder.
 std::string name_of(const Descriptor& folder) {
-    const std::string name = "/proc/self/fd/" + std::to_string(folder.get());
+    std::filesystem::path name = "/proc/self/fd/" + std::to_string(folder.get());
 #if defined(__EMSCRIPTEN__)  // files are found by whole names only
     std::error_code none;
-    return std::filesystem::read_symlink(name, none).string();
-#else
-    return name;
+    name = std::filesystem::read_symlink(name, none);
 #endif
+    return name.string();
 }
 
 // The text of a file in an open folder; nothing if it does not exist.
