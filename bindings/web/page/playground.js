@@ -74,6 +74,7 @@ async function run(project, shipped) {
   const engine = new EngineWorker(() => new Worker("worker.js"), start());
   await Promise.all([load_editor_library(), import("./editor_view.js"), import("./arena_edit.js")]);  // after this nothing is loaded any more
   const { notices } = await make_page(new Link(engine));
+  document.body.classList.add("in-playground");
   document.body.prepend(make_bar(project, engine, start));
   engine.on("saved", (files) => keep(project, files));
   engine.on("refused", (why) => show_mending(project, why));
