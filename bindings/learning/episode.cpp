@@ -170,10 +170,12 @@ Expected<double> Episode::number(EnvironmentFunction function, std::span<const f
     lua_State* lua = file_->state().lua();
     double number = 0;
     const bool is_number = detail::read_number(lua, -1, std::numeric_limits<double>::max(), number, nullptr);
-    const std::string_view kind = lua_typename(lua, lua_type(lua, -1));
+    const std::string got = lua_type(lua, -1) == LUA_TNUMBER
+                                ? fmt::format("{}", lua_tonumber(lua, -1))
+                                : fmt::format("a {}", lua_typename(lua, lua_type(lua, -1)));
     lua_settop(lua, 0);
     if (!is_number)
-        return Unexpected(file_->to_error(function, Error{fmt::format("expected a finite number, got a {}", kind)}));
+        return Unexpected(file_->to_error(function, Error{fmt::format("expected a finite number, got {}", got)}));
     return number;
 }
 

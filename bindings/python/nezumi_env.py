@@ -204,6 +204,8 @@ class Vector:
         except ImportError:
             raise nezumi.Error("nezumi_env.Vector needs NumPy: sudo apt install python3-numpy") from None
         self._numpy, self._copy, self.num_envs = numpy, copy, num_envs
+        if num_envs < 1:
+            raise nezumi.Error("expected at least 1 world, got %d" % num_envs)
         if processes is None:
             processes = len(os.sched_getaffinity(0))
         processes = max(1, min(processes, num_envs))
@@ -285,7 +287,9 @@ class Vector:
 
     def reset(self, *, seed=None, options=None):
         """Begins an episode in each world: the first observations, and infos with the seeds. World i has the seed
-        `seed + i`; without a `seed` it follows from the one before."""
+        `seed + i`; without a `seed` it follows from the one before. `options` must be empty."""
+        if options:
+            raise nezumi.Error("there are no options: the environment's file says how an episode starts")
         if seed is None and not self._is_seeded:
             seed = random.getrandbits(31)
         self._is_seeded = True
@@ -310,6 +314,8 @@ class Vector:
 
     def save_episode(self, world, file):
         """Writes the journal of a world's episode up to now; `nezumi open FILE` shows it in the time line."""
+        if not 0 <= world < self.num_envs:
+            raise nezumi.Error("there is no world %d: expected 0 to %d" % (world, self.num_envs - 1))
         of = max(i for i, first in enumerate(self._firsts) if first <= world)
         self._all("save %d %s" % (world, os.path.abspath(file)), of)
 

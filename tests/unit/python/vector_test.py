@@ -202,6 +202,14 @@ class VectorTest(unittest.TestCase):
                          "world 1: behaviors/wall_env.lua:18: reward: there is no component 'mous' (did you mean 'mouse'?)")
         self.assertEqual(list(envs.step([[0, 0]] * 3)[1]), [1, 0, 1])
 
+    def test_worlds_and_options_that_are_not_there_are_refused(self):
+        self.assertEqual(self.refused(self.vector, 0), "expected at least 1 world, got 0")
+        envs = self.vector(2)
+        self.assertEqual(self.refused(envs.reset, seed=1, options={"wall": 1}),
+                         "there are no options: the environment's file says how an episode starts")
+        for world in (-1, 2):
+            self.assertEqual(self.refused(envs.save_episode, world, "x"), "there is no world %d: expected 0 to 1" % world)
+
     def test_a_process_that_ends_is_an_error(self):
         envs = self.vector(2, processes=2)
         envs.reset(seed=1)
