@@ -61,7 +61,7 @@ class Hands(rig.PageCase):
         self.drag_box((0, 100))
         rig.wait_until(lambda: self.page.pose()[1] < -0.1, "the box is farther south")
         self.page.view("log")
-        self.assertIn("MoveThing", self.page.text(".log .lines"))
+        self.assertIn("move thing", self.page.text(".log .lines"))
 
     def test_a_box_is_moved_by_keys_and_no_farther_than_it_can_be(self):
         self.open(text=STANDING)
