@@ -153,7 +153,12 @@ Expected<CommandEnd> command_find(Session::Parts& parts, const Arguments& argume
 Expected<CommandEnd> command_errors(Session::Parts& parts, const Arguments&) {
     std::string text;
     const auto add = [&text](const std::string& line) { text += (text.empty() ? "" : "\n") + line; };
+    const ActTime now = parts.live.when();
+    const double seconds = parts.live.system().now().seconds;
     for (const LogLine& line : parts.clock.problems()) {
+        // In the past, what came later has not happened.
+        const bool is_later = line.start > now.start || (line.start == now.start && line.seconds > seconds);
+        if (parts.live.is_past() && is_later) continue;
         const std::string start = line.start == parts.live.starts() ? "" : fmt::format("start {}, ", line.start);
         add(fmt::format("[{}{:.3f}] {}{}{}: {}", start, line.seconds, to_text(line.level),
                         line.component.empty() ? "" : " ", line.component, visible_message(line.text)));

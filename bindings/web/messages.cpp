@@ -125,13 +125,8 @@ std::string value_in_words(const Json& value) {
 }
 
 // "set parameter controller, speed_x, 0.5" of SetParameter and its fields.
-std::string act_in_words(std::string_view name, const Json& fields) {
-    std::string text;
-    for (const char each : name) {
-        const bool begins = each >= 'A' && each <= 'Z';
-        if (begins && !text.empty()) text += ' ';
-        text += begins ? static_cast<char>(each - 'A' + 'a') : each;
-    }
+std::string shown_act(std::string_view name, const Json& fields) {
+    std::string text = act_in_words(name);
     const char* between = " ";
     for (const auto& [field, value] : fields.items()) {
         if (value.is_null() || value == false) continue;
@@ -152,7 +147,7 @@ ActMessage read_act(Fields& fields, const PartReader& parts) {
         fields.refuse(act.error().message);
         return {};
     }
-    return {.act = std::move(*act), .shown = cut(act_in_words(name, *given))};
+    return {.act = std::move(*act), .shown = cut(shown_act(name, *given))};
 }
 
 TimeMessage read_time(Fields& fields) {

@@ -200,7 +200,8 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
                                                             .seed = seed,
                                                             .threads = options.threads,
                                                             .out_of_time_is_fatal = options.out_of_time_is_fatal,
-                                                            .real_time = options.real_time},
+                                                            .real_time = options.real_time,
+                                                            .clock = options.clock},
                                            options.log);
     if (makers.world) {
         auto world = makers.world(spec.arena, {.step = spec.physics_step, .seed = seed},

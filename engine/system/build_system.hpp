@@ -51,7 +51,8 @@ struct BuildOptions {
     bool seed_wins = false;  ///< the seed replaces the one of the file
     int threads = 1;
     bool out_of_time_is_fatal = false;
-    bool real_time = false;   ///< as in `System::Settings`: for systems with a real robot
+    bool real_time = false;                             ///< as in `System::Settings`: for systems with a real robot
+    std::function<double()> clock = monotonic_seconds;  ///< [s] for `real_time`
     bool keep_going = false;  ///< a behaviour that can't be made is omitted with its connections, and logged
     LogSink log;
 };

@@ -90,8 +90,11 @@ decltype(auto) with_element(const ValueView& all, std::size_t index, const Visit
 template <class Visit>
 void for_each_element(const ValueView& all, const Visit& visit) {
     const std::size_t count = all.count();
+    const Type& type = *all.type->element;
+    const auto* at = static_cast<const std::byte*>(all.first());
     for (std::size_t i = 0; i < count; ++i) {
-        if (!with_element(all, i, visit)) return;
+        const bool goes_on = at == nullptr ? with_element(all, i, visit) : visit(ValueView(type, at + i * type.size));
+        if (!goes_on) return;
     }
 }
 /// The same with elements that `visit` may change.

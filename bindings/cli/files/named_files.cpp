@@ -42,6 +42,8 @@ Expected<fs::path> find_file(const std::string& given, std::initializer_list<Fil
 
 Expected<fs::path> find_system_file(const std::string& given) { return find_file(given, {FileKind::system}); }
 
+Expected<fs::path> find_behavior_file(const std::string& given) { return find_file(given, {FileKind::script}); }
+
 Expected<std::vector<fs::path>> find_lua_files(const std::string& given) {
     auto found = find_file(given, {FileKind::script, FileKind::system, FileKind::model, FileKind::module});
     if (found) return std::vector<fs::path>{std::move(*found)};

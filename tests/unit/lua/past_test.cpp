@@ -377,3 +377,20 @@ TEST_CASE("random acts, seeks and branches lead to states that were there", "[lu
         CHECK_FALSE(it.live->differs());
     }
 }
+
+TEST_CASE("messages from outside are kept up to a limit; beyond it, the past is given up and says so", "[lua][past]") {
+    PastRig it;
+    const Value picture(std::vector<short>(std::size_t{32} << 20));  // 64 MB
+    for (int i = 0; i < 4; ++i) it.act(Inject{"keeper.in", picture});
+    CHECK_FALSE(it.live->history().is_cut());
+    it.act(Inject{"keeper.in", Value(std::vector<short>(1))});
+    CHECK(it.live->history().is_cut());
+    CHECK(it.seek(0) ==
+          "the past is not kept any more: the messages that were injected, written and held from outside need more "
+          "than 256 MB; a journal (--journal) has them");
+    for (std::size_t index = 0; index < it.live->history().branches().front().size(); ++index) {
+        const auto& event = it.live->history().event(0, index);
+        const auto* const act = std::get_if<std::shared_ptr<const PastAct>>(&event.what);
+        CHECK((act == nullptr || !std::holds_alternative<Inject>((*act)->act)));
+    }
+}

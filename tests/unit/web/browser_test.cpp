@@ -373,7 +373,7 @@ TEST_CASE("a browser gets what is remembered of a branch: places, acts and colli
     REQUIRE(!main["marks"].empty());
     CHECK(main["marks"][0]["kind"] == "act");
     CHECK(main["marks"][0]["at"] == 1.0);
-    CHECK(main["marks"][0]["text"].get<std::string>().find("SetParameter by") == 0);
+    CHECK(main["marks"][0]["text"].get<std::string>().find("set parameter by") == 0);
     REQUIRE(browser.send_frame(R"({"do":"remembered","branch":"main"})"));
     CHECK_FALSE(Json::parse(browser.next_text(R"("is":"remembered")")).contains("rows"));
     CHECK(WebRig::answer(browser, {{"do", "remembered"}, {"branch", "x"}, {"id", 3}})["text"] ==
