@@ -90,16 +90,16 @@ Expected<std::unique_ptr<Replay>> Replay::read(const fs::path& file, const std::
 
 Expected<std::unique_ptr<Replay>> Replay::of_text(std::string_view text, const fs::path& file,
                                                   const std::string& version) {
-    return read(text, file, version, false);
+    return parse(text, file, version, false);
 }
 
 Expected<std::unique_ptr<Replay>> Replay::of_record(std::string_view text, const fs::path& file,
                                                     const std::string& version) {
-    return read(text, file, version, true);
+    return parse(text, file, version, true);
 }
 
-Expected<std::unique_ptr<Replay>> Replay::read(std::string_view text, const fs::path& file, const std::string& version,
-                                               bool takes_hardware) {
+Expected<std::unique_ptr<Replay>> Replay::parse(std::string_view text, const fs::path& file, const std::string& version,
+                                                bool takes_hardware) {
     std::unique_ptr<Replay> replay(new Replay(file));
     int number = 0;
     for (std::size_t at = 0; at < text.size();) {

@@ -66,8 +66,8 @@ private:
     struct Entry;
 
     Replay(std::filesystem::path file);
-    static Expected<std::unique_ptr<Replay>> read(std::string_view text, const std::filesystem::path& file,
-                                                  const std::string& version, bool takes_hardware);
+    static Expected<std::unique_ptr<Replay>> parse(std::string_view text, const std::filesystem::path& file,
+                                                   const std::string& version, bool takes_hardware);
     Expected<void> read_header(const std::string& line, const std::string& version, bool takes_hardware);
     LiveOptions with_its_files(LiveOptions options);
     Expected<void> read_entry(const std::string& line, int number);

@@ -11,6 +11,7 @@
 
 #include "bindings/console/session.hpp"
 #include "bindings/console/worker.hpp"
+#include "engine/live/problems.hpp"
 #include "tests/unit/live_rig.hpp"
 
 namespace nezumi {
