@@ -97,7 +97,8 @@ TEST_CASE("the option --batch runs commands in order; time moves only by step an
     CHECK(outcome.status == 0);
 }
 
-TEST_CASE("an error in --batch costs a command, is told with its line, and shows in the exit status", "[cli][batch]") {
+TEST_CASE("an error in --batch ends its command only, is reported with its line, and sets the exit status",
+          "[cli][batch]") {
     const Place place;
     const Outcome outcome = place.batch("1\nx = = 1\n2\nfunction f()\n  error 'no'\nend\nf()\nit.cofig\n3\nx = {");
     CHECK(outcome.out == "1\n2\n3\n");

@@ -117,7 +117,7 @@ TEST_CASE("a standard error that is not read holds no tick and no end, and its r
     CHECK(rows.back().substr(rows.back().find(',') + 1) == std::to_string(rows.size() - 2));  // it ends in a last tick
 }
 
-TEST_CASE("what is left out of a log that is not read is counted, and told where reading goes on",
+TEST_CASE("lines that are left out of a log that is not read are counted, and reported when reading goes on",
           "[cli][ends][wallclock]") {
     const BehaviorProject project(talks);
     const std::string csv = project.scratch.path("it.csv").string();

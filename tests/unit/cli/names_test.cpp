@@ -33,7 +33,7 @@ std::vector<std::string> exported_words() {
 
 }  // namespace
 
-TEST_CASE("no component is called like a word that the library, the console or a file has", "[cli][names]") {
+TEST_CASE("a component name equal to a word of the library, the console or a file is refused", "[cli][names]") {
     std::vector<std::string> words = exported_words();
     CHECK(words.size() > 100);
     append(words, sandbox_names());

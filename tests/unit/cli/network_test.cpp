@@ -85,7 +85,7 @@ TEST_CASE("an interface that is not there ends a run before it begins", "[cli][n
     CHECK(run_nezumi({"check", system}).status == 0);
 }
 
-TEST_CASE("what is wrong with topics of ROS is told by check, each at its line", "[cli][network]") {
+TEST_CASE("check reports each wrong topic of ROS at its line", "[cli][network]") {
     Scratch scratch;
     const std::string system = scratch
                                    .write("s.lua", R"(robot "mouse" { model = "raspimouse" }
@@ -200,7 +200,8 @@ hosts.ona
     CHECK(said.find("there is no host 'ona' (did you mean 'one'?)") != std::string::npos);
 }
 
-TEST_CASE("what came over the network is in the journal: its replay is the same, alone", "[cli][network][wallclock]") {
+TEST_CASE("messages from the network are in the journal, and a replay without the network is the same",
+          "[cli][network][wallclock]") {
     TwoHosts hosts;
     Program counter({"run", hosts.counter, "--headless"});
     const std::string journal = hosts.scratch.path("j").string();

@@ -10,8 +10,7 @@
 using namespace nezumi;
 namespace fs = std::filesystem;
 
-TEST_CASE("a project comes over, with what has changed and what has gone, and the robot's calibration stays",
-          "[cli][push]") {
+TEST_CASE("a project is copied, with changed and removed files, and the robot's calibration stays", "[cli][push]") {
     const SshServer server;
     const PushedProject project;
     const Outcome first = project.push(server);
@@ -30,7 +29,7 @@ TEST_CASE("a project comes over, with what has changed and what has gone, and th
     CHECK(server.there("robots/behaviors/systems/mouse.calibration.lua") == "its own");
 }
 
-TEST_CASE("what was edited on the robot, or was its own before, is kept and told", "[cli][push]") {
+TEST_CASE("files that were edited on the robot, or were its own before, are kept and reported", "[cli][push]") {
     const SshServer server;
     const PushedProject project;
     project.folder.write("robots/behaviors/goes.lua", "-- first\n");
@@ -161,7 +160,7 @@ TEST_CASE("a file of the project is run there by its real robots, and its status
                          "\nrun behaviors/systems/one.lua --hw\n");
 }
 
-TEST_CASE("what runs there behaves anew as soon as a project is pushed, and keeps its state",
+TEST_CASE("a running robot uses the new behaviour as soon as a project is pushed, and keeps its state",
           "[cli][push][wallclock]") {
     const SshServer server;
     const PushedProject project;
@@ -203,7 +202,7 @@ TEST_CASE("the console of a robot is reached by ssh", "[cli][push]") {
     CHECK((listed.status == 0 || listed.error.find("nothing is running") != std::string::npos));
 }
 
-TEST_CASE("a host that is none is told in one line", "[cli][push]") {
+TEST_CASE("a malformed host is refused in one line", "[cli][push]") {
     const Scratch nothing;
     CHECK(run_nezumi({"push", "pi@mouse"}, nothing.path("").string()).error ==
           "nezumi: there is no project here: expected a folder behaviors/ here or in a folder above\n");

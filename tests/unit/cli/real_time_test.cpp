@@ -57,7 +57,8 @@ std::map<std::string, int> policies_of(pid_t process) {
 
 }  // namespace
 
-TEST_CASE("what a run has got of the kernel is told in one line, with what to do about the rest", "[cli][realtime]") {
+TEST_CASE("one line reports which real-time settings the kernel allowed, and how to allow the others",
+          "[cli][realtime]") {
     std::string asked;
     CHECK(told(0, 0, &asked) == "--realtime: SCHED_FIFO with priority 40, memory is locked");
     CHECK(asked == "lock 40 0 ");  // and given back

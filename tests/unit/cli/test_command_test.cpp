@@ -59,7 +59,7 @@ std::size_t results_in(const std::filesystem::path& folder) {
 
 }  // namespace
 
-TEST_CASE("results that are beyond a file's limit are told, and the file before stays", "[cli][test]") {
+TEST_CASE("if a result file exceeds the file size limit, the error is reported and the old file stays", "[cli][test]") {
     const Tried tried;
     static_cast<void>(tried.write("it.xml", "before"));
     rlimit before{};

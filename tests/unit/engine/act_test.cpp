@@ -213,7 +213,7 @@ TEST_CASE("a robot that is deactivated ends what it says", "[engine][robot]") {
     CHECK(run.hull().silences == silences + 1);
 }
 
-TEST_CASE("a call can be foreseen to run out of time, and is told when it does", "[engine][component]") {
+TEST_CASE("a replay can announce the call that times out, and the timeout is reported", "[engine][component]") {
     System system({}, {});
     auto made = std::make_unique<TryComponent>();
     TryComponent& it = *made;

@@ -109,7 +109,7 @@ TEST_CASE("hooks that fail on the way: activation and deactivation end in ERROR,
     CHECK(it.state() == LifeState::error);
 }
 
-TEST_CASE("an on_error that fails is told once and not called again before a reset", "[engine][component]") {
+TEST_CASE("an on_error that fails is reported once and not called again before a reset", "[engine][component]") {
     TryComponent it;
     it.executed = fail;
     it.error = [](TryComponent&) -> Expected<void> { return failure("went wrong too", {"a.lua", 4}); };
@@ -139,7 +139,7 @@ TEST_CASE("leaving ACTIVE by deactivation writes zero velocities and safe values
     CHECK(published(it, 2).empty());
 }
 
-TEST_CASE("what on_deactivated wrote stands instead of the safe value", "[engine][component][safety]") {
+TEST_CASE("a value that on_deactivated wrote replaces the safe value", "[engine][component][safety]") {
     TryComponent it;
     it.tone.set_safe(std::int16_t{5});
     it.deactivated = [](TryComponent& self) -> Expected<void> {
@@ -206,7 +206,7 @@ TEST_CASE("activation empties the in-ports of what came before, and so does a re
     CHECK_FALSE(it.in.is_new());
 }
 
-TEST_CASE("a queue that overflows is told once", "[engine][component][port]") {
+TEST_CASE("a queue that overflows is reported once", "[engine][component][port]") {
     TryComponent it;
     for (int tick = 0; tick < 3; ++tick) {
         for (std::int32_t i = 0; i < 4; ++i) it.queue.inject(i);
@@ -217,7 +217,7 @@ TEST_CASE("a queue that overflows is told once", "[engine][component][port]") {
           Names{"warn: input 'queue': its queue of 2 is full, the oldest message was dropped (reported once)"});
 }
 
-TEST_CASE("a queue that overflows is told although one that became shorter has dropped messages before",
+TEST_CASE("a queue that overflows is reported even if messages were dropped before because it became shorter",
           "[engine][component][port]") {
     TryComponent it;
     for (std::int32_t i = 0; i < 2; ++i) it.queue.inject(i);

@@ -10,7 +10,7 @@ TEST_CASE("an error without a place is its message alone", "[engine][error]") {
     CHECK(describe({.message = "no such robot", .place = {.line = 3}}) == "no such robot");
 }
 
-TEST_CASE("an error shows as much of its place as is known", "[engine][error]") {
+TEST_CASE("an error shows as much of its location as is known", "[engine][error]") {
     CHECK(describe({"bad row", {"map.csv"}}) == "map.csv: bad row");
     CHECK(describe({"bad row", {"map.csv", 7}}) == "map.csv:7: bad row");
     CHECK(describe({"bad row", {"map.csv", 7, 12}}) == "map.csv:7:12: bad row");

@@ -60,7 +60,7 @@ TEST_CASE("a held in-port gives its value every tick and nothing else, until it 
     CHECK(p.read_all() == Values{4});
 }
 
-TEST_CASE("a dropped in-port gets nothing, and what came meanwhile is gone", "[engine][port]") {
+TEST_CASE("a dropped in-port gets nothing, and the messages of that time are lost", "[engine][port]") {
     Pair p;
     p.pass(1, {1});
     p.read_all();

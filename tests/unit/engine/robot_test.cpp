@@ -64,7 +64,7 @@ TEST_CASE("a command that is not finite stops the robot and is logged once", "[e
     }
 }
 
-TEST_CASE("two wheels don't drive sideways, which is said once", "[engine][robot][safety]") {
+TEST_CASE("two wheels don't drive sideways, which is reported once", "[engine][robot][safety]") {
     FakeRun run;
     for (int i = 0; i < 10; ++i) run.send("velocity_in", Velocity2D{.vx = 0.1, .vy = 0.2});
     CHECK(speed_of(run) == Approx(0.1));

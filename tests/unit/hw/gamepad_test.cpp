@@ -176,7 +176,8 @@ TEST_CASE("a gamepad without its safety button is not used, and the button is na
     CHECK(driven.port("pos").count() == 0);
 }
 
-TEST_CASE("the requested gamepad is used, and what it lacks is reported", "[hw][gamepad][fakes][wallclock]") {
+TEST_CASE("the requested gamepad is used, and the reason is reported if this is impossible",
+          "[hw][gamepad][fakes][wallclock]") {
     FakeGamepad fake;
     const auto told = [&](const std::string& device) {
         DrivenStick driven(fake.roots(), {{"device", device}});

@@ -64,7 +64,8 @@ struct PastRig : LiveRig {
 
 }  // namespace
 
-TEST_CASE("a system that goes back is what it was, to the last bit, and what followed happens again", "[lua][past]") {
+TEST_CASE("a system that goes back has its earlier state to the last bit, and runs on as it did before",
+          "[lua][past]") {
     PastRig it;
     std::vector<std::uint64_t> hashes{it.live->trace_hash()};
     for (int i = 0; i < 500; ++i) {
@@ -272,7 +273,7 @@ TEST_CASE("plots of a past show what was before it", "[lua][past]") {
     CHECK((*after)->seconds((*after)->size() - 1) > 1.9);
 }
 
-TEST_CASE("what a time line shows is remembered for each branch, once", "[lua][past]") {
+TEST_CASE("the points and markers of a time line are remembered once for each branch", "[lua][past]") {
     PastRig it;
     it.live->remember_run();
     it.tick(300);

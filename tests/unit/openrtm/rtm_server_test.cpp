@@ -15,7 +15,7 @@ TEST_CASE("a system is shown with its connections", "[openrtm][server]") {
     CHECK(rig.told.options.interface == "127.0.0.1");
 }
 
-TEST_CASE("what an RTC sends is injected before a tick, by a network peer", "[openrtm][server]") {
+TEST_CASE("a message of an RTC is injected before a tick, by a network peer", "[openrtm][server]") {
     ServerRig rig;
     CHECK(rig.put("mouse.target_velocity_in", Velocity2D{.vx = 0.2}) == PutAnswer::taken);
     CHECK(rig.acts.lines.empty());
@@ -354,7 +354,7 @@ TEST_CASE("an emergency stop does not change a robot's measurements", "[openrtm]
     CHECK(measured.get<Velocity2D>().vx > 0.1);
 }
 
-TEST_CASE("what a tool adds is exported, connects to RTCs, and is exported again when a saved file is run",
+TEST_CASE("a component that a tool adds is exported and connects to RTCs, also when a saved file is run",
           "[openrtm][server]") {
     ServerRig rig;
     BehaviorEntry entry{.name = "second", .script = "counter"};

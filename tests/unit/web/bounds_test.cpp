@@ -134,7 +134,7 @@ TEST_CASE("view-only browsers do not exclude browsers that may stop the robots",
     CHECK(WebRig::answer(acts, {{"do", "stop"}, {"id", 1}})["ok"] == true);
 }
 
-TEST_CASE("browsers are told at once when the run ends", "[web][bounds]") {
+TEST_CASE("browsers are informed at once when the run ends", "[web][bounds]") {
     WebRig rig;
     RawBrowser browser(rig.port, [] {});
     REQUIRE(browser.ask(WebRig::upgrade(rig.host(), "http://" + rig.host(), "nezumi, token." + rig.token)) != "");

@@ -100,7 +100,7 @@ TEST_CASE("a check is what nezumi check says of the text, or why it says nothing
     CHECK(WebRig::answer(browser, edit("check", 3, {{"file", "../x.lua"}, {"text", ""}}))["ok"] == false);
 }
 
-TEST_CASE("what is no request of an editor is refused with the reason", "[web][editor]") {
+TEST_CASE("a wrong request of an editor is refused with the reason", "[web][editor]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     const auto text = [&](const Json& message) { return WebRig::answer(browser, message)["text"].get<std::string>(); };
@@ -114,7 +114,7 @@ TEST_CASE("what is no request of an editor is refused with the reason", "[web][e
     CHECK(text({{"do", "test"}, {"what", "run"}, {"id", 7}}) == "this program can't run scenarios: use `nezumi run`");
 }
 
-TEST_CASE("scenarios run as processes whose report is told while they run", "[web][scenarios]") {
+TEST_CASE("scenarios run as processes whose report is sent while they run", "[web][scenarios]") {
     const Scratch folder;
     EditorOptions options{.program = program(folder,
                                              "case \"$*\" in\n"

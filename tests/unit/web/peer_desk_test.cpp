@@ -81,7 +81,7 @@ TEST_CASE("requests to RTCs that hang are limited", "[web][peers]") {
     CHECK(one_more.error().message == "too many requests are already waiting");
 }
 
-TEST_CASE("a program without RTCs says so to a browser, and what is wrong in a request", "[web][peers]") {
+TEST_CASE("a browser's request about RTCs is refused without RTCs, or with the error in it", "[web][peers]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     const auto refused = [&](WebRig::Json message) {
