@@ -77,7 +77,7 @@ inline Lanes root(Lanes x) {
     return roots;
 }
 
-// The same as std::min and std::max, also for equal arguments.
+// Equal to std::min and std::max, also for equal arguments.
 template <class Real>
 Real lesser(Real a, Real b) {
     return choose(b < a, b, a);

@@ -78,7 +78,7 @@ struct RobotModel {
     dContact held_contact{};      ///< of a wheel held on a slope; position and direction are set per step
     dContact coasting_contact{};  ///< of a coasting wheel; position and direction are set per step
     dContact skid_contact{};      ///< position is set per step
-    // The same for a robot that rolls freely.
+    // The contacts of a robot that rolls freely.
     SoftEquation wheel_normal, wheel_along, wheel_across, skid_normal;
 
     RayFan fan;  ///< of range sensors and scans, with servos at 0; distances in the spec's order

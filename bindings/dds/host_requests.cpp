@@ -19,7 +19,7 @@ namespace {
 // What is done between two ticks for others must make none late.
 constexpr std::size_t most_request_bytes = std::size_t{1} << 20;
 constexpr std::size_t most_at_once = 16;
-// Of each run: who asks again does so before that many others were asked.
+// Kept answers of each run: a host repeats a request before it has sent this many others.
 constexpr std::size_t most_kept = 64;
 // Runs of hosts that have gone, and writers: beyond these the oldest of no use are given up.
 constexpr std::size_t most_askers = 1024, most_writers = 64;

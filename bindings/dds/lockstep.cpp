@@ -188,7 +188,7 @@ std::string Lockstep::find_missing() {
         };
         if (!is_missing()) continue;
         hear(partner);
-        // Of several, the one that was silent longest: the others may be waiting for it.
+        // If several are missing, takes the one that was silent longest: the others may be waiting for it.
         if (is_missing() && partner.heard_at < heard_at) {
             missing = name;
             heard_at = partner.heard_at;

@@ -40,7 +40,7 @@ WiringOf wiring_of(const RunningSystem& live, std::string title);
 /// go back.
 std::vector<std::size_t> columns_of(const WiringOf& wiring);
 
-/// Draws it to a file that ends in .png or .svg. An error says why it can't be written; then there is no file.
+/// Draws the wiring to a file that ends in .png or .svg. An error says why it can't be written; then there is no file.
 Expected<void> draw_wiring(const WiringOf& wiring, const std::string& file);
 
 }  // namespace nezumi::draw

@@ -23,7 +23,7 @@ Json write_entry(const Entry& entry, const ScriptHost& scripts) {
                 {"file", text_to_json(place_of(entry).file)}};
 }
 
-// The same.
+// The text of a system file with this marker.
 Json write_marker(const MarkerSpec& marker, const ScriptHost& scripts) {
     SystemSpec spec;
     spec.arena.markers.push_back(marker);

@@ -25,9 +25,9 @@ public:
 
     /// Writes this after all earlier texts, without waiting. After an error nothing is written.
     void put(std::string text);
-    /// The same for a text of about so many bytes that takes long to make; the writer's thread makes it.
+    /// Writes a text of about `bytes` that takes long to make; the writer's thread makes it.
     void put(std::size_t bytes, std::function<std::string()> make);
-    /// The same, but the text replaces everything since the last text that came this way. The file must be on a disk.
+    /// Writes a text that replaces everything since the last text of `put_over`. The file must be on a disk.
     void put_over(std::size_t bytes, std::function<std::string()> make);
     /// Whether more than half of `most_waiting` waits. Then callers that can wait should do so.
     bool is_behind() const { return waiting_bytes_ > most_waiting_ / 2; }

@@ -75,9 +75,9 @@ public:
 
     /// Takes over every value that was set in an earlier version of the component and still fits.
     void adopt(const Parameters& earlier);
-    /// The same, only for values that were set from outside.
+    /// Like `adopt`, only for values that were set from outside.
     void adopt_from_outside(const Parameters& earlier);
-    /// The same for one parameter.
+    /// Takes over the value of one parameter.
     void adopt(const Parameters& earlier, std::string_view name);
     /// Another version of the component begins: marks all values as not set from outside.
     void begin_version();

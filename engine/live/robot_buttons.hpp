@@ -27,7 +27,7 @@ private:
 /// If the model of a real robot has a shutdown button, a long press ends the run, and then the computer is shut down.
 class ShutdownButtons {
 public:
-    /// Both must outlive this.
+    /// `loop` and the objects that `say` uses must outlive this object.
     ShutdownButtons(RunLoop& loop, std::function<void(std::string)> say);
 
     static constexpr double long_press = 3;  ///< [s]

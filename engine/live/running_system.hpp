@@ -91,7 +91,7 @@ public:
     /// Delivers a message to an existing port, like the act `Write` or `Inject` for its path, but without searching the
     /// port.
     Expected<ActResult> deliver(const Port& port, const Act& act, const Actor& who);
-    // The same in two phases, for callers with a thread that may wait: no tick waits for files or scripts.
+    // `act` in two phases, for callers with a thread that may wait: no tick waits for files or scripts.
     /// Between two ticks: returns a function that prepares a Reload, Add or Restart beside the ticks. `found` are the
     /// files that the caller has already read. A Reload without files and component reloads all files that have
     /// changed.

@@ -46,7 +46,7 @@ public:
 
     /// All files of the behaviours, including modules.
     virtual std::vector<ScriptFile> loaded_files() const = 0;
-    /// The same, with the files that a refused version required.
+    /// The loaded files, and the files that a refused version required.
     virtual std::vector<ScriptFile> files() const = 0;
 };
 
@@ -90,7 +90,8 @@ public:
     /// line.
     virtual Expected<SystemSpec> read_system(const std::filesystem::path& file, const Project& project,
                                              const SystemFileOptions& options) const = 0;
-    /// The same from a text; `shown` is the file's name in errors, and names are first searched in its folder.
+    /// Reads a system file from a text; `shown` is the file's name in errors, and names are first searched in its
+    /// folder.
     virtual Expected<SystemSpec> read_system_text(std::string_view text, const std::string& shown,
                                                   const Project& project, const SystemFileOptions& options) const = 0;
     /// A text that is read as the same system; `title` becomes its first line, a comment.

@@ -112,7 +112,7 @@ public:
     Expected<void> disconnect(std::string_view from, std::string_view to);
     /// "name.port" of the ports at the other ends.
     std::vector<std::string> peers(const Port& port) const { return wiring_.peers(port); }
-    /// The same with those of other programs, "WORD:NAME.port".
+    /// Like `peers(port)`, and also the ports of other programs, "WORD:NAME.port".
     std::vector<std::string> peers(const Component& component, const Port& port) const;
     /// A connection that has been dropped.
     struct Dropped {

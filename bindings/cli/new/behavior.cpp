@@ -14,7 +14,7 @@
 namespace nezumi::cli {
 namespace {
 
-// Adds them to `ports`. `find` finds their types, as the file of this name in `behaviors` would.
+// Adds the ports of an option to `ports`. `find` finds their types, as the file of this name in `behaviors` would.
 Expected<void> read_ports(std::string_view option, const std::vector<std::string>& given,
                           std::vector<std::string>& taken, std::vector<NewPort>& ports, const MessageFinder& find,
                           const std::string& behavior) {

@@ -208,7 +208,7 @@ bool read_value(lua_State* L, int index, T& out, Numbers numbers) {
     }
 }
 
-/// The same; also gives the error.
+/// Reads a value; stores the error in `why`.
 template <class T>
 bool read_value(lua_State* L, int index, T& out, Mismatch* why) {
     if (read_value(L, index, out)) return true;

@@ -114,7 +114,7 @@ PeerAnswer Asker::answer(const PeerQuestion& question) {
     }
 }
 
-// Of ours the paths of its ports are known; its parameters are those of the system.
+// An RTC of this program has known paths of ports, and the parameters of the system.
 PeerSnapshot Asker::look_at_one(const NameService::Named& named, bool is_whole) {
     const RtcObject* ours = nullptr;
     PortableServer::ServantBase_var servant;

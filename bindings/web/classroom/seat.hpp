@@ -73,7 +73,7 @@ struct ClassSystem {
     ClassSystem();
     /// Queues a frame for the process, and sends what it takes now.
     void tell(const RelayFrame& frame);
-    /// The same with a message of the class itself.
+    /// Queues a message of the class itself for the process.
     void tell(std::string_view message);
     void flush();
     /// Notes why the process has ended, and when it may start again. Returns true if its system file can't run.
