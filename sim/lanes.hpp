@@ -36,7 +36,7 @@ struct Lanes {
     Numbers numbers;
 };
 
-/// A truth value for each lane.
+/// A boolean for each lane.
 struct LaneMask {
     using Vector = std::int64_t __attribute__((vector_size(Lanes::count * sizeof(std::int64_t))));
     using Bits __attribute__((aligned(16))) = Vector;

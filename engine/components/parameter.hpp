@@ -17,7 +17,7 @@ namespace nezumi {
 /// Values by parameter name, as in a system file or a parameter set. Sorted, so that messages are the same each time.
 using ParameterValues = std::map<std::string, Value, std::less<>>;
 
-/// The declaration of a parameter. Its type is the type of the default: truth value, integer (`std::int64_t`), number
+/// The declaration of a parameter. Its type is the type of the default: boolean, integer (`std::int64_t`), number
 /// (`double`), text, or an array of one of these.
 struct ParameterSpec {
     std::string name;

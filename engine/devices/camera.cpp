@@ -229,7 +229,7 @@ Expected<std::unique_ptr<Component>> make_camera(const ComponentEntry& entry, Sy
                                            system.settings().seed, std::move(open), !system.settings().real_time);
     camera->set_tick_rate(system.settings().rate);
     camera->rate = entry.rate;
-    // Invalid parameter values are reported with their place later, when they are set.
+    // Invalid parameter values are reported with their location later, when they are set.
     if (camera->parameters().set_all(entry.config)) {
         if (auto ok = camera->check(); !ok)
             return failure(fmt::format("component '{}': {}", entry.name, ok.error().message), entry.place);

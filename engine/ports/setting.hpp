@@ -32,7 +32,7 @@ struct Rule {
     std::int64_t min = 0;                  ///< of a whole number, inclusive
     std::int64_t max = 0;                  ///< of a whole number, inclusive
     bool level = false;                    ///< of a place: its z may be left out
-    std::array<std::string_view, 2> words{};      ///< of a truth value: the words for false and true in files
+    std::array<std::string_view, 2> words{};      ///< of a boolean: the words for false and true in files
     std::span<const std::string_view> choices{};  ///< of a text: the only allowed ones
     unsigned of = 0;              ///< the kinds of the structure that have this field, as bits; 0: all of them
     bool selects = false;         ///< this field, a choice, determines the kind of the structure

@@ -1,4 +1,4 @@
-// Entries become components, in order, each error with the place of its line.
+// Entries become components, in order, each error with the location of its line.
 #include "engine/system/build_system.hpp"
 
 #include <fmt/format.h>
@@ -104,7 +104,7 @@ Expected<Component*> add_robot(System& system, const RobotEntry& entry, const Sy
     return added;
 }
 
-// Sets these values, all or none. `path` is the table that they come from: an error has the place of its field.
+// Sets these values, all or none. `path` is the table that they come from: an error has the location of its field.
 template <class AnEntry>
 Expected<void> set_values(Parameters& parameters, const ParameterValues& values, const AnEntry& entry,
                           const std::string& path, const std::string& what) {

@@ -87,7 +87,7 @@ public:
     ConstView<Component> components() const { return ConstView(components_); }
     const std::vector<Robot*>& robots() { return robots_; }
     std::span<const Robot* const> robots() const { return robots_; }
-    /// The connections between ports of this system, as in a system file but without places.
+    /// The connections between ports of this system, as in a system file but without locations.
     std::vector<ConnectionSpec> connections() const;
     /// The connections with a port of another program, in the order of the requests. They are made elsewhere, while
     /// that program is there.

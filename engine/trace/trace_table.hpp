@@ -13,7 +13,7 @@
 
 namespace nezumi {
 
-/// A column for each number, truth value (0 or 1) and text (in CSV quotes) of each channel, named as in the console. A
+/// A column for each number, boolean (0 or 1) and text (in CSV quotes) of each channel, named as in the console. A
 /// cell contains the latest value; it is empty before the first one, and if a list is shorter than its maximum length.
 /// Pixels are omitted.
 class TraceTable {

@@ -179,11 +179,11 @@
 
 ---@class OutPort
 
----An in-port of TimedBoolean: one truth value.
+---An in-port of TimedBoolean: one boolean.
 ---@class TimedBoolean.In : InPort
 ---@field read fun(self: TimedBoolean.In): boolean
 
----An out-port of TimedBoolean: one truth value.
+---An out-port of TimedBoolean: one boolean.
 ---@class TimedBoolean.Out : OutPort
 ---@field write fun(self: TimedBoolean.Out, value: boolean)
 
@@ -263,11 +263,11 @@
 ---@class (exact) TimedString.OutOptions
 ---@field safe? string written when the component stops
 
----An in-port of TimedBooleanSeq: a sequence of truth values.
+---An in-port of TimedBooleanSeq: a sequence of booleans.
 ---@class TimedBooleanSeq.In : InPort
 ---@field read fun(self: TimedBooleanSeq.In): boolean[]
 
----An out-port of TimedBooleanSeq: a sequence of truth values.
+---An out-port of TimedBooleanSeq: a sequence of booleans.
 ---@class TimedBooleanSeq.Out : OutPort
 ---@field write fun(self: TimedBooleanSeq.Out, value: boolean[])
 
@@ -511,7 +511,7 @@ function output(name, type, doc, options) end
 ---@field min? number smallest value; of each element of an array (of numbers, arrays of numbers)
 ---@field max? number largest value; of each element of an array (of numbers, arrays of numbers)
 ---@field step? number of the widget only (of numbers, arrays of numbers)
----@field widget? "slider"|"spin"|"radio"|"checkbox"|"ordered_list"|"text" how it is shown for a person to change: a slider needs both bounds, radio needs choices; a checkbox shows a truth value, or an array as a part of its choices; an ordered list shows an array of its choices
+---@field widget? "slider"|"spin"|"radio"|"checkbox"|"ordered_list"|"text" how it is shown for a person to change: a slider needs both bounds, radio needs choices; a checkbox shows a boolean, or an array as a part of its choices; an ordered list shows an array of its choices
 ---@field unit? string for example "m/s"
 ---@field doc? string what it means
 ---@field choices? ParameterValue[] the values that may be chosen; without: all within the bounds

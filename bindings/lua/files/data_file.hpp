@@ -61,8 +61,8 @@ public:
     /// All mistakes of a run that failed: one error for each unknown global, otherwise the first error.
     const std::vector<Error>& errors() const { return errors_; }
 
-    /// Stores the first error of one of these functions, with its place, and returns it for raising it in Lua. The run
-    /// has failed, even if the file catches the Lua error.
+    /// Stores the first error of one of these functions, with its location, and returns it for raising it in Lua. The
+    /// run has failed, even if the file catches the Lua error.
     Error fail(Error error);
 
     /// The text of a file that was run or required; null for other files.
@@ -71,7 +71,7 @@ public:
     const std::vector<std::string>& files() const { return files_; }
     lua_State* lua() const { return state_->lua(); }
     const Budget& budget() const { return options_.budget; }
-    /// The error for a Lua error, with the name of the file if Lua knows no place.
+    /// The error for a Lua error, with the name of the file if Lua knows no location.
     Error to_error(const CallError& error) const;
 
 private:

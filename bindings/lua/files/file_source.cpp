@@ -1,4 +1,4 @@
-// Visits the table arguments of calls, and stores the place of each field.
+// Visits the table arguments of calls, and stores the location of each field.
 #include "bindings/lua/files/file_source.hpp"
 
 #include <algorithm>

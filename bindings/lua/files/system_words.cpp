@@ -24,7 +24,7 @@ std::string_view kind_of(const Entry& entry) {
     return kinds[entry.index()];
 }
 
-// The places of the values of `config` and of the sets, by path.
+// The locations of the values of `config` and of the sets, by path.
 void note_places(FieldPlaces& places, const FieldCheck& check, const FieldPath& table, const ParameterValues& values) {
     for (const auto& [name, value] : values) {
         FieldPath path = table;

@@ -34,7 +34,7 @@ public:
     CallRecord(const CallRecord&) = delete;
     CallRecord& operator=(const CallRecord&) = delete;
 
-    /// A place in a script, in plain memory, because it is written where no error may occur.
+    /// A location in a script, in plain memory, because it is written where no error may occur.
     struct ScriptPlace {
         int line = 0;    ///< 0: not known
         char file[256];  ///< set when `line` is

@@ -134,7 +134,7 @@ public:
     const std::deque<SyntaxNode>& nodes() const { return nodes_; }
     const std::deque<LocalName>& locals() const { return locals_; }
 
-    /// The place of the first syntax error; null if there is none. Lua's limits (200 local variables, levels of
+    /// The location of the first syntax error; null if there is none. Lua's limits (200 local variables, levels of
     /// nesting) are not checked.
     const Token* error() const { return error_; }
     /// Whether the error is that the text ends too early.

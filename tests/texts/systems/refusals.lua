@@ -68,10 +68,10 @@ robot 'm' { model = 'raspimouse', active = 1 }
 --                                ^ error: robot 'm': field 'active' expected true or false, got number
 
 behavior 'c' { script = 'robot_controller', config = { speed_x = print } }
---                                                     ^ error: behavior 'c': field 'config.speed_x' expected a number, a truth value, a text or an array of them, got function
+--                                                     ^ error: behavior 'c': field 'config.speed_x' expected a number, a boolean, a text or an array of them, got function
 
 behavior 'c' { script = 'robot_controller', config = { a = { 1, 'x' } } }
---                                                     ^ error: behavior 'c': field 'config.a' expected an array of numbers, of truth values or of texts
+--                                                     ^ error: behavior 'c': field 'config.a' expected an array of numbers, of booleans or of texts
 
 behavior 'c' { script = 'robot_controller', config = { a = { b = 1 } } }
 --                                                     ^ error: behavior 'c': field 'config.a' expected an array, got a table with a field 'b'
@@ -270,7 +270,7 @@ behavior 'c' { script = 'robot_controller', sets = { careful = 3 } }
 --                                                   ^ error: behavior 'c': field 'sets.careful' expected a table, got number
 
 behavior 'c' { script = 'robot_controller', sets = { careful = { x = {{}} } } }
---                                                               ^ error: behavior 'c': field 'sets.careful.x' expected an array of numbers, of truth values or of texts
+--                                                               ^ error: behavior 'c': field 'sets.careful.x' expected an array of numbers, of booleans or of texts
 
 --- A component must be on a robot of the system.
 robot 'mouse' { model = 'raspimouse' }

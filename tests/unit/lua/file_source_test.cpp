@@ -37,7 +37,7 @@ a { b = 1 }]], pose =
     CHECK(where(source, "robot", 7, {"pose", "x"}) == "9:5");
 }
 
-TEST_CASE("a field that the text does not contain has the place of the outer field", "[lua][file_source]") {
+TEST_CASE("a field that the text does not contain has the location of the outer field", "[lua][file_source]") {
     const FileSource source("robot 'm' { pose = home }\nrobot('n', fields)", "f.lua");
     CHECK(where(source, "robot", 1, {"pose", "x"}) == "1:13");
     CHECK(where(source, "robot", 1, {"model"}) == "1:0");

@@ -30,7 +30,7 @@ TEST_CASE("an error names the script's line", "[lua][call]") {
     CHECK_FALSE(box.over_budget);
 }
 
-TEST_CASE("an error has a place and a message", "[lua][call]") {
+TEST_CASE("an error has a location and a message", "[lua][call]") {
     Box box;
     load_chunk(box.lua(), compile("\nerror('stop: 12: x')", "folder/a.lua").value());
     const auto called = protected_call(box.lua(), 0, 0, paced_budget);

@@ -281,7 +281,7 @@ TEST_CASE("a connection's malformed messages are reported once", "[openrtm][serv
     CHECK(rig.server->malformed() == 3);
 }
 
-TEST_CASE("without the module for CORBA the error has the place of the word rtm", "[openrtm][server]") {
+TEST_CASE("without the module for CORBA the error has the location of the word rtm", "[openrtm][server]") {
     ServerRig rig;
     const auto opened = RtmServer::open(
         rig.host(), [](const OrbOptions&, RtcSite&) -> Expected<std::unique_ptr<Orb>> { return failure("not here"); });

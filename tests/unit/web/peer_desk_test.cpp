@@ -100,7 +100,7 @@ TEST_CASE("a browser's request about RTCs is refused without RTCs, or with the e
     CHECK(refused({{"what", "connect"}, {"from", "Out0.out"}}) == "'to' must be a text");
     CHECK(refused({{"what", "configure"}, {"name", "In0"}, {"value", 1}}) == "'parameter' must be a text");
     CHECK(refused({{"what", "configure"}, {"name", "In0"}, {"parameter", "gain"}, {"value", nullptr}}) ==
-          "'value' must be a number, a text, a truth value, or a list of one kind of them");
+          "'value' must be a number, a text, a boolean, or a list of one kind of them");
 }
 
 TEST_CASE("a view-only browser asks nothing of RTCs", "[web][peers]") {
