@@ -49,7 +49,7 @@ struct Event {
         bye,          ///< the last event; `text` gives the reason
     };
 
-    /// The `level` of an output that replaces the drawing before it in a terminal.
+    /// The `level` of an output that replaces the previous drawing in a terminal.
     static constexpr std::string_view in_place = "in_place";
 
     Kind kind = Kind::output;

@@ -94,7 +94,7 @@ void Lockstep::consider(const Announcement& host, bool is_named) {
         return;
     }
     if (is_news)
-        system_.log(LogLevel::error, fmt::format("lockstep: host {} has {:g} ticks a second, this one {:g}: say "
+        system_.log(LogLevel::error, fmt::format("lockstep: host {} has {:g} ticks per second, this one {:g}: say "
                                                  "rate({:g}) here or rate({:g}) there, and restart()",
                                                  name, host.lockstep, rate, host.lockstep, rate));
     absent_.emplace(name, fmt::format("host {} has another tick rate", name));

@@ -34,9 +34,9 @@ public:
     /// The error that ended the writing (an errno); 0 if there is none. ENOBUFS: too much waited; ECANCELED: it was
     /// given up.
     int problem() const;
-    /// The begin of the last piece that was written completely [bytes].
+    /// The start of the last piece that was written completely [bytes].
     std::uint64_t last_whole_piece() const;
-    /// [bytes] from the begin of the file that pieces fill which were written completely.
+    /// The number of bytes at the start of the file that were written completely.
     std::uint64_t whole() const;
     /// Drops everything that is not written yet, so that `close` returns soon. Can be called from any thread.
     void give_up() { given_up_ = true; }
@@ -66,7 +66,7 @@ private:
     const std::size_t most_waiting_;
     int file_;
     std::uint64_t written_ = 0;           // [bytes] of complete pieces
-    std::uint64_t last_whole_piece_ = 0;  // its begin
+    std::uint64_t last_whole_piece_ = 0;  // its start
     std::uint64_t kept_ = 0;              // [bytes] up to the end of the last piece that went over others
     int problem_ = 0;
     bool ends_ = false;

@@ -27,7 +27,7 @@ Expected<PlainData> answer_question(const AskedSystem& asked, const Question& qu
 /// What `Question::What::look` is answered.
 struct NodeSnapshot {
     TreeNode::Kind kind{};
-    PlainSnapshot value{};  ///< one value, or nothing: of values, parameters, truths, and all parameters
+    PlainSnapshot value{};  ///< one value for nodes that have values (values, parameters, truth, `config`); else empty
 };
 Expected<NodeSnapshot> read_snapshot(PlainData data);
 

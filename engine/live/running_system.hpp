@@ -201,7 +201,7 @@ private:
     void end_holds();
     void take_foreseen();
     void tell_out_of_time(const ActTime& time);
-    // Continues with the system that has computed the past.
+    // Replaces the running system by the one in `past`, which was replayed to the wanted time.
     Expected<ActResult> take(PastRun& past);
     bool has_peers() const { return !options_.is_replay && away_ == nullptr && !spec().peers.empty(); }
     Expected<void> check_peers() const;

@@ -231,7 +231,7 @@ const Type& detail::written_type_of() {
 /// Whether a type is a structure whose fields have rules.
 inline bool is_record(const Type& type) { return !type.fields.empty() && type.fields.front().rule != nullptr; }
 
-/// "{ vx =, vy =, va = }": all fields of such a structure, or only those of these kinds, as bits.
+/// The fields of a structure: "{ vx =, vy =, va = }". `kinds` is a bit mask of kinds of fields; 0 selects all.
 std::string usage_of(const Type& record, unsigned kinds = 0);
 template <Recorded T>
 std::string usage_of(unsigned kinds = 0) {

@@ -64,7 +64,7 @@ public:
 
     /// Call this after the layout of the system has changed.
     void resolve(const System& system);
-    /// Takes the messages of a tick: until the next tick they can be visited.
+    /// Copies the messages of this tick. They can be visited until the next tick.
     void latch(std::int64_t tick);
     /// Adds the numbers, booleans and texts of these messages; `seconds` is the time stamp for values without one.
     /// An empty series gets the present value.

@@ -39,7 +39,7 @@ void show(const RunDifference& found, const std::string& first, const std::strin
     };
     fmt::print("first difference: {}, {:g} s\n", text_of(found.when), found.seconds);
     if (text_of(found.when) != text_of(found.second_when))
-        fmt::print("  {} is at {} then\n", visible(second), text_of(found.second_when));
+        fmt::print("  at that time, run {} is at {}\n", visible(second), text_of(found.second_when));
     for (const DifferingValue& value : found.values) {
         fmt::print("  {}: {} and {}{}\n", value.name, value.first, value.second,
                    value.by ? fmt::format(", a difference of {:g}", *value.by) : "");

@@ -87,7 +87,7 @@ private:
     DataFileOptions options_;
     KnownGlobals known_;
     std::string shown_;
-    std::optional<Error> error_;  // of a function, or of a file that can't be compiled
+    std::optional<Error> error_;  // an error in a function, or in a file that can't be compiled
     std::vector<Error> errors_;
     std::map<std::string, FileSource> sources_;
     std::vector<std::string> files_;

@@ -244,7 +244,7 @@ Expected<void> SystemWords::seed(const WordCall& call, const Value& value) {
 Expected<void> SystemWords::rate(const WordCall& call, const Value& hertz) {
     const auto value = number_of(hertz);
     if (!value || !std::isfinite(*value) || *value <= 0) {
-        return failure(fmt::format("rate: expected a positive number of ticks a second, got {}",
+        return failure(fmt::format("rate: expected a positive number of ticks per second, got {}",
                                    value ? text_of(*value) : nezumi::kind_of(hertz)),
                        call.place);
     }

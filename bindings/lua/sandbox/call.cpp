@@ -21,7 +21,7 @@ constexpr std::size_t longest_message = 2000;  // [bytes]
 constexpr int searched_levels = 100;
 constexpr int deep_recursion = 20'000;  // number of nested calls
 
-// The length of "file:line: " at the begin of `message`, where Lua has shortened `file`.
+// The length of "file:line: " at the start of `message`, where Lua has shortened `file`.
 std::size_t prefix_length(const char* message, const char* file, int& line) {
     const std::size_t name = std::strlen(file);
     if (std::strncmp(message, file, name) != 0 || message[name] != ':') return 0;

@@ -159,7 +159,7 @@ private:
 
     /// The number of the next version.
     int next_version() const { return newest_ + 1; }
-    // One execution of so many is measured for a hint; a power of 2.
+    // One of this many executions is measured for a hint; a power of 2.
     static constexpr std::uint32_t measured_executions = 64;
 
     Expected<void> execute_once() {

@@ -167,7 +167,7 @@ struct FieldName {
     const Token* place;
 };
 
-/// `b` of `a.b` and `a["b"]`, for the expression `a`; nothing if it is not such a part.
+/// The name `b` if `expression` is the `a` of `a.b` or `a["b"]`; nothing for any other expression.
 std::optional<FieldName> field_of(const SyntaxNode& expression);
 
 /// Whether the expression is the target of an assignment, or of `function a.b()`.

@@ -107,7 +107,7 @@ PeerAnswer Asker::answer(const PeerQuestion& question) {
         } catch (const CORBA::TIMEOUT&) {
             return {.problem = "'" + question.name + "' does not answer"};
         } catch (const CORBA::Exception&) {
-            return {.problem = "'" + question.name + "' is not there: its entry in the name service is stale"};
+            return {.problem = "'" + question.name + "' was not found: its entry in the name service is stale"};
         }
     } catch (const CORBA::Exception&) {
         return {.problem = "no name service answers at " + names_.addresses() + ": start one, as omniNames"};

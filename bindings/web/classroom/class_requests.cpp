@@ -65,7 +65,7 @@ Expected<Classroom::Json> Classroom::join(Client& client, const Json& request) {
         seat->is_wanted = true;
         return Json{{"token", pupil->token}};
     }
-    if (!door_is_open_) return failure("the teacher lets no more pupils in");
+    if (!door_is_open_) return failure("the teacher has closed the class to new pupils");
     if (seats_.size() >= most_pupils) return failure("the class is full");
     while (!joins_.empty() && now - joins_.front() > std::chrono::minutes(1)) joins_.pop_front();
     if (joins_.size() >= most_joins) return failure("too many join at once: wait a minute");

@@ -330,7 +330,7 @@ arena { csv '/dev/zero' }
 -- error: csv: there is no file '/dev/zero'; looked for /dev/zero; /dev/zero is a device, expected a file
 
 --- An error in a system file counts although the file catches it with pcall.
-pcall(rate, -1)  -- error: rate: expected a positive number of ticks a second, got -1
+pcall(rate, -1)  -- error: rate: expected a positive number of ticks per second, got -1
 rate(50)
 
 --- Exports to RTCs are declared once, with names that exist.
@@ -456,11 +456,11 @@ seed(2^62)
 
 seed 'x'  -- error: seed: expected a whole number from 0 on, got string
 
-rate(0)  -- error: rate: expected a positive number of ticks a second, got 0
+rate(0)  -- error: rate: expected a positive number of ticks per second, got 0
 
-rate(0/0)  -- error: rate: expected a positive number of ticks a second, got nan
+rate(0/0)  -- error: rate: expected a positive number of ticks per second, got nan
 
-rate {}  -- error: rate: expected a positive number of ticks a second, got table
+rate {}  -- error: rate: expected a positive number of ticks per second, got table
 
 rate()  -- error: rate: expected an argument, got none
 

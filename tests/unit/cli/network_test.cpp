@@ -141,7 +141,7 @@ TEST_CASE("a secret that is not there, that others can read, or that is none end
         CHECK(ran.status == 2);
         return ran.error;
     };
-    CHECK(said().find("s.lua:1: network: the secret 's.key' is not there: `nezumi network secret FILE` makes one") !=
+    CHECK(said().find("s.lua:1: network: the secret 's.key' does not exist: `nezumi network secret FILE` makes one") !=
           std::string::npos);
     const auto key = scratch.write("s.key", "nezumi secret 1\nnone\n");
     std::filesystem::permissions(key, std::filesystem::perms{0644});

@@ -43,14 +43,16 @@ TEST_CASE("files that were edited on the robot, or were its own before, are kept
     project.folder.write("robots/behaviors/more.lua", "-- second\n");
     fs::remove(project.folder.path("robots/behaviors/goes.lua"));
     const std::string told =
-        "nezumi: behaviors/drive.lua is kept on mouse: it was edited there; copy it here or remove it there, then push "
+        "nezumi: behaviors/drive.lua is kept on mouse: it was edited on the robot; copy it here or remove it there, "
+        "then push "
         "again\n";
     const std::string told_own =
-        "nezumi: \"behaviors/new\\nline.lua\" is kept on mouse: it was not pushed there; copy it here, or rename or "
-        "remove it there, then push again\n";
+        "nezumi: \"behaviors/new\\nline.lua\" is kept on mouse: it did not come from a push; copy it here, or rename "
+        "or "
+        "remove it on the robot, then push again\n";
     const std::string told_removed =
-        "nezumi: behaviors/goes.lua is kept on mouse: it was edited there and is no longer in the project: it now "
-        "belongs to the robot\n";
+        "nezumi: behaviors/goes.lua is kept on mouse: it was edited on the robot and is no longer in the project: "
+        "push no longer manages it\n";
 
     const Outcome shown = project.push(server, {"--dry-run"});
     CHECK(shown.status == 1);

@@ -102,7 +102,7 @@ TEST_CASE("a robot that --hw can't make real is refused with its line", "[cli][h
     slow.rate = 9.9;
     slow.rate_place = {"two.lua", 3};
     CHECK(refused(slow) ==
-          "two.lua:3: --hw: 9.9 ticks a second are too few to drive a real robot: expected 10 or more");
+          "two.lua:3: --hw: 9.9 ticks per second are too few to drive a real robot: expected 10 or more");
     slow.rate = 10;
     CHECK(refused(slow).empty());
 }

@@ -159,7 +159,7 @@ TEST_CASE("a console shows that an RTC hangs or is gone, or that the name servic
     killed->kill();
     CHECK(done(rig, "Hangs0", {.what = What::activate}) == "! 'Hangs0' does not answer");
     CHECK(done(rig, "Killed0", {.what = What::activate}) ==
-          "! 'Killed0' is not there: its entry in the name service is stale");
+          "! 'Killed0' was not found: its entry in the name service is stale");
     static_cast<Names&>(rig).kill();
     CHECK(asked(rig, {}) == "! no name service answers at " + rig.address() + ": start one, as omniNames");
 }

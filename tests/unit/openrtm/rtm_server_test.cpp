@@ -321,7 +321,7 @@ TEST_CASE("an emergency stop sends zero to RTCs in every tick, until rearm", "[o
     REQUIRE(rig.live->act(Stop{}, {}));
     CHECK(sent() == std::vector<double>{0, 0, 0});
     CHECK(rig.said_lines ==
-          std::vector<std::string>{"rtm: emergency stop: RTCs connected to controller.out are sent zero until rearm()",
+          std::vector<std::string>{"rtm: emergency stop: RTCs connected to controller.out get speed 0 until rearm()",
                                    "rtm: the emergency stop does not reach rtm:Mouse0.target_velocity_in: it is not "
                                    "connected: stop it there"});
     rig.turn(100);
@@ -332,8 +332,8 @@ TEST_CASE("an emergency stop sends zero to RTCs in every tick, until rearm", "[o
     rig.told.made = rig.told.links;
     REQUIRE(rig.live->act(Stop{}, {}));
     rig.turn();
-    CHECK(rig.said_lines == std::vector<std::string>{
-                                "rtm: emergency stop: RTCs connected to controller.out are sent zero until rearm()"});
+    CHECK(rig.said_lines ==
+          std::vector<std::string>{"rtm: emergency stop: RTCs connected to controller.out get speed 0 until rearm()"});
 }
 
 TEST_CASE("an emergency stop does not change a robot's measurements", "[openrtm][server]") {

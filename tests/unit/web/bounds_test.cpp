@@ -18,7 +18,8 @@ TEST_CASE("an invalid message is answered with its error", "[web][bounds]") {
     CHECK(told("{}").find("'do' must be") != std::string::npos);
     CHECK(told(R"({"do":"dance"})").find("'do' must be one of watch, act, stop") != std::string::npos);
     CHECK(told(R"({"do":"act","id":"x"})").find("'id' must be a whole number") != std::string::npos);
-    CHECK(told(R"({"do":"act","id":1,"act":"Explode"})").find("there is no act 'Explode'") != std::string::npos);
+    CHECK(told(R"({"do":"act","id":1,"act":"Explode"})")
+              .find("there is no act (change of the running system) 'Explode'") != std::string::npos);
     CHECK(told(R"({"do":"act","id":1,"act":"Activate","fields":{"x":1}})").find("'component' is missing") !=
           std::string::npos);
     CHECK(told(R"({"do":"time","id":1,"what":"fly"})").find("'what' must be one of pause, resume") !=
