@@ -39,7 +39,7 @@ namespace per_kilogram {
 inline constexpr double firm = 18'750, firm_damping = 437.5;  ///< wheels, hulls, things
 inline constexpr double skid = 940, skid_damping = 41.9;      ///< soft: rigid skids would lift the wheels on a ramp
 inline constexpr double slip = 8e-4;                          ///< [m/s for each N, times kg] creep of a loaded wheel
-inline constexpr double held_creep = 8e-8;                    ///< the same for a wheel on a slope
+inline constexpr double held_creep = 8e-8;                    ///< creep of a loaded wheel on a slope
 }  // namespace per_kilogram
 
 /// Common to the surfaces of all contacts.

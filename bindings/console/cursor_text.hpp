@@ -27,7 +27,7 @@ struct TextAtCursor {
     std::string field;                     ///< of a table, where the text is the field's value: `{ script = "co`
     int argument = 1;                      ///< which one it is, from 1; 2 behind `robot "mouse"`
     std::string first;                     ///< the first argument, if it is a quoted text
-    std::vector<std::string> first_chain;  ///< the same, if it is a chain of names
+    std::vector<std::string> first_chain;  ///< the first argument, if it is a chain of names
 };
 
 /// `controller.out:write { v` is the name of a field in the table argument of `controller.out:write`. In `write {

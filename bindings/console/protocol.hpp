@@ -41,7 +41,7 @@ struct Event {
         answer,       ///< to the request `id`; `ok`: it succeeded
         completions,  ///< to the request `id`: `items` can replace the text from byte `from` to the cursor
         output,       ///< one or more lines in `text`: results, prints, watches
-        error,        ///< the same for errors
+        error,        ///< one or more lines in `text`: errors
         log,          ///< a log line; `level` is its level
         keys,         ///< whether keys are wanted from now on (`ok`)
         status,       ///< the state of the system in one line, about once a second; `ok`: time passes

@@ -58,7 +58,7 @@ using DrawingMaker = std::function<Drawing(Drawn what)>;
 struct BehaviorRequest {
     std::string name;                       ///< such as line_follower
     std::vector<std::string> inputs{};      ///< "name:Type" or "name:Type:doc"
-    std::vector<std::string> outputs{};     ///< the same
+    std::vector<std::string> outputs{};     ///< "name:Type" or "name:Type:doc"
     std::vector<std::string> parameters{};  ///< "gain=0.5"
     std::vector<std::string> callbacks{};   ///< besides on_execute: "on_activated", ...
     std::string doc{};                      ///< one sentence about what it does

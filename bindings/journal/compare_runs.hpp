@@ -1,4 +1,4 @@
-// Finds the first tick in which two journaled runs differ, and what differed there.
+// Finds the first tick in which two journaled runs differ, and the differing values.
 #pragma once
 
 #include <cstdint>

@@ -24,7 +24,7 @@ struct AskedSystem {
 Expected<PlainData> answer_question(const AskedSystem& asked, const Question& question, bool writable,
                                     const Actor& who);
 
-/// What `Question::What::look` is answered.
+/// The answer to `Question::What::look`.
 struct NodeSnapshot {
     TreeNode::Kind kind{};
     PlainSnapshot value{};  ///< one value for nodes that have values (values, parameters, truth, `config`); else empty

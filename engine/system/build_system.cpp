@@ -216,7 +216,7 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
         system->take_rig(std::move(*rig));
     }
     // The bodies come first, to lie side by side in memory: each physics step visits all of them, and a thousand robots
-    // with their scripts' states in between cost a third more. What is wrong with one is told in the order of the file.
+    // with their scripts' states in between cost a third more. Errors are reported in the order of the file.
     std::vector<Body> bodies;
     for (const RobotEntry* robot : entries_of<RobotEntry>(spec))
         bodies.push_back(add_body(*system, as_run(*robot, spec, makers), spec, makers));

@@ -665,9 +665,9 @@ function output(name, type, doc, options) end
 
 ---@class (exact) RtmFields
 ---@field nameserver? string|string[] "HOST:PORT" of the CORBA name service, or of several
----@field export? string|string[] the components that appear there
+---@field export? string|string[] the components that appear as RTCs
 ---@field interface? string this computer's address, at which others reach them; by default only this computer reaches them
----@field rename? table<string, ParameterValue> what a port is called there, by `"name.port"`
+---@field rename? table<string, ParameterValue> what RTCs call a port, by `"name.port"`
 ---@field manager? boolean tools such as RTSystemEditor may add and remove behaviours, and end the run
 
 ---@class (exact) BodyFields

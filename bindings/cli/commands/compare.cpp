@@ -114,7 +114,7 @@ SubCommand compare_command() {
     auto words = std::make_shared<CompareWords>();
     return {
         .name = "compare",
-        .help = "Compare two runs: the first tick that differs, and what differed there",
+        .help = "Compare two runs: the first tick that differs, and the differing values",
         .options = {{"FIRST", &words->first, "a journal that `nezumi run --journal` wrote", "", {}, FileUse::source},
                     {"SECOND", &words->second, "the journal of the other run", "", {}, FileUse::source},
                     {"--plot",

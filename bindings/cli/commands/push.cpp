@@ -172,12 +172,13 @@ Expected<int> push_project(const PushOptions& options) {
 SubCommand push_command() {
     auto options = std::make_shared<PushOptions>();
     return {.name = "push",
-            .help = "Copy this project to a robot by ssh; a system that runs there reloads it",
+            .help = "Copy this project to a robot by ssh; a system that runs on the robot reloads it",
             .options = {{"HOST", &options->host, "the address for ssh, for example pi@mouse"},
-                        {"--run", &options->run, "then run this system file of the project there, with --hw", "FILE"},
-                        {"--to", &options->folder, "the folder there (default: the project's name, in the home folder)",
-                         "DIR"},
-                        {"--dry-run", &options->dry_run, "only show the changes that would be made there"},
+                        {"--run", &options->run, "then run this system file of the project on the robot, with --hw",
+                         "FILE"},
+                        {"--to", &options->folder,
+                         "the folder on the robot (default: the project's name, in the home folder)", "DIR"},
+                        {"--dry-run", &options->dry_run, "only show the changes that would be made on the robot"},
                         {"--ssh-config", &options->config, "for ssh -F", "FILE"}},
             .run =
                 [options] {

@@ -49,7 +49,7 @@ Expected<void> read_callbacks(const std::vector<std::string>& given, std::vector
     return {};
 }
 
-// What the command line says takes the place of what was there.
+// A value of the command line replaces the earlier one.
 void take_over(std::string& text, const std::string& given) {
     if (!given.empty()) text = given;
 }

@@ -48,7 +48,7 @@ Expected<std::vector<std::string>> split(std::string_view option, std::string_vi
     }
 }
 
-// What real robots need, and what can't be had with them.
+// Checks the options that real robots need, and those that are impossible with them.
 Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
     if (words.hw.text.empty()) {
         for (const auto& [option, given] : {std::pair{"--dev-root", words.dev_root},

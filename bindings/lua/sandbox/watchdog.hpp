@@ -74,7 +74,7 @@ public:
     bool is_deep_recursion = false;                     ///< the error was raised within a deep recursion
     bool closes = false;           ///< a coroutine was closed that no longer exists when its error is handled
     ScriptPlace closed;            ///< the file of the function in which it began; set if `closes`
-    char closed_file[LUA_IDSIZE];  ///< the same, as Lua shortens it in messages
+    char closed_file[LUA_IDSIZE];  ///< the name of that file, as Lua shortens it in messages
     int slice_status = LUA_OK;     ///< the error of a failed slice, which is raised again and already has its location
 };
 

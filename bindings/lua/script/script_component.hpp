@@ -191,7 +191,7 @@ private:
     std::vector<LineTrace::Hit> hits_{};
     mutable ExecutionProfile* profile_ = nullptr;
     std::uint32_t executions_ = 0;
-    int slow_executions_ = 0;  // one after the other, of those that were measured; -1: it was told
+    int slow_executions_ = 0;  // one after the other, of the measured ones; -1: this was reported
 };
 
 }  // namespace nezumi

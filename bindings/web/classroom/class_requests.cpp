@@ -167,7 +167,7 @@ Expected<void> Classroom::give_exercise(Seat& seat, const std::string& name) {
     const Exercise* exercise = exercise_called(name);
     if (exercise == nullptr) return failure("there is no exercise '" + name + "'");
     seat.pupil.exercise = name;
-    // What the pupil has changed of it before stays.
+    // Files that the pupil has changed before stay.
     if (auto ok = copy_files(exercise->start(), pupils_.work_of(seat.pupil), false); !ok) return ok;
     std::error_code problem;
     std::filesystem::create_directories(pupils_.work_of(seat.pupil) / "behaviors", problem);

@@ -53,7 +53,7 @@ private:
 
 /// The class's own connection: browsers have numbers from 1.
 inline constexpr ClientId own_client = 0;
-/// What it sends to stop all robots of a system.
+/// The message that stops all robots of a system.
 inline constexpr std::string_view stop_message = R"({"do":"stop"})";
 
 /// A system in a process of its own.

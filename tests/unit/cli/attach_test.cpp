@@ -169,7 +169,7 @@ TEST_CASE("attach says what runs when it can't find its system", "[cli][attach]"
     CHECK(slip.status == 2);
 }
 
-TEST_CASE("a system that is stopped keeps nobody from the others, nor for ever", "[cli][attach]") {
+TEST_CASE("a system that is stopped does not block access to others, and blocks no client for ever", "[cli][attach]") {
     Running running;
     const std::string other = running.scratch.write("other.lua", "behavior \"it\" { script = \"it\" }\n").string();
     Program second({"run", other, "--headless"});

@@ -55,7 +55,7 @@ TEST_CASE("every word that a room adds to Lua's own is promised", "[cli][names]"
     }
 }
 
-TEST_CASE("words of what is to come are kept free", "[cli][names]") {
+TEST_CASE("words for future commands are reserved", "[cli][names]") {
     for (const std::string_view word : {"activate",    "cancel",  "graph",   "hosts",   "line",  "log_level", "marker",
                                         "maze",        "measure", "network", "picture", "probe", "rearm",     "remove",
                                         "robot_model", "ros",     "rtm",     "start",   "stop",  "task",      "wait"}) {

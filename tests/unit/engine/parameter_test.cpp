@@ -220,7 +220,7 @@ TEST_CASE("a staged value is checked at once and holds from the next tick", "[en
     CHECK_FALSE(all.take_staged());
 }
 
-TEST_CASE("a new version keeps what somebody set while it fits, the rest follows the new default",
+TEST_CASE("a new version keeps values that were set if they fit, and all others get the new default",
           "[engine][parameter]") {
     Parameters before;
     REQUIRE(before.declare(spec("kept", 0.0)));

@@ -5,7 +5,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("an injected or held value takes the place of what a source published", "[engine][port]") {
+TEST_CASE("an injected or held value replaces the published one", "[engine][port]") {
     OutPort<std::string> out{"out"};
     InPort<std::string> in{"in"};
     in.connect(out);
@@ -28,7 +28,7 @@ TEST_CASE("an injected or held value takes the place of what a source published"
     CHECK(out.read() == "again");
 }
 
-TEST_CASE("an injected value arrives once, after what the connections published", "[engine][port]") {
+TEST_CASE("an injected value arrives once, after the messages of the connections", "[engine][port]") {
     Pair p(4);
     p.in.inject(std::int32_t{9});
     CHECK_FALSE(p.in.is_new());

@@ -89,7 +89,7 @@ TEST_CASE("a robot stops when its velocity in-port got nothing for 0.5 s", "[eng
     }
 }
 
-TEST_CASE("a robot stops when whoever drives it is disconnected or goes", "[engine][robot][safety]") {
+TEST_CASE("a robot stops when the component that drives it is disconnected or removed", "[engine][robot][safety]") {
     for (const bool removed : {false, true}) {
         FakeRun run;
         auto made = std::make_unique<TryComponent>("driver");
@@ -113,7 +113,8 @@ TEST_CASE("a robot stops when whoever drives it is disconnected or goes", "[engi
     }
 }
 
-TEST_CASE("a robot that is rewired stops for whoever was disconnected", "[engine][robot][safety]") {
+TEST_CASE("a robot that is connected to another component stops when its driver is disconnected",
+          "[engine][robot][safety]") {
     FakeRun run;
     auto driver = std::make_unique<TryComponent>("driver");
     driver->executed = [](TryComponent& self) -> Expected<void> {
@@ -277,7 +278,7 @@ TEST_CASE("a real robot's commands time out by the clock", "[engine][robot][safe
     CHECK(run.hull.speeds.left < 0.1);
 }
 
-TEST_CASE("a robot stands while a sensor that it needs says nothing", "[engine][robot][safety][hardware]") {
+TEST_CASE("a robot stands while a sensor that it needs is silent", "[engine][robot][safety][hardware]") {
     RobotSpec spec = fake_mouse();
     REQUIRE_FALSE(spec.sensors.empty());
     spec.drive.needs = {spec.sensors[0].name};
@@ -366,7 +367,7 @@ TEST_CASE("wheels that coast roll freely until the first command after activatio
     CHECK(run.hull().coasting);
 }
 
-TEST_CASE("silence turns off what the robot's description says, and nothing else", "[engine][robot][safety]") {
+TEST_CASE("silence turns off only the actuators that the robot's description names", "[engine][robot][safety]") {
     FakeRun run;
     run.robot->find_in_port("leds_in")->inject(std::vector<bool>{true, false, true, true});
     run.robot->find_in_port("neck_in")->inject(0.5);

@@ -169,8 +169,7 @@ TEST_CASE("the parameters are in the trace of each tick in which one has changed
     CHECK(fresh(config).front().starts_with("it.config.speed_x=0.75 "));
 }
 
-TEST_CASE("a name means what the system has now: a component that went and came, and another system",
-          "[engine][trace]") {
+TEST_CASE("a name means the present component, also after a component was replaced, or the system", "[engine][trace]") {
     Traced it;
     it.add("a", says_three_things);
     const Channel& out = it.follow("a.out");

@@ -51,7 +51,7 @@ TEST_CASE("plain data comes back with its shape", "[journal]") {
     CHECK(back(Command{"c", "f", data}).arguments == data);
 }
 
-TEST_CASE("a disturbance keeps what it leaves free", "[journal]") {
+TEST_CASE("a disturbance keeps the components of the velocity that it does not set", "[journal]") {
     Disturb disturbance{"mouse"};
     disturbance.va = 0.5;
     const Disturb same = back(disturbance);

@@ -133,7 +133,7 @@ TEST_CASE("an act that is refused in the past begins no branch", "[lua][past]") 
     CHECK(it.live->history().branches().size() == 1);
 }
 
-TEST_CASE("a past with other scripts has those scripts, whatever the files are now", "[lua][past]") {
+TEST_CASE("a past with other scripts runs those scripts, even if the files have changed", "[lua][past]") {
     PastRig it;
     it.tick(100);
     std::string later = busy_behavior;
@@ -249,7 +249,7 @@ TEST_CASE("a past that becomes another one is refused with its tick, and the pre
     CHECK_FALSE((*live)->is_past());
 }
 
-TEST_CASE("a run that ends in the past is not held against what followed there", "[lua][past]") {
+TEST_CASE("a run that ends in the past is not compared with the ticks that followed", "[lua][past]") {
     PastRig it;
     it.tick(200);
     REQUIRE(it.seek(99) == "");
@@ -258,7 +258,7 @@ TEST_CASE("a run that ends in the past is not held against what followed there",
     CHECK_FALSE(it.live->differs());
 }
 
-TEST_CASE("plots of a past show what was before it", "[lua][past]") {
+TEST_CASE("plots of a past show the values before it", "[lua][past]") {
     PastRig it;
     it.live->trace().remember_ports();
     it.tick(300);

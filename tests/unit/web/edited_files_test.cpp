@@ -184,7 +184,7 @@ TEST_CASE("a full disk is reported and loses nothing", "[web][editor]") {
     CHECK(project.files.write("behaviors/guide.lua", std::string(2000, '-'), mark));
 }
 
-TEST_CASE("versions are what was found first and each saved text, at most 100", "[web][editor]") {
+TEST_CASE("the versions of a file are its first text and each saved text, at most 100", "[web][editor]") {
     EditedProject project;
     const std::string name = "behaviors/guide.lua";
     std::string mark = project.mark(name);

@@ -76,7 +76,7 @@ TEST_CASE("who may only look may neither read, check nor save files, nor run sce
     CHECK_FALSE(std::filesystem::exists(rig.file.parent_path() / "behaviors/new.lua"));
 }
 
-TEST_CASE("a check is what nezumi check says of the text, or why it says nothing", "[web][editor]") {
+TEST_CASE("a check gives the errors of nezumi check, or the reason if it fails", "[web][editor]") {
     const Scratch folder;
     EditorOptions options{
         .program = program(folder,
