@@ -40,7 +40,7 @@ struct FieldAtCursor {
 
 class CursorText {
 public:
-    /// The text ends at the cursor. It must outlive this object.
+    /// The text ends at the cursor and must outlive this object.
     explicit CursorText(std::string_view text);
 
     bool in_comment() const { return tree_.ends_in_comment(); }

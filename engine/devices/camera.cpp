@@ -50,7 +50,7 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
     declare({.name = "width", .initial = Integer{640}, .min = least_picture, .max = largest_picture, .unit = "px"});
     declare({.name = "height", .initial = Integer{480}, .min = least_picture, .max = largest_picture, .unit = "px"});
     declare(
-        {.name = "frame_rate", .initial = 30.0, .min = 0.01, .max = 1000, .unit = "Hz", .doc = "pictures a second"});
+        {.name = "frame_rate", .initial = 30.0, .min = 0.01, .max = 1000, .unit = "Hz", .doc = "pictures per second"});
     declare({.name = "format",
              .initial = std::string("rgb8"),
              .doc = "how a pixel is stored",

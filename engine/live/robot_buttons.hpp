@@ -13,7 +13,8 @@ namespace nezumi {
 /// If the model of a real robot has a start button, nothing moves before it has been pressed.
 class StartButtons {
 public:
-    /// Pauses `loop` if there is a button to wait for, and reports it. Both must outlive this object.
+    /// Pauses `loop` if there is a button to wait for, and reports it. `loop` and the objects that `say` uses must
+    /// outlive this object.
     StartButtons(RunLoop& loop, std::function<void(std::string)> say);
 
 private:

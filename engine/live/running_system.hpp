@@ -140,7 +140,7 @@ public:
     void set_at_rest(bool at_rest);
     /// Calls `Robot::halt` for each: real robots stop at the next tick, without a braking ramp.
     void halt();
-    /// Sets the observer of all further acts. It must outlive this object or be removed with null.
+    /// Sets the observer of all further acts. The observer must outlive this object or be removed with null.
     void observe_acts(ActObserver* observer) { act_observer_ = observer; }
     /// Calls that must run out of time in a replay, by start and tick.
     struct Foreseen {

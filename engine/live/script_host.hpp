@@ -113,7 +113,7 @@ const ScriptHost& no_scripts();
 /// Reads parts of a system that an act contains as text.
 struct PartReader {
     Project project;            ///< finds the files of entries
-    const ScriptHost* scripts;  ///< must outlive it
+    const ScriptHost* scripts;  ///< must outlive this object
     /// The message types of its ports that files define.
     std::vector<const MessageType*> types{};
 

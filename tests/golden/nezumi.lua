@@ -622,13 +622,13 @@ function output(name, type, doc, options) end
 ---@field config? table<string, ParameterValue> values of its parameters
 ---@field sets? table<string, table<string, ParameterValue>> values of parameters that are chosen together, by the set's name
 ---@field set? string the parameter set in use; omitted parameters have the values of `config`
----@field rate? number [Hz] executions a second, at most the tick's
+---@field rate? number [Hz] executions per second, at most the tick's
 ---@field active? boolean whether it is activated at the start
 
 ---@class (exact) ComponentFields
 ---@field type string a native component's type, for example "Camera"
 ---@field config? table<string, ParameterValue> values of its parameters
----@field rate? number [Hz] executions a second, at most the tick's
+---@field rate? number [Hz] executions per second, at most the tick's
 ---@field on? string the robot that carries it
 ---@field at? number[] [m] on that robot, from the middle of the wheels' axis on the floor
 ---@field yaw? number [rad] on that robot, counter-clockwise
@@ -733,7 +733,7 @@ function output(name, type, doc, options) end
 ---@field from? string|string[] a sensor, a list of them, `"velocity"` (measured at the wheels) or `"odometry"` (of out-port)
 ---@field to? string|string[] `"drive"`, `"odometry"` (sets it) or an actuator (of in-port)
 ---@field doc? string documentation for editors and the console
----@field rate? number [Hz] messages a second; 0: one each tick (of out-port)
+---@field rate? number [Hz] messages per second; 0: one each tick (of out-port)
 ---@field quantity? "value"|"distance"|"rate"|"acceleration" `"distance"`: metres instead of a range sensor's value; `"rate"`: of a gyro instead of its angle, of an imu its three rates; `"acceleration"`: of an imu its three accelerations (of out-port)
 ---@field queue? integer how many unread messages are kept; 0: the latest (of in-port)
 ---@field silence? "hold"|"off" after 0.5 s without a message: the actuator holds or goes off (of in-port)
@@ -1055,7 +1055,7 @@ function robot_model(fields) end
 ---@field path? string the device, such as /dev/ttyACM0
 ---@field vendor? string instead of `path`: the USB vendor's number, such as "2341"
 ---@field serial_number? string with `vendor`: the device's own serial number
----@field baud? integer [Bd] bits a second
+---@field baud? integer [Bd] bits per second
 ---@field ends? string the end of each line, such as "\n": ports are TimedString then
 ---@field terminator? string instead of `ends`: the last bytes of each frame
 ---@field length? integer instead of `ends`: bytes of each frame
@@ -1167,7 +1167,7 @@ function gpio(fields) end
 ---@field ports table<string, Port> its ports by name
 ---@field press fun(self: Component, sensor: string, pressed?: boolean) of robots: presses a button or touch sensor; with false releases it
 ---@field probes table<string, ProbeView> the values of `probe` calls in its script: value, tm and age
----@field rate number executions a second [Hz]
+---@field rate number executions per second [Hz]
 ---@field reset fun(self: Component): string takes it out of ERROR; gives the status that follows
 ---@field said string[] of robots: the last 100 texts sent to its speaker
 ---@field set string? the named set of parameters in use, or nil

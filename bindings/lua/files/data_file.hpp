@@ -51,7 +51,7 @@ public:
     DataFile(const DataFile&) = delete;
     DataFile& operator=(const DataFile&) = delete;
 
-    /// `project` must outlive it.
+    /// `project` must outlive this object.
     static Expected<std::unique_ptr<DataFile>> create(const Project& project, DataFileOptions options);
 
     /// Runs a text with these globals and `require`, beside the sandbox's library. `shown` is its name in messages.

@@ -18,7 +18,7 @@ namespace nezumi {
 /// functions are called again when their inputs change.
 class RobotFile {
 public:
-    /// `project` must outlive it. Errors have file and line.
+    /// `project` must outlive this object. Errors have file and line.
     static Expected<std::unique_ptr<RobotFile>> read(const std::filesystem::path& path, const Project& project);
     ~RobotFile();
     RobotFile(const RobotFile&) = delete;

@@ -162,7 +162,7 @@ TEST_CASE("the body of a robot that is removed stops", "[engine][robot][safety]"
 
 namespace {
 
-// A real mouse at 100 ticks a second of a clock that goes as the test says.
+// A real mouse at 100 ticks per second of a clock that goes as the test says.
 struct RealRun {
     explicit RealRun(double rate = 100, RobotSpec its_spec = fake_mouse())
         : spec(std::move(its_spec)),

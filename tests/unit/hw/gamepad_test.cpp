@@ -22,7 +22,7 @@ struct FakeGamepad : FakeRobot {
     DeviceRoots roots() const { return {.dev = mount(), .sys = ""}; }
 };
 
-// A joystick with the driver behind it, at 100 ticks a second of real time.
+// A joystick with the driver behind it, at 100 ticks per second of real time.
 struct DrivenStick {
     explicit DrivenStick(const DeviceRoots& roots, const ParameterValues& config = {})
         : system({.rate = 100, .real_time = true}, [this](const LogLine& line) { log.push_back(line.text); }) {

@@ -62,7 +62,7 @@ TEST_CASE("without latency everything comes in the tick of the picture", "[visio
     CHECK(watch.port("pos").count() == 1);
 }
 
-TEST_CASE("thirty pictures a second make thirty positions a second", "[vision][detector]") {
+TEST_CASE("thirty pictures per second make thirty positions per second", "[vision][detector]") {
     MarkerWatch watch(one_marker());
     watch.run(205);
     CHECK(std::abs(static_cast<int>(watch.port("pos").count()) - 60) <= 1);
