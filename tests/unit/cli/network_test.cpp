@@ -169,7 +169,7 @@ TEST_CASE("hosts of a secret find each other, and those without it do not", "[cl
     CHECK_FALSE(three.wait_for_error("hears", 3));
 }
 
-TEST_CASE("a component of another host is asked, set and told what to do at the console", "[cli][network][wallclock]") {
+TEST_CASE("the console reads, sets and commands a component of another host", "[cli][network][wallclock]") {
     Scratch scratch;
     const std::string driven = scratch
                                    .write("driven.lua", R"(network { name = "one", domain = 223 }

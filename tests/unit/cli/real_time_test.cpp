@@ -108,7 +108,7 @@ TEST_CASE("only the thread that ticks runs before all others", "[cli][realtime]"
     CHECK(program.wait() == 0);
 }
 
-TEST_CASE("a run that follows the clock tells at its end how late its ticks were, another one does not", "[cli][run]") {
+TEST_CASE("only a run that follows the clock reports at its end how late its ticks were", "[cli][run]") {
     const std::string paced =
         run_nezumi({"run", "behaviors/systems/stop_at_wall.lua", "--headless", "--duration", "0.3"}).error;
     INFO(paced);

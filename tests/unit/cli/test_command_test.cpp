@@ -91,7 +91,7 @@ TEST_CASE("an interrupted session says that it can go on, and does", "[cli][test
     CHECK(kept() == 2);
 }
 
-TEST_CASE("an interrupted session tells of all runs that were over, in their order", "[cli][test][parts]") {
+TEST_CASE("an interrupted session reports all finished runs, in their order", "[cli][test][parts]") {
     const Tried tried(
         "scenario('it', { timeout = 1e8, sweep = { n = { 1, 2, 3 } } }, function(s, p)\n"
         "  s:load 'systems/stop_at_wall.lua'\n"

@@ -98,7 +98,7 @@ TEST_CASE("a servo is sent to its angle once, at the speed of its parameter", "[
     CHECK(FakeRun(brick()).robot->parameters().all().empty());
 }
 
-TEST_CASE("a range sensor on a servo tells where it looks", "[engine][sensor]") {
+TEST_CASE("the message of a range sensor on a servo has the direction of the sensor", "[engine][sensor]") {
     RobotSpec spec = brick();
     spec.actuators[2].at = {0.05, 0, 0.04};
     spec.actuators[2].minimum = spec.actuators[2].maximum = 0;

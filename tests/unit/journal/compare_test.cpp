@@ -7,7 +7,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("pictures that differ in their bytes alone are different, and said to be", "[journal][compare]") {
+TEST_CASE("pictures that differ only in their bytes are reported as different", "[journal][compare]") {
     CameraImage image{.width = 2, .height = 1, .format = "gray8", .pixels = {1, 2}};
     const Value then = image;
     image.pixels[1] = 3;
