@@ -15,7 +15,7 @@ namespace nezumi::sim {
 
 class Contacts {
 public:
-    /// `step` [s] is the length of a step. All must outlive it, the world first.
+    /// `step` [s] is the length of a step. All other arguments must outlive this object.
     Contacts(dWorldID world, double step, const Scene& scene, Movers& movers, Islands& islands);
 
     /// Makes the contacts of these robots, and of the things that are awake, with the floor and their neighbours.

@@ -35,10 +35,10 @@ struct RayFan {
     void add_scan(RayFrom ray, double first, double step, std::size_t count);
 };
 
-/// Writes, for each sensor of the fan, the distance [m] to the first thing its rays meet, or `nothing`. The fan sits
-/// at `centre`, turned by `rotation`; the mover `self` is not seen. The floor is not seen: a robot that nods while it
-/// brakes would take it for a wall. Sensors for which `due` says 0 are left out; empty: none are. Depends on the poses
-/// of the scene's last refresh and nothing else.
+/// Computes for each sensor the distance [m] to the first object that its rays hit, or `nothing`. The fan is
+/// at `centre`, rotated by `rotation`. Rays ignore the robot `self`, and the floor: a robot that pitches forward while
+/// it brakes would see it as a wall. Skips sensors whose `due` is 0; an empty `due` skips none. Depends on the poses of
+/// the scene's last refresh and nothing else.
 void cast_rays(const Scene& scene, const RayFan& fan, const Vec3& centre, const Rotation& rotation, Scene::Index self,
                std::span<double> distances, std::span<const std::uint8_t> due = {});
 

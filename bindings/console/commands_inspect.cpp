@@ -167,7 +167,7 @@ Expected<CommandEnd> command_errors(Session::Parts& parts, const Arguments&) {
         if (component->state() != LifeState::error) continue;
         const Error& error = component->last_error();
         add(fmt::format("{} is in ERROR: {}", component->name(), visible_message(describe(error))));
-        // A single function without variables says no more than the error's place.
+        // A single function without variables says no more than the error's location.
         if (error.frames && (error.frames->all.size() > 1 || !error.frames->all.front().locals.empty()))
             add(frames_text(*error.frames));
     }

@@ -299,7 +299,7 @@ const std::vector<ConsoleCommand>& console_commands() {
          {},
          {"resume_options", 1}},
         {"rewind", "rewind(seconds)", "goes back in time by this many seconds, and pauses", 1, command_rewind, true},
-        {"seek", "seek(12.3) or seek(\"main\", 12.3)", "goes to this time of a branch, or to its end, and pauses", 2,
+        {"seek", "seek(12.3) or seek(\"main\", 12.3)", "goes to this time, or to the end of a branch, and pauses", 2,
          command_seek, true},
         {"branches", "branches()", "lists the branches of this run: a change in the past starts a new branch", 0,
          command_branches},

@@ -25,7 +25,7 @@ constexpr Budget input_budget{5.0};
 constexpr std::chrono::seconds stuck_after{2};
 constexpr std::chrono::seconds session_farewell{1};
 
-// An error of an input with one line needs no place. With several lines, the line number replaces the name of the
+// An error of an input with one line needs no location. With several lines, the line number replaces the name of the
 // input.
 std::string error_text(const Error& error, std::string_view input) {
     if (error.place.file != input_name || error.place.line <= 0) return describe(error);

@@ -166,7 +166,7 @@ struct Session::Parts {
 
     /// Creates a new Lua state with all names in scope.
     Expected<void> open();
-    /// The same if the state was lost; reports this.
+    /// Creates a new Lua state if the state was lost, and reports this.
     void open_if_lost();
     /// Runs an input, and shows its results and errors. Returns whether it succeeded.
     bool run(const std::string& input);

@@ -63,7 +63,7 @@ public:
     void serve_posts();
     /// Stops the job soon: nothing more of it is done, and its calls into Lua end as if their time had run out.
     void revoke();
-    /// The same, and ends the thread, with `last` as its last work.
+    /// Stops the job soon and ends the thread, with `last` as its last work.
     void close(std::function<void()> last);
     /// After `close`: whether the thread has ended.
     bool has_ended() const;

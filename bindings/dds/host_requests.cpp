@@ -16,10 +16,10 @@
 namespace nezumi::dds {
 namespace {
 
-// What is done between two ticks for others must make none late.
+// Limits of the work for other hosts between two ticks, which must make no tick late.
 constexpr std::size_t most_request_bytes = std::size_t{1} << 20;
 constexpr std::size_t most_at_once = 16;
-// Of each run: who asks again does so before that many others were asked.
+// Kept answers of each run: a host repeats a request before it has sent this many others.
 constexpr std::size_t most_kept = 64;
 // Runs of hosts that have gone, and writers: beyond these the oldest of no use are given up.
 constexpr std::size_t most_askers = 1024, most_writers = 64;
@@ -138,7 +138,7 @@ void HostRequests::take_requests(const HostTable& hosts, const Answer& answer) {
     for (const TopicSample& sample : samples) {
         RemoteRequest request;
         if (sample.bytes.size() > most_request_bytes || !read_cdr(sample.bytes, on_the_wire, request)) continue;
-        // Who is not heard of has not heard of this run either: it asks again.
+        // A host that is not known here does not know this run either: it asks again.
         const auto from = names.find(request.from);
         if (request.to != run_ || from == names.end()) continue;
         Asker& asker = askers_[request.from];

@@ -31,8 +31,8 @@ public:
 
     Expected<void> reach(std::string_view path, const Port& other) override {
         if (path.starts_with(of_ros))
-            return failure(
-                fmt::format("{}: the node's ports are set by ros {{ publish = ..., subscribe = ... }}", shown(path)));
+            return failure(fmt::format(
+                "{}: connect can't reach the node's ports: use ros {{ publish = ..., subscribe = ... }}", shown(path)));
         if (hosts_ != nullptr) return hosts_->reach(path, other);
         return failure(
             fmt::format("{} is on another host: that needs the word network in the system's file", shown(path)));

@@ -219,7 +219,7 @@ public:
         auto live = RunningSystem::make(system_of(drive), project, std::move(options));
         if (!live) return Unexpected(live.error());
         const std::string& name = drive.entry.name;
-        // Of the inputs that the behaviour has now.
+        // Plays into the inputs that the behaviour has now.
         for (const auto& port : std::as_const(**live).system().find(name)->in_ports()) {
             const Connect connect{.from = player_of(name) + "." + port->name(), .to = name + "." + port->name()};
             if (auto done = (*live)->act(connect, {}); !done) return Unexpected(done.error());

@@ -23,13 +23,13 @@ public:
     /// Reads a journal of this version. An error gives the file, the line and the problem, or why it can't be replayed
     /// here. An incomplete last line is ignored.
     static Expected<std::unique_ptr<Replay>> read(const std::filesystem::path& file, const std::string& version);
-    /// The same from its text; `file` is the name for errors.
+    /// Reads a journal from its text; `file` is the name for errors.
     static Expected<std::unique_ptr<Replay>> of_text(std::string_view text, const std::filesystem::path& file,
                                                      const std::string& version);
-    /// The same, also of a run on hardware, which can't be repeated: for `spec` and `acts_on` only.
+    /// Reads also the journal of a run on hardware, which can't be repeated: for `spec` and `acts_on` only.
     static Expected<std::unique_ptr<Replay>> of_record(std::string_view text, const std::filesystem::path& file,
                                                        const std::string& version);
-    /// A journal may have so many bytes.
+    /// The largest size of a journal [bytes].
     static constexpr std::size_t largest = std::size_t{4} << 30;
     ~Replay();
     Replay(const Replay&) = delete;

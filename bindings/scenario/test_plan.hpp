@@ -67,7 +67,7 @@ struct PlanOptions {
     std::vector<std::filesystem::path> installed;
     PeerWords peer_words{};            ///< as in `LiveOptions`
     std::optional<SeedRange> seeds{};  ///< each combination is run with each, instead of the scenario's seeds
-    std::size_t search = 0;            ///< of scenarios with a range or `s:any`, a search chooses so many runs
+    std::size_t search = 0;            ///< number of runs that a search chooses for a scenario with a range or `s:any`
     std::string paired;                ///< of all scenarios whose sweep has a list of this name; "": as they say
 };
 

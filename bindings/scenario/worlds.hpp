@@ -21,7 +21,7 @@ public:
     /// Adds a world; its time begins now.
     RunningSystem& add(std::unique_ptr<RunningSystem> world);
 
-    /// The same with a recorded run.
+    /// Adds a recorded run as a world.
     RunningSystem& add(std::unique_ptr<RecordedWorld> recording);
 
     bool empty() const { return worlds_.empty(); }

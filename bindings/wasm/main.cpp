@@ -73,7 +73,7 @@ EMSCRIPTEN_KEEPALIVE int nezumi_open(const char* file) {
     return take(web::PageRun::open(file, {installed_files}, send));
 }
 
-/// The same for the run of a journal.
+/// Opens the run of a journal. Returns 0, or 2 with the reason on standard error.
 EMSCRIPTEN_KEEPALIVE int nezumi_open_run(const char* journal) {
     page_run().reset();
     return take(web::PageRun::open_run(journal, {installed_files}, send));
@@ -84,7 +84,7 @@ EMSCRIPTEN_KEEPALIVE void nezumi_receive(const char* text) {
     if (page_run()) page_run()->receive(text);
 }
 
-/// Goes on for about so many seconds. Returns the time until more is due [s]; negative: the run has ended.
+/// Runs for about `seconds`. Returns the time until the next tick is due [s]; negative: the run has ended.
 EMSCRIPTEN_KEEPALIVE double nezumi_go_on(double seconds) { return page_run() ? page_run()->go_on(seconds) : -1; }
 
 }  // extern "C"

@@ -288,7 +288,7 @@ PeerMessage read_peer(Fields& fields, const Json& json, const PartReader& parts)
         const bool is_plain = single.is_integer() || single.is_floating() || single.kind == Type::Kind::boolean ||
                               single.kind == Type::Kind::text;
         if (!is_plain) {
-            fields.wrong("value", "a number, a text, a truth value, or a list of one kind of them");
+            fields.wrong("value", "a number, a text, a boolean, or a list of one kind of them");
             return {};
         }
         message.request.values.emplace(given.parameter, given.value);

@@ -33,7 +33,7 @@ struct WebOptions {
     Pictures::Encode encode{};     ///< pictures for browsers
     PeerSource peers{};            ///< optional
     EditorOptions editor{};
-    std::vector<std::string> conditions{};  ///< of a failed scenario that is looked at, a line each
+    std::vector<std::string> conditions{};  ///< of a failed scenario that is looked at, one line for each
 };
 
 /// Must be called from the ticking thread.

@@ -75,7 +75,7 @@ Expected<std::vector<std::size_t>> read_header(const std::vector<std::string>& f
         }
         const auto index = static_cast<std::size_t>(found - names.begin());
         if (std::find(order.begin(), order.end(), index) != order.end()) {
-            return failure(fmt::format("column '{}' is there twice", field), place);
+            return failure(fmt::format("column '{}' occurs twice", field), place);
         }
         order.push_back(index);
     }

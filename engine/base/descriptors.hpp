@@ -11,7 +11,7 @@ namespace nezumi {
 /// an eighth and a quarter of the limit of the process.
 inline constexpr rlim_t for_files = 32, for_files_and_consoles = 96;
 
-/// Whether so many can still be opened after this one, which has the lowest free number.
+/// Whether `count` more can be opened after this one, which has the lowest free number.
 inline bool leaves_free(int descriptor, rlim_t count) {
     rlimit limit{};
     if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return true;

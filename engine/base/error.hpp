@@ -1,4 +1,4 @@
-// An error of the outside world: a message in one plain sentence, with its place.
+// An error of the outside world: a message in one plain sentence, with its location.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,8 @@
 
 namespace nezumi {
 
-/// A place in a file that a person wrote. All parts are optional: an empty file means "no file", 0 means "not known".
+/// A location in a file that a person wrote. All parts are optional: an empty file means "no file", 0 means "not
+/// known".
 struct Place {
     std::string file;  ///< as it is shown to the person, usually the path that they gave
     int line = 0;      ///< from 1

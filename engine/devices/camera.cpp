@@ -50,7 +50,7 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
     declare({.name = "width", .initial = Integer{640}, .min = least_picture, .max = largest_picture, .unit = "px"});
     declare({.name = "height", .initial = Integer{480}, .min = least_picture, .max = largest_picture, .unit = "px"});
     declare(
-        {.name = "frame_rate", .initial = 30.0, .min = 0.01, .max = 1000, .unit = "Hz", .doc = "pictures a second"});
+        {.name = "frame_rate", .initial = 30.0, .min = 0.01, .max = 1000, .unit = "Hz", .doc = "pictures per second"});
     declare({.name = "format",
              .initial = std::string("rgb8"),
              .doc = "how a pixel is stored",
@@ -229,7 +229,7 @@ Expected<std::unique_ptr<Component>> make_camera(const ComponentEntry& entry, Sy
                                            system.settings().seed, std::move(open), !system.settings().real_time);
     camera->set_tick_rate(system.settings().rate);
     camera->rate = entry.rate;
-    // Invalid parameter values are reported with their place later, when they are set.
+    // Invalid parameter values are reported with their location later, when they are set.
     if (camera->parameters().set_all(entry.config)) {
         if (auto ok = camera->check(); !ok)
             return failure(fmt::format("component '{}': {}", entry.name, ok.error().message), entry.place);

@@ -87,7 +87,7 @@ class MessageFiles::Search {
 public:
     Search(const MessageFiles& files, std::vector<SourceText>& read) : files_(files), read_(read) {}
 
-    // The place of a type's definition: a file, and in IDL the structure.
+    // The location of a type's definition: a file, and in IDL the structure.
     struct Definition {
         fs::path path;
         std::string package;

@@ -31,7 +31,7 @@ std::string_view kind_of_ros(std::string_view name) {
     return kind.empty() ? find_in(foreign_kinds()) : kind;
 }
 
-// Takes letters, digits and these from the begin of a text.
+// Takes letters, digits and these from the start of a text.
 std::string_view take_word(std::string_view& text, std::string_view more = "_") {
     std::size_t size = 0;
     while (size < text.size() && (std::isalnum(static_cast<unsigned char>(text[size])) != 0 ||

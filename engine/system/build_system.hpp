@@ -61,7 +61,7 @@ struct BuildOptions {
 MakerContext context_of(const SystemSpec& spec, const BuildOptions& options);
 
 /// Builds the world, every entry in order and the connections, and sets parameters. Nothing is activated. `spec` must
-/// outlive the system. Errors have the place of the wrong line.
+/// outlive the system. Errors have the location of the wrong line.
 Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Makers& makers,
                                                const BuildOptions& options);
 

@@ -16,7 +16,7 @@ namespace nezumi {
 namespace {
 
 constexpr std::uint64_t no_version = ~std::uint64_t{0};
-// Whether nodes of this kind have numbers, truth values or texts; for plain data, only those of scripts.
+// Whether nodes of this kind have numbers, booleans or texts; for plain data, only those of scripts.
 bool is_carried(const TreeNode& node) {
     switch (node.kind()) {
         case TreeNode::Kind::port:

@@ -158,7 +158,7 @@ const std::vector<MemberInfo>& all_members() {
         {.name = "rate",
          .type = "number",
          .yields = true,
-         .doc = "executions a second [Hz]",
+         .doc = "executions per second [Hz]",
          .value = of_node<[](const TreeNode& node) {
              const double rate = node.component()->rate;
              return rate == 0 ? node.system().settings().rate : rate;

@@ -34,10 +34,10 @@ private:
     std::size_t index_ = 0;
 };
 
-/// A function for a number, truth value or text.
+/// A function for a number, boolean or text.
 using LeafVisitor = std::function<void(const LeafPath& path, const ValueView& leaf)>;
 
-/// Calls `visit(path, leaf)` for every number, truth value and text in a value, in order: the values that can be
+/// Calls `visit(path, leaf)` for every number, boolean and text in a value, in order: the values that can be
 /// columns of a table. Excludes `Octets`.
 void visit_leaves(const ValueView& value, const LeafVisitor& visit, const LeafPath& path = {});
 

@@ -100,7 +100,7 @@ Expected<Maze> read_bytes(std::string_view content, const std::string& file) {
                                    content.size()),
                        {file, 0});
     }
-    // Columns come first; files with rows first are told by walls that fit only so.
+    // Columns come first; a file with rows first is recognized by walls that fit only in this order.
     std::string problem;
     for (const bool rows_first : {false, true}) {
         CellWalls walls;

@@ -260,8 +260,9 @@ Expected<DeviceLog> read_device_log(std::string_view text, const std::string& fi
         const auto wrong = [&](std::string why) { return failure(std::move(why), {.file = file, .line = number}); };
         if (++number == 1) {
             if (line != header)
-                return wrong(fmt::format("is not a device log of nezumi run --device-log: expected '{}', got '{}'",
-                                         header, shown(line)));
+                return wrong(
+                    fmt::format("is not a device log (written by nezumi run --device-log): expected '{}', got '{}'",
+                                header, shown(line)));
             continue;
         }
         if (const auto blank = line.find(' '); line.substr(blank + 1) == "start" || line.substr(blank + 1) == "end") {

@@ -16,7 +16,7 @@ double sum(const PulseTotals& totals) { return totals.forward + totals.backward;
 // The pulses counted between two readings.
 int counted(std::uint16_t earlier, std::uint16_t later) { return static_cast<std::uint16_t>(later - earlier); }
 
-// The largest plausible count for so many commanded pulses: times are known to a few milliseconds, and a slow rate
+// The largest plausible count for `commanded` pulses: times are known to a few milliseconds, and a slow rate
 // holds until its period ends.
 double most(double commanded) { return commanded * 1.25 + 24; }
 

@@ -53,7 +53,7 @@ Expected<void> need_simulation(std::initializer_list<std::pair<std::string_view,
 }
 
 std::string refusal(const Error& error) {
-    // The place comes first in the line, so that editors can jump to it.
+    // The location comes first in the line, so that editors can jump to it.
     if (error.place.file.empty()) return visible("nezumi: " + error.message) + "\n";
     return visible(describe(error)) + "\n";
 }

@@ -42,7 +42,7 @@ void show(const RunDifference& found, const std::string& first, const std::strin
     };
     fmt::print("first difference: {}, {:g} s\n", text_of(found.when), found.seconds);
     if (text_of(found.when) != text_of(found.second_when))
-        fmt::print("  at that time, {} is at {}\n", visible(second), text_of(found.second_when));
+        fmt::print("  at that time, run {} is at {}\n", visible(second), text_of(found.second_when));
     for (const DifferingValue& value : found.values) {
         fmt::print("  {}: {} and {}{}\n", value.name, value.first, value.second,
                    value.by ? fmt::format(", a difference of {:g}", *value.by) : "");
@@ -119,7 +119,7 @@ SubCommand compare_command() {
     auto words = std::make_shared<CompareWords>();
     return {
         .name = "compare",
-        .help = "Compare two runs: the first tick that differs, and what differed there",
+        .help = "Compare two runs: the first tick that differs, and the differing values",
         .options =
             {{"FIRST", &words->first, "a journal or a recording of `nezumi run`", "", {}, FileUse::source},
              {"SECOND", &words->second, "the journal or the recording of the other run", "", {}, FileUse::source},

@@ -35,7 +35,7 @@ int run_confined(const ConfinedOptions& options) {
     const std::filesystem::path folder = std::filesystem::canonical(options.folder, none);
     if (none || !std::filesystem::is_directory(folder, none))
         return refuse(fmt::format("confined: there is no folder {}", shown(options.folder)));
-    // What programs write besides results goes into the folder, too.
+    // Other files that programs write go into the folder, too.
     for (const char* name : {"HOME", "TMPDIR", "XDG_RUNTIME_DIR", "XDG_STATE_HOME"})
         setenv(name, (folder / ".nezumi").c_str(), 1);
     if (auto ok = web::confine({.work = folder,

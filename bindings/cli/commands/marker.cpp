@@ -58,8 +58,8 @@ int write_markers(const MarkerOptions& options) {
     }
     // In whole millimetres, in spite of rounding.
     if (const double largest = std::floor(draw::largest_marker(*paper) * 1000 + 1e-6) / 1000; options.size > largest) {
-        return refuse(fmt::format("marker: {} m does not fit on {}: its largest is {:.3f} m", options.size, paper->name,
-                                  largest));
+        return refuse(fmt::format("marker: {} m does not fit on {}: the largest marker on it is {:.3f} m", options.size,
+                                  paper->name, largest));
     }
     if (options.file.empty() && isatty(STDOUT_FILENO) != 0)
         return refuse("marker: a PDF can't be shown on a terminal: write `> tag.pdf`, or `-o tag.pdf`");

@@ -79,7 +79,7 @@ SubCommand mms_command() {
     auto options = std::make_shared<MmsOptions>();
     return {
         .name = "mms",
-        .help = "Run a solver that was written for the simulator mms, with a mouse that has to drive",
+        .help = "Run a maze solver written for the simulator mms; the simulated mouse drives with real motion",
         .options =
             {{"PROGRAM", &options->solver, "the solver with its options, after --"},
              {"--maze", &options->maze, "a drawing, a .maz or a .num file", "FILE", {}, FileUse::source},

@@ -56,7 +56,7 @@ ScriptContext context_of(const std::string& component, const Project& project) {
     return context;
 }
 
-// True if an entry, or one of its values, is at this place.
+// True if an entry, or one of its values, is at this location.
 bool stands_at(const Entry& entry, const Place& place) {
     if (place_of(entry) == place) return true;
     return std::visit(
@@ -72,7 +72,7 @@ bool stands_at(const Entry& entry, const Place& place) {
 }
 
 // Removes from a system the entry of an error, and all that needs it, so that a further build finds further errors.
-// Returns false if nothing is at this place.
+// Returns false if nothing is at this location.
 bool leave_out(SystemSpec& spec, const Project& project, const Place& place) {
     if (std::erase_if(spec.connections, [&](const ConnectionSpec& c) { return c.place == place; }) > 0) return true;
     const auto peers = spec.peers;  // each may remove its own

@@ -1,4 +1,4 @@
-// Determines the kind of a Lua file from its words and its place.
+// Determines the kind of a Lua file from its words and its folder.
 #pragma once
 
 #include <filesystem>

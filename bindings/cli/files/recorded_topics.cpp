@@ -72,7 +72,7 @@ Expected<std::pair<std::string, std::string>> port_called(const std::string& pat
     const std::string component = path.substr(0, dot);
     const std::string port = dot == path.npos ? "" : path.substr(dot + 1);
     if (!is_identifier(component) || !is_identifier(port) || is_reserved_name(component))
-        return failure(fmt::format("expected a port as in robot.scan, got '{}'", shown(path)));
+        return failure(fmt::format("expected COMPONENT.PORT as in robot.scan, got '{}'", shown(path)));
     return std::pair(component, port);
 }
 

@@ -14,7 +14,7 @@
 namespace nezumi::cli {
 namespace {
 
-// Adds them to `ports`. `find` finds their types, as the file of this name in `behaviors` would.
+// Adds the ports of an option to `ports`. `find` finds their types, as the file of this name in `behaviors` would.
 Expected<void> read_ports(std::string_view option, const std::vector<std::string>& given,
                           std::vector<std::string>& taken, std::vector<NewPort>& ports, const MessageFinder& find,
                           const std::string& behavior) {
@@ -49,7 +49,7 @@ Expected<void> read_callbacks(const std::vector<std::string>& given, std::vector
     return {};
 }
 
-// What the command line says takes the place of what was there.
+// A value of the command line replaces the earlier one.
 void take_over(std::string& text, const std::string& given) {
     if (!given.empty()) text = given;
 }

@@ -14,7 +14,7 @@ namespace nezumi::cli {
 struct NewBehavior {
     std::string name;                      ///< as given: line_follower or LineFollower
     std::vector<std::string> inputs;       ///< "name:Type" or "name:Type:doc"
-    std::vector<std::string> outputs;      ///< the same
+    std::vector<std::string> outputs;      ///< "name:Type" or "name:Type:doc"
     std::vector<std::string> parameters;   ///< as `read_new_parameter` reads them
     std::vector<std::string> callbacks{};  ///< besides on_execute: "on_activated", ...
     std::string doc{};                     ///< a sentence: what it does; "": a placeholder

@@ -48,7 +48,7 @@ Expected<std::vector<std::string>> split(std::string_view option, std::string_vi
     }
 }
 
-// What real robots need, and what can't be had with them.
+// Checks the options that real robots need, and those that are impossible with them.
 Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
     if (words.hw.text.empty()) {
         for (const auto& [option, given] : {std::pair{"--dev-root", words.dev_root},
@@ -178,14 +178,14 @@ std::vector<Option> run_options(RunWords& words) {
         {"--every", &words.every, "with --record: only one tick of N (default 1)", "N"},
         {"--journal",
          &words.journal,
-         "write every act on the running system, with its tick",
+         "write a journal to OUT: each act (change of the running system) with its tick",
          "OUT",
          {},
          FileUse::result},
         {"--replay",
          &words.replay,
-         "repeat the run of a journal, headless and as fast as possible unless --speed is given; it ends at the same "
-         "time and in the same way. No other file is read",
+         "repeat the run of a journal, headless and as fast as possible unless --speed is given. It ends at the same "
+         "time and for the same reason. No other file is read",
          "OUT",
          {},
          FileUse::source},

@@ -69,7 +69,7 @@ struct RunOptions {
     std::string profile;               ///< "" for none; ends in .svg or .json
     std::string record;                ///< "" for none
     std::vector<std::string> ports;    ///< "name.port"; empty: every out-port
-    std::int64_t every = 1;            ///< one tick of so many is recorded
+    std::int64_t every = 1;            ///< every N-th tick is recorded
     std::string journal;               ///< "" for none
     std::string replay;                ///< "" for none
     bool opens_replay = false;         ///< the replay comes first, as fast as possible; then the run is paused
@@ -79,7 +79,7 @@ struct RunOptions {
     std::optional<Hardware> hardware;  ///< none: everything is simulated
 };
 
-/// The same as values, or what is wrong with the first word that is.
+/// Converts the words to values. The error is that of the first wrong word.
 Expected<RunOptions> read_run_options(const RunWords& words);
 
 }  // namespace nezumi::cli

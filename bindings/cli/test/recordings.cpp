@@ -47,7 +47,7 @@ public:
     Expected<std::unique_ptr<RecordedWorld>> open(const std::filesystem::path& file,
                                                   const std::map<std::string, std::string>& ports,
                                                   LiveOptions options) const override {
-        // What a repeated run logged and printed then is no news.
+        // The log and prints of a repeated run are known already.
         options.build.log = {};
         options.print = {};
         auto recorded = RecordedSystem::open(file, ports, std::move(options));

@@ -97,7 +97,7 @@ void add_series(SweepPlot& plot, const std::vector<Sample>& samples) {
     }
 }
 
-// Of a measure over a parameter; nothing if all values are equal.
+// The plot of a measure over a parameter; nothing if all values are equal.
 std::optional<SweepPlot> plot_of(const std::string& scenario, const std::string& measure, const std::string& unit,
                                  const std::string& parameter, const std::string& by,
                                  const std::vector<Sample>& samples) {

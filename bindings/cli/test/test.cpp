@@ -1,4 +1,4 @@
-// What was asked for is checked before anything runs, and written when all have run.
+// The requested outputs are checked before anything runs, and written when all have run.
 #include "bindings/cli/test/test.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Visits the table arguments of calls, and stores the place of each field.
+// Visits the table arguments of calls, and stores the location of each field.
 #include "bindings/lua/files/file_source.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::optional<Value> value_of(const Token& token) {
     return Value{number};
 }
 
-// The same for an expression: a literal, or a number with a minus sign.
+// The value of an expression: a literal, or a number with a minus sign.
 std::optional<Value> value_of(const SyntaxNode& expression) {
     if (expression.is(Kind::literal)) return value_of(*expression.first);
     if (!expression.is(Kind::unary) || !expression.word->is("-") || !expression.child->is(Kind::literal))

@@ -155,7 +155,7 @@ private:
         return "";
     }
 
-    // Of a number its bounds; of what has a length the largest.
+    // Reads the bounds of a number, or the largest length of a field that has a length.
     static void read_bounds(Fields& fields, FieldDefinition& field) {
         const bool has_length =
             field.kind == "string" || field.kind == "bytes" || (!field.shape.empty() && field.shape.back() == 0);

@@ -1,4 +1,4 @@
-// A value has the same effect as in the system file; its place is the option.
+// A value has the same effect as in the system file, but its errors name the option as the location.
 #include "bindings/lua/files/start_values.hpp"
 
 #include <fmt/format.h>

@@ -24,7 +24,7 @@ std::string_view kind_of(const Entry& entry) {
     return kinds[entry.index()];
 }
 
-// The places of the values of `config` and of the sets, by path.
+// The locations of the values of `config` and of the sets, by path.
 void note_places(FieldPlaces& places, const FieldCheck& check, const FieldPath& table, const ParameterValues& values) {
     for (const auto& [name, value] : values) {
         FieldPath path = table;
@@ -244,7 +244,7 @@ Expected<void> SystemWords::seed(const WordCall& call, const Value& value) {
 Expected<void> SystemWords::rate(const WordCall& call, const Value& hertz) {
     const auto value = number_of(hertz);
     if (!value || !std::isfinite(*value) || *value <= 0) {
-        return failure(fmt::format("rate: expected a positive number of ticks a second, got {}",
+        return failure(fmt::format("rate: expected a positive number of ticks per second, got {}",
                                    value ? text_of(*value) : nezumi::kind_of(hertz)),
                        call.place);
     }

@@ -147,7 +147,7 @@ int answer_beside(lua_State* L, Objects& objects, Find&& find, Tables tables = T
     return failed ? raise_kept(L) : push_answer(L, objects, tables);
 }
 
-/// The same for a function that makes exactly one visit and reads only names and numbers from Lua.
+/// Like `answer_beside`, for a function that makes exactly one visit and reads only names and numbers from Lua.
 template <class Body>
 int answer(lua_State* L, Objects& objects, Body&& body) {
     return answer_beside(L, objects, [&] { return ObjectAccess::visit(objects, body); });

@@ -61,7 +61,7 @@ Error at_its_line(Error error) {
     return error;
 }
 
-// Separates "file:12: text" into place and text. Lua shortens a long name to its last bytes.
+// Separates "file:12: text" into location and text. Lua shortens a long name to its last bytes.
 Error place_of_syntax_error(std::string_view message, const std::string& file) {
     std::size_t at = std::min<std::size_t>(file.size(), LUA_IDSIZE - 1);
     int line = 0;
@@ -92,7 +92,7 @@ Expected<Chunk> compile(std::string_view source, const std::string& file) {
     const int status = lua_load(lua, SourceReader::read, &reader, chunk_name.c_str(), "t");
     if (status == LUA_ERRMEM) return failure("not enough memory to compile it", {file});
     if (status != LUA_OK && std::string_view(lua_tostring(lua, -1)) == "C stack overflow") {
-        // Lua does not tell the place. If the text is read byte by byte, it shows how far Lua came.
+        // Lua does not tell the location. If the text is read byte by byte, it shows how far Lua came.
         reader = {source, 1, deadline};
         lua_load(lua, SourceReader::read, &reader, chunk_name.c_str(), "t");
         const std::string_view seen = source.substr(0, source.size() - reader.rest.size());

@@ -37,7 +37,7 @@ void add_variable(std::vector<ErrorFrames::Variable>& variables, lua_State* lua,
     Value value = value_of(lua);
     if (*name == '(' || *name == '\0' || value.is_nothing()) return;
     ErrorFrames::Variable variable{name, traced_text(lua), std::move(value)};
-    // Of two variables with one name, the inner one counts, which comes later.
+    // If two variables have one name, the inner one counts, which comes later.
     const auto same =
         std::find_if(variables.begin(), variables.end(), [&](const auto& each) { return each.name == variable.name; });
     if (same != variables.end()) {

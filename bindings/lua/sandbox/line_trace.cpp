@@ -128,7 +128,7 @@ void put(std::vector<LineTrace::Value>& values, LineTrace::Value value) {
     }
 }
 
-// Of two variables with one name, the inner one counts, which comes later.
+// If two variables have one name, the inner one counts, which comes later.
 void add_value(std::vector<LineTrace::Value>& values, lua_State* lua, const char* name) {
     std::string text = text_of(lua);
     if (!text.empty()) put(values, {name, std::move(text)});

@@ -11,7 +11,7 @@ namespace nezumi {
 /// error (memory).
 void lock_table(lua_State* lua, const char* name, const char* why = "is read-only");
 
-/// The same for copies, which objects of the engine return often: making one takes a third of the work, but reading a
+/// Locks a copy, which objects of the engine return often: making one takes a third of the work, but reading a
 /// field takes a call. All copies of a state share one metatable. `refuse` is called for every assignment (table, key,
 /// value) and raises the error. `missing` is called for every read of a missing name (table, key, the table behind,
 /// nil); it raises an error or returns the nil. Call this once for each state.

@@ -91,7 +91,7 @@ Expected<void> Script::run_top_level(const SourceText& source) {
     }
     auto ran = protected_call(L, arguments, 0, context_.budget);
     if (!ran) {
-        // The error of a module has its own place, not the line that requires it.
+        // The error of a module has its own location, not the line that requires it.
         if (module_error_ && ran.error().message.find(module_error_->message) != std::string::npos)
             return Unexpected(*module_error_);
         return Unexpected(to_error(ran.error()));
@@ -168,7 +168,7 @@ Expected<const MessageType*> Script::find_message(std::string_view name) {
         if (std::find(modules_.begin(), modules_.end(), used) == modules_.end()) modules_.push_back(used);
     }
     if (found) return found->type;
-    // Errors in a message's file are reported at their own place.
+    // Errors in a message's file are reported at their own location.
     if (!found.error().place.file.empty() && !module_error_) module_error_ = found.error();
     return Unexpected(found.error());
 }

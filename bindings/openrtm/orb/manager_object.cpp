@@ -13,7 +13,7 @@
 namespace nezumi::openrtm {
 namespace {
 
-// Of the text of a new component.
+// The longest text of a new component.
 constexpr std::size_t most_letters = 4096;
 // Names that are tried for a component: "controller", "controller_2", ...
 constexpr int most_names = 100;

@@ -56,7 +56,7 @@ TEST_CASE("a broken COBS frame is dropped, and the next one is read", "[hw][wire
     CHECK_FALSE(framer.takes_broken());
 }
 
-TEST_CASE("what never ends is dropped", "[hw][wire]") {
+TEST_CASE("a message that never ends is dropped", "[hw][wire]") {
     Framer framer({.end = "\n"});
     CHECK(framer.take(std::string(Framer::longest + 1, 'x')).empty());
     CHECK(framer.takes_broken());
