@@ -11,7 +11,6 @@
 #include "bindings/console/profile_text.hpp"
 #include "bindings/lua/script/script_component.hpp"
 #include "engine/base/trimmed.hpp"
-#include "engine/base/visible.hpp"
 #include "engine/live/answer_question.hpp"
 #include "engine/live/explain.hpp"
 #include "engine/tree/node.hpp"

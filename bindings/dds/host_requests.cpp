@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "bindings/dds/wire.hpp"
-#include "engine/base/names.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/values/cdr.hpp"
 

@@ -4,7 +4,6 @@
 #include <cairo-svg.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>

@@ -2,7 +2,6 @@
 #include "bindings/openrtm/peer_parameters.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <string_view>

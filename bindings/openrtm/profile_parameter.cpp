@@ -10,13 +10,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <string_view>
 #include <utility>
 
 #include "bindings/openrtm/profile_constraint.hpp"
 #include "bindings/openrtm/profile_xml.hpp"
 #include "bindings/openrtm/rtc_profiles.hpp"
-#include "engine/base/lua_text.hpp"
 #include "engine/base/trimmed.hpp"
 
 namespace nezumi::openrtm {

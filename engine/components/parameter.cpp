@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/base/lua_text.hpp"
 #include "engine/components/parameter_fields.hpp"

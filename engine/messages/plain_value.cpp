@@ -5,7 +5,6 @@
 
 #include <charconv>
 #include <cstdint>
-#include <string>
 
 #include "engine/base/trimmed.hpp"
 #include "engine/messages/definition.hpp"

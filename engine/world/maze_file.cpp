@@ -11,8 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/base/visible.hpp"
-
 namespace nezumi {
 namespace {
 

@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <utility>
 
 #include "hw/device/clock.hpp"
 #include "hw/device/node.hpp"

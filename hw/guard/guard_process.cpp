@@ -7,12 +7,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 
 #include "hw/device/clock.hpp"
-#include "hw/guard/guard_setup.hpp"
 #include "hw/guard/guarded_node.hpp"
 
 namespace nezumi::hw {

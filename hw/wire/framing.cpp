@@ -1,8 +1,6 @@
 // Messages by their ends, their length, or COBS.
 #include "hw/wire/framing.hpp"
 
-#include <utility>
-
 namespace nezumi::hw {
 
 std::string encode_cobs(std::string_view message) {

@@ -5,7 +5,6 @@
 
 #include <cstdio>
 #include <system_error>
-#include <utility>
 
 #include "bindings/cli/base/status.hpp"
 #include "bindings/console/put_text.hpp"

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,8 +13,6 @@
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/console/put_text.hpp"
-#include "engine/base/names.hpp"
-#include "engine/base/visible.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/world/maze_file.hpp"
 #include "engine/world/maze_way.hpp"

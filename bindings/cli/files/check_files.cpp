@@ -1,8 +1,6 @@
 // Gives each file to the reader that would load it.
 #include "bindings/cli/files/check_files.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <functional>
 #include <set>

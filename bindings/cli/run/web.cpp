@@ -10,10 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <string>
-#include <system_error>
 #include <utility>
-#include <vector>
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/base/version.hpp"

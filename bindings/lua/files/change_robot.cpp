@@ -10,7 +10,6 @@
 #include "bindings/lua/files/calibration_file.hpp"
 #include "bindings/lua/files/merge_value.hpp"
 #include "bindings/lua/files/robot_file.hpp"
-#include "engine/base/names.hpp"
 
 namespace nezumi {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/syntax/syntax_tree.hpp"
+#include "engine/records/file_table.hpp"
 
 namespace nezumi {
 namespace {

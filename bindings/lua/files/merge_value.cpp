@@ -7,8 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/base/names.hpp"
-
 namespace nezumi {
 namespace {
 

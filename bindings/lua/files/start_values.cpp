@@ -8,7 +8,6 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
-#include <string_view>
 #include <system_error>
 #include <type_traits>
 #include <variant>

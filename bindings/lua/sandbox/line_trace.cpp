@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <string_view>
-#include <utility>
 
 #include "bindings/lua/sandbox/error_frames.hpp"
 #include "bindings/lua/sandbox/line_profile.hpp"

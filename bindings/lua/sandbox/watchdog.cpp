@@ -6,9 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
-#include <csetjmp>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>

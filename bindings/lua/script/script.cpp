@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
-#include <utility>
 
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/script_config.hpp"

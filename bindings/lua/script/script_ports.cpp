@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
 
 #include "bindings/lua/sandbox/hidden_metatable.hpp"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <set>
 #include <string_view>
-#include <vector>
 
 #include "bindings/lua/script/declaration_fields.hpp"
 #include "bindings/lua/stubs/member_table.hpp"
