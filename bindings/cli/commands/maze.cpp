@@ -28,9 +28,8 @@ struct MazeOptions {
 Expected<MazeFormat> format_named(std::string_view name) {
     const auto found = std::find(maze_formats.begin(), maze_formats.end(), name);
     if (found != maze_formats.end()) return static_cast<MazeFormat>(found - maze_formats.begin());
-    std::vector<std::string_view> names(maze_formats.begin(), maze_formats.end());
-    return failure(fmt::format("maze: there is no format '{}'{}; known are {}", shown(name), did_you_mean(name, names),
-                               fmt::join(names, ", ")));
+    return failure(fmt::format("maze: there is no format '{}'{}; known are {}", shown(name),
+                               did_you_mean(name, maze_formats), fmt::join(maze_formats, ", ")));
 }
 
 // From cell to cell: "N3 E2 S1".
