@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -10,8 +9,8 @@
 #include "bindings/console/console_commands.hpp"
 #include "bindings/console/profile_text.hpp"
 #include "bindings/lua/script/script_component.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/base/trimmed.hpp"
-#include "engine/base/visible.hpp"
 #include "engine/live/answer_question.hpp"
 #include "engine/live/explain.hpp"
 #include "engine/tree/node.hpp"
@@ -24,11 +23,7 @@ namespace {
 Expected<LineTrace::Watched> read_place(const std::string& text) {
     const std::size_t colon = text.rfind(':');
     LineTrace::Watched place{.file = text.substr(0, colon)};
-    if (colon != text.npos) {
-        const char* const end = text.data() + text.size();
-        const auto [rest, problem] = std::from_chars(text.data() + colon + 1, end, place.line);
-        if (problem != std::errc() || rest != end) place.line = 0;
-    }
+    if (colon != text.npos) place.line = number_in<int>(text.substr(colon + 1)).value_or(0);
     if (place.file.empty() || place.line < 1)
         return failure(
             fmt::format("expected a file and a line, as in break_at \"keeper.lua:12\", got '{}'", shown(text)));

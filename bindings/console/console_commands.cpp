@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <optional>
-#include <utility>
 
 namespace nezumi {
 namespace {

@@ -14,7 +14,6 @@
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "engine/base/trimmed.hpp"
-#include "engine/live/live_text.hpp"
 
 namespace nezumi {
 namespace {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "bindings/dds/wire.hpp"
-#include "engine/base/names.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/values/cdr.hpp"
 
@@ -49,10 +48,9 @@ Expected<std::uint64_t> HostRequests::ask(const Question& question, const HostTa
         return failure(fmt::format("{0} is this host: write the component's name without '{0}/'", host_));
     const Announcement* host = hosts.find(question.host);
     if (host == nullptr) {
-        std::vector<std::string_view> names;
-        for (const Announcement* each : hosts.all()) names.push_back(each->head.host);
-        return failure(
-            fmt::format("no host '{}' is known{}", shown(question.host), did_you_mean(question.host, names)));
+        const auto name_of = [](const Announcement* host) -> std::string_view { return host->head.host; };
+        return failure(fmt::format("no host '{}' is known{}", shown(question.host),
+                                   did_you_mean(question.host, hosts.all(), name_of)));
     }
     RemoteRequest request{.from = run_,
                           .to = host->run,

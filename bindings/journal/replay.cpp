@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "bindings/journal/act_json.hpp"
 #include "bindings/journal/files_json.hpp"
 #include "bindings/journal/value_json.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/live/prepare.hpp"
 
@@ -21,12 +21,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 std::optional<std::uint64_t> hash_of(const Json& json) {
-    std::uint64_t hash = 0;
     if (!json.is_string()) return std::nullopt;
     const auto& text = json.get_ref<const std::string&>();
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), hash, 16);
-    if (error != std::errc{} || end != text.data() + text.size() || text.size() != 16) return std::nullopt;
-    return hash;
+    return text.size() == 16 ? number_in<std::uint64_t>(text, 16) : std::nullopt;
 }
 
 std::optional<ActTime> time_of(const Json& json) {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "bindings/openrtm/profile_xml.hpp"
-#include "engine/base/utf8.hpp"
 #include "engine/base/yaml.hpp"
 
 namespace nezumi::openrtm {

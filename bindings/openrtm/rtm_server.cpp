@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "bindings/openrtm/host_context.hpp"
 #include "bindings/openrtm/peer_text.hpp"

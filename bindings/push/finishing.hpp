@@ -1,7 +1,6 @@
 // The second half of a push: moves staged files to their names.
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "bindings/push/file_list.hpp"

@@ -2,7 +2,6 @@
 #include "bindings/push/receive.hpp"
 
 #include <iterator>
-#include <optional>
 #include <string>
 #include <utility>
 

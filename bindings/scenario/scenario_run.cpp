@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
-#include <utility>
 
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/reload/lua_host.hpp"

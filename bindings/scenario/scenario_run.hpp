@@ -4,7 +4,6 @@
 #include <deque>
 #include <functional>
 #include <lua.hpp>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>

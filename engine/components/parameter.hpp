@@ -82,12 +82,13 @@ public:
     /// Another version of the component begins: marks all values as not set from outside.
     void begin_version();
 
+    /// The place of a parameter in `all`. The error names the nearest parameter.
+    Expected<std::size_t> index_of(std::string_view name) const;
+
     /// Grows with every change of a value, for caches.
     std::uint64_t version() const { return version_; }
 
 private:
-    Expected<std::size_t> index_of(std::string_view name) const;
-
     struct Staged {
         std::size_t index;
         Value value;

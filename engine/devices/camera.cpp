@@ -219,10 +219,8 @@ void Camera::publish_intrinsics() {
 
 Expected<std::unique_ptr<Component>> make_camera(const ComponentEntry& entry, System& system, Camera::Open open) {
     if (!entry.on.empty() && system.find_robot(entry.on) == nullptr) {
-        std::vector<std::string_view> names;
-        for (const Robot* robot : system.robots()) names.push_back(robot->name());
         return failure(fmt::format("component '{}': on: there is no robot '{}' before it{}", entry.name, entry.on,
-                                   did_you_mean(entry.on, names)),
+                                   did_you_mean(entry.on, system.robots(), &Robot::name)),
                        entry.place);
     }
     auto camera = std::make_unique<Camera>(entry.name, CameraMount{.robot = entry.on, .at = entry.at, .yaw = entry.yaw},

@@ -1,7 +1,6 @@
 // Stores the latest warnings and errors of a run.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <vector>

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/base/visible.hpp"
 #include "engine/live/past_run.hpp"
 #include "engine/live/running.hpp"
 #include "engine/live/running_system.hpp"

@@ -3,10 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 #include "engine/live/answer_question.hpp"
 #include "engine/live/prepare.hpp"
 #include "engine/live/running.hpp"

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <filesystem>
 #include <utility>
 
+#include "engine/base/number_in.hpp"
 #include "engine/base/trimmed.hpp"
 #include "engine/messages/plain_value.hpp"
 
@@ -158,9 +158,9 @@ private:
 
     Expected<void> read_length(std::string_view& text, std::size_t& length) {
         const std::string_view digits = take_word(text);
-        const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), length);
-        if (digits.empty() || read.ec != std::errc() || read.ptr != digits.data() + digits.size())
-            return wrong(fmt::format("expected a length (a whole number), got '{}'", shown(digits)));
+        const auto read = number_in<std::size_t>(digits);
+        if (!read) return wrong(fmt::format("expected a length (a whole number), got '{}'", shown(digits)));
+        length = *read;
         return {};
     }
 

@@ -1,7 +1,6 @@
 // The message types of ports, with OpenRTM-aist's names, each declared once.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>

@@ -1,7 +1,6 @@
 // Strict reading of tables that a person wrote: each field is read by name, and every other field is an error.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>

@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <vector>
 
 #include "engine/ports/payload.hpp"
 #include "engine/trace/series.hpp"

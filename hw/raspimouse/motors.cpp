@@ -1,8 +1,6 @@
 // Every command needs the guard's beat: if the control loop or a node hangs, the guard stops the motors.
 #include "hw/raspimouse/motors.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <utility>
 

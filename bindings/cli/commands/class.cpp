@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -12,7 +11,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -28,7 +26,8 @@
 #include "bindings/web/classroom/check_work.hpp"
 #include "bindings/web/classroom/classroom.hpp"
 #include "bindings/web/qr_code.hpp"
-#include "engine/base/own_program.hpp"
+#include "engine/base/module.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/devices/wired_device.hpp"
 #include "engine/project/project.hpp"
@@ -98,12 +97,10 @@ int run_class(const ClassWords& words) {
     if (!sockets) return refuse(sockets.error());
     options.sockets = std::move(sockets->options);
     if (!words.quota.empty()) {
-        std::uintmax_t megabytes = 0;
-        const char* const last = words.quota.data() + words.quota.size();
-        const auto [rest, wrong] = std::from_chars(words.quota.data(), last, megabytes);
-        if (wrong != std::errc() || rest != last || megabytes < 1 || megabytes > 1000)
+        const auto megabytes = number_in<std::uintmax_t>(words.quota);
+        if (!megabytes || *megabytes < 1 || *megabytes > 1000)
             return refuse("--quota must be a whole number of megabytes from 1 to 1000, not " + visible(words.quota));
-        options.quota.bytes = megabytes << 20U;
+        options.quota.bytes = *megabytes << 20U;
     }
     auto shared = shared_of(words, read->hardware);
     if (!shared) return refuse(shared.error());

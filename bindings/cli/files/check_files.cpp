@@ -1,8 +1,6 @@
 // Gives each file to the reader that would load it.
 #include "bindings/cli/files/check_files.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <functional>
 #include <set>
@@ -10,7 +8,6 @@
 #include <utility>
 
 #include "bindings/cli/files/named_files.hpp"
-#include "bindings/cli/files/system_error.hpp"
 #include "bindings/dds/network_maker.hpp"
 #include "bindings/learning/environment_file.hpp"
 #include "bindings/lua/files/calibration_file.hpp"

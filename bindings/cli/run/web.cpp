@@ -10,10 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <string>
-#include <system_error>
 #include <utility>
-#include <vector>
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/base/version.hpp"
@@ -27,7 +24,7 @@
 #include "bindings/terminal/input_history.hpp"
 #include "bindings/web/certificate.hpp"
 #include "bindings/web/qr_code.hpp"
-#include "engine/base/own_program.hpp"
+#include "engine/base/module.hpp"
 #include "engine/messages/message_files.hpp"
 #include "engine/vision/checked_image.hpp"
 

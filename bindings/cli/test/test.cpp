@@ -9,12 +9,9 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <optional>
 #include <sstream>
-#include <string>
 #include <system_error>
 #include <thread>
-#include <vector>
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/base/status.hpp"

@@ -1,8 +1,6 @@
 // Looks at the times of files, because runs are made by processes, and a thread that watches would be lost in them.
 #include "bindings/cli/test/watch.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -14,7 +12,6 @@
 #include <system_error>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/base/status.hpp"

@@ -69,7 +69,4 @@ std::optional<MessageCoding> find_coding(const MessageType& port_type, std::stri
 /// The DDS topic of "/cmd_vel", with its quality of service.
 dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes);
 
-/// The documentation's table.
-std::string mapping_table();
-
 }  // namespace nezumi::ros

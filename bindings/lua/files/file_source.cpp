@@ -2,12 +2,12 @@
 #include "bindings/lua/files/file_source.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <utility>
 
-#include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/syntax/syntax_tree.hpp"
+#include "engine/base/number_in.hpp"
+#include "engine/records/file_table.hpp"
 
 namespace nezumi {
 namespace {
@@ -22,11 +22,9 @@ std::optional<Value> value_of(const Token& token) {
         if (token.text.front() == '[' || token.text.find('\\') != std::string_view::npos) return std::nullopt;
         return Value{std::string(token.inside())};
     }
-    double number = 0;
-    const char* const end = token.text.data() + token.text.size();
-    const auto read = std::from_chars(token.text.data(), end, number);
-    if (token.kind != Token::Kind::number || read.ec != std::errc() || read.ptr != end) return std::nullopt;
-    return Value{number};
+    const auto number = number_in<double>(token.text);
+    if (token.kind != Token::Kind::number || !number) return std::nullopt;
+    return Value{*number};
 }
 
 // The value of an expression: a literal, or a number with a minus sign.

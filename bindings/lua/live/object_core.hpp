@@ -1,7 +1,6 @@
 // Shared by the files of the objects: the userdata of an object, and the conversion of a C++ result to a Lua value.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <lua.hpp>

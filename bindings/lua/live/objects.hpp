@@ -13,7 +13,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "bindings/lua/sandbox/state.hpp"
 #include "engine/base/error.hpp"

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
-#include <utility>
 
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/script_config.hpp"
@@ -293,9 +291,8 @@ Expected<PlainData> Script::call_command(std::string_view name, const PlainData&
     const auto command =
         std::find_if(commands_.begin(), commands_.end(), [&](const auto& c) { return c.name == name; });
     if (command == commands_.end()) {
-        std::vector<std::string_view> names;
-        for (const CommandDeclaration& each : commands_) names.push_back(each.name);
-        return failure(fmt::format("unknown command '{}'{}", shown(name), did_you_mean(name, names)));
+        return failure(fmt::format("unknown command '{}'{}", shown(name),
+                                   did_you_mean(name, commands_, &CommandDeclaration::name)));
     }
     if (auto ok = begin_call(); !ok) return Unexpected(ok.error());
     lua_State* L = lua_->lua();

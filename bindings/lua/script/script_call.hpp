@@ -2,7 +2,6 @@
 #pragma once
 
 #include <lua.hpp>
-#include <utility>
 
 #include "bindings/lua/script/script.hpp"
 #include "bindings/lua/values/bridge.hpp"

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "bindings/openrtm/orb/peer_calls.hpp"
 #include "bindings/openrtm/orb/rtc_object.hpp"

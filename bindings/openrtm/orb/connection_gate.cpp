@@ -17,12 +17,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstring>
 #include <map>
 #include <optional>
-#include <string_view>
 
+#include "engine/base/number_in.hpp"
 #include "engine/base/thread.hpp"
 
 namespace nezumi::openrtm {
@@ -81,10 +80,7 @@ template <class Visit>
 void for_each_file(DIR* files, const Visit& visit) {
     rewinddir(files);
     while (const dirent* entry = readdir(files)) {  // NOLINT(concurrency-mt-unsafe): of this stream alone
-        const std::string_view name = entry->d_name;
-        int file = -1;
-        const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), file);
-        if (error == std::errc{} && end == name.data() + name.size()) visit(file);
+        if (const auto file = number_in<int>(entry->d_name)) visit(*file);
     }
 }
 

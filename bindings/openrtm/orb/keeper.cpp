@@ -2,7 +2,6 @@
 #include "bindings/openrtm/orb/keeper.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "bindings/openrtm/orb/call_deadline.hpp"

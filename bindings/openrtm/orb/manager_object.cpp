@@ -5,7 +5,6 @@
 #include <chrono>
 #include <string_view>
 #include <thread>
-#include <utility>
 
 #include "bindings/openrtm/orb/properties.hpp"
 #include "bindings/openrtm/orb/servants.hpp"

@@ -12,13 +12,12 @@
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/stubs/annotations.hpp"
-#include "bindings/lua/stubs/field_table.hpp"
-#include "bindings/lua/stubs/member_table.hpp"
 #include "bindings/lua/stubs/record_annotations.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/ports/setting.hpp"
 #include "engine/system/act_fields.hpp"
+#include "tests/unit/cli/doc_tables.hpp"
 #include "tests/unit/source_root.hpp"
 
 using namespace nezumi;

@@ -1,9 +1,11 @@
 // Writes the tables, and inserts them into a page.
-#include "bindings/lua/stubs/field_table.hpp"
+#include "tests/unit/cli/doc_tables.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "engine/tree/member.hpp"
 
 namespace nezumi {
 namespace {
@@ -29,8 +31,6 @@ std::string default_of(const FieldRow& row) {
     return is_value && !is_quoted ? "`" + row.fallback + "`" : row.fallback;
 }
 
-}  // namespace
-
 std::string field_table(const RecordShape& record) {
     const bool has_kinds =
         std::any_of(record.rows.begin(), record.rows.end(), [](const FieldRow& row) { return !row.kinds.empty(); });
@@ -44,6 +44,18 @@ std::string field_table(const RecordShape& record) {
     }
     return text;
 }
+
+// `owner` is "X" or "port".
+std::string member_table(std::span<const MemberInfo> members, std::string_view owner) {
+    std::string text = fmt::format("| `{}.` | |\n|---|---|\n", owner);
+    for (const MemberInfo& member : members) {
+        const std::string name = fmt::format("{}{}{}", member.called ? ":" : "", member.name, member.usage);
+        text += fmt::format("| `{}` | {}{} |\n", name, member.robot ? "of robots: " : "", member.doc);
+    }
+    return text;
+}
+
+}  // namespace
 
 Expected<std::string> with_tables(std::string_view page, std::string_view kind,
                                   const std::function<Expected<std::string>(std::string_view name)>& table) {
@@ -70,6 +82,14 @@ Expected<std::string> with_field_tables(std::string_view page, const std::vector
         const auto record = std::find_if(records.begin(), records.end(), [&](const auto& r) { return r.name == name; });
         if (record == records.end()) return failure(fmt::format("there are no fields of '{}'", name));
         return field_table(*record);
+    });
+}
+
+Expected<std::string> with_member_tables(std::string_view page) {
+    return with_tables(page, "members", [](std::string_view name) -> Expected<std::string> {
+        if (name == "component") return member_table(component_members(), "X");
+        if (name == "port") return member_table(port_members(), "port");
+        return failure(fmt::format("there are no members of '{}'", name));
     });
 }
 
