@@ -102,6 +102,7 @@ void Classroom::upkeep(Clock::time_point now) {
     for (auto& [number, seat] : seats_) {
         if (seat->run) seat->run->hurry(now);
         if (seat->run && seat->run->has_ended()) ended(*seat);
+        serve_page(*seat, now);
         // A class that was opened again starts the systems of those who come back.
         if (!seat->run && seat->is_wanted && !seat->pupil.exercise.empty() && now >= seat->next_start) start(*seat);
     }
@@ -121,7 +122,10 @@ void Classroom::upkeep(Clock::time_point now) {
         if (std::exchange(system.view_is_ready, false))
             system.tell({.kind = RelayFrame::Kind::ready, .client = own_client});
     };
-    for (auto& [number, seat] : seats_) ask(*seat);
+    for (auto& [number, seat] : seats_) {
+        ask(*seat);
+        if (seat->page) ask(*seat->page);
+    }
     if (shared_) ask(*shared_);
     show_states();
 }
@@ -129,7 +133,7 @@ void Classroom::upkeep(Clock::time_point now) {
 void Classroom::show_states() {
     std::string teacher;
     for (auto& [id, client] : clients_) {
-        if (client.waiting.size() > most_states) continue;
+        if (client.waiting.size() > most_states || client.role == Role::reader) continue;
         std::string state;
         if (client.role == Role::visitor) {
             state = R"({"is":"class","role":"visitor"})";
