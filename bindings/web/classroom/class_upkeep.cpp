@@ -112,8 +112,16 @@ void Classroom::upkeep(Clock::time_point now) {
         for (auto& [number, seat] : seats_) {
             const Exercise* exercise = exercise_called(seat->pupil.exercise);
             if (!seat->run || exercise == nullptr) continue;
-            seat->last_save = look_at_work(pupils_.work_of(seat->pupil), exercise->start()).last_save;
-            trim_versions(pupils_.work_of(seat->pupil), options_.quota.bytes);
+            const fs::path work = pupils_.work_of(seat->pupil);
+            seat->last_save = look_at_work(work, exercise->start()).last_save;
+            trim_versions(work, options_.quota.bytes);
+            auto over = enforce_quota(work, exercise->start(), options_.quota);
+            // In a repair texts are made shorter: that may take a while.
+            if (!over || (seat->is_repairing && over->removed == 0)) continue;
+            close_page(*seat);
+            restart(*seat);
+            seat->is_repairing = true;
+            seat->problem = std::move(over->why);
         }
     }
     if (now - shown_ < states_every) return;
