@@ -40,6 +40,7 @@ RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSes
                           .keep_journal = keep_journal,
                           .keep_history = keep_history,
                           .update_goldens = options.update_goldens,
+                          .spectator = options.spectator,
                           .coverage = covered});
     return scenario.run();
 }

@@ -27,6 +27,7 @@ struct TestSessionOptions {
     PeerWords peer_words{};                  ///< as in `LiveOptions`
     std::function<LiveOptions()> systems;    ///< makes systems
     const Recordings* recordings = nullptr;  ///< as in `RunSettings`
+    Spectator* spectator = nullptr;          ///< as in `RunSettings`
     std::string words;                       ///< options that are needed to repeat a run, besides its name and seed
     const ProjectFiles* project_files = nullptr;  ///< in place of the disk; null: the disk. Not for scenario files
     Shard shard;                                  ///< only these runs are made

@@ -28,7 +28,9 @@ ScenarioRun::ScenarioRun(ScenarioFile& file, std::size_t scenario, RunSettings s
       scenario_(file.scenarios()[scenario]),
       index_(scenario),
       settings_(std::move(settings)),
-      function_texts_([&file](const std::string& shown) { return file.text(shown); }) {}
+      function_texts_([&file](const std::string& shown) { return file.text(shown); }) {
+    worlds_.show_to(settings_.spectator);
+}
 
 ScenarioRun::~ScenarioRun() = default;
 
@@ -191,6 +193,7 @@ void ScenarioRun::finish() {
     worlds_.stop_robots();
     result_.seconds = worlds_.now();
     result_.hash = worlds_.trace_hash();
+    if (settings_.spectator != nullptr) settings_.spectator->ended(result_);
     if (settings_.coverage != nullptr) result_.coverage = settings_.coverage->take();
     note_reads();
     if (settings_.files == nullptr) return;

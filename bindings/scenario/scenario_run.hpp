@@ -24,6 +24,7 @@
 #include "bindings/scenario/recordings.hpp"
 #include "bindings/scenario/run_result.hpp"
 #include "bindings/scenario/scenario_file.hpp"
+#include "bindings/scenario/spectator.hpp"
 #include "bindings/scenario/worlds.hpp"
 
 namespace nezumi {
@@ -57,6 +58,7 @@ struct RunSettings {
     bool keep_journal = false;               ///< builds worlds so that their journals can be replayed
     bool keep_history = false;               ///< for plots; takes memory that grows with the run
     bool update_goldens = false;             ///< writes the goldens instead of comparing with them
+    Spectator* spectator = nullptr;          ///< looks on; null: nobody does
     Coverage* coverage = nullptr;            ///< notes which lines of scripts run; null: not needed
 };
 

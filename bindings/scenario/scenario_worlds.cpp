@@ -127,6 +127,7 @@ LiveOptions ScenarioRun::world_options() {
     options.watch = false;
     options.print = [this](std::string_view line) { print(line); };
     options.build.log = [this](const LogLine& line) {
+        if (settings_.spectator != nullptr) settings_.spectator->log(line);
         if (line.level == LogLevel::debug) return;
         const std::string who = line.component.empty() ? "" : line.component + ": ";
         print(fmt::format("[{:8.3f}] {} {}{}", line.seconds, to_text(line.level), who, line.text));

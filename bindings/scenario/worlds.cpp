@@ -17,12 +17,15 @@ bool all_stand(const System& system) {
 
 }  // namespace
 
-void Worlds::World::tick() {
+void Worlds::World::tick(Spectator* spectator) {
     if (is_real()) {
         if (!pacer) pacer.emplace(live->system().settings().rate, 1);
         pacer->wait();
     }
-    live->tick();
+    if (spectator != nullptr)
+        spectator->tick(*live);
+    else
+        live->tick();
     ++ticks;
 }
 
@@ -46,7 +49,7 @@ void Worlds::stop_robots() {
         world.live->end();
         const double end = world.now() + longest;
         do {
-            world.tick();
+            world.tick(nullptr);
         } while (world.now() < end && !all_stand(world.live->system()));
     }
 }
@@ -70,7 +73,7 @@ Expected<std::vector<std::size_t>> Worlds::step() {
     for (std::size_t i = 0; i < worlds_.size(); ++i) {
         World& world = worlds_[i];
         if (world.next() > then + time_tolerance) continue;
-        world.tick();
+        world.tick(i == 0 ? spectator_ : nullptr);
         ticked.push_back(i);
         if (const auto& error = world.live->system().fatal_error()) return Unexpected(*error);
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bindings/scenario/recordings.hpp"
+#include "bindings/scenario/spectator.hpp"
 #include "engine/base/error.hpp"
 #include "engine/live/running_system.hpp"
 #include "engine/system/pacer.hpp"
@@ -23,6 +24,9 @@ public:
 
     /// Adds a recorded run as a world.
     RunningSystem& add(std::unique_ptr<RecordedWorld> recording);
+
+    /// Lets somebody look on; null: nobody does.
+    void show_to(Spectator* spectator) { spectator_ = spectator; }
 
     bool empty() const { return worlds_.empty(); }
     std::size_t size() const { return worlds_.size(); }
@@ -64,11 +68,12 @@ private:
             const double rate = live->system().settings().rate;
             return is_real() ? now() + 1 / rate : began + static_cast<double>(ticks + 1) / rate;
         }
-        void tick();
+        void tick(Spectator* spectator);
     };
 
     std::vector<World> worlds_;
     double now_ = 0;
+    Spectator* spectator_ = nullptr;
 };
 
 }  // namespace nezumi

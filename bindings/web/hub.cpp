@@ -45,6 +45,12 @@ void remove_doubles(std::vector<std::string>& names) {
     names.erase(std::unique(names.begin(), names.end()), names.end());
 }
 
+// Changes how fast time passes, and nothing else.
+bool is_pace(const BrowserMessage& message) {
+    const auto* time = std::get_if<TimeMessage>(&message.body);
+    return time != nullptr && time->what != TimeMessage::What::restart && time->what != TimeMessage::What::quit;
+}
+
 }  // namespace
 
 bool is_stop(const BrowserMessage& message) {
@@ -188,16 +194,17 @@ Admission Hub::lets_in(const HttpRequest& request) {
 }
 
 void Hub::opened(ClientId id, const Admission& admission) {
-    const bool view_only = admission.view_only;
+    const bool view_only = admission.view_only || only_shows_;
     const std::lock_guard lock(mutex_);
     Client& client = clients_[id];
     client.view_only = view_only;
+    client.paces = only_shows_ && !admission.view_only;
     client.came = Clock::now();
     ++clients_there_;
     // The browser's own fields come first.
     put_text(client,
-             fmt::format(R"({{"is":"hello","you":"browser {}","view_only":{},"view_token":"{}",{})", id, view_only,
-                         access_.view_token(), hello_),
+             fmt::format(R"({{"is":"hello","you":"browser {}","view_only":{},"paces":{},"view_token":"{}",{})", id,
+                         view_only, only_shows_ && !admission.view_only, access_.view_token(), hello_),
              false);
     for (const std::string& line : log_) put_text(client, line, true);
     if (goodbye_) put_text(client, *goodbye_, false);  // the run ended while the browser was being admitted
@@ -244,8 +251,11 @@ bool Hub::received(ClientId id, std::string_view text) {
     }
     const bool changes_nothing = std::holds_alternative<ExplainMessage>(message->body) ||
                                  std::holds_alternative<RememberedMessage>(message->body);
-    if (client.view_only && !changes_nothing) {
-        put_text(client, refusal(message->id, "this link is view-only"), false);
+    if (client.view_only && !changes_nothing && !(client.paces && is_pace(*message))) {
+        put_text(client,
+                 refusal(message->id,
+                         client.paces ? "a scenario that is watched can't be changed" : "this link is view-only"),
+                 false);
         return true;
     }
     if (++client.waiting > most_waiting) return false;

@@ -46,6 +46,8 @@ public:
 
     /// `hello` is the greeting message without the browser's own fields.
     Hub(AccessControl access, StaticFiles files, PartReader parts, std::string hello);
+    /// Before it serves: browsers may change nothing but the pace of time.
+    void only_show() { only_shows_ = true; }
     Hub(const Hub&) = delete;
     Hub& operator=(const Hub&) = delete;
     ~Hub() override = default;
@@ -73,7 +75,7 @@ public:
     /// admitted after it.
     void end(const std::string& text);
     /// Like `send_all`, but of each `slot` only the latest text counts; new browsers get it too.
-    enum class Slot { system, status, peers };
+    enum class Slot { system, status, peers, ended };
     void show(Slot slot, std::string text);
     /// Sets the picture file of the floor ("" for none), which browsers can request. The sockets' thread reads it.
     void show_floor(std::string file);
@@ -94,6 +96,7 @@ private:
 
     struct Client {
         bool view_only = false;
+        bool paces = false;  // may change the pace of time all the same
         Watch watch{};
         std::deque<std::string> texts{};  // waiting texts
         std::size_t backlog = 0;          // [bytes] of them
@@ -127,6 +130,7 @@ private:
     const StaticFiles files_;
     const PartReader parts_;
     const std::string hello_;
+    bool only_shows_ = false;
     Descriptor news_;  // eventfd
     std::atomic<int> clients_there_ = 0;
 

@@ -24,7 +24,7 @@ constexpr int deepest = 32;
 constexpr std::size_t longest_shown = 160;
 
 constexpr std::array<std::string_view, 6> time_names{"pause", "resume", "step", "speed", "restart", "quit"};
-constexpr std::array<std::string_view, 6> test_names{"list", "run", "stop", "open", "recordings", "judge"};
+constexpr std::array<std::string_view, 7> test_names{"list", "run", "stop", "open", "watch", "recordings", "judge"};
 constexpr std::array<std::string_view, 7> edit_names{"list", "read", "check", "save", "versions", "version", "words"};
 
 // The parser is not recursive, but functions that use its values are.

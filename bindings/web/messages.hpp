@@ -74,6 +74,7 @@ struct TestMessage {
         run,         ///< runs those of `file`, or all, or only the one called `name`
         stop,        ///< ends the present run
         open,        ///< opens the failed run that is kept in the folder `file`, in a page of its own
+        watch,       ///< runs the one called `name` of `file` in a page of its own, at the pace of the clock
         recordings,  ///< the names of the project's recordings and journals
         judge,       ///< judges the behaviour in the file `name` by the recording `file`
     };

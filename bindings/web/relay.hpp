@@ -30,6 +30,9 @@ struct RelayFrame {
     std::string bytes{};
 };
 
+/// The connection of the program itself that has the browsers: theirs have numbers from 1.
+inline constexpr ClientId own_client = 0;
+
 /// [bytes] of the longest frame: the picture of a floor.
 inline constexpr std::size_t longest_relayed = (std::size_t{1} << 24) + 64;
 

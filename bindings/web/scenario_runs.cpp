@@ -99,7 +99,25 @@ bool is_kept_run(std::string_view folder) {
     return !folder.empty() && folder.find('/') == std::string_view::npos && folder.front() != '.';
 }
 
+Expected<void> check_file(const std::string& file) {
+    if (auto ok = EditedFiles::check_name(file); !ok) return ok;
+    if (file.front() == '-') return failure("'" + shown(file) + "' would be an option");
+    return {};
+}
+
 }  // namespace
+
+Expected<std::vector<std::string>> words_of_page(const TestMessage& message, const std::filesystem::path& project) {
+    if (message.what == TestMessage::What::open) {
+        if (!is_kept_run(message.file))
+            return failure("'" + shown(message.file) + "' is not the folder of a failed run");
+        return std::vector<std::string>{"open", (project / message.file).string()};
+    }
+    if (auto ok = check_file(message.file); !ok) return Unexpected(ok.error());
+    if (message.name.empty()) return failure("'name' must be that of a scenario");
+    return std::vector<std::string>{"test",   "--project", project.string(), "--filter=" + message.name,
+                                    "--show", message.file};
+}
 
 ScenarioRuns::ScenarioRuns(std::filesystem::path project, std::string program, std::string listen, Send send)
     : project_(std::move(project)), program_(std::move(program)), listen_(std::move(listen)), send_(std::move(send)) {}
@@ -134,24 +152,22 @@ Expected<void> ScenarioRuns::start(ClientId client, std::int64_t id, const TestM
         if (!lists_.put(job)) return busy;
         return {};
     }
-    if (message.what == TestMessage::What::open) {
-        if (!is_kept_run(message.file))
-            return failure("'" + shown(message.file) + "' is not the folder of a failed run");
+    if (message.what == TestMessage::What::open || message.what == TestMessage::What::watch) {
+        const auto words = words_of_page(message, project_);
+        if (!words) return Unexpected(words.error());
         for (OpenRun& page : pages_) {
             if (page.is_used.exchange(true)) continue;
-            const auto job = [this, client, id, folder = message.file, &page] {
-                open(client, id, folder);
+            const auto job = [this, client, id, words = *words, &page] {
+                open(client, id, words);
                 page.is_used = false;
             };
             if (page.thread.put(job)) return {};
             page.is_used = false;
         }
-        return failure(
-            fmt::format("{} failed runs are open already: open this one by `nezumi open {}`", most_open, message.file));
+        return failure(fmt::format("{} runs are open already: close their pages first", most_open));
     }
     if (!message.file.empty()) {
-        if (auto ok = EditedFiles::check_name(message.file); !ok) return ok;
-        if (message.file.front() == '-') return failure("'" + shown(message.file) + "' would be an option");
+        if (auto ok = check_file(message.file); !ok) return ok;
     }
     if (is_running_.exchange(true)) return failure("scenarios are running already: stop them first");
     stops_ = ends_.load();
@@ -216,8 +232,9 @@ void ScenarioRuns::run(ClientId client, const TestMessage& message) {
               Json{{"is", "tests"}, {"done", true}, {"problem", problem}, {"plots", drawn}, {"coverage", coverage}}));
 }
 
-void ScenarioRuns::open(ClientId client, std::int64_t id, const std::string& folder) {
-    std::vector<std::string> words{program_, "open", (project_ / folder).string()};
+void ScenarioRuns::open(ClientId client, std::int64_t id, const std::vector<std::string>& what) {
+    std::vector<std::string> words{"nice", "-n", "10", program_};
+    words.insert(words.end(), what.begin(), what.end());
     if (!listen_.empty()) words.insert(words.end(), {"--listen", listen_});
     const UnnamedFile output;
     bool is_answered = false;

@@ -16,13 +16,17 @@
 
 namespace nezumi::web {
 
+/// The arguments of nezumi that show what `message` asks for, a failed run (open) or one that is made (watch), in a
+/// page of its own. An error: the message names something else.
+Expected<std::vector<std::string>> words_of_page(const TestMessage& message, const std::filesystem::path& project);
+
 class ScenarioRuns {
 public:
     /// Takes a message to a browser, a JSON object; called in any thread.
     using Send = std::function<void(ClientId client, std::string message)>;
 
     /// `project` is the folder of the project; empty: there are no scenarios. `program` is nezumi; "": nothing runs.
-    /// `listen` is the address for the pages of failed runs; "": only this computer reaches them.
+    /// `listen` is the address for the pages of runs; "": only this computer reaches them.
     ScenarioRuns(std::filesystem::path project, std::string program, std::string listen, Send send);
     /// Ends what runs.
     ~ScenarioRuns();
@@ -33,15 +37,15 @@ public:
     /// has written since, and at the end {"is":"tests","done":true,"problem":...}.
     Expected<void> start(ClientId client, std::int64_t id, const TestMessage& message);
 
-    /// [s] A run of scenarios that takes longer is ended, and so is the page of a failed run.
+    /// [s] A run of scenarios that takes longer is ended, and so is the page of a run.
     static constexpr double longest_run = 3600;
-    /// Pages of failed runs at a time.
+    /// Pages of runs at a time.
     static constexpr std::size_t most_open = 4;
 
 private:
     void list(ClientId client, std::int64_t id) const;
     void run(ClientId client, const TestMessage& message);
-    void open(ClientId client, std::int64_t id, const std::string& folder);
+    void open(ClientId client, std::int64_t id, const std::vector<std::string>& what);
     // The project's recordings and journals, sorted.
     std::vector<std::string> recordings() const;
     void judge(ClientId client, std::int64_t id, const std::string& recording, const std::string& behavior);

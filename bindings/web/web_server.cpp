@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bindings/web/explain_json.hpp"
+#include "bindings/web/relay.hpp"
 #include "bindings/web/remembered_json.hpp"
 #include "bindings/web/system_json.hpp"
 #include "bindings/web/types_json.hpp"
@@ -60,6 +61,7 @@ WebServer::WebServer(RunningSystem& live, ClockControl& clock, ConsoleServer& co
 Expected<std::unique_ptr<WebServer>> WebServer::open(RunningSystem& live, ClockControl& clock, ConsoleServer& consoles,
                                                      const WebOptions& options) {
     std::unique_ptr<WebServer> server(new WebServer(live, clock, consoles, options));
+    if (options.only_shows) server->hub_.only_show();
     const AccessControl& access = server->hub_.access();
     if (options.sockets.relay < 0 && (access.token().empty() || access.view_token().empty()))
         return failure("the kernel gives no random numbers for the secret in its address");
@@ -108,6 +110,13 @@ std::string WebServer::url_with(const std::string& token) const {
 std::string WebServer::url() const { return url_with(hub_.access().token()); }
 
 std::string WebServer::view_url() const { return url_with(hub_.access().view_token()); }
+
+bool WebServer::is_watched() const { return !browsers_.empty() && browsers_.rbegin()->first != own_client; }
+
+void WebServer::show_end(const std::string& text, bool is_good) {
+    hub_.show(Hub::Slot::ended, json_text(Json{{"is", "ended"}, {"text", text}, {"good", is_good}}));
+    sockets_->wake();
+}
 
 void WebServer::add_files(std::vector<int>& files) const {
     files.push_back(hub_.file());

@@ -33,6 +33,7 @@ struct WebOptions {
     Pictures::Encode encode{};     ///< pictures for browsers
     PeerSource peers{};            ///< optional
     EditorOptions editor{};
+    bool only_shows = false;                ///< browsers may change nothing but the pace of time
     std::vector<std::string> conditions{};  ///< of a failed scenario that is looked at, one line for each
 };
 
@@ -56,6 +57,11 @@ public:
     /// The addresses for full access and for viewing only.
     std::string url() const;
     std::string view_url() const;
+
+    /// Somebody has the page open; a class's own connection does not count.
+    bool is_watched() const;
+    /// Tells all browsers, also later ones, how it ended.
+    void show_end(const std::string& text, bool is_good);
 
     /// Processes requests until about `until` and sends changes. `late` is the lateness of the last tick [s]. Returns
     /// true if more work waits.

@@ -84,9 +84,13 @@ void RunLoop::follow_restart() {
 
 void RunLoop::run() {
     if (pacer_ != nullptr) pacer_->restart();
+    while (next_tick()) continue;
+}
+
+bool RunLoop::next_tick() {
     while (!ended()) {
         serve_until_due();
-        if (ended()) return;
+        if (ended()) return false;
         if (stands_still()) continue;
         if (!live_.may_tick()) {
             wait_for_hosts();
@@ -96,14 +100,17 @@ void RunLoop::run() {
             wait_for_files(slice, true);
             continue;
         }
-        begin_tick();
+        return begin_tick();
     }
+    return false;
 }
 
-void RunLoop::begin_tick() {
+bool RunLoop::begin_tick() {
     for (const auto& action : before_tick_) action();
     follow_restart();
-    if (!ended()) tick();
+    if (ended()) return false;
+    tick();
+    return true;
 }
 
 double RunLoop::go_on(double seconds) {

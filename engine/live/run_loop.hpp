@@ -64,6 +64,9 @@ public:
 
     /// Runs until the end: `quit`, `end_when`, `end_at`, or a fatal error of the system.
     void run();
+    /// Serves until the next tick is due and runs it, for who decides tick by tick whether there is another one.
+    /// Returns false if the run has ended; then there was no tick.
+    bool next_tick();
     /// Does what `run` would do in about this time [s], but never waits: for programs with their own loop. Returns the
     /// time until more is due [s]; 0: at once, negative: the run has ended.
     double go_on(double seconds);
@@ -104,7 +107,7 @@ private:
     bool stands_still() const { return is_paused() && !is_hardware(); }
     void follow_restart();
     void pace_anew();
-    void begin_tick();
+    bool begin_tick();
     void serve_until_due();
     double spare_seconds() const;
     void serve(Clock::time_point until);

@@ -274,6 +274,66 @@ class Lessons(ClassCase):
         self.assertTrue(os.path.exists(os.path.join(folder, "01/part2_stop_at_wall/behaviors/controller.lua")))
         self.assertEqual(page.errors() + teacher.errors(), [])
 
+    def test_a_pupil_opens_a_failed_scenario_and_watches_one_as_outside_of_a_class(self):
+        room = self.begin()
+        teacher = self.teach(room)
+        self.join(room, "Taro")
+        page = self.page
+        page.view("scenarios")
+        page.until("document.querySelectorAll('.scenario').length === 2", "they are listed", 30)
+        page.press("Run all")
+        page.until("document.querySelector('.scenario.failed') !== null && !document.querySelector('.scenario.runs')", "one has failed", 90)
+        own = room.processes()
+        failed = page.js("return document.querySelector('.scenario.failed').dataset.name")
+        with page.opened(lambda: page.press("Open")):
+            page.until("document.querySelector('.late')?.textContent === 'paused'", "it is paused", 60)
+            page.until("parseFloat(document.querySelector('.clock').textContent) > 0.3", "it is where it failed")
+            self.assertGreater(page.js("return document.querySelectorAll('.conditions li').length"), 0)
+            page.find(".timeline input[type=range]").send_keys("\ue012")  # the left arrow
+            page.until("!document.querySelector('.timeline .is-past').hidden", "it goes back in time")
+            (opened,) = set(room.processes()) - set(own)
+            with open("/proc/%d/status" % opened) as file:
+                status = file.read()
+            self.assertRegex(status, r"NoNewPrivs:\s+1")
+            self.assertRegex(status, r"Seccomp:\s+2")
+            teacher.press("Freeze all")
+            page.press("Run")
+            page.until("[...document.querySelectorAll('.notice')].some((each) => each.textContent.includes('the teacher has paused the class'))", "it is frozen too")
+            teacher.press("Go on")
+        with page.opened(lambda: page.find("[aria-label^='Watch %s']" % failed).click()):
+            page.until("document.querySelector('header .kind')?.textContent === 'simulated · a scenario runs'", "it says what it is", 60)
+            page.until("parseFloat(document.querySelector('.clock').textContent) > 0.3", "time passes", 30)
+            page.picture("watched_in_class")
+            self.assertEqual(len(room.processes()), 2, "what was opened before has ended")
+            page.choose("header select[aria-label=Speed]", "max")
+            page.until("document.querySelector('.notice.error.lasting') !== null", "it says how it ended", 60)
+        token = room.pupil()["token"]
+        for file, text in (("nezumi-test/../../x", "'nezumi-test/../../x' is not the folder of a failed run"), ("behaviors", "'behaviors' is not the folder of a failed run")):
+            _, answers = self.ask(token, {"do": "test", "what": "open", "file": file, "id": 1})
+            self.assertEqual(answers[0]["text"], text)
+        _, answers = self.ask(token, {"do": "test", "what": "watch", "file": "tests/no_test.lua", "name": "x", "id": 1})
+        self.assertIn("no_test.lua", answers[0]["text"])
+        rig.wait_until(lambda: room.processes() == own, "what nobody shows ends", 40)
+        self.assertEqual(page.errors() + teacher.errors(), [])
+
+    def test_whatever_a_pupils_process_writes_is_within_the_quota(self):
+        room = self.begin(options=("--quota", "1"))
+        teacher = self.teach(room)
+        self.join(room, "Taro")
+        before = room.processes()
+        os.makedirs(os.path.join(room.work(), "nezumi-test", "kept"))
+        written = os.path.join(room.work(), "nezumi-test", "kept", "trace.csv")
+        with open(written, "w") as out:
+            out.write("x" * (3 << 20))
+        why = "it had written 3.0 MB in 1 files, and 1.0 MB in 2000 files are allowed; 1 that are no texts were removed"
+        self.page.until("document.querySelector('.class-bar .broken')?.textContent.includes(%r)" % why, "the pupil is told", 30)
+        self.until_tile(teacher, "Taro", "tile.className.includes('broken') && tile.textContent.includes(%r)" % why, "the teacher sees it")
+        self.assertFalse(os.path.exists(written))
+        rig.wait_until(lambda: not set(before) & set(room.processes()), "the process has ended")
+        rig.wait_until(lambda: self.page.js("return document.querySelector('.dot.open') !== null"), "the page is connected")
+        self.page.press("Start again")
+        self.until_tile(teacher, "Taro", "tile.className.includes('runs')", "it runs again")
+
     def test_an_exercise_is_sent_and_the_work_on_the_other_one_stays(self):
         room = self.begin()
         teacher = self.teach(room)

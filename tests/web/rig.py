@@ -1,5 +1,6 @@
 """A running system and a real browser before its page, handled as a person would."""
 
+import contextlib
 import math
 import os
 import re
@@ -183,6 +184,27 @@ class Page:
         button = self.find(".ask button[type=submit]")
         assert button.text == yes, button.text
         button.click()
+
+    @contextlib.contextmanager
+    def opened(self, act):
+        """The tab that `act` opens, until the end of the block."""
+        first = self.driver.current_window_handle
+        act()
+        wait_until(lambda: len(self.driver.window_handles) == 2, "a tab is there")
+        self.driver.switch_to.window(next(each for each in self.driver.window_handles if each != first))
+        try:
+            self.until("location.hostname === '127.0.0.1'", "its address came", 60)
+            self.ready()
+            yield
+        finally:
+            self.driver.close()
+            self.driver.switch_to.window(first)
+
+    def picture(self, name):
+        """Keeps what is seen now in the folder NEZUMI_PICTURES, if that is set."""
+        folder = os.environ.get("NEZUMI_PICTURES")
+        if folder:
+            self.driver.save_screenshot(os.path.join(folder, name + ".png"))
 
     def choose(self, selector, value):
         from selenium.webdriver.support.ui import Select

@@ -20,6 +20,11 @@ BAD = """scenario("stays near", function(s)
   s:run(3)
 end)
 """
+LONG = """scenario("drives", function(s)
+  s:load("tried")
+  s:run(10)
+end)
+"""
 KEEPER = """local out = output("out", "TimedVelocity2D")
 function on_execute() out:write { vx = 0.1 } end
 """
@@ -95,17 +100,56 @@ class Scenarios(rig.PageCase):
         page.until("document.querySelector('.scenario') !== null", "it is listed")
         page.press("Run all")
         rig.wait_until(lambda: self.state("stays near") == "failed", "it has run", 60)
-        first = page.driver.current_window_handle
-        page.press("Open")
-        rig.wait_until(lambda: len(page.driver.window_handles) == 2, "a tab is there")
-        page.driver.switch_to.window(next(each for each in page.driver.window_handles if each != first))
-        try:
-            page.until("location.hostname === '127.0.0.1'", "its address came", 60)
+        with page.opened(lambda: page.press("Open")):
             page.until("document.querySelector('.late')?.textContent === 'paused'", "it is paused", 60)
             page.until("parseFloat(document.querySelector('.clock').textContent) > 0.3", "it is where it failed")
-        finally:
-            page.driver.close()
-            page.driver.switch_to.window(first)
+
+    def test_a_scenario_is_watched_while_it_runs(self):
+        self.begin(long=LONG)
+        page = self.page
+        page.until("document.querySelector('.scenario') !== null", "it is listed")
+        time = lambda: float(page.text(".clock").split()[0])
+        with page.opened(lambda: page.find("[aria-label^='Watch drives']").click()):
+            page.until("document.querySelector('header .kind')?.textContent === 'simulated · a scenario runs'", "it says what it is", 60)
+            page.until("parseFloat(document.querySelector('.clock').textContent) > 0.3", "time passes")
+            self.assertLess(time(), 8, "it runs at the speed of the clock")
+            page.press("Pause")
+            page.until("document.querySelector('.late').textContent === 'paused'", "it is paused")
+            before = time()
+            page.press("Step")
+            page.until("parseFloat(document.querySelector('.clock').textContent) > %r" % before, "one tick more")
+            self.assertAlmostEqual(time(), before + 0.01, places=2)
+            # Everything else is only looked at.
+            for hidden in (".stop", ".time .wide", ".share"):
+                self.assertFalse(page.find("header " + hidden).is_displayed(), hidden)
+            page.find(".world canvas").send_keys(" ")
+            self.assertFalse(page.js("return document.body.classList.contains('stopped')"))
+            view = page.js("return document.querySelector('.world canvas').toDataURL()")
+            page.keys().drag_and_drop_by_offset(page.find(".world canvas"), 90, 30).perform()
+            page.drawn()
+            self.assertNotEqual(page.js("return document.querySelector('.world canvas').toDataURL()"), view, "the view turns")
+            page.picture("watched")
+            page.find(".run.acts").send_keys("\ue007")  # Enter
+            page.choose("header select[aria-label=Speed]", "max")
+            page.until("[...document.querySelectorAll('.notice.good')].some((each) => each.textContent === 'passed after 10.00 s')", "it says how it ended")
+            self.assertAlmostEqual(time(), 10, places=2)
+            self.assertEqual(page.errors(), [])
+
+    def test_a_watched_scenario_cannot_be_changed_and_its_failure_is_told(self):
+        self.begin(bad=BAD)
+        page = self.page
+        page.until("document.querySelector('.scenario') !== null", "it is listed")
+        with page.opened(lambda: page.find("[aria-label^='Watch stays near']").click()):
+            page.until("document.querySelector('.notice.error')?.textContent.includes('always \\'is near\\' held until')", "the failure is told", 60)
+            answer = page.driver.execute_async_script("""const done = arguments[0];
+                const socket = new WebSocket(`ws://${location.host}/ws`, ["nezumi", `token.${sessionStorage.getItem("nezumi.token")}`]);
+                socket.onopen = () => ["stop", "rearm"].forEach((each, id) => socket.send(JSON.stringify({ do: each, id })));
+                const got = [];
+                socket.onmessage = ({ data }) => {
+                  if (typeof data === "string" && JSON.parse(data).is === "answer") got.push(JSON.parse(data).text);
+                  if (got.length === 2) done(got);
+                };""")
+            self.assertEqual(answer, ["a scenario that is watched can't be changed"] * 2)
 
     def test_a_wrong_scenario_file_is_told(self):
         self.begin(wrong="scenaro('x')\n")

@@ -50,6 +50,15 @@ SubCommand test_command() {
               "after each save, run the scenarios that have read the file, those that failed first, until Ctrl-C"},
              {"--open", &options->open,
               "open the first failed run in the page and the console, paused where it failed, as nezumi open does"},
+             {"--show", &options->show,
+              "show one run in a page while it is made, at the speed of the clock; the page can pause it and change "
+              "its "
+              "speed"},
+             {"--port", &options->page.port, "with --show: serve the page on this port, or the next free one", "N"},
+             {"--listen", &options->page.listen,
+              "with --show: serve the page to other computers, too, at this address of this computer", "ADDRESS"},
+             {"--page-on-input", &options->page.page_on_input,
+              "with --show: serve the page over the socket that is standard input, for `nezumi class`"},
              {"--hw", &options->hw,
               "drive the real robots, at real time, one run at a time; scenarios that read the truth, disturb or "
               "teleport need --rig"},

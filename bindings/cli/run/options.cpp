@@ -77,7 +77,8 @@ Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
     return hardware;
 }
 
-// Where the page is served: not to machines.
+}  // namespace
+
 Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
     for (const auto& [option, given] :
          {std::pair{"--port", !words.port.empty()}, {"--listen", !words.listen.empty()}, {"--open", words.open}}) {
@@ -98,8 +99,6 @@ Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
     }
     return web;
 }
-
-}  // namespace
 
 std::vector<Option> run_options(RunWords& words) {
     return {
@@ -209,8 +208,8 @@ std::vector<Option> open_options(RunWords& words) {
          "",
          {},
          FileUse::source}};
-    constexpr std::string_view same[] = {"--batch", "--speed",  "--port",    "--no-web",
-                                         "--open",  "--listen", "--threads", "--history"};
+    constexpr std::string_view same[] = {"--batch",  "--speed",         "--port",    "--no-web", "--open",
+                                         "--listen", "--page-on-input", "--threads", "--history"};
     for (Option& each : run_options(words)) {
         if (std::find(std::begin(same), std::end(same), each.name) != std::end(same))
             options.push_back(std::move(each));

@@ -46,10 +46,11 @@ std::vector<Option> open_options(RunWords& words);
 
 /// Where the page for browsers is served.
 struct Web {
-    int port = 8765;        ///< or the next free one
-    bool open = false;      ///< the page is shown in the desktop's browser, where there is one
-    bool on_input = false;  ///< standard input is a socket of `nezumi class`, which has the browsers
-    std::string listen{};   ///< IPv4 address at which other computers reach it, by TLS; "": only this computer does
+    int port = 8765;          ///< or the next free one
+    bool open = false;        ///< the page is shown in the desktop's browser, where there is one
+    bool on_input = false;    ///< standard input is a socket of `nezumi class`, which has the browsers
+    bool only_shows = false;  ///< browsers may change nothing but the pace of time
+    std::string listen{};     ///< IPv4 address at which other computers reach it, by TLS; "": only this computer does
 };
 
 struct RunOptions {
@@ -78,6 +79,9 @@ struct RunOptions {
     std::optional<Web> web;            ///< none: no page is served
     std::optional<Hardware> hardware;  ///< none: everything is simulated
 };
+
+/// Where the page is served; none: nowhere.
+Expected<std::optional<Web>> read_web(const RunWords& words, bool headless);
 
 /// Converts the words to values. The error is that of the first wrong word.
 Expected<RunOptions> read_run_options(const RunWords& words);

@@ -142,6 +142,7 @@ Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& consol
                             .encode = to_jpeg,
                             .peers = std::move(peers),
                             .editor = editor_of(loop.live().project()),
+                            .only_shows = web.only_shows,
                             .conditions = std::move(conditions)};
     auto sockets = sockets_of(web);
     if (!sockets) return Unexpected(sockets.error());

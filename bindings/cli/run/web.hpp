@@ -43,6 +43,9 @@ public:
     void log(const LogLine& line) { server_->log(line); }
     void say(const std::string& text) { server_->say(text); }
 
+    bool is_watched() const { return server_->is_watched(); }
+    void show_end(const std::string& text, bool is_good) { server_->show_end(text, is_good); }
+
     bool serve(Pacer::Clock::time_point until) override { return server_->serve(until, loop_.lateness().latest()); }
     void add_files(std::vector<int>& files) const override { server_->add_files(files); }
 

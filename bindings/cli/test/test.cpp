@@ -25,6 +25,7 @@
 #include "bindings/cli/test/progress.hpp"
 #include "bindings/cli/test/recordings.hpp"
 #include "bindings/cli/test/scenario_files.hpp"
+#include "bindings/cli/test/shown_run.hpp"
 #include "bindings/cli/test/sweep_plots.hpp"
 #include "bindings/cli/test/watch.hpp"
 #include "bindings/scenario/margins.hpp"
@@ -149,6 +150,31 @@ Expected<void> check_options(const TestOptions& command) {
                                 {"--plots", !command.plots.empty()}},
                                "--watch runs again and again, and only what a save touches");
         if (!ok) return ok;
+    }
+    if (command.show) {
+        auto ok = refuse_given({{"--list", command.list},
+                                {"--merge", command.merge},
+                                {"--watch", command.watch},
+                                {"--open", command.open},
+                                {"--hw", command.hw},
+                                {"--shard", !command.shard.empty()},
+                                {"--resume", command.resume},
+                                {"--repeat", command.repeat.has_value()},
+                                {"--search", command.search.has_value()},
+                                {"--update-goldens", command.update_goldens},
+                                {"--mutate", !command.mutate.empty()},
+                                {"--junit", !command.junit.empty()},
+                                {"--measures", !command.measures.empty()},
+                                {"--margins", !command.margins.empty()},
+                                {"--plots", !command.plots.empty()},
+                                {"--coverage", !command.coverage.empty()}},
+                               "--show only shows one run");
+        if (!ok) return ok;
+    } else {
+        for (const auto& [option, given] :
+             {std::pair{"--port", !command.page.port.empty()}, {"--listen", !command.page.listen.empty()}}) {
+            if (given) return failure(fmt::format("{} is for the page of a run: give --show as well", option));
+        }
     }
     const GivenOptions parts{{"--shard", !command.shard.empty()}, {"--resume", command.resume}};
     if (command.open) {
@@ -338,6 +364,13 @@ int test(TestOptions command) {
         if (!plan) return refuse(plan.error());
         if (command.list) return list(*plan, options.shard);
         if (!command.mutate.empty()) return mutate_file(command, *plan, options);
+        if (command.show) {
+            const auto web = read_web(command.page, false);
+            if (!web) return refuse(web.error());
+            const bool has_colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
+            const auto shown = command.tap ? tap_reporter(write_out) : console_reporter(write_out, has_colour);
+            return show_run(*plan, options, **web, *shown);
+        }
         if (auto one = check_is_one(command, *plan); !one) return refuse(one.error());
         session = [&, plan = std::move(*plan)](Reporter& reporter) {
             return run_plan(command, plan, options, reporter);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "bindings/cli/run/options.hpp"
+
 namespace nezumi::cli {
 
 /// As the command line has them.
@@ -26,6 +28,8 @@ struct TestOptions {
     bool merge = false;
     bool watch = false;
     bool open = false;
+    bool show = false;
+    RunWords page{};  ///< where a run is shown
     bool update_goldens = false;
     std::string folder = "nezumi-test";
     bool hw = false;

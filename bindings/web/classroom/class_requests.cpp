@@ -83,7 +83,10 @@ Expected<Classroom::Json> Classroom::join(Client& client, const Json& request) {
 }
 
 void Classroom::tell_all(std::string_view message) {
-    for (auto& [number, seat] : seats_) seat->tell(message);
+    for (auto& [number, seat] : seats_) {
+        seat->tell(message);
+        if (seat->page) seat->page->tell(message);
+    }
     if (shared_) shared_->tell(message);
 }
 
@@ -141,6 +144,7 @@ Expected<Classroom::Json> Classroom::teach_one(Seat& seat, const std::string& wh
             const bool is_own = client.role == Role::pupil || client.role == Role::guest;
             if (is_own && client.pupil == seat.pupil.number) close(client);
         }
+        close_page(seat);
         return said(done);
     }
     if (what == "hint") {

@@ -102,6 +102,7 @@ void Classroom::upkeep(Clock::time_point now) {
     for (auto& [number, seat] : seats_) {
         if (seat->run) seat->run->hurry(now);
         if (seat->run && seat->run->has_ended()) ended(*seat);
+        serve_page(*seat, now);
         // A class that was opened again starts the systems of those who come back.
         if (!seat->run && seat->is_wanted && !seat->pupil.exercise.empty() && now >= seat->next_start) start(*seat);
     }
@@ -111,8 +112,16 @@ void Classroom::upkeep(Clock::time_point now) {
         for (auto& [number, seat] : seats_) {
             const Exercise* exercise = exercise_called(seat->pupil.exercise);
             if (!seat->run || exercise == nullptr) continue;
-            seat->last_save = look_at_work(pupils_.work_of(seat->pupil), exercise->start()).last_save;
-            trim_versions(pupils_.work_of(seat->pupil), options_.quota.bytes);
+            const fs::path work = pupils_.work_of(seat->pupil);
+            seat->last_save = look_at_work(work, exercise->start()).last_save;
+            trim_versions(work, options_.quota.bytes);
+            auto over = enforce_quota(work, exercise->start(), options_.quota);
+            // In a repair texts are made shorter: that may take a while.
+            if (!over || (seat->is_repairing && over->removed == 0)) continue;
+            close_page(*seat);
+            restart(*seat);
+            seat->is_repairing = true;
+            seat->problem = std::move(over->why);
         }
     }
     if (now - shown_ < states_every) return;
@@ -121,7 +130,10 @@ void Classroom::upkeep(Clock::time_point now) {
         if (std::exchange(system.view_is_ready, false))
             system.tell({.kind = RelayFrame::Kind::ready, .client = own_client});
     };
-    for (auto& [number, seat] : seats_) ask(*seat);
+    for (auto& [number, seat] : seats_) {
+        ask(*seat);
+        if (seat->page) ask(*seat->page);
+    }
     if (shared_) ask(*shared_);
     show_states();
 }
@@ -129,7 +141,7 @@ void Classroom::upkeep(Clock::time_point now) {
 void Classroom::show_states() {
     std::string teacher;
     for (auto& [id, client] : clients_) {
-        if (client.waiting.size() > most_states) continue;
+        if (client.waiting.size() > most_states || client.role == Role::reader) continue;
         std::string state;
         if (client.role == Role::visitor) {
             state = R"({"is":"class","role":"visitor"})";

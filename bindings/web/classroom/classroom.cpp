@@ -23,6 +23,13 @@ constexpr int forbidden = 403, unavailable = 503;
 constexpr std::string_view visitors = "join";
 constexpr std::string_view for_the_class = R"("do":"class")";
 
+// Asks for a page of its own.
+bool opens_page(const nlohmann::ordered_json& request) {
+    if (!request.is_object() || request.value("do", nlohmann::ordered_json()) != "test") return false;
+    const auto what = request.value("what", nlohmann::ordered_json());
+    return what == "open" || what == "watch";
+}
+
 }  // namespace
 
 Classroom::Classroom(ClassOptions options, Pupils pupils)
@@ -82,6 +89,7 @@ Classroom::~Classroom() {
     }
     sockets_.reset();
     for (auto& [number, seat] : seats_) {
+        if (seat->page && seat->page->run) seat->page->run->end();
         if (seat->run) seat->run->end();  // all at once; the destructors wait
     }
     if (shared_ && shared_->run) shared_->run->end();
@@ -104,7 +112,10 @@ void Classroom::serve_once() {
             files.push_back({system.run->socket(), static_cast<short>(POLLIN | (system.out.empty() ? 0 : POLLOUT)), 0});
             numbers.push_back(number);
         };
-        for (const auto& [number, seat] : seats_) add(number, *seat);
+        for (const auto& [number, seat] : seats_) {
+            add(number, *seat);
+            if (seat->page) add(SharedSystem::page_of(number), *seat->page);
+        }
         if (shared_) add(SharedSystem::number, *shared_);
     }
     poll(files.data(), files.size(), 50);
@@ -159,6 +170,7 @@ Admission Classroom::lets_in(const HttpRequest& request) {
     const auto token = access_.offered_token(request);
     if (!token) return {.refused = forbidden};
     const std::lock_guard lock(mutex_);
+    std::string none;
     Role role = Role::visitor;
     int pupil = 0;
     if (is_same_secret(*token, access_.token())) {
@@ -172,7 +184,8 @@ Admission Classroom::lets_in(const HttpRequest& request) {
             for (const auto& [secret, its] : {std::pair{&seat->pupil.token, Role::pupil},
                                               {&seat->help_token, Role::helper},
                                               {&seat->look_token, Role::looker},
-                                              {&seat->shared_token, Role::guest}}) {
+                                              {&seat->shared_token, Role::guest},
+                                              {seat->page ? &seat->page->help_token : &none, Role::reader}}) {
                 if (!is_same_secret(*token, *secret)) continue;
                 role = its;
                 pupil = number;
@@ -184,8 +197,7 @@ Admission Classroom::lets_in(const HttpRequest& request) {
         }
         if (pupil == 0) return {.refused = forbidden};
     }
-    if (ClassSystem* system =
-            role == Role::visitor ? nullptr : system_at(role == Role::guest ? SharedSystem::number : pupil)) {
+    if (ClassSystem* system = system_at(number_at(role, pupil))) {
         system->is_wanted = true;
         // Messages of a browser before there is a process would be lost, so the browser tries again.
         if (!system->run || system->run->is_ending()) return {.refused = unavailable};
@@ -214,7 +226,7 @@ void Classroom::opened(ClientId id, const Admission& admission) {
         client.source = sources_[static_cast<std::size_t>(admission.seat / 8)];
     else
         client.pupil = admission.seat / 8;
-    client.system = client.role == Role::guest ? SharedSystem::number : client.role == Role::visitor ? 0 : client.pupil;
+    client.system = number_at(client.role, client.pupil);
     client.came = Clock::now();
     if (ClassSystem* system = system_at(client.system); system != nullptr && system->run) {
         system->tell(
@@ -261,8 +273,9 @@ void Classroom::relay(Client& client, ClientId id, std::string_view text) {
     if (system == nullptr) return;
     // Few messages need to be read here.
     const bool at_shared = client.system == SharedSystem::number;
-    const bool is_read =
-        at_shared || (is_frozen_ && client.role == Role::pupil) || text.find(R"("save")") != std::string_view::npos;
+    const bool is_read = at_shared || (is_frozen_ && (client.role == Role::pupil || client.role == Role::reader)) ||
+                         text.find(R"("save")") != std::string_view::npos ||
+                         text.find(R"("do":"test")") != std::string_view::npos;
     if (is_read) {
         const Json request = Json::parse(text.begin(), text.end(), nullptr, false);
         if (const std::string why = why_not(client, request); !why.empty())
@@ -270,6 +283,14 @@ void Classroom::relay(Client& client, ClientId id, std::string_view text) {
                                  {"id", request.is_object() ? request.value("id", Json()) : Json()},
                                  {"ok", false},
                                  {"text", why}});
+        if (opens_page(request) && !at_shared) {
+            if (const auto opened = open_page(client, id, request); !opened)
+                send(client, {{"is", "answer"},
+                              {"id", request.value("id", Json())},
+                              {"ok", false},
+                              {"text", describe(opened.error())}});
+            return;
+        }
         // Everybody may stop it, also who may only look.
         if (at_shared && request.is_object() && request.value("do", Json()) == "stop") {
             system->tell(stop_message);
@@ -286,10 +307,10 @@ std::string Classroom::why_not(const Client& client, const Json& request) {
     };
     const std::string what = text("do");
     const bool looks = std::find(while_looking.begin(), while_looking.end(), what) != while_looking.end();
-    const bool is_pupil = client.role == Role::pupil || client.role == Role::guest;
+    const bool is_pupil = client.role == Role::pupil || client.role == Role::guest || client.role == Role::reader;
     if (is_frozen_ && is_pupil && !looks) return "the teacher has paused the class";
     if (client.role == Role::guest) return looks ? "" : why_not_shared(client, request);
-    const Seat* seat = seat_of(client.system);
+    const Seat* seat = seat_of(client.pupil);
     if (seat == nullptr || what != "edit" || text("what") != "save") return "";
     const auto fits = check_quota(pupils_.work_of(seat->pupil), text("file"), text("text"), options_.quota);
     return fits ? "" : describe(fits.error());
@@ -332,7 +353,19 @@ Seat* Classroom::seat_of(int pupil) {
 }
 
 ClassSystem* Classroom::system_at(int number) {
-    return number == SharedSystem::number ? shared_.get() : static_cast<ClassSystem*>(seat_of(number));
+    if (number == SharedSystem::number) return shared_.get();
+    if (number < SharedSystem::number) return seat_of(number);
+    Seat* seat = seat_of(number - SharedSystem::number);
+    return seat == nullptr ? nullptr : seat->page.get();
+}
+
+int Classroom::number_at(Role role, int pupil) {
+    switch (role) {
+        case Role::visitor: return 0;
+        case Role::guest: return SharedSystem::number;
+        case Role::reader: return SharedSystem::page_of(pupil);
+        default: return pupil;
+    }
 }
 
 bool Classroom::is_spectator(const Client& client) const {

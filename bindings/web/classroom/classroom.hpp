@@ -81,8 +81,8 @@ private:
     // A user who only looks at a system, or is frozen, may still send these.
     static constexpr std::array<std::string_view, 5> while_looking{"watch", "floor", "stop", "remembered", "systems"};
     using Clock = std::chrono::steady_clock;
-    // A guest is a pupil at the shared system.
-    enum class Role { visitor, teacher, pupil, helper, looker, spectator, guest };
+    // A guest is a pupil at the shared system, a reader one at what they have opened in a page of its own.
+    enum class Role { visitor, teacher, pupil, helper, looker, spectator, guest, reader };
 
     struct Waiting {
         Outgoing message;
@@ -91,7 +91,7 @@ private:
     struct Client {
         Role role = Role::visitor;
         int pupil = 0;   // of a pupil, or whose system it shows; 0: none
-        int system = 0;  // whose system it shows: a pupil's, or the shared one; 0: none
+        int system = 0;  // whose system it shows: a pupil's, the shared one, or what a pupil has opened; 0: none
         std::string source{};
         std::deque<Waiting> waiting{};
         std::string shown{};  // the last state of the class that it got
@@ -105,6 +105,7 @@ private:
     // All of these need the lock.
     Seat* seat_of(int pupil);
     ClassSystem* system_at(int number);
+    static int number_at(Role role, int pupil);
     bool is_spectator(const Client& client) const;
     bool is_there(int pupil) const;
     void send(Client& client, const Json& json);
@@ -122,6 +123,10 @@ private:
     Expected<Json> collect();
     void tell_all(std::string_view message);
     Seat& add_seat(Pupil& pupil);
+    /// Shows a failed scenario or one that runs in a page of its own; a page that was opened before ends.
+    Expected<void> open_page(const Client& client, ClientId id, const Json& request);
+    void close_page(Seat& seat);
+    void serve_page(Seat& seat, Clock::time_point now);
     void start(Seat& seat);
     void start(ClassSystem& system, std::vector<std::string> words);
     void restart(ClassSystem& system);

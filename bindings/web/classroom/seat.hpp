@@ -51,8 +51,6 @@ private:
     std::vector<std::string> scripts_;
 };
 
-/// The class's own connection: browsers have numbers from 1.
-inline constexpr ClientId own_client = 0;
 /// The message that stops all robots of a system.
 inline constexpr std::string_view stop_message = R"({"do":"stop"})";
 
@@ -80,11 +78,22 @@ struct ClassSystem {
     bool note_end(PupilRun::Clock::time_point now);
 };
 
+/// What a pupil has opened in a page of its own: a failed scenario, or one that runs.
+struct OpenedPage : ClassSystem {
+    OpenedPage(ClientId client, std::int64_t id) : asker(client), question(id) {}
+
+    const ClientId asker;  ///< gets the address
+    const std::int64_t question;
+    bool is_answered = false;
+    PupilRun::Clock::time_point seen = PupilRun::Clock::now();  ///< a browser showed it then
+};
+
 /// A pupil's place in a class.
 struct Seat : ClassSystem {
     explicit Seat(Pupil& its) : pupil(its) {}
 
     Pupil& pupil;
+    std::unique_ptr<OpenedPage> page{};       ///< null if there is none
     std::string shared_token = make_token();  ///< of the pupil, for the shared system
     std::int64_t last_save = 0;               ///< [s] since 1970
     std::vector<CheckedScenario> checked{};

@@ -22,6 +22,8 @@ struct SharedOptions {
 struct SharedSystem : ClassSystem {
     /// Takes the place of a pupil's number.
     static constexpr int number = most_number + 1;
+    /// Likewise for what a pupil has opened.
+    static constexpr int page_of(int pupil) { return number + pupil; }
 
     /// `folder` is that of the copy. An error: the file is not within `behaviors/` of a project, or can't be copied.
     static Expected<std::unique_ptr<SharedSystem>> open(SharedOptions options, std::filesystem::path folder);

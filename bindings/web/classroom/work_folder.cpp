@@ -19,34 +19,71 @@ namespace fs = std::filesystem;
 // A folder with more entries is not looked at further.
 constexpr int most_entries = 20000;
 
+double megabytes(std::uintmax_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
+
 bool is_file(const fs::path& path, struct stat& status) {
     return lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+// Calls `action` with each file below, by its path from there, but not with the editor's kept versions.
+template <class Action>
+void for_each_file(const fs::path& project, const Action& action) {
+    std::error_code problem;
+    int count = 0;
+    for (fs::recursive_directory_iterator entry(project, problem), end; !problem && entry != end;
+         entry.increment(problem)) {
+        if (++count > most_entries) break;
+        const fs::path file = entry->path().lexically_relative(project);
+        if (file == ".nezumi/versions") entry.disable_recursion_pending();
+        struct stat status {};
+        if (is_file(entry->path(), status)) action(file, status);
+    }
+}
+
+bool is_hidden(const fs::path& file) {
+    return std::any_of(file.begin(), file.end(), [](const fs::path& part) { return part.string().starts_with('.'); });
+}
+
+bool is_as_given(const struct stat& status, const fs::path& start) {
+    struct stat given {};
+    return is_file(start, given) && given.st_mtim.tv_sec == status.st_mtim.tv_sec &&
+           given.st_mtim.tv_nsec == status.st_mtim.tv_nsec;
 }
 
 }  // namespace
 
 WorkFolder look_at_work(const fs::path& project, const fs::path& start) {
     WorkFolder work;
-    std::error_code problem;
-    int count = 0;
-    for (fs::recursive_directory_iterator entry(project, problem), end; !problem && entry != end;
-         entry.increment(problem)) {
-        if (++count > most_entries) break;
-        if (entry->path().filename().string().starts_with('.')) {
-            entry.disable_recursion_pending();
-            continue;
-        }
-        struct stat status {
-        }, given{};
-        if (!is_file(entry->path(), status)) continue;
+    for_each_file(project, [&](const fs::path& file, const struct stat& status) {
         work.bytes += static_cast<std::uintmax_t>(status.st_size);
         ++work.files;
-        const bool is_as_given = is_file(start / entry->path().lexically_relative(project), given) &&
-                                 given.st_mtim.tv_sec == status.st_mtim.tv_sec &&
-                                 given.st_mtim.tv_nsec == status.st_mtim.tv_nsec;
-        if (!is_as_given) work.last_save = std::max(work.last_save, static_cast<std::int64_t>(status.st_mtime));
-    }
+        if (!is_hidden(file) && !is_as_given(status, start / file))
+            work.last_save = std::max(work.last_save, static_cast<std::int64_t>(status.st_mtime));
+    });
     return work;
+}
+
+std::optional<OverQuota> enforce_quota(const fs::path& project, const fs::path& start, const Quota& quota) {
+    std::uintmax_t bytes = 0;
+    std::size_t files = 0;
+    std::vector<fs::path> others;  // no texts
+    for_each_file(project, [&](const fs::path& file, const struct stat& status) {
+        if (is_as_given(status, start / file)) return;
+        bytes += static_cast<std::uintmax_t>(status.st_size);
+        ++files;
+        if (!EditedFiles::check_name(file.generic_string())) others.push_back(file);
+    });
+    if (bytes <= quota.bytes && files <= quota.files) return std::nullopt;
+    OverQuota over;
+    for (const fs::path& file : others) {
+        std::error_code problem;
+        if (fs::remove(project / file, problem)) ++over.removed;
+    }
+    over.why = fmt::format(
+        "it had written {:.1f} MB in {} files, and {:.1f} MB in {} files are allowed; {}", megabytes(bytes), files,
+        megabytes(quota.bytes), quota.files,
+        over.removed == 0 ? "make the texts shorter" : fmt::format("{} that are no texts were removed", over.removed));
+    return over;
 }
 
 Expected<void> check_quota(const fs::path& project, std::string_view name, std::string_view text, const Quota& quota) {
@@ -60,8 +97,7 @@ Expected<void> check_quota(const fs::path& project, std::string_view name, std::
     const std::uintmax_t after = work.bytes - std::min(before, work.bytes) + text.size();
     if (text.size() > before && after > quota.bytes)
         return failure(fmt::format("nothing was saved: your files would have {:.1f} MB, and {:.1f} MB are allowed",
-                                   static_cast<double>(after) / (1 << 20),
-                                   static_cast<double>(quota.bytes) / (1 << 20)));
+                                   megabytes(after), megabytes(quota.bytes)));
     return {};
 }
 

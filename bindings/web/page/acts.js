@@ -18,15 +18,15 @@ export class Acts {
     this.#notices = notices;
   }
 
-  async #ask(what) {
-    if (!this.#model.may_act) return false;
+  async #ask(what, may = this.#model.may_act) {
+    if (!may) return false;
     const { ok, text } = await this.#link.ask(what);
     if (!ok) this.#notices.say(text || T.link.no_answer, "error");
     return ok;
   }
 
   act = (name, fields = {}) => this.#ask({ do: "act", act: name, fields });
-  time = (what, value) => this.#ask({ do: "time", what, ...(value === undefined ? {} : { value }) });
+  time = (what, value) => this.#ask({ do: "time", what, ...(value === undefined ? {} : { value }) }, this.#model.may_act || this.#model.hello?.paces);
 
   /// Does not wait, and is sent even before the page knows its permissions.
   stop = () => this.#link.send({ do: "stop" }) || this.#notices.say(T.stop.not_sent, "error");

@@ -34,10 +34,10 @@ function make_theme_button() {
 function make_time({ model, acts }) {
   const clock = el("output", { class: "clock", "aria-label": T.time.label });
   const late = el("span", { class: "late" });
-  const run = el("button", { class: "run acts" });
-  const step = el("button", { class: "acts not-real", text: T.time.step, title: T.time.step_hint,
+  const run = el("button", { class: "run acts pace" });
+  const step = el("button", { class: "acts pace not-real", text: T.time.step, title: T.time.step_hint,
     onclick: () => acts.time("step", 1) });
-  const speed = el("select", { class: "acts not-real", "aria-label": T.time.speed, title: T.time.speed,
+  const speed = el("select", { class: "acts pace not-real", "aria-label": T.time.speed, title: T.time.speed,
     onchange: () => acts.time("speed", speed.value === "max" ? "max" : Number(speed.value)) },
   ...SPEEDS.map((each) => el("option", { value: String(each), text: each === "max" ? T.time.max : `${each}×` })));
   const restart = el("button", { class: "acts not-real wide", text: T.time.restart,
@@ -140,7 +140,7 @@ export function make_header(parts) {
     name.title = model.system.file;
   });
   model.on("hello", () => {
-    const words = [model.hello.real ? T.real : T.simulated, model.hello.view_only && T.view_only];
+    const words = [model.hello.real ? T.real : T.simulated, model.hello.paces ? T.watching : model.hello.view_only && T.view_only];
     kind.textContent = words.filter(Boolean).join(" · ");
   });
   return el("header", {}, el("div", { class: "title" }, dot, systems, kind, make_troubles(parts)), make_time(parts),

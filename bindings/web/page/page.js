@@ -45,12 +45,14 @@ export async function make_page(link) {
 
   model.on("hello", () => {
     document.body.classList.toggle("view-only", model.hello.view_only);
+    document.body.classList.toggle("paces", Boolean(model.hello.paces));
     document.body.classList.toggle("real", model.hello.real);
   });
   model.on("system", () => {
     document.title = `${model.system.name} · nezumi`;
   });
   model.on("class", async (state) => (await import("./class_bar.js")).show_class(parts, state));
+  model.on("ended", ({ text, good }) => notices.lasting("ended", text, good ? "good" : "error"));
   model.on("bye", ({ text }) => notices.say(T.link.bye(text), "warn"));
   link.on("open", () => notices.clear_lasting("link", T.link.back));
   link.on("lost", (why, wait) => {

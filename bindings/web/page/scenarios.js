@@ -23,12 +23,13 @@ export function make_scenarios(parts) {
   const look = el("button", { class: "acts", text: T.scenarios.look, onclick: () => list() });
 
   const key = ({ file, name }) => `${file}: ${name}`;
-  const open_failed = async (folder, button) => {
+  /// Shows a run in a page of its own.
+  const open_page = async (wanted, button) => {
     const tab = window.open("about:blank", "_blank");  // by the click; later a browser refuses it
     button.disabled = true;
-    const { ok, text, content } = await link.ask({ do: "test", what: "open", file: folder }, PATIENCE);
+    const { ok, text, content } = await link.ask({ do: "test", ...wanted }, PATIENCE);
     button.disabled = false;
-    if (ok && tab) tab.location.replace(content);
+    if (ok && tab) tab.location.replace(new URL(content, location.href).href);
     else if (ok) notices.say(content);
     else {
       tab?.close();
@@ -46,14 +47,16 @@ export function make_scenarios(parts) {
   const make_row = (each) => {
     const { state = "", message = "", lines = [], folder = "" } = results.get(key(each)) ?? {};
     const open = el("button", { text: T.scenarios.open, title: T.scenarios.open_hint });
-    open.onclick = () => open_failed(folder, open);
+    open.onclick = () => open_page({ what: "open", file: folder }, open);
+    const watch = el("button", { class: "acts watch-one", text: T.scenarios.watch, "aria-label": T.scenarios.watch_one(each.name) });
+    watch.onclick = () => open_page({ what: "watch", file: each.file, name: each.name }, watch);
     const details = lines.length > 0 ? el("details", { open: state === "failed" }, el("summary", { text: message || T.scenarios.margins(lines.length) }), el("pre", { text: lines.join("\n") })) : null;
     return el("div", { class: `scenario ${state}`, role: "listitem", data: { name: each.name } },
       el("span", { class: "sign", role: "img", "aria-label": T.scenarios.states[state], title: T.scenarios.states[state], text: SIGNS[state] }),
       el("b", { text: each.name }),
       el("button", { class: "quiet place", text: `${each.file}:${each.line}`, onclick: () => parts.open_file({ shown: each.file, line: each.line }) }),
       el("button", { class: "acts run-one", text: T.scenarios.run, "aria-label": T.scenarios.run_one(each.name), onclick: () => run(each) }),
-      folder && open, details);
+      watch, folder && open, details);
   };
   const show = () => {
     all.disabled = is_running || listed.length === 0;

@@ -8,6 +8,7 @@ export const EN = {
   real: "real robots",
   simulated: "simulated",
   view_only: "view only",
+  watching: "a scenario runs",
   systems: { hint: "Systems that run on this machine", here: "this page", process: (id) => `process ${id}`,
     about: "Through a tunnel, make one for each." },
   share: { hint: "Copy a view-only address", copied: "Copied. This address shows everything but controls nothing.",
@@ -136,6 +137,7 @@ export const EN = {
 
   scenarios: {
     run_all: "Run all", run: "Run", run_one: (name) => `Run ${name}`, stop: "Stop these", look: "Look again", open: "Open", open_hint: "Open this run, paused where it failed",
+    watch: "Watch", watch_one: (name) => `Watch ${name} run, at the speed of the clock`,
     none: "This project has no scenarios. A scenario file has a name that ends in _test.lua.", count: (n) => (n === 1 ? "1 scenario" : `${n} scenarios`),
     running: (n) => `running, ${n} done`, ended: (passed, failed) => `${passed} passed, ${failed} failed`,
     measures: (n) => (n === 1 ? "1 plot of measures" : `${n} plots of measures`), margins: (n) => (n === 1 ? "1 margin" : `${n} margins`), states: { passed: "passed", failed: "failed", runs: "runs", skipped: "skipped", "": "not run yet" },

@@ -8,6 +8,7 @@ export const JA = {
   real: "実機",
   simulated: "シミュレーション",
   view_only: "閲覧のみ",
+  watching: "シナリオの実行",
   systems: { hint: "このコンピュータで動いているシステム", here: "この画面", process: (id) => `プロセス ${id}`,
     about: "トンネル経由のときは、システムごとにトンネルを作ってください。" },
   share: { hint: "閲覧のみのアドレスをコピー", copied: "コピーしました。このアドレスでは、すべて見えますが操作はできません。",
@@ -136,6 +137,7 @@ export const JA = {
 
   scenarios: {
     run_all: "すべて実行", run: "実行", run_one: (name) => `${name} を実行`, stop: "実行を中止", look: "一覧を更新", open: "開く", open_hint: "失敗した時刻で止めて、この実行を開く",
+    watch: "見る", watch_one: (name) => `${name} が実際の速さで動くのを見る`,
     none: "このプロジェクトにはシナリオ (名前が _test.lua で終わるファイル) がありません。", count: (n) => `シナリオ ${n} 件`,
     running: (n) => `実行中、${n} 件終了`, ended: (passed, failed) => `合格 ${passed} 件、不合格 ${failed} 件`,
     measures: (n) => `測定値のグラフ ${n} 件`, margins: (n) => `余裕 ${n} 件`, states: { passed: "合格", failed: "不合格", runs: "実行中", skipped: "省略", "": "未実行" },

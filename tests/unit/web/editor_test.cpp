@@ -110,7 +110,7 @@ TEST_CASE("a wrong request of an editor is refused with the reason", "[web][edit
     CHECK(text(edit("version", 4, {{"file", "x.lua"}, {"number", -1}})) == "'number' must be a whole number from 1");
     CHECK(text(edit("read", 5, {{"file", "nobody.lua"}})) == "nobody.lua: there is no such file");
     CHECK(text({{"do", "test"}, {"what", "fly"}, {"id", 6}}) ==
-          "'what' must be one of list, run, stop, open, recordings, judge");
+          "'what' must be one of list, run, stop, open, watch, recordings, judge");
     CHECK(text({{"do", "test"}, {"what", "run"}, {"id", 7}}) == "this program can't run scenarios: use `nezumi run`");
 }
 

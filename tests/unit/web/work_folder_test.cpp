@@ -64,3 +64,46 @@ TEST_CASE("the oldest versions go first when they have too many bytes", "[web][c
     CHECK_FALSE(fs::exists(scratch.path(".nezumi/versions/behaviors/a.lua/1")));
     CHECK(fs::exists(scratch.path(".nezumi/versions/behaviors/a.lua/2")));
 }
+
+TEST_CASE("what a program writes beside the editor's texts counts, and is removed when it is too much",
+          "[web][class]") {
+    const Scratch scratch;
+    const Quota quota{.bytes = 1 << 20, .files = 3};
+    scratch.write("start/behaviors/a.lua", "return 1");
+    scratch.write("start/map.csv", std::string(3 << 20, '1'));
+    REQUIRE(copy_files(scratch.path("start"), scratch.path("work"), false));
+    scratch.write("work/behaviors/b.lua", "return 2");
+    scratch.write("work/nezumi-test/failed/trace.csv", std::string(1 << 19, ' '));
+    const auto look = [&] { return enforce_quota(scratch.path("work"), scratch.path("start"), quota); };
+    CHECK_FALSE(look());  // what the exercise has does not count
+    scratch.write("work/.nezumi/versions/behaviors/b.lua/1", std::string(2 << 20, ' '));
+    CHECK_FALSE(look());  // versions have a limit of their own
+
+    SECTION("bytes, also of hidden files") {
+        scratch.write("work/.nezumi/kept.mcap", std::string(3 << 19, ' '));
+        const auto over = look();
+        REQUIRE(over);
+        CHECK(over->why ==
+              "it had written 2.0 MB in 3 files, and 1.0 MB in 3 files are allowed; 2 that are no texts were removed");
+        CHECK(over->removed == 2);
+        CHECK_FALSE(look());
+    }
+    SECTION("files") {
+        for (const char* name : {"1.svg", "2.svg", "3.svg"}) scratch.write(std::string("work/") + name, "x");
+        const auto over = look();
+        REQUIRE(over);
+        CHECK(over->removed == 4);
+    }
+    SECTION("texts are never removed") {
+        for (const char* name : {"1.lua", "2.lua", "3.lua"}) scratch.write(std::string("work/") + name, "x");
+        static_cast<void>(look());
+        const auto over = look();
+        REQUIRE(over);
+        CHECK(over->why ==
+              "it had written 0.0 MB in 4 files, and 1.0 MB in 3 files are allowed; make the texts shorter");
+        CHECK(fs::exists(scratch.path("work/3.lua")));
+    }
+    CHECK(fs::exists(scratch.path("work/behaviors/b.lua")));
+    CHECK(fs::exists(scratch.path("work/map.csv")));
+    CHECK(fs::exists(scratch.path("work/.nezumi/versions/behaviors/b.lua/1")));
+}
