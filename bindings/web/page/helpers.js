@@ -96,7 +96,8 @@ export class Helpers {
     return { results: read_report(none_kept(report)), errors };
   }
 
-  #answer = (id, ok, text, more = {}) => this.#tell({ is: "answer", id, ok, text, ...more });
+  /// After the page has noted that it waits for it.
+  #answer = (id, ok, text, more = {}) => queueMicrotask(() => this.#tell({ is: "answer", id, ok, text, ...more }));
 
   async #check({ id, file, text }) {
     let said = "";
