@@ -12,7 +12,6 @@
 #include "bindings/web/types_json.hpp"
 #include "engine/base/json_text.hpp"
 #include "engine/base/whole_file.hpp"
-#include "engine/trace/channel.hpp"
 #include "engine/values/walk.hpp"
 
 namespace nezumi::web {
@@ -89,8 +88,10 @@ Json line_to_json(const LogLine& line) {
 
 }  // namespace
 
-void LightRun::Track::add(std::size_t frame, std::vector<double> numbers) {
-    if (rows.empty() || rows.back().second != numbers) rows.emplace_back(frame, std::move(numbers));
+bool LightRun::Track::add(std::size_t frame, std::vector<double> numbers) {
+    if (!rows.empty() && rows.back().second == numbers) return false;
+    rows.emplace_back(frame, std::move(numbers));
+    return true;
 }
 
 void LightRun::Track::cut(std::size_t frame) {
@@ -118,13 +119,19 @@ void LightRun::look_for_names() {
     ports_.clear();
     members_.clear();
     for (const Component* component : system.components()) {
-        const auto add = [&](const std::string& port) { ports_.push_back(component->name() + "." + port); };
-        for (const Port* port : component->in_ports()) add(port->name());
-        for (const Port* port : component->out_ports()) add(port->name());
+        const auto add = [&](const Port& port) {
+            if (port.type() != message_of<CameraImage>())
+                ports_.emplace_back(component->name() + "." + port.name(), &port);
+        };
+        for (const Port* port : component->in_ports()) add(*port);
+        for (const Port* port : component->out_ports()) add(*port);
     }
     const TreeNode tree = live_.tree();
     for (const std::string& name : tree.children()) {
-        for (const std::string& member : changing_members(*tree.child(name))) members_.push_back(name + "." + member);
+        for (const std::string& member : changing_members(*tree.child(name))) {
+            auto channel = Channel::find(system, name + "." + member);
+            if (channel && !channel->is_port()) members_.push_back(std::move(*channel));
+        }
     }
     std::size_t rays = 0;
     for (const Robot* robot : system.robots()) {
@@ -198,23 +205,20 @@ void LightRun::note_values(std::size_t frame) {
         Track& track = values_[name];
         if (leaves.size() <= most_numbers && !leaves.empty()) {
             if (leaves.size() >= track.leaves.size()) track.leaves = leaves;
-            track.add(frame, numbers);
+            if (track.add(frame, numbers)) numbers_ += numbers.size();
         }
         leaves.clear();
         numbers.clear();
     };
-    for (const std::string& name : ports_) {
-        const auto port = live_.system().port(name);
-        if (!port || (*port)->count() == 0) continue;
-        visit_leaves((*port)->value(), take);
+    for (const auto& [name, port] : ports_) {
+        if (port->count() == 0) continue;
+        visit_leaves(port->value(), take);
         add(name);
     }
-    for (const std::string& name : members_) {
-        auto channel = Channel::find(live_.system(), name);
-        if (!channel) continue;
-        channel->latch(live_.system().now().tick);
-        channel->visit_latest(take);
-        add(name);
+    for (Channel& channel : members_) {
+        channel.latch(live_.system().now().tick);
+        channel.visit_latest(take);
+        add(channel.name());
     }
 }
 

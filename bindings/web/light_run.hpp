@@ -11,6 +11,7 @@
 #include "bindings/web/state_reader.hpp"
 #include "engine/base/log.hpp"
 #include "engine/live/running_system.hpp"
+#include "engine/trace/channel.hpp"
 
 namespace nezumi::web {
 
@@ -33,6 +34,8 @@ public:
     /// One of `step` frames, as recorded_run.js reads them. Call this at the end of the run.
     std::string text(const std::string& version, std::size_t step);
     std::size_t frames() const { return times_.size(); }
+    /// All that were noted.
+    std::size_t numbers() const { return numbers_; }
 
 private:
     // What was seen of one thing: rows with the number of a frame, and what it was from then on.
@@ -40,7 +43,8 @@ private:
         std::vector<std::string> leaves;  // their paths; empty for poses
         std::vector<std::pair<std::size_t, std::vector<double>>> rows;
 
-        void add(std::size_t frame, std::vector<double> numbers);
+        /// Returns whether it has changed.
+        bool add(std::size_t frame, std::vector<double> numbers);
         void cut(std::size_t frame);
     };
     using Tracks = std::map<std::string, Track>;
@@ -60,7 +64,9 @@ private:
     std::vector<double> times_;                                 // of the frames
     std::vector<std::pair<std::size_t, std::string>> systems_;  // their descriptions
     std::vector<LogLine> lines_;
-    std::vector<std::string> ports_, members_;
+    std::vector<std::pair<std::string, const Port*>> ports_;
+    std::vector<Channel> members_;
+    std::size_t numbers_ = 0;                     // in all rows
     std::map<std::string, std::size_t> touched_;  // what robots touch, by name: its number from 1
     Tracks robots_, things_, markers_, rays_, values_;
 };

@@ -57,7 +57,8 @@ std::string packed(std::string_view run) {
 
 // The run with as many frames as fit.
 Expected<std::string> fitting(web::LightRun& run, const std::string& file, std::size_t most) {
-    for (std::size_t step = 1; step < run.frames() + 2;) {
+    // A number takes at least a letter: what certainly does not fit is not packed.
+    for (std::size_t step = 1 + run.numbers() / most; step < run.frames() + 2;) {
         std::string text = packed(run.text(version(), step));
         if (text.size() <= most) return text;
         step = std::max(step + 1, step * text.size() / most);
