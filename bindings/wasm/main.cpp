@@ -1,6 +1,5 @@
 // The program of the web build: what a worker calls for a page, and `run FILE` for comparing hashes in node.
 #include <emscripten.h>
-#include <fmt/format.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -12,33 +11,23 @@
 
 #include "bindings/embed/simulation.hpp"
 #include "bindings/wasm/page_run.hpp"
-#include "engine/base/visible.hpp"
+#include "bindings/wasm/to_page.hpp"
 
 using namespace nezumi;
 
 namespace {
-
-constexpr const char* installed_files = "/share/nezumi";
-
-// clang-format off
-EM_JS(void, send_to_page, (const char* bytes, int size, int is_binary), {
-    const sent = HEAPU8.slice(bytes, bytes + size);
-    Module["send"](is_binary ? sent.buffer : new TextDecoder().decode(sent));
-})
-// clang-format on
 
 std::unique_ptr<web::PageRun>& page_run() {
     static std::unique_ptr<web::PageRun> the;
     return the;
 }
 
-int refuse(const Error& error) {
-    std::fprintf(stderr, "%s\n", visible(describe(error)).c_str());
-    return 2;
-}
-
 void send(const web::Outgoing& message) {
-    send_to_page(message.bytes.data(), static_cast<int>(message.bytes.size()), message.binary ? 1 : 0);
+    if (message.binary) {
+        send_bytes(message.bytes);
+    } else {
+        send_text(message.bytes);
+    }
 }
 
 int take(Expected<std::unique_ptr<web::PageRun>> run) {
