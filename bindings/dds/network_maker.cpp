@@ -208,7 +208,7 @@ namespace {
 // `reads_secret`: the file of a secret must exist and be valid.
 NetworkMaker make_silent(bool reads_secret) {
     return [reads_secret](const SystemSpec& spec, System& system) {
-        auto silent = std::make_unique<SilentTransport>();
+        std::unique_ptr<DdsTransport> silent = std::make_unique<SilentTransport>();
         const auto join = [its = silent.get(), reads_secret]<class Spec>(const Spec& part) -> Expected<DdsTransport*> {
             if constexpr (std::is_same_v<Spec, NetworkSpec>) {
                 if (reads_secret && !part.secret.empty()) {
