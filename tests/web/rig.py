@@ -16,7 +16,7 @@ import unittest
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 CHROMIUM = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run",
             "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-quic", "--hide-scrollbars"]
-PATIENCE = 60  # s, for what a busy machine does
+PATIENCE = 20  # s, for what a busy machine does
 
 # Systems that several files try.
 WALL = "behaviors/systems/stop_at_wall.lua"

@@ -173,6 +173,7 @@ class Plots {
     model.watch("plots", model.wanted([...new Set(this.recording.fields.map(({ port }) => port))]));
     this.#anew();
     this.on_changed?.();
+    if (this.#parts.run) this.#look(model.frame.time);
   }
 
   #anew() {
