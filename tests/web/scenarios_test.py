@@ -124,10 +124,11 @@ class Scenarios(rig.PageCase):
                 self.assertFalse(page.find("header " + hidden).is_displayed(), hidden)
             page.find(".world canvas").send_keys(" ")
             self.assertFalse(page.js("return document.body.classList.contains('stopped')"))
-            view = page.js("return document.querySelector('.world canvas').toDataURL()")
-            page.keys().drag_and_drop_by_offset(page.find(".world canvas"), 90, 30).perform()
+            canvas = page.find(".world canvas")
+            view = canvas.screenshot_as_png
+            page.keys().move_to_element_with_offset(canvas, 200, 100).click_and_hold().move_by_offset(90, 30).release().perform()
             page.drawn()
-            self.assertNotEqual(page.js("return document.querySelector('.world canvas').toDataURL()"), view, "the view turns")
+            self.assertTrue(canvas.screenshot_as_png != view, "the view turns")
             page.picture("watched")
             page.find(".run.acts").send_keys("\ue007")  # Enter
             page.choose("header select[aria-label=Speed]", "max")

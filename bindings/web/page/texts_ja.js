@@ -136,6 +136,7 @@ export const JA = {
   devices: { press: (sensor) => `${sensor} を押す`, led: (i, is_on) => `ライト ${i} は${is_on ? "点灯" : "消灯"}`, tone: (hertz) => `♪ ${hertz} Hz` },
 
   scenarios: {
+    one: "シナリオ",
     run_all: "すべて実行", run: "実行", run_one: (name) => `${name} を実行`, stop: "実行を中止", look: "一覧を更新", open: "開く", open_hint: "失敗した時刻で止めて、この実行を開く",
     watch: "見る", watch_one: (name) => `${name} が実際の速さで動くのを見る`,
     none: "このプロジェクトにはシナリオ (名前が _test.lua で終わるファイル) がありません。", count: (n) => `シナリオ ${n} 件`,
