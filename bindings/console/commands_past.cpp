@@ -139,6 +139,7 @@ Expected<CommandEnd> explain_failure(Session::Parts& parts, const std::string& n
     if (auto computed = compute(parts, ***past); !computed) return Unexpected(computed.error());
     // The past system belongs to this command, but its ticks belong to the thread that runs ticks.
     const auto explained = parts.at_system([&]() -> std::optional<Expected<std::string>> {
+        then.repeat_known();  // an act may have begun the execution
         const auto trace = then.explain_next(name);
         if (!trace) return failure(fmt::format("{} failed outside an execution: errors() shows where", name));
         then.tick();

@@ -128,8 +128,7 @@ void note_error(lua_State* lua, CallRecord& call) {
     lua_Debug activation;
     call.is_deep_recursion = lua_getstack(lua, deep_recursion, &activation) != 0;
     find_error_place(lua, call);
-    // For an endless recursion nothing is stored, because it has no other facts and its stack has no room.
-    call.error_frames = call.is_deep_recursion ? nullptr : frames_of(lua);
+    call.error_frames = frames_of(lua, call.is_deep_recursion);
     find_caller(lua, call.error_place, call.error_caller);
     call.tail_caller.line = 0;
     if (call.error_caller.line == 0) find_tail_caller(lua, call);
@@ -307,6 +306,7 @@ CallResult protected_call(lua_State* lua, int arguments, int results, Budget bud
     lua_State* const thread = state.take_thread(lua, arguments + 2);
     if (thread == nullptr) return refuse("not enough memory");
     CallRecord call(thread, budget);
+    forget_inner_error();
     if (call.outer == nullptr) {
         if (_setjmp(call.escape) != 0) {
             finish_escape(call);

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <utility>
 
+#include "bindings/lua/sandbox/bytecode.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "bindings/lua/syntax/other_languages.hpp"
 #include "engine/base/visible.hpp"
@@ -107,6 +108,7 @@ Expected<Chunk> compile(std::string_view source, const std::string& file) {
     }
     Chunk chunk{file, {}};
     lua_dump(lua, append_bytecode, &chunk.bytecode, 0);
+    chunk.bytecode = with_division_lines(std::move(chunk.bytecode));
     return chunk;
 }
 
