@@ -13,7 +13,7 @@
 #include <cstring>
 #include <utility>
 
-#include "engine/base/descriptors.hpp"
+#include "engine/base/descriptor.hpp"
 
 namespace nezumi {
 namespace {

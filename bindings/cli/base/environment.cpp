@@ -13,7 +13,7 @@
 #include "bindings/dds/ros/ros_word.hpp"
 #include "bindings/embed/simulation.hpp"
 #include "bindings/openrtm/rtm_word.hpp"
-#include "engine/base/own_program.hpp"
+#include "engine/base/module.hpp"
 #include "engine/base/visible.hpp"
 #include "hw/drivers.hpp"
 

@@ -13,7 +13,7 @@
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/web/classroom/confinement.hpp"
-#include "engine/base/own_program.hpp"
+#include "engine/base/module.hpp"
 
 namespace nezumi::cli {
 namespace {

@@ -14,7 +14,7 @@
 #include "bindings/cli/base/python_program.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/cli/files/named_files.hpp"
-#include "engine/base/own_program.hpp"
+#include "engine/base/module.hpp"
 #include "engine/world/arena_fields.hpp"
 
 namespace nezumi::cli {

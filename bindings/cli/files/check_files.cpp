@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "bindings/cli/files/named_files.hpp"
-#include "bindings/cli/files/system_error.hpp"
 #include "bindings/dds/network_maker.hpp"
 #include "bindings/learning/environment_file.hpp"
 #include "bindings/lua/files/calibration_file.hpp"

@@ -1,12 +1,17 @@
 // A new behaviour as text: the component's file and a scenario for it.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "bindings/cli/new/behavior_text.hpp"
 #include "engine/base/error.hpp"
 #include "engine/messages/message_files.hpp"
+
+namespace nezumi {
+struct BehaviorRequest;
+}
 
 namespace nezumi::cli {
 
@@ -33,5 +38,10 @@ MessageFinder new_messages();
 
 /// Returns the texts, which can be loaded. An error is about the command line, with the most similar name.
 Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted);
+
+/// Writes the behaviour's file and a scenario for it below `root`, a project, as `nezumi new behavior` does. Returns
+/// their names. Never overwrites a file.
+Expected<std::vector<std::string>> write_new_behavior(const std::filesystem::path& root,
+                                                      const BehaviorRequest& request);
 
 }  // namespace nezumi::cli

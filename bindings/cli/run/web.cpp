@@ -24,7 +24,7 @@
 #include "bindings/terminal/input_history.hpp"
 #include "bindings/web/certificate.hpp"
 #include "bindings/web/qr_code.hpp"
-#include "engine/base/own_program.hpp"
+#include "engine/base/module.hpp"
 #include "engine/messages/message_files.hpp"
 #include "engine/vision/checked_image.hpp"
 

@@ -33,14 +33,6 @@ void note_places(FieldPlaces& places, const FieldCheck& check, const FieldPath& 
     }
 }
 
-template <class Sets>
-std::vector<std::string_view> names_of(const Sets& sets) {
-    std::vector<std::string_view> names;
-    names.reserve(sets.size());
-    for (const auto& [name, values] : sets) names.push_back(name);
-    return names;
-}
-
 // "name.port" or "host/name.port", all identifiers; the name of a port may be a keyword of Lua ("in").
 bool is_port_path(std::string_view path) {
     if (const std::size_t slash = path.find('/'); slash != std::string_view::npos) {
@@ -157,8 +149,9 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
                       "to use \"default\" is to have no set in use: choose another name");
     }
     if (!entry.set.empty() && !entry.sets.contains(entry.set)) {
-        check.explain(fields.path_of("set"), fmt::format("there is no set '{}' in 'sets'{}", entry.set,
-                                                         did_you_mean(entry.set, names_of(entry.sets))));
+        check.explain(fields.path_of("set"),
+                      fmt::format("there is no set '{}' in 'sets'{}", entry.set,
+                                  did_you_mean(entry.set, entry.sets, &decltype(entry.sets)::value_type::first)));
     }
     if (check.ok()) {
         if (const auto script = find_file(call, FileKind::script, entry.script)) {

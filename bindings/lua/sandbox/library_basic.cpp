@@ -1,5 +1,4 @@
 // The basic functions, without those that could catch the end of a time limit or break the sandbox.
-#include "bindings/lua/sandbox/hidden_metatable.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/library.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"

@@ -1,4 +1,4 @@
-// Tables that a script can read but not change.
+// Tables that a script can read but not change, and metatables that it can't see.
 #pragma once
 
 #include <lua.hpp>
@@ -25,5 +25,13 @@ bool push_origin(lua_State* lua, int index);
 /// Whether the value at `index` is a read-only table of either kind; if so, pushes the table behind it. Raises no error
 /// and runs no Lua.
 bool push_behind_lock(lua_State* lua, int index);
+
+/// Marks the metatable on top of the stack as hidden, because scripts could change it for all its tables:
+/// `getmetatable` returns nil, `setmetatable` replaces it, `ipairs` ignores its `__index`, and its tables count as
+/// plain data. May raise a Lua error (memory).
+void hide_metatable(lua_State* lua);
+
+/// Whether the value at `index` has such a metatable. Raises no error, and leaves the stack unchanged.
+bool has_hidden_metatable(lua_State* lua, int index);
 
 }  // namespace nezumi

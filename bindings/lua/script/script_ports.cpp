@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "bindings/lua/sandbox/hidden_metatable.hpp"
+#include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "bindings/lua/sandbox/hidden_metatable.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "engine/base/names.hpp"

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "bindings/lua/sandbox/compile.hpp"
-#include "bindings/lua/sandbox/hidden_metatable.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/values/set_plain.hpp"
