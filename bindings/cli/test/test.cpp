@@ -149,7 +149,9 @@ Expected<void> check_options(const TestOptions& command) {
                                 {"--junit", !command.junit.empty()},
                                 {"--measures", !command.measures.empty()},
                                 {"--margins", !command.margins.empty()},
-                                {"--plots", !command.plots.empty()}},
+                                {"--plots", !command.plots.empty()},
+                                {"--coverage", !command.coverage.empty()},
+                                {"--mutate", !command.mutate.empty()}},
                                "--watch runs again and again, and only what a save touches");
         if (!ok) return ok;
     }
@@ -333,7 +335,7 @@ int test(TestOptions command) {
         };
         if (command.watch) {
             const bool has_colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
-            return watch_tests(make_plan, options, [&] {
+            return watch_tests(paths, make_plan, options, [&] {
                 return command.tap ? tap_reporter(write_out) : console_reporter(write_out, has_colour, command.quiet);
             });
         }
