@@ -19,6 +19,7 @@
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/base/status.hpp"
 #include "bindings/cli/base/version.hpp"
+#include "bindings/cli/files/named_files.hpp"
 #include "bindings/cli/files/output_files.hpp"
 #include "bindings/cli/run/hardware.hpp"
 #include "bindings/cli/run/options.hpp"
@@ -124,11 +125,13 @@ int list(const TestPlan& plan, const Shard& shard) {
 
 // Shows the changes of a behaviour that no scenario notices.
 int mutate_file(const TestOptions& command, TestPlan plan, TestSessionOptions& options) {
+    const auto files = find_lua_files(command.mutate);
+    if (!files) return refuse(files.error());
     // Runs that a search would choose depend on the results of others.
     std::erase_if(plan.runs, [](const PlannedRun& run) { return run.searched; });
     SweepProgress progress(write_error, isatty(STDERR_FILENO) == 1);
     options.progress = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
-    const auto report = mutate(plan, command.mutate, options);
+    const auto report = mutate(plan, files->front(), options);
     progress.clear();
     if (!report) return refuse(report.error());
     if (report->interrupted) return refuse("interrupted: not all changes were tried");
@@ -178,7 +181,9 @@ Expected<void> check_options(const TestOptions& command) {
                            {"--margins", !command.margins.empty()},
                            {"--plots", !command.plots.empty()},
                            {"--coverage", !command.coverage.empty()},
-                           {"--tap", command.tap}},
+                           {"--tap", command.tap},
+                           {"--list", command.list},
+                           {"--open", command.open}},
                           "--mutate shows only changes that no scenario notices");
     }
     if (ok && command.hw)
