@@ -242,7 +242,7 @@ Expected<void> enter_project(TestOptions& command) {
 }
 
 // Tells what the session came to, and writes what was asked for.
-int finish(const TestOptions& command, const SessionEnd& end) {
+int finish(const TestOptions& command, SessionEnd end) {
     if (!command.junit.empty()) {
         if (auto ok = write_whole(command.junit, junit_text(end.reports, end.summary)); !ok) return refuse(ok.error());
     }
@@ -262,6 +262,8 @@ int finish(const TestOptions& command, const SessionEnd& end) {
     if (!command.coverage.empty()) {
         if (end.coverage.empty() && command.merge)
             return refuse("--coverage: the parts have no coverage: make them with --coverage too");
+        // What some of the scenarios do not load may be the business of others.
+        if (command.filter.empty() && (command.paths.empty() || command.merge)) add_unloaded_files(end.coverage);
         if (auto ok = write_coverage(end.coverage, command.coverage); !ok) return refuse(ok.error());
         // TAP allows only comments between its lines.
         fmt::print("{}{}\n", command.tap ? "# " : "", end.coverage.summary());
@@ -375,7 +377,7 @@ int test(TestOptions command) {
     const auto reporter = command.tap ? tap_reporter(write) : console_reporter(write, colour, command.quiet);
     const auto end = session(*reporter);
     progress.clear();
-    return end ? finish(command, *end) : refuse(end.error());
+    return end ? finish(command, std::move(*end)) : refuse(end.error());
 }
 
 }  // namespace nezumi::cli
