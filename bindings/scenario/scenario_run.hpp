@@ -122,7 +122,6 @@ private:
     Expected<void> open();
     void take_outcome(const CallResult& called);
     void finish();
-    void note_reads();
     void print(std::string_view line);
     // The part of the run's name after the name of the scenario.
     std::string_view values() const;

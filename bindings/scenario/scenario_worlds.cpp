@@ -125,6 +125,7 @@ LiveOptions ScenarioRun::world_options() {
     }
     if (covered_scripts_ != nullptr) options.scripts = covered_scripts_.get();
     options.watch = false;
+    options.files = &file_.project().files();
     options.print = [this](std::string_view line) { print(line); };
     options.build.log = [this](const LogLine& line) {
         if (settings_.spectator != nullptr) settings_.spectator->log(line);

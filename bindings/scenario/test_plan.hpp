@@ -49,8 +49,9 @@ struct PlannedFile {
     std::filesystem::path path;
     std::string shown;
     std::vector<Scenario> scenarios{};
-    std::vector<Error> errors{};  ///< why it could not be read; then it has no scenarios
-    bool has_own_stem = true;     ///< no other file of the plan has this name in another folder
+    std::vector<Error> errors{};            ///< why it could not be read; then it has no scenarios
+    std::vector<std::string> looked_for{};  ///< paths of modules that it read or looked for
+    bool has_own_stem = true;               ///< no other file of the plan has this name in another folder
 };
 
 struct TestPlan {

@@ -30,6 +30,7 @@
 #include "engine/base/number_in.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/devices/wired_device.hpp"
+#include "engine/project/near_path.hpp"
 #include "engine/project/project.hpp"
 
 namespace nezumi::cli {
@@ -53,9 +54,9 @@ Expected<web::SharedOptions> shared_of(const ClassWords& words, const std::optio
     const auto file = find_system_file(words.shared);
     if (!file) return Unexpected(file.error());
     shared.file = *file;
-    if (!hardware) return shared;
     const auto system = read_system_file(*file, Project::of(*file, installed_folders()), {.peer_words = peer_words()});
     if (!system) return Unexpected(system.error());
+    if (!hardware) return shared;
     // A pupil's copy of a driver would stand between the robot's limits and its motors.
     const auto has_script = [](const auto& model) { return !model.second.hardware.script.empty(); };
     const auto is_wire = [](const ComponentEntry* entry) { return find_device_kind(entry->type) != nullptr; };
@@ -80,6 +81,8 @@ int run_class(const ClassWords& words) {
     const auto read = read_run_options(of_run);
     if (!read) return refuse(read.error());
     std::error_code problem;
+    if (!words.collect.empty() && !std::filesystem::is_directory(words.folder, problem))
+        return refuse(Error{"there is no such folder of a class" + did_you_mean_path(words.folder), {words.folder}});
     std::filesystem::create_directories(words.folder, problem);
     const std::filesystem::path folder = std::filesystem::canonical(words.folder, problem);
     if (problem) return refuse({"can't be made: " + problem.message(), {words.folder}});

@@ -100,7 +100,7 @@ Expected<std::string> new_file_name(std::string_view what_it_is, const std::stri
     near = to_snake(near);
     const bool helps = is_identifier(near) && near.size() <= 60;
     return failure(what + ": letters, digits and _, not beginning with a digit" +
-                   (helps ? fmt::format(" (did you mean '{}'?)", near) : ""));
+                   (helps ? fmt::format(" (did you mean '{}'?)", near) : ", for example line_follower"));
 }
 
 Expected<void> take_new_name(std::string_view option, const std::string& name, std::vector<std::string>& taken) {
