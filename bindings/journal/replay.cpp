@@ -263,6 +263,10 @@ Expected<std::unique_ptr<RunningSystem>> Replay::load(LiveOptions options) {
     return live;
 }
 
+std::optional<std::int64_t> Replay::end_tick() const {
+    return end_ ? std::optional(entries_.back().when.tick) : std::nullopt;
+}
+
 std::int64_t Replay::ticks() const {
     std::int64_t all = 0;
     ActTime last{};

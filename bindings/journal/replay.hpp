@@ -46,6 +46,8 @@ public:
     std::uint64_t seed_of(const SystemSpec& spec) const { return seed_wins_ ? seed_ : spec.seed.value_or(seed_); }
     /// The acts that changed this component, each with the tick before which it was; up to the first restart or seek.
     Expected<std::vector<std::pair<std::int64_t, Act>>> acts_on(const std::string& component) const;
+    /// The tick before which the run ended, and its robots began to brake; nothing if its journal is incomplete.
+    std::optional<std::int64_t> end_tick() const;
     /// Whether robots were real.
     bool is_of_hardware() const { return is_of_hardware_; }
     /// Performs the acts before the next tick, and compares hashes. Returns true if there is more, so that a tick may

@@ -128,7 +128,7 @@ Expected<JudgedRun> JudgedRun::from_topics(const record::McapFile& recording, co
     const Component& its = *std::as_const(**live).system().find(component);
     const double rate = run.drive_.rate;
     const TopicReader reader = is_own && (*record)->is_of_hardware()
-                                   ? TopicReader::of_same_ticks(recording, request.run, rate)
+                                   ? TopicReader::of_same_ticks(recording, request.run, rate, (*record)->end_tick())
                                    : TopicReader(recording, request.run, rate);
     if (auto read = read_drive(run.drive_, recording, reader, request.run, its, *topics); !read)
         return Unexpected(read.error());

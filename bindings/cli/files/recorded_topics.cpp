@@ -94,7 +94,8 @@ TopicReader::TopicReader(const McapFile& recording, const std::string& name, dou
     if (!recording.messages.empty()) begin_ = recording.messages.front().log_time;
 }
 
-TopicReader TopicReader::of_same_ticks(const McapFile& recording, const std::string& name, double rate) {
+TopicReader TopicReader::of_same_ticks(const McapFile& recording, const std::string& name, double rate,
+                                       std::optional<std::int64_t> end) {
     TopicReader reader(recording, name, rate);
     reader.begin_ = 0;
     const auto is_of_port = [&](const RecordedMessage& message) {
@@ -110,6 +111,7 @@ TopicReader TopicReader::of_same_ticks(const McapFile& recording, const std::str
         tick = due - next > Pacer::longest_burst ? due : next;
         next = tick + 1;
     }
+    std::erase_if(reader.ticks_, [&](const auto& each) { return end && each.second >= *end; });
     return reader;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,8 +27,9 @@ public:
     /// `name` is that of the file, for errors; `rate` [Hz] that of the tick. The arguments must outlive the reader.
     TopicReader(const record::McapFile& recording, const std::string& name, double rate);
     /// For a run of nezumi on hardware at this `rate`, whose ticks came when the clock let them: each tick in which
-    /// something was recorded is a tick again, and times are counted from the start of the run.
-    static TopicReader of_same_ticks(const record::McapFile& recording, const std::string& name, double rate);
+    /// something was recorded is a tick again, up to the tick `end`, and times are counted from the start of the run.
+    static TopicReader of_same_ticks(const record::McapFile& recording, const std::string& name, double rate,
+                                     std::optional<std::int64_t> end);
 
     std::int64_t tick_of(std::uint64_t log_time) const;
     /// The number of ticks up to the last message.

@@ -107,7 +107,7 @@ TEST_CASE("a robot that --hw can't make real is refused with its line", "[cli][h
     CHECK(refused(slow).empty());
 }
 
-TEST_CASE("--hw makes devices real too, and a device on a robot is real if the robot is", "[cli][hw]") {
+TEST_CASE("the option --hw makes devices real too, and a device on a robot is real if the robot is", "[cli][hw]") {
     SystemSpec spec = two_mice();
     add_component(spec, "stick", "Joystick");
     add_component(spec, "eye", "Camera", "second");
