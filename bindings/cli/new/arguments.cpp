@@ -98,7 +98,7 @@ Expected<std::string> new_file_name(std::string_view what_it_is, const std::stri
     std::replace_if(
         near.begin(), near.end(), [](char c) { return !is_word(c); }, '_');
     near = to_snake(near);
-    const bool helps = is_identifier(near) && near.size() <= 60;
+    const bool helps = is_identifier(near) && near.find_first_not_of('_') != near.npos && near.size() <= 60;
     return failure(what + ": letters, digits and _, not beginning with a digit" +
                    (helps ? fmt::format(" (did you mean '{}'?)", near) : ", for example line_follower"));
 }

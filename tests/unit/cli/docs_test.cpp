@@ -120,11 +120,13 @@ void run_console(Terminal& terminal, const Block& block) {
     }
 }
 
-void follow(const std::string& name, const std::string& folder = "") {
+// `before`: a command that comes before those of the page.
+void follow(const std::string& name, const std::string& folder = "", const std::string& before = "") {
     const std::string page = text_of_file(fs::path(source_root()) / "docs" / name);
     REQUIRE_FALSE(page.empty());
     Terminal terminal;
     if (!folder.empty()) terminal.run("cd '" + folder + "'");
+    if (!before.empty()) terminal.run(before);
     for (const Block& block : blocks_of(page)) {
         std::string text;
         for (const std::string& line : block.lines) text += line + "\n";
@@ -326,7 +328,7 @@ TEST_CASE("the commands on the seminar's page in Japanese give the documented re
 }
 
 TEST_CASE("the commands on the page about classes in Japanese give the documented results", "[cli][docs]") {
-    follow("ja/classroom.md");
+    follow("ja/classroom.md", "", "mkdir robots-7b");
 }
 
 TEST_CASE("each page in Japanese and its English one lead to each other and have as many commands", "[cli][docs]") {
@@ -399,7 +401,7 @@ TEST_CASE("the commands on the page about learning give the documented results",
 TEST_CASE("the commands on the page about agents give the documented results", "[cli][docs]") { follow("agents.md"); }
 
 TEST_CASE("the commands on the page about classes give the documented results", "[cli][docs]") {
-    follow("classroom.md");
+    follow("classroom.md", "", "mkdir robots-7b");
 }
 
 TEST_CASE("every example has a picture", "[cli][docs]") {
