@@ -129,7 +129,7 @@ void LightRun::look_for_names() {
     const TreeNode tree = live_.tree();
     for (const std::string& name : tree.children()) {
         for (const std::string& member : changing_members(*tree.child(name))) {
-            auto channel = Channel::find(system, name + "." + member);
+            auto channel = Channel::find(system, join_path(name, member));
             if (channel && !channel->is_port()) members_.push_back(std::move(*channel));
         }
     }
