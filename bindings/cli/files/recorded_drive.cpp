@@ -96,6 +96,7 @@ Expected<void> read_drive(RecordedDrive& drive, const McapFile& recording, const
         const auto ports = ports_of(behavior);
         if (std::any_of(ports.begin(), ports.end(), has_name)) continue;
         std::vector<std::string_view> names;
+        names.reserve(ports.size());
         for (const Port* each : ports) names.push_back(each->name());
         return failure(fmt::format("--map: {} has no port '{}'{}; it has {}", behavior.name(), shown(port),
                                    did_you_mean(port, names), fmt::join(names, ", ")));

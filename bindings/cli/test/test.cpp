@@ -405,7 +405,7 @@ int test(TestOptions command) {
         write_out(text);
     };
     const auto reporter = command.tap ? tap_reporter(write) : console_reporter(write, colour, command.quiet);
-    const auto end = session(*reporter);
+    auto end = session(*reporter);
     progress.clear();
     return end ? finish(command, std::move(*end)) : refuse(end.error());
 }

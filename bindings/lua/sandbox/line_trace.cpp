@@ -83,7 +83,7 @@ std::string text_of_table(lua_State* lua) {
         for (const auto& [name, value] : named_fields(lua, true)) {
             has_more = count >= most_elements;
             if (has_more) break;
-            add(name + " = " + value);
+            add(std::string(name).append(" = ").append(value));
         }
     }
     return text + (has_more ? ", ... }" : count > 0 ? " }" : "}");
