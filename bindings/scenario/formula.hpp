@@ -18,7 +18,6 @@ struct Comparison {
     Operator op = Operator::less;
     std::string_view unit{};  ///< of what is compared, "" when the text does not tell
     bool negated = false;     ///< the condition has `not` before it
-    bool is_contact = false;  ///< the value is `X.collided` of a robot, whose clearance is a number
     std::string called{};     ///< what is called for the value, as in Lua's messages: "upvalue 'near'"; of a contact,
                               ///< what is indexed: " (field 'mouse')"
 

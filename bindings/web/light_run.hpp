@@ -25,7 +25,7 @@ public:
     /// Simulated time between two frames [s], at least.
     static constexpr double period = 0.04;
 
-    /// Both must outlive it.
+    /// The arguments must outlive this object.
     LightRun(RunningSystem& live, const ClockControl& clock);
 
     void log(const LogLine& line);
@@ -34,7 +34,7 @@ public:
     /// One of `step` frames, as recorded_run.js reads them. Call this at the end of the run.
     std::string text(const std::string& version, std::size_t step);
     std::size_t frames() const { return times_.size(); }
-    /// All that were noted.
+    /// How many numbers were noted.
     std::size_t numbers() const { return numbers_; }
 
 private:
