@@ -137,43 +137,35 @@ int mutate_file(const TestOptions& command, TestPlan plan, TestSessionOptions& o
     return report->noticed() == report->tried.size() ? exit_done : exit_failed;
 }
 
+// What a session that is watched or shown can't be or write.
+GivenOptions ways_and_results(const TestOptions& command) {
+    return {{"--list", command.list},
+            {"--merge", command.merge},
+            {"--open", command.open},
+            {"--hw", command.hw},
+            {"--shard", !command.shard.empty()},
+            {"--resume", command.resume},
+            {"--update-goldens", command.update_goldens},
+            {"--junit", !command.junit.empty()},
+            {"--measures", !command.measures.empty()},
+            {"--margins", !command.margins.empty()},
+            {"--plots", !command.plots.empty()},
+            {"--coverage", !command.coverage.empty()},
+            {"--mutate", !command.mutate.empty()}};
+}
+
 // Whether the options go together.
 Expected<void> check_options(const TestOptions& command) {
     if (command.watch) {
-        auto ok = refuse_given({{"--list", command.list},
-                                {"--merge", command.merge},
-                                {"--open", command.open},
-                                {"--hw", command.hw},
-                                {"--shard", !command.shard.empty()},
-                                {"--resume", command.resume},
-                                {"--update-goldens", command.update_goldens},
-                                {"--junit", !command.junit.empty()},
-                                {"--measures", !command.measures.empty()},
-                                {"--margins", !command.margins.empty()},
-                                {"--plots", !command.plots.empty()},
-                                {"--coverage", !command.coverage.empty()},
-                                {"--mutate", !command.mutate.empty()}},
-                               "--watch runs again and again, and only what a save touches");
+        auto ok = refuse_given(ways_and_results(command), "--watch runs again and again, and only what a save touches");
         if (!ok) return ok;
     }
     if (command.show) {
-        auto ok = refuse_given({{"--list", command.list},
-                                {"--merge", command.merge},
-                                {"--watch", command.watch},
-                                {"--open", command.open},
-                                {"--hw", command.hw},
-                                {"--shard", !command.shard.empty()},
-                                {"--resume", command.resume},
-                                {"--repeat", command.repeat.has_value()},
-                                {"--search", command.search.has_value()},
-                                {"--update-goldens", command.update_goldens},
-                                {"--mutate", !command.mutate.empty()},
-                                {"--junit", !command.junit.empty()},
-                                {"--measures", !command.measures.empty()},
-                                {"--margins", !command.margins.empty()},
-                                {"--plots", !command.plots.empty()},
-                                {"--coverage", !command.coverage.empty()}},
-                               "--show only shows one run");
+        GivenOptions given = ways_and_results(command);
+        given.insert(given.end(), {{"--watch", command.watch},
+                                   {"--repeat", command.repeat.has_value()},
+                                   {"--search", command.search.has_value()}});
+        auto ok = refuse_given(given, "--show only shows one run");
         if (!ok) return ok;
     } else {
         for (const auto& [option, given] :
