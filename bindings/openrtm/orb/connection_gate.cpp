@@ -29,7 +29,8 @@ namespace {
 
 // Connections waiting for accept: they come on top of all limits.
 constexpr int longest_queue = 32;
-// The shortest time between two checks, and the longest while a connection is unused.
+// The shortest and the longest time between two checks. The listening socket wakes the thread for most connections,
+// but not for one that the ORB accepts before the thread has looked.
 constexpr std::chrono::milliseconds shortest_pause{1}, longest_pause{200};
 
 struct End {
@@ -109,18 +110,16 @@ ConnectionGate::~ConnectionGate() {
 }
 
 void ConnectionGate::run() {
-    bool waits = false;
     for (;;) {
         std::array<pollfd, 2> polled{{{bell_, POLLIN, 0}, {listener_, POLLIN, 0}}};
-        const int events = poll(polled.data(), polled.size(), waits ? static_cast<int>(longest_pause.count()) : -1);
+        const int events = poll(polled.data(), polled.size(), static_cast<int>(longest_pause.count()));
         if (events > 0 && polled[0].revents != 0) return;
-        waits = look();
+        look();
         std::this_thread::sleep_for(shortest_pause);  // gives the ORB time to accept
     }
 }
 
-// Returns true if the thread may wait without a new connection.
-bool ConnectionGate::look() {
+void ConnectionGate::look() {
     std::size_t all = 0;
     std::vector<Connection> open = connections(all);
     // The first ones to close come first.
@@ -141,7 +140,6 @@ bool ConnectionGate::look() {
         if (!each.was_used) --unused;
     }
     accept_others(all < limits_.most_in_a_burst);
-    return unused > 0 || !accepts_;
 }
 
 // The ORB's connections that are not closed by the peer; `all` counts those too.
