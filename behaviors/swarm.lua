@@ -16,16 +16,11 @@ for i = 1, COUNT do
   cosines[i], sines[i] = math.cos(angle) / COUNT, math.sin(angle) / COUNT
 end
 
-local forward, right, left = { vx = 0, va = 0 }, { vx = 0, va = 0 }, { vx = 0, va = 0 }
+local velocity = { vx = 0, va = 0 }
 
-local function prepare()
-  forward.vx = config.speed
-  right.vx, right.va = config.speed / 2, -config.speed / config.track
-  left.vx, left.va = config.speed / 2, config.speed / config.track
-end
-
-function on_activated()
-  prepare()
+local function drive(vx, va)
+  velocity.vx, velocity.va = vx, va
+  out:write(velocity)
 end
 
 function on_execute()
@@ -37,10 +32,10 @@ function on_execute()
   end
   local angle = math.atan(y, x)
   if math.abs(angle) <= ahead and x * x + y * y < near * near then
-    out:write(forward)
+    drive(config.speed, 0)
   elseif angle > 0 then
-    out:write(right)
+    drive(config.speed / 2, -config.speed / config.track)
   else
-    out:write(left)
+    drive(config.speed / 2, config.speed / config.track)
   end
 end

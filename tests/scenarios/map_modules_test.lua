@@ -73,10 +73,19 @@ scenario("a value that is not a pose is refused", function(s)
   equal(s, said(function() poses.transform(nil, {}) end), "poses.transform" .. a_pose)
   equal(s, said(function() poses.transform(poses.plane(0, 0, 0), { 1, 2 }) end), "poses.transform expected a point: { x, y }")
   equal(s, said(function() poses.to_local(in_space[1], { x = 1, y = 2 }) end), "poses.to_local expected a point: { x, y, z }")
-  equal(s, said(function() poses.compose(poses.plane(0, 0, 0), in_space[1]) end),
-    "poses.compose expected two poses in the plane or two in space, got one of each")
-  equal(s, said(function() poses.plane(1, 2) end), "poses.plane: heading expected a finite number, got nothing")
-  equal(s, said(function() poses.space(1, 2) end), "poses.space: z expected a finite number, got nothing")
+  for _, name in ipairs { "compose", "relative" } do
+    equal(s, said(function() poses[name](poses.plane(0, 0, 0), in_space[1]) end),
+      ("poses.%s expected two poses in the plane or two in space, got one of each"):format(name))
+    equal(s, said(function() poses[name](in_space[1], 1) end), "poses." .. name .. a_pose)
+  end
+  for make, names in pairs { plane = { "x", "y", "heading" }, space = { "x", "y", "z", "roll", "pitch", "yaw" } } do
+    for i, name in ipairs(names) do
+      local values = { 1, 2, 3, 4, 5, 6 }
+      values[i] = {}
+      equal(s, said(function() poses[make](table.unpack(values)) end),
+        ("poses.%s: %s expected a finite number, got table"):format(make, name))
+    end
+  end
 end)
 
 scenario("a grid knows the cell of a place and the place of a cell", function(s)
@@ -86,6 +95,9 @@ scenario("a grid knows the cell of a place and the place of a cell", function(s)
   column, row = map:cell_at(0.99, 1.49)
   s:check(column == 4 and row == 3)
   s:check(map:cell_at(1, 0.5) == nil and map:cell_at(0, 1.5) == nil and map:cell_at(-1.01, 0) == nil)
+  local left, below = map:centre(1, 1)
+  s:near(left, -0.75, 1e-12)
+  s:near(below, 0.25, 1e-12)
   local x, y = map:centre(4, 3)
   s:near(x, 0.75, 1e-12)
   s:near(y, 1.25, 1e-12)
@@ -157,9 +169,29 @@ scenario("wrong options of a grid are refused", function(s)
   equal(s, said(function() grid { columns = 501, rows = 500, cell = 1 } end),
     "grid: the number of cells expected a whole number from 1 to 250000, got 250500")
   equal(s, said(function() grid { width = 3 } end), "grid has no 'width': it has columns, rows, cell, x, y")
+  equal(s, said(function() grid { columns = 1, rows = 0, cell = 1 } end), "grid: rows expected a whole number from 1 to 250000, got 0")
+  equal(s, said(function() grid { columns = 1, rows = 1, cell = 1, x = {} } end), "grid: x expected a finite number, got table")
+  equal(s, said(function() grid { columns = 1, rows = 1, cell = 1, y = {} } end), "grid: y expected a finite number, got table")
+  equal(s, said(function() grid({ columns = 1, rows = 1, cell = 1 }, 1) end), "grid: memory expected a table, got 1")
   local map = grid { columns = 3, rows = 3, cell = 1 }
-  equal(s, said(function() map:evidence(4, 1) end), "grid: column expected a whole number from 1 to 3, got 4")
-  equal(s, said(function() map:mark_ray(0, 0, 1, 1) end), "grid: hit expected a boolean, got nothing")
+  for _, name in ipairs { "evidence", "centre" } do
+    for _, wrong in ipairs { 0, 4, 1.5 } do
+      local expected = " expected a whole number from 1 to 3, got " .. wrong
+      equal(s, said(function() map[name](map, wrong, 1) end), "grid: column" .. expected)
+      equal(s, said(function() map[name](map, 1, wrong) end), "grid: row" .. expected)
+    end
+  end
+  -- The last argument is a boolean, all before are numbers.
+  for name, arguments in pairs {
+    cell_at = { "x", "y" }, set = { "x", "y", "occupied" }, mark_ray = { "x", "y", "to_x", "to_y", "hit" },
+  } do
+    for i, argument in ipairs(arguments) do
+      local values = { 0, 0, name == "set" or 0, 0, true }
+      values[i] = "1"
+      local kind = (argument == "occupied" or argument == "hit") and "boolean" or "finite number"
+      equal(s, said(function() map[name](map, table.unpack(values)) end), ("grid: %s expected a %s, got string"):format(argument, kind))
+    end
+  end
 end)
 
 --- A grid of cells of 1 m of a drawing, the largest y first; what is no `#` is free, spaces are unknown.
@@ -280,14 +312,22 @@ scenario("the point to steer for lies ahead on the way", function(s)
 end)
 
 scenario("a value that is not a path or a point is refused", function(s)
-  local map = drawn("...")
-  equal(s, said(function() path.find(map, { 1, 2 }, { x = 1, y = 1 }) end), "path.find: from expected a point: { x, y }")
-  equal(s, said(function() path.find(map, { x = 1, y = 1 }, { x = 1, y = 1 }, { margin = 1 }) end),
+  local map, good = drawn("..."), { x = 1, y = 1 }
+  for _, wrong in ipairs { { 1, 2 }, { x = 1 }, { y = 1 }, 1 } do
+    equal(s, said(function() path.find(map, wrong, good) end), "path.find: from expected a point: { x, y }")
+    equal(s, said(function() path.find(map, good, wrong) end), "path.find: to expected a point: { x, y }")
+    equal(s, said(function() path.ahead({ good }, wrong, 1) end), "path.ahead: position expected a point: { x, y }")
+  end
+  equal(s, said(function() path.find(1, good, good) end), "path.find: grid expected a table, got 1")
+  equal(s, said(function() path.find(map, good, good, { margin = 1 }) end),
     "path.find: options has no 'margin': it has clearance, unknown")
-  equal(s, said(function() path.find(map, { x = 1, y = 1 }, { x = 1, y = 1 }, { unknown = 1 }) end),
+  equal(s, said(function() path.find(map, good, good, { clearance = -1 }) end),
+    "path.find: clearance expected a number from 0 on, got -1")
+  equal(s, said(function() path.find(map, good, good, { unknown = 1 }) end),
     "path.find: unknown expected 'free' or 'blocked', got 1")
-  equal(s, said(function() path.ahead({}, { x = 1, y = 1 }, 1) end),
+  equal(s, said(function() path.length(1) end), "path.length: points expected a table, got 1")
+  equal(s, said(function() path.ahead(1, good, 1) end), "path.ahead: points expected a table, got 1")
+  equal(s, said(function() path.ahead({}, good, 1) end),
     ("path.ahead: the number of points expected a whole number from 1 to %d, got 0"):format(math.maxinteger))
-  equal(s, said(function() path.ahead({ { x = 1, y = 1 } }, { x = 1, y = 1 }, -1) end),
-    "path.ahead: distance expected a number from 0 on, got -1")
+  equal(s, said(function() path.ahead({ good }, good, -1) end), "path.ahead: distance expected a number from 0 on, got -1")
 end)
