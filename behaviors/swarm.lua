@@ -16,7 +16,7 @@ for i = 1, COUNT do
   cosines[i], sines[i] = math.cos(angle) / COUNT, math.sin(angle) / COUNT
 end
 
-local velocity = { vx = 0, va = 0 }
+local velocity = {}
 
 local function drive(vx, va)
   velocity.vx, velocity.va = vx, va

@@ -145,6 +145,9 @@ scenario("a hysteresis changes beyond its thresholds only, a bounce changes noth
   local input = { false, true, false, true, true, true, true, false, true, false, false, false }
   local expected = { false, false, false, false, false, true, true, true, true, true, true, false }
   for i, value in ipairs(input) do s:check(debounce:update(value, 0.01) == expected[i], "at step " .. i) end
+  s:check(debounce:update(true, 0.01) == false, "it has changed just now")
+  local slow = filters.debounce { time = 2 }
+  for i, value in ipairs { true, true, false, false, true, false } do s:check(slow:update(value, 0.9), "at step " .. i) end
 end)
 
 scenario("the memory of a filter outlives the filter", function(s)

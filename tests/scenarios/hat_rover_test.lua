@@ -103,6 +103,7 @@ scenario("the hat rover's driver reads the voltage of its battery", { timeout = 
     s:near(driver.probes.battery.value, value, 1e-9)
     s:equal({ driver.may_drive.value, driver.state.warned }, { may_drive, warned })
   end
+  s:equal(driver.state.warned, false)
   volts(7.4, true, false)
   volts(6.804, true, false)
   volts(6.796, true, true)
@@ -146,19 +147,24 @@ scenario("the model of the hat drives the wheels as its registers say", { timeou
     s:near(devices.target_velocity_in.value.va, va, 1e-6)
   end
   local function channel(count) return string.pack("<I2I2", 0, count) end
-  local ahead = "\x26" .. channel(2048) .. OFF .. ON .. ON .. OFF .. channel(1024)
+  -- 0.3 m/s less a bit, and half of that.
+  local left, right = 0.6 * 2047 / 4096, 0.6 * 1023 / 4096
+  local ahead = "\x26" .. channel(2047) .. OFF .. ON .. ON .. OFF .. channel(1023)
+  local function sets_ahead(bytes) sets(bytes, (left + right) / 2, (right - left) / 0.13) end
   sets(ahead, 0, 0)
   s:run(0.2)
   s:equal(devices.hat_out.value, "\x00\x11", "it sleeps until it is woken")
-  sets("\x00\x20", 0.225, -0.15 / 0.13)
+  sets_ahead "\x00\x20"
   sets("\x26" .. channel(2048) .. ON .. OFF .. ON .. OFF .. channel(2048), 0, 0.6 / 0.13)
-  sets("\x26" .. ON .. OFF .. ON .. OFF .. ON .. ON, -0.0, -1.2 / 0.13)
-  sets(ahead, 0.225, -0.15 / 0.13)
+  sets("\x26" .. ON .. OFF .. ON .. OFF .. ON .. ON, 0, -1.2 / 0.13)
+  sets_ahead(ahead)
   s:run(0.2)
   s:equal(devices.hat_out.value, "\x00\x20")
-  sets("\xFD\x00", 0.225, -0.15 / 0.13)
+  sets("\x29\x17", right / 2, right / 0.13) -- the last register of channel 8: off, whatever its count
+  sets_ahead(ahead)
+  sets_ahead "\xFD\x00"
   sets("\xFD\x10", 0, 0)
-  sets(ahead, 0.225, -0.15 / 0.13)
+  sets_ahead(ahead)
   devices:lose_power()
   s:run(0.02)
   s:equal(devices.target_velocity_in.value, { vx = 0, vy = 0, va = 0 })
@@ -173,6 +179,7 @@ scenario("the models of the battery monitor and the range finder answer as their
   s:inject(devices.front, 0.343)
   s:run(0.36)
   s:equal(kept.state.bytes, { "\x02\x39\xD0", "\x02\x39\xD0", "\x02\x39\xD0", "\x02\x39\xD0" }, "7.4 V, every 0.1 s")
+  s:inject(devices.sonar_in, "23=0")
   s:inject(devices.sonar_in, "23=1")
   s:run(0.02)
   s:equal(kept.state.texts, {}, "while the trigger is high")

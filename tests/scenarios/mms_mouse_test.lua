@@ -32,7 +32,7 @@ scenario("a mouse drives by half cells and turns by eighths, as a solver says", 
   is_at(0, 0.18, -math.pi / 2)
   driver:drive(2)
   ends()
-  driver:turn(-4)
+  driver:turn(4)
   ends()
   is_at(0, 0, math.pi / 2)
   driver:drive(1)
@@ -69,6 +69,23 @@ scenario("a solver that gives up begins anew where the mouse is set down", { tim
   driver:drive(2)
   ends()
   is_at(0, 0.18, math.pi / 2)
+  local at = driver.state.mouse
+  s:equal({ at.column, at.row, at.direction }, { 1, 2, 1 })
+end)
+
+scenario("a movement during a reload is ended before the next", { timeout = 30 }, function(s)
+  local driver, _, ends, is_at = start(s)
+  driver:drive(2)
+  s:run(0.2)
+  s:check(s:reload("driver", { file = "mms_mouse" }))
+  s:check(driver.state.busy)
+  ends()
+  is_at(0, 0.18, math.pi / 2)
+end)
+
+scenario("the mouse of mms has its defaults", function(s)
+  local driver = s:behavior "driver" { script = "mms_mouse" }
+  s:equal({ driver.config.size, driver.config.speed }, { { 16, 16 }, 0.3 })
 end)
 
 scenario("a reload between two movements changes nothing for a solver", { timeout = 30 }, function(s)

@@ -78,6 +78,7 @@ scenario("the rover's driver reads the lines of its microcontroller, and no torn
     for _, line in ipairs { ... } do s:inject(driver.line_in, line) end
     s:run(0.02)
   end
+  s:equal(driver.state.warned, false)
   take("e 120 -118", "r 0.53", "b 7.4")
   s:equal({ driver.wheel_pulses.value, driver.distance.value, driver.may_drive.value }, { { 120, -118 }, 0.53, true })
   s:near(driver.probes.battery.value, 7.4, 1e-9)
@@ -111,7 +112,8 @@ scenario("the rover's driver sends its speeds as a line in each execution", { ti
 end)
 
 scenario("the rover's microcontroller does what a line says, until none comes", { timeout = 5 }, function(s)
-  local model = s:behavior "model" { script = "rover_firmware" }
+  local model, kept = s:behavior "model" { script = "rover_firmware" }, s:behavior "kept" { script = "keeps_all" }
+  s:connect("model.line_out", "kept.texts")
   s:equal(model.config.volts, 7.4)
   local function drives(vx, va) s:equal(model.target_velocity_in.value, { vx = vx, vy = 0, va = va }) end
   local function take(line)
@@ -120,7 +122,14 @@ scenario("the rover's microcontroller does what a line says, until none comes", 
   end
   s:run(0.02)
   drives(0, 0)
-  s:equal(model.line_out.value, "b 7.40")
+  s:equal(kept.state.texts[1], "e 0 0")
+  s:equal({ kept.state.texts[2], kept.state.texts[3] }, { "r 0.000", "b 7.40" })
+  s:inject(model.wheel_pulses, { 120, -5 })
+  s:inject(model.front, 0.53)
+  s:run(0.01)
+  kept:forget()
+  s:run(0.01)
+  s:equal(kept.state.texts, { "e 120 -5", "r 0.530", "b 7.40" })
   take "v 0.25 -0.5"
   drives(0.25, -0.5)
   take "v 0.3"

@@ -27,6 +27,7 @@ scenario("a robot of a swarm turns away from what is near, and goes on past what
   turns(-1, { [1] = 0.2, [2] = 0.1 })
   -- Straight ahead: the mean of all readings decides, and to the right if both sides are alike.
   goes_on { [1] = 1.2, [24] = 1.2 }
+  goes_on { [1] = 0.5, [24] = 0.45 }
   turns(1, { [1] = 1.25, [24] = 1.25 })
 end)
 
