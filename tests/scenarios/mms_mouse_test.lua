@@ -100,3 +100,151 @@ scenario("a reload between two movements changes nothing for a solver", { timeou
   ends()
   is_at(0, 0.18, -math.pi / 2)
 end)
+
+--- The mouse alone: `at` is what its wheels say, ahead and to the left of where it began, and what its sensors see.
+local function mouse_alone(s)
+  local driver = s:behavior "driver" { script = "mms_mouse", config = { size = { 4, 3 } } }
+  local memory = driver.state.mouse
+  return driver, function(ahead, left, heading, ranges)
+    s:inject(driver.pose, { position = { x = 5 + ahead, y = 6 + left }, heading = heading })
+    s:inject(driver.ranges, ranges or { 0.6, 0.6, 0.6, 0.6 })
+    s:run(0.01)
+    return driver.target.value
+  end, function(column, row, direction)
+    memory = driver.state.mouse
+    s:equal({ memory.column, memory.row, memory.direction }, { column, row, direction })
+  end
+end
+
+local function drives(s, value, vx, va)
+  s:near(value.vx, vx, 1e-9)
+  s:near(value.va, va, 1e-9)
+end
+
+scenario("a mouse brakes before the end of its way, keeps to its lane, and turns on the spot", { timeout = 5 }, function(s)
+  local driver, at = mouse_alone(s)
+  drives(s, at(0, 0, 0), 0, 0)
+  driver:drive(2)
+  s:run(0.01)
+  drives(s, at(0, 0, 0), 0.3, 0)
+  drives(s, at(0.12, 0, 0), 0.3, 0)
+  drives(s, at(0.15, 0, 0), math.sqrt(2 * 0.03), 0)
+  drives(s, at(0.14, 0.02, 0), 0.3 - 0.3 + math.sqrt(2 * 0.04), -6 * math.atan(0.2))
+  drives(s, at(0.14, 0, 0.2), math.sqrt(2 * 0.04), -6 * 0.2)
+  drives(s, at(0.14, 0, 0.35), 0, -math.sqrt(16 * 0.35))
+  drives(s, at(0.14, 0, -0.35), 0, math.sqrt(16 * 0.35))
+  drives(s, at(0.14, 0, 2), 0, -5)
+  drives(s, at(0.175, 0, 0), math.sqrt(2 * 0.005), 0)
+  drives(s, at(0.178, 0, 0.1), 0, -math.sqrt(16 * 0.1))
+  s:run(0.02)
+  drives(s, at(0.19, 0, 0), -math.sqrt(2 * 0.01), 0)
+end)
+
+scenario("a mouse looks at walls as it comes to a cell's border", { timeout = 5 }, function(s)
+  local driver, at, is_on_way_to = mouse_alone(s)
+  at(0, 0, 0)
+  driver:drive(4)
+  at(0, 0, 0)
+  is_on_way_to(1, 3, 1)
+  at(0.08, 0, 0, { 0.2, 0.11, 0.11, 0.2 })
+  s:equal(driver:walls(1, 2), { false, false, false, false }, "not before")
+  at(0.10, 0, 0, { 0.20, 0.13, 0.11, 0.23 })
+  s:run(0.01)
+  s:equal(driver:walls(1, 2), { false, true, true, false })
+  at(0.26, 0, 0)
+  s:equal(driver:walls(1, 3), { false, false, false, true }, "a wall has two sides")
+  at(0.28, 0, 0, { 0.20, 0.11, 0.13, 0.25 })
+  s:run(0.01)
+  s:equal(driver:walls(1, 3), { true, false, false, true })
+  s:equal(driver:walls(2, 3), { false, false, true, false })
+  s:check(driver.state.busy)
+  at(0.355, 0, 0)
+  s:run(0.01)
+  s:check(driver.state.busy)
+  at(0.358, 0, 0)
+  s:run(0.02)
+  s:check(not driver.state.busy)
+end)
+
+scenario("a mouse on a diagonal goes from border to border", { timeout = 5 }, function(s)
+  local driver, at, is_on_way_to = mouse_alone(s)
+  local way, turned = 0, 0
+  local function does(order, amount)
+    driver[order](driver, amount)
+    at(way, 0, turned)
+  end
+  at(0, 0, 0)
+  does("drive", 1)
+  is_on_way_to(1, 1.5, 1)
+  s:equal(driver:walls(1, 2), { false, false, false, false })
+  at(0.09, 0, 0)
+  s:run(0.02)
+  s:check(not driver.state.busy)
+  driver:turn(-1)
+  s:run(0.02)
+  is_on_way_to(1, 1.5, 0.5)
+  at(0.09, 0, -math.pi / 4 + 0.03)
+  s:run(0.02)
+  s:check(driver.state.busy, "it has not turned enough")
+  at(0.09, 0, -math.pi / 4 + 0.01)
+  s:run(0.02)
+  s:check(not driver.state.busy)
+  driver:drive(3)
+  s:run(0.02)
+  is_on_way_to(2.5, 3, 0.5)
+  drives(s, at(0.09, 0, -math.pi / 4), 0.3, 0)
+  at(0.09 + 0.26, -0.26, -math.pi / 4)
+  s:run(0.02)
+  s:check(driver.state.busy)
+  at(0.09 + 0.27, -0.27, -math.pi / 4)
+  s:run(0.02)
+  s:check(not driver.state.busy)
+end)
+
+scenario("walls at the sides put the mouse into the middle of its lane, one ahead where it is along", { timeout = 5 }, function(s)
+  local driver, at = mouse_alone(s)
+  local half, far = math.sqrt(0.5), 0.5
+  -- What it sees in the middle of a cell with walls on all sides, and so much farther.
+  local function seen(right_front, right, left, left_front)
+    return { 0.049 + right_front, 0.054 / half + right, 0.054 / half + left, 0.049 + left_front }
+  end
+  -- It corrects a twentieth of what it sees of its place, ahead and to the left, and of its heading.
+  local function learns(ranges, ahead, left, turn, halves)
+    driver:home()
+    at(0, 0, 0)
+    if halves then
+      driver:drive(halves)
+      at(0, 0, 0)
+      at(0, 0, 0)
+    end
+    at(0, 0, 0, ranges)
+    local here = driver.state.mouse.here
+    s:near(here.position.y, -0.05 * ahead, 1e-6)
+    s:near(here.position.x, 0.05 * left, 1e-6)
+    s:near(here.heading - math.pi / 2, -0.05 * turn, 1e-6)
+  end
+  learns(seen(far, 0, 0, far), 0, 0, 0)
+  learns(seen(far, 0.01, far, far), 0, -0.01 * half, 0)
+  learns(seen(far, far, 0.01, far), 0, 0.01 * half, 0)
+  learns(seen(far, 0.01, -0.02, far), 0, -0.03 * half, 0)
+  learns(seen(far, 0.027, far, far), 0, -0.027 * half, 0)
+  learns(seen(far, 0.029, far, far), 0, 0, 0) -- too far: that is no wall
+  learns(seen(far, -0.029, far, far), 0, 0, 0)
+  learns(seen(0.03, 0.01, far, far), 0, 0, 0) -- something ahead
+  learns(seen(far, 0.01, far, 0.03), 0, 0, 0)
+  learns(seen(0.032, 0.01, far, far), 0, -0.01 * half, 0)
+  learns(seen(far, 0.01, far, far), 0, -0.01 * half, -6 * 0.01 * half, 2) -- under way it turns as well
+  learns(seen(0.02, far, far, 0.02), 0.02, 0, 0)
+  learns(seen(0.01, far, far, 0.03), 0.02, 0, -0.25)
+  learns(seen(0.1, far, far, 0.1), 0.1 - 0.18, 0, 0) -- that of the next cell
+  learns(seen(0.1, far, far, 0.102), 0, 0, 0)
+  learns(seen(0.102, far, far, 0.1), 0, 0, 0)
+  learns(seen(0.02, far, far, 0.02), 0.02, 0, 0, 1)
+  driver:home()
+  at(0, 0, 0)
+  at(0, 0, 0.12, seen(far, 0.01, far, far))
+  s:near(driver.state.mouse.here.heading, math.pi / 2 + 0.12, 1e-9)
+  s:near(driver.state.mouse.here.position.x, 0, 1e-9)
+  at(0, 0, 0.08, seen(far, 0, far, far))
+  s:check(math.abs(driver.state.mouse.here.position.x) > 1e-4, "it looks nearly along its lane")
+end)
