@@ -1,4 +1,4 @@
---- localisation and flock: who knows more than its own wheels say.
+--- localisation, distance_estimator and flock: who knows more than its own wheels say.
 
 local function distance(a, b) return math.sqrt((a.x - b.x) ^ 2 + (a.y - b.y) ^ 2) end
 
@@ -44,6 +44,55 @@ scenario("without markers in sight the filter goes on by odometry, and is less a
   s:check(world.place.deviation.value[1] > sure + 0.02)
   s:restore("detector.pos")
   s:eventually("sure again", { within = 10 }, function() return world.place.deviation.value[1] < sure + 0.01 end)
+end)
+
+scenario("a Kalman filter tells the mouse's speed from its distance to the wall", { timeout = 30 }, function(s)
+  s:arena { s:box { at = { 0.65, 0.0 }, size = { 0.1, 1.0, 0.3 } } }
+  s:robot "mouse" { model = "raspimouse" }
+  s:behavior "estimator" { script = "distance_estimator" }
+  local estimator = s.estimator
+  s:connect("mouse.ir_sensor_metre_out", "estimator.seen")
+  s:hold("mouse.target_velocity_in", { vx = 0.1 })
+  s:run(2)
+  s:near(estimator.estimate.value[1], s.mouse.ir_sensor_metre_out.value[1], 0.005)
+  s:near(estimator.estimate.value[2], -0.1, 0.005)
+  local ok, message = s:reload("estimator", { file = "distance_estimator" })
+  s:check(ok, message)
+  s:check(#estimator.state.p == 2 and #estimator.state.p[1] == 2, "state shows the rows")
+  s:always("the estimate goes on", function() return math.abs(estimator.estimate.value[2] + 0.1) < 0.01 end)
+  s:run(0.5)
+end)
+
+scenario("the estimate is that of a Kalman filter, step by step", { timeout = 5 }, function(s)
+  local estimator = s:behavior "estimator" { script = "distance_estimator" }
+  local config = estimator.config
+  s:equal({ config.deviation, config.acceleration }, { 0.01, 1.0 })
+  config.deviation, config.acceleration = 0.2, 3.0
+  s:run(0.02)
+  s:equal(estimator.estimate.age, math.huge, "silent before something was seen")
+
+  -- The same by hand: distance d, speed v, and their covariance { { a, b }, { b, c } }.
+  local d, v, a, b, c, dt = 0, 0, 1, 0, 1, 0.01
+  local function step(measured)
+    d = d + v * dt
+    a, b, c = a + 2 * dt * b + dt * dt * c + 9 * dt ^ 4 / 4, b + dt * c + 9 * dt ^ 3 / 2, c + 9 * dt ^ 2
+    local off, spread = measured - d, a + 0.2 ^ 2
+    d, v = d + a / spread * off, v + b / spread * off
+    a, b, c = a - a * a / spread, b - a * b / spread, c - b * b / spread
+  end
+  local function sees(ranges, nearer)
+    s:inject("estimator.seen", ranges)
+    s:run(0.01)
+    step(nearer)
+    s:near(estimator.estimate.value[1], d, 1e-9)
+    s:near(estimator.estimate.value[2], v, 1e-9)
+  end
+  sees({ 0.5, 0.1, 0.1, 0.6 }, 0.5)
+  sees({ 0.55, 0.1, 0.1, 0.45 }, 0.45)
+  sees({ 0.4 }, 0.4)
+  s:check(s:reload("estimator", { file = "distance_estimator" }))
+  sees({ 0.3, 0.5 }, 0.3)
+  for i = 1, 20 do sees({ 0.3 + 0.01 * i, 1 }, 0.3 + 0.01 * i) end
 end)
 
 scenario("mice that look in all directions become a flock", {
