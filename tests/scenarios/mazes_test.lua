@@ -58,75 +58,6 @@ scenario("the walls that the mouse has found outlive a reload", { timeout = 60 }
   s:check(world.solver.state.known == 10)
 end)
 
---- The left hand leads it into a blind end and through a crossing: 8 cells, of which the shortest way has 6.
-local small = {
-  rows = {
-    "o---o---o---o",
-    "|           |",
-    "o   o   o---o",
-    "|   |       |",
-    "o   o   o   o",
-    "| S |   | G |",
-    "o---o---o---o",
-  },
-}
-
-local function in_small(s, script, config)
-  local maze = s:maze(small)
-  s:arena { maze }
-  s:robot "mouse" { model = "raspimouse", pose = maze.pose }
-  config.goal = { 3, 1 }
-  local solver = s:behavior "solver" { script = script, config = config }
-  s:connect("mouse.current_pose_out", "solver.pose")
-  s:connect("mouse.ir_sensor_metre_out", "solver.ranges")
-  s:connect("solver.target", "mouse.target_velocity_in")
-  s:never("touches a wall", function() return s.mouse.collided end)
-  return solver
-end
-
-scenario("the left hand goes left before ahead before right before back", { timeout = 60 }, function(s)
-  local solver = in_small(s, "left_hand", {})
-  s:equal(solver.state.cells, 0)
-  s:run(2)
-  s:check(s:reload("solver", { file = "left_hand" }))
-  s:eventually("is there", { within = 30 }, function() return solver.tasks.solve.status == "finished" end)
-  s:run(0.5)
-  s:check(is_in(s.mouse, 3, 1))
-  s:equal(solver.state.cells, 8)
-  s:equal({ solver.state.mouse.column, solver.state.mouse.row }, { 3, 1 })
-end)
-
-scenario("a mouse that has learned a small maze takes its shortest way", { timeout = 60, sweep = { solver = { "flood_fill", "diagonal" } } },
-  function(s, p)
-    local solver = in_small(s, p.solver, { size = { 3, 3 } })
-    s:eventually("knows it", { within = 60 }, function() return solver.state.known end)
-    s:equal(solver.state.known, 6)
-    s:check(is_in(s.mouse, 1, 1), "it is at the start again")
-    s:equal(solver.state.time, nil)
-    local begun, fastest = s:now(), 0
-    while not solver.state.time do
-      s:run(0.01)
-      fastest = math.max(fastest, solver.target.value.vx)
-    end
-    s:near(solver.state.time, s:now() - begun, 0.05)
-    s:near(fastest, 0.4, 1e-9)
-    s:run(0.5)
-    s:check(is_in(s.mouse, 3, 1))
-    s:measure("time", solver.state.time, "s")
-    s:check(#solver:map() > 7 * 7)
-  end)
-
-scenario("the mice of the mazes have their defaults", function(s)
-  local function has(script, expected)
-    local config = s:behavior(script, { script = script }).config
-    for name, value in pairs(expected) do s:equal(config[name], value, name) end
-  end
-  has("left_hand", { goal = { 8, 8 }, speed = 0.3 })
-  for _, script in ipairs { "flood_fill", "diagonal" } do
-    has(script, { goal = { 8, 8 }, home = { 1, 1 }, direction = 1, size = { 16, 16 }, speed = 0.3, fast = 0.4 })
-  end
-end)
-
 local race = { timeout = 300, sweep = { solver = { "flood_fill", "diagonal" }, maze = { "first", "second" } } }
 
 scenario("a mouse takes the shortest way in a contest's maze, also on diagonals, with sensors that deviate by 5 %", race, function(s, p)
@@ -149,18 +80,4 @@ scenario("a mouse takes the shortest way in a contest's maze, also on diagonals,
   for i = 1, #contest.goal, 2 do is_goal = is_goal or (contest.goal[i] == column and contest.goal[i + 1] == row) end
   s:check(is_goal, "it is where it believes to be")
   if p.solver == "diagonal" then s:check(solver.state.time < 15, "the diagonals are short") end
-end)
-
-scenario("a maze whose goal can't be reached is reported", { timeout = 60 }, function(s)
-  local closed = s:maze { rows = { "o---o---o---o", "|       | G |", "o   o   o---o", "| S |       |", "o---o---o---o" } }
-  s:arena { closed }
-  s:robot "mouse" { model = "raspimouse", pose = closed.pose }
-  local solver = s:behavior "solver" { script = "flood_fill", config = { goal = closed.goal, size = { 3, 2 } } }
-  s:connect("mouse.current_pose_out", "solver.pose")
-  s:connect("mouse.ir_sensor_metre_out", "solver.ranges")
-  s:connect("solver.target", "mouse.target_velocity_in")
-  s:allow_error(solver)
-  s:eventually("gives up", { within = 60 }, function() return solver.error end)
-  s:check(solver.error:find("no way leads to the goal", 1, true), solver.error)
-  s:check(not s.mouse.collided, "it has touched nothing")
 end)
