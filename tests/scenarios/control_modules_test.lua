@@ -63,6 +63,9 @@ scenario("a PID controller that was held at a limit leaves it at once", function
   for _ = 1, 1000 do s:near(limited:update(10, 0, 0.1), 1, 1e-12) end
   s:check(limited:update(10, 10.5, 0.1) < 0, "nothing has wound up")
   for _ = 1, 1000 do limited:update(-10, 0, 0.1) end
+  local slow = pid { kp = 1, ki = 0.01, min = -1, max = 1 }
+  for _ = 1, 1000 do slow:update(10, 0, 0.1) end
+  s:check(slow:update(10, 10.5, 0.1) < 0)
   s:check(limited:update(-10, -10.5, 0.1) > 0)
 end)
 

@@ -254,6 +254,8 @@ scenario("one of a flock weighs distance, direction and company", { timeout = 5 
   wishes(-4 * 24 * 0.1 + 0.0005, 1, 0, 0, { { 0.001, 0, math.pi / 2 } }) -- nearly at the same place
   -- Home is as strong as 50 for each metre beyond.
   wishes(-50 * 0.05 * 0.85 - 1, 0, 0.85, 0, { { 0.85, 0.25, math.pi }, { 0.85, -0.25, math.pi }, { 0.85, 0, 0 } })
+  wishes(-50 * 0.05 * 0.85, 1.15, 0.85, 0, { { 0.85, 0.3, math.pi / 2 } })
+  s:near(meets(0, 0, 0.2, { { 0.3, 0, 0 } }).va, -0.6, 1e-6, "straight along x")
   wishes(-50 * 0.1 * 0.9 * 0.6, -50 * 0.1 * 0.9 * 0.8, 0.54, 0.72, {})
 end)
 
