@@ -30,12 +30,12 @@ function on_execute()
       x, y = x + value * cosines[i], y + value * sines[i]
     end
   end
-  local angle = math.atan(y, x)
+  local angle, speed = math.atan(y, x), config.speed
   if math.abs(angle) <= ahead and x * x + y * y < near * near then
-    drive(config.speed, 0)
+    drive(speed, 0)
   elseif angle > 0 then
-    drive(config.speed / 2, -config.speed / config.track)
+    drive(speed / 2, -speed / config.track)
   else
-    drive(config.speed / 2, config.speed / config.track)
+    drive(speed / 2, speed / config.track)
   end
 end
