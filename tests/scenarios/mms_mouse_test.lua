@@ -101,17 +101,17 @@ scenario("a reload between two movements changes nothing for a solver", { timeou
   is_at(0, 0.18, -math.pi / 2)
 end)
 
---- The mouse alone: `at` is what its wheels say, ahead and to the left of where it began, and what its sensors see.
+--- The mouse alone: `at` tells it what its wheels say, ahead and to the left of where it began, and what its sensors see;
+--- `is_on_way_to` checks the place that it drives to, and the direction.
 local function mouse_alone(s)
   local driver = s:behavior "driver" { script = "mms_mouse", config = { size = { 4, 3 } } }
-  local memory = driver.state.mouse
   return driver, function(ahead, left, heading, ranges)
     s:inject(driver.pose, { position = { x = 5 + ahead, y = 6 + left }, heading = heading })
     s:inject(driver.ranges, ranges or { 0.6, 0.6, 0.6, 0.6 })
     s:run(0.01)
     return driver.target.value
   end, function(column, row, direction)
-    memory = driver.state.mouse
+    local memory = driver.state.mouse
     s:equal({ memory.column, memory.row, memory.direction }, { column, row, direction })
   end
 end
@@ -129,7 +129,7 @@ scenario("a mouse brakes before the end of its way, keeps to its lane, and turns
   drives(s, at(0, 0, 0), 0.3, 0)
   drives(s, at(0.12, 0, 0), 0.3, 0)
   drives(s, at(0.15, 0, 0), math.sqrt(2 * 0.03), 0)
-  drives(s, at(0.14, 0.02, 0), 0.3 - 0.3 + math.sqrt(2 * 0.04), -6 * math.atan(0.2))
+  drives(s, at(0.14, 0.02, 0), math.sqrt(2 * 0.04), -6 * math.atan(0.2))
   drives(s, at(0.14, 0, 0.2), math.sqrt(2 * 0.04), -6 * 0.2)
   drives(s, at(0.14, 0, 0.35), 0, -math.sqrt(16 * 0.35))
   drives(s, at(0.14, 0, -0.35), 0, math.sqrt(16 * 0.35))
@@ -168,13 +168,9 @@ end)
 
 scenario("a mouse on a diagonal goes from border to border", { timeout = 5 }, function(s)
   local driver, at, is_on_way_to = mouse_alone(s)
-  local way, turned = 0, 0
-  local function does(order, amount)
-    driver[order](driver, amount)
-    at(way, 0, turned)
-  end
   at(0, 0, 0)
-  does("drive", 1)
+  driver:drive(1)
+  at(0, 0, 0)
   is_on_way_to(1, 1.5, 1)
   s:equal(driver:walls(1, 2), { false, false, false, false })
   at(0.09, 0, 0)
