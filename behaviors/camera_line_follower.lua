@@ -26,7 +26,3 @@ function on_execute()
     drive(0, 0)
   end
 end
-
-function on_deactivated()
-  drive(0, 0)
-end

@@ -13,7 +13,7 @@ param("volts", 7.4, { min = 0, unit = "V", doc = "of the battery" })
 param("full_speed", 0.6, { min = 0.1, unit = "m/s", doc = "of a wheel with full voltage" })
 param("track", 0.13, { min = 0.01, unit = "m", doc = "between the wheels" })
 
-local MODE1, ALL_OFF_HIGH, SLEEP, FIRST_MOTOR = 0x00, 0xFD, 0x10, 0x26
+local MODE1, ALL_OFF_HIGH, SLEEP = 0x00, 0xFD, 0x10
 
 local registers = {}
 

@@ -59,8 +59,9 @@ local function take_battery(bytes)
   local volts = (value >> 3) * 0.004
   probe("battery", volts)
   may_drive:write(volts >= config.low_voltage)
-  if volts < config.warning_voltage and not state.warned then log.warn(("the battery has only %.1f V"):format(volts)) end
-  state.warned = volts < config.warning_voltage
+  local is_low = volts < config.warning_voltage
+  if is_low and not state.warned then log.warn(("the battery has only %.1f V"):format(volts)) end
+  state.warned = is_low
 end
 
 local METRES_PER_SECOND = 343 / 2 -- sound at 20 degrees, there and back

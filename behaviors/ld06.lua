@@ -17,7 +17,7 @@ local crc_of = {}
 for byte = 0, 255 do
   local crc = byte
   for _ = 1, 8 do
-    crc = crc & 0x80 ~= 0 and (crc << 1 ~ 0x4D) & 0xFF or crc << 1 & 0xFF
+    crc = crc & 0x80 ~= 0 and (crc << 1 ~ 0x4D) & 0xFF or crc << 1
   end
   crc_of[byte] = crc
 end
@@ -29,16 +29,16 @@ local function is_whole(frame)
 end
 
 local rest = ""
-local ranges, last_angle = {}, nil
+local rays, ranges, last_angle -- of this turn
 
 local function begin_turn()
-  for i = 1, config.rays do ranges[i] = math.huge end
-  for i = #ranges, config.rays + 1, -1 do ranges[i] = nil end
+  rays, ranges = config.rays, {}
+  for i = 1, rays do ranges[i] = math.huge end
 end
 begin_turn()
 
 local function publish()
-  local step = 2 * math.pi / config.rays
+  local step = 2 * math.pi / rays
   scan:write {
     ranges = ranges,
     config = { minAngle = -math.pi, maxAngle = math.pi - step, angularRes = step, minRange = NEAREST, maxRange = FARTHEST },
@@ -50,7 +50,7 @@ end
 local function take_point(hundredths, millimetres)
   local angle = config.mounted_at - math.rad(hundredths / 100)
   local turns = (angle + math.pi) / (2 * math.pi)
-  local ray = math.floor((turns - math.floor(turns)) * config.rays) % config.rays + 1
+  local ray = math.floor(turns * rays) % rays + 1
   local distance = millimetres / 1000
   if distance >= NEAREST and distance < ranges[ray] then ranges[ray] = distance end
 end

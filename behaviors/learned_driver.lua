@@ -12,7 +12,3 @@ function on_execute()
   if #seen < policy.SENSORS then return end
   target:write(policy.velocity(policy.act(config.weights, policy.features(seen))))
 end
-
-function on_deactivated()
-  target:write {}
-end

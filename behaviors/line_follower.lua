@@ -1,4 +1,5 @@
 --- Follows the left edge of a dark line on a light floor: a PID controller keeps the sensor half over it.
+--- On the line's right it takes the floor for that on the left, and turns away from the line: a push across it loses it.
 
 local pid = require "nezumi.pid"
 

@@ -41,7 +41,3 @@ function on_execute()
     drive(0, 0)
   end
 end
-
-function on_deactivated()
-  drive(0, 0)
-end

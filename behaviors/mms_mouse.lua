@@ -15,16 +15,17 @@ if state.busy == nil then state.busy = true end -- until the mouse stands in the
 local mouse = maze_mouse(1, 1, 1, state.mouse, config.size)
 
 task("move", function()
-  mouse:forward(0)
-  state.busy = false
+  mouse:forward(0) -- after a reload, the movement that was under way
   while true do
+    state.busy = state.halves ~= nil or state.eighths ~= nil
     wait_until(function() return state.halves or state.eighths end)
-    if state.eighths then
-      mouse:turn((state.mouse.direction + state.eighths / 2) % 4)
+    local halves, eighths = state.halves, state.eighths
+    state.halves, state.eighths = nil, nil
+    if eighths then
+      mouse:turn((state.mouse.direction + eighths / 2) % 4)
     else
-      mouse:drive(state.halves)
+      mouse:drive(halves)
     end
-    state.halves, state.eighths, state.busy = nil, nil, false
   end
 end)
 
@@ -50,8 +51,6 @@ command("walls", function(column, row)
   for direction = 0, 3 do seen[direction + 1] = mouse:wall(column, row, direction) == true end
   return seen
 end, "whether the mouse has seen walls of a cell in the east, north, west and south")
-
-function on_deactivated() target:write { vx = 0, va = 0 } end
 
 function on_execute()
   local seen = ranges:read()

@@ -15,8 +15,9 @@ state.warned = state.warned or false
 local function take_battery(volts)
   probe("battery", volts)
   may_drive:write(volts >= config.low_voltage)
-  if volts < config.warning_voltage and not state.warned then log.warn(("the battery has only %.1f V"):format(volts)) end
-  state.warned = volts < config.warning_voltage
+  local is_low = volts < config.warning_voltage
+  if is_low and not state.warned then log.warn(("the battery has only %.1f V"):format(volts)) end
+  state.warned = is_low
 end
 
 -- "e 120 118": encoder counts. "r 0.53": the range finder. "b 7.4": the battery. Anything else is a torn line.

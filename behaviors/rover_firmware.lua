@@ -10,7 +10,7 @@ param("volts", 7.4, { min = 0, unit = "V", doc = "of the battery" })
 
 local TIME_OUT = 0.3 -- s without a line, after which the motors stop: the cable may be unplugged
 
-local vx, va, heard_at = 0, 0, -math.huge
+local vx, va, heard_at = 0, 0, 0
 
 local function take_line(line)
   local speed, rate = line:match("^v (%-?%d[%d.]*) (%-?%d[%d.]*)$")

@@ -1,4 +1,5 @@
 --- Searches a room in ever wider turns. An obstacle breaks the search off; when the robot has backed away, it is taken up again.
+--- It backs away blindly, for half a second at its speed: a wall that is nearer behind it is touched.
 
 local near   = input("near", "TimedShortSeq", "distance sensors; a larger value is nearer")
 local target = output("target", "TimedVelocity2D", "target velocity")

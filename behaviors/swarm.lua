@@ -16,16 +16,11 @@ for i = 1, COUNT do
   cosines[i], sines[i] = math.cos(angle) / COUNT, math.sin(angle) / COUNT
 end
 
-local forward, right, left = { vx = 0, va = 0 }, { vx = 0, va = 0 }, { vx = 0, va = 0 }
+local velocity = {}
 
-local function prepare()
-  forward.vx = config.speed
-  right.vx, right.va = config.speed / 2, -config.speed / config.track
-  left.vx, left.va = config.speed / 2, config.speed / config.track
-end
-
-function on_activated()
-  prepare()
+local function drive(vx, va)
+  velocity.vx, velocity.va = vx, va
+  out:write(velocity)
 end
 
 function on_execute()
@@ -35,12 +30,12 @@ function on_execute()
       x, y = x + value * cosines[i], y + value * sines[i]
     end
   end
-  local angle = math.atan(y, x)
+  local angle, speed = math.atan(y, x), config.speed
   if math.abs(angle) <= ahead and x * x + y * y < near * near then
-    out:write(forward)
+    drive(speed, 0)
   elseif angle > 0 then
-    out:write(right)
+    drive(speed / 2, -speed / config.track)
   else
-    out:write(left)
+    drive(speed / 2, speed / config.track)
   end
 end

@@ -10,7 +10,7 @@ local ranges = input("ranges", "TimedDoubleSeq", "distances [m]: right front, ri
 local target = output("target", "TimedVelocity2D", "target velocity")
 local plan   = output("plan", "TimedDoubleSeq", "corners of the way [m]: x, y, x, y ...")
 
-param("goal", { 1.0, 0.0 }, { min_size = 2, max_size = 2, unit = "m", doc = "x and y" })
+param("goal", { 1.0, 0.0 }, { min_size = 2, max_size = 2, unit = "m", doc = "x and y, less than 1.5: the map ends there" })
 param("speed", 0.15, { min = 0.01, max = 0.3, step = 0.01, widget = "slider", unit = "m/s", doc = "at most" })
 param("clearance", 0.1, { min = 0.0, unit = "m", doc = "from the robot's middle to what it keeps off" })
 

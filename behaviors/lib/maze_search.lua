@@ -28,19 +28,16 @@ local function flood(mouse, cells, only_known)
   return distances
 end
 
---- The direction that leads nearer, straight ahead where that is as good, and how far it does so.
+--- The direction that leads nearer, straight ahead where that is as good.
 local function downhill(mouse, distances, column, row, ahead)
   local here = distances[key(column, row)]
   if not here then return nil end
   for _, turn in ipairs { 0, 1, 3, 2 } do
-    local direction, count = (ahead + turn) % 4, 0
-    local at_column, at_row = column, row
-    while mouse:wall(at_column, at_row, direction) == false do
-      at_column, at_row = mouse:beside(at_column, at_row, direction)
-      if not at_column or distances[key(at_column, at_row)] ~= here - count - 1 then break end
-      count = count + 1
+    local direction = (ahead + turn) % 4
+    local next_column, next_row = mouse:beside(column, row, direction)
+    if next_column and mouse:wall(column, row, direction) == false and distances[key(next_column, next_row)] == here - 1 then
+      return direction
     end
-    if count > 0 then return direction, count end
   end
 end
 

@@ -29,12 +29,17 @@ scenario("a mean of angles is one across the seam, and none where they cancel ou
   s:near(angles.mean { 0.2, 0.4 }, 0.3, 1e-12)
   s:near(angles.mean { 2 }, 2, 1e-12)
   s:check(angles.mean { 0, math.pi } == nil)
+  s:check(angles.mean { 0, math.pi - 1.5e-9 } == nil, "where nearly nothing is left")
+  s:near(angles.mean { 0, math.pi - 3e-9 }, math.pi / 2, 1e-6)
+  s:near(angles.mean { math.pi / 2, math.pi / 2 }, math.pi / 2, 1e-12)
 end)
 
 scenario("a value that is not an angle is refused", function(s)
   equal(s, said(function() angles.wrap("1") end), "angles.wrap: angle expected a finite number, got string")
   equal(s, said(function() angles.wrap(0 / 0) end):gsub("-nan", "nan"), "angles.wrap: angle expected a finite number, got nan")
   equal(s, said(function() angles.difference(1) end), "angles.difference: to expected a finite number, got nothing")
+  equal(s, said(function() angles.difference(nil, 1) end), "angles.difference: from expected a finite number, got nothing")
+  equal(s, said(function() angles.mean(1) end), "angles.mean: list expected a table, got 1")
   equal(s, said(function() angles.mean {} end),
     ("angles.mean: the length of the list expected a whole number from 1 to %d, got 0"):format(math.maxinteger))
   equal(s, said(function() angles.mean { 1, math.huge } end), "angles.mean: angle 2 expected a finite number, got inf")
@@ -58,6 +63,9 @@ scenario("a PID controller that was held at a limit leaves it at once", function
   for _ = 1, 1000 do s:near(limited:update(10, 0, 0.1), 1, 1e-12) end
   s:check(limited:update(10, 10.5, 0.1) < 0, "nothing has wound up")
   for _ = 1, 1000 do limited:update(-10, 0, 0.1) end
+  local slow = pid { kp = 1, ki = 0.01, min = -1, max = 1 }
+  for _ = 1, 1000 do slow:update(10, 0, 0.1) end
+  s:check(slow:update(10, 10.5, 0.1) < 0)
   s:check(limited:update(-10, -10.5, 0.1) > 0)
 end)
 
@@ -95,6 +103,7 @@ scenario("wrong options and arguments of a PID controller are refused", function
   equal(s, said(function() pid { min = 1, max = 0 } end), "pid: min and max expected numbers, min not above max")
   equal(s, said(function() pid({}, 3) end), "pid: memory expected a table, got 3")
   equal(s, said(function() pid { kp = 1 }:update(1, nil, 0.1) end), "pid: measured expected a finite number, got nothing")
+  equal(s, said(function() pid { kp = 1 }:update({}, 1, 0.1) end), "pid: setpoint expected a finite number, got table")
   equal(s, said(function() pid { kp = 1 }:update(1, 1, 0) end), "pid: dt expected a number above 0, got 0")
 end)
 
@@ -139,25 +148,60 @@ scenario("a hysteresis changes beyond its thresholds only, a bounce changes noth
   local input = { false, true, false, true, true, true, true, false, true, false, false, false }
   local expected = { false, false, false, false, false, true, true, true, true, true, true, false }
   for i, value in ipairs(input) do s:check(debounce:update(value, 0.01) == expected[i], "at step " .. i) end
+  s:check(debounce:update(true, 0.01) == false, "it has changed just now")
+  local slow = filters.debounce { time = 2 }
+  for i, value in ipairs { true, true, false, false, true, false } do s:check(slow:update(value, 0.9), "at step " .. i) end
 end)
 
 scenario("the memory of a filter outlives the filter", function(s)
-  local memory = {}
-  filters.moving_average({ count = 2 }, memory):update(4)
-  s:near(filters.moving_average({ count = 2 }, memory):update(6), 5, 1e-12)
+  local function goes_on(name, options, first, second, expected)
+    local memory = {}
+    filters[name](options, memory):update(first, 0.1)
+    local value = filters[name](options, memory):update(second, 0.1)
+    if type(expected) == "number" then s:near(value, expected, 1e-12, name) else s:check(value == expected, name) end
+  end
+  goes_on("low_pass", { time = 0.1 }, 2, 3, 3 - math.exp(-1))
+  goes_on("moving_average", { count = 2 }, 4, 6, 5)
+  goes_on("median", { count = 2 }, 4, 7, 5.5)
+  goes_on("rate_limiter", { rise = 1 }, 4, 6, 4.1)
+  goes_on("hysteresis", { low = 1, high = 2 }, 3, 1.5, true)
+  goes_on("debounce", { time = 0.2 }, true, false, true)
+  s:check(filters.debounce({ time = 0.2 }, { value = true }):update(false, 0.15), "it may begin with a value")
 end)
 
 scenario("wrong options and arguments of a filter are refused", function(s)
+  local good = {
+    low_pass = { time = 1 }, moving_average = { count = 1 }, median = { count = 1 }, rate_limiter = { rise = 1 },
+    hysteresis = { low = 1, high = 2 }, debounce = { time = 1 },
+  }
+  local has = {
+    low_pass = "time", moving_average = "count", median = "count", rate_limiter = "rise, fall", hysteresis = "low, high",
+    debounce = "time",
+  }
+  for name, options in pairs(good) do
+    local make = filters[name]
+    equal(s, said(function() make { tau = 1 } end), ("%s has no 'tau': it has %s"):format(name, has[name]))
+    equal(s, said(function() make(options, 1) end), name .. ": memory expected a table, got 1")
+    local expected = name == "debounce" and "boolean" or "finite number"
+    equal(s, said(function() make(options):update({}, 1) end), ("%s: value expected a %s, got table"):format(name, expected))
+  end
+  for _, name in ipairs { "low_pass", "rate_limiter", "debounce" } do
+    local value = name ~= "debounce" and 1
+    equal(s, said(function() filters[name](good[name]):update(value) end), name .. ": dt expected a number above 0, got nothing")
+  end
   equal(s, said(function() filters.low_pass { time = 0 } end), "low_pass: time expected a number above 0, got 0")
-  equal(s, said(function() filters.low_pass { tau = 1 } end), "low_pass has no 'tau': it has time")
-  equal(s, said(function() filters.median { count = 2.5 } end), "median: count expected a whole number from 1 to 1000, got 2.5")
-  equal(s, said(function() filters.moving_average { count = 1001 } end),
-    "moving_average: count expected a whole number from 1 to 1000, got 1001")
+  equal(s, said(function() filters.debounce { time = 0 } end), "debounce: time expected a number above 0, got 0")
+  equal(s, said(function() filters.rate_limiter { rise = 0 } end), "rate_limiter: rise expected a number above 0, got 0")
+  equal(s, said(function() filters.rate_limiter { rise = 1, fall = 0 } end), "rate_limiter: fall expected a number above 0, got 0")
+  equal(s, said(function() filters.hysteresis { low = 1 } end), "hysteresis: high expected a finite number, got nothing")
   equal(s, said(function() filters.hysteresis { low = 2, high = 1 } end), "hysteresis: low is 2, above high, 1")
-  equal(s, said(function() filters.debounce { time = 1 }:update(1, 0.1) end), "debounce: value expected a boolean, got 1")
-  equal(s, said(function() filters.low_pass { time = 1 }:update(1) end), "low_pass: dt expected a number above 0, got nothing")
-  equal(s, said(function() filters.rate_limiter { rise = 1 }:update({}, 1) end),
-    "rate_limiter: value expected a finite number, got table")
+  for _, name in ipairs { "median", "moving_average" } do
+    for _, count in ipairs { 0, 2.5, 1001 } do
+      equal(s, said(function() filters[name] { count = count } end),
+        ("%s: count expected a whole number from 1 to 1000, got %s"):format(name, count))
+    end
+    filters[name] { count = 1000 }
+  end
 end)
 
 --- A machine of two states that notes what is called.
@@ -203,9 +247,25 @@ scenario("a state machine goes on where its memory stands, and begins anew where
   equal(s, memory.previous, "go")
 end)
 
+scenario("a state machine that is sent elsewhere leaves its state first", function(s)
+  local memory, notes = {}, {}
+  local machine = two_states(memory, notes)
+  machine:go("go", 5)
+  machine:go("wait", 5.5)
+  equal(s, table.concat(notes, ", "), "enter go, exit go")
+  s:equal(memory, { current = "wait", previous = "go", since = 5.5, changes = 2 })
+  s:equal(machine:current(), "wait")
+end)
+
 scenario("a state machine says which states there are", function(s)
   equal(s, said(function() state_machine { initial = "a", states = { b = {} } } end),
     "state_machine: initial is 'a', which is no state: there are b")
+  equal(s, said(function() state_machine { first = "a" } end), "state_machine has no 'first': it has initial, states")
+  equal(s, said(function() state_machine { initial = "a" } end), "state_machine: states expected a table, got nothing")
+  equal(s, said(function() state_machine { initial = 1, states = { {} } } end),
+    "state_machine: the name of a state expected a string, got 1")
+  equal(s, said(function() state_machine({ initial = "a", states = { a = {} } }, 1) end),
+    "state_machine: memory expected a table, got 1")
   equal(s, said(function() state_machine { initial = "a", states = { a = { run = 1 } } } end),
     "state_machine: state 'a' has no 'run': it has enter, execute, exit")
   equal(s, said(function() state_machine { initial = "a", states = { a = { enter = 1 } } } end),
@@ -214,4 +274,5 @@ scenario("a state machine says which states there are", function(s)
   equal(s, said(function() machine:update(0) end), "state_machine: 'a' went to 'c', which is no state: there are a, b")
   equal(s, said(function() machine:go("d", 0) end), "state_machine: there is no state 'd': there are a, b")
   equal(s, said(function() machine:update() end), "state_machine: now expected a finite number, got nothing")
+  equal(s, said(function() machine:go "a" end), "state_machine: now expected a finite number, got nothing")
 end)

@@ -55,3 +55,69 @@ scenario("a LiDAR's frame with a wrong check counts for nothing", { timeout = 5 
   s:run(0.05)
   s:near(nearest(scanner.scan.value), 2, 0.0001)
 end)
+
+--- What two turns of the LiDAR give, of which the second one only ends the first.
+local function turn_of(s, ...)
+  for _, each in ipairs { ... } do s:inject("lidar.wire_in", each) end
+  s:inject("lidar.wire_in", frame(0, 1100, 5000))
+  s:run(0.05)
+  return s.scanner.scan.value
+end
+
+scenario("each point of a LiDAR belongs to the ray in its direction, clockwise from ahead", { timeout = 5 }, function(s)
+  local scanner = load(s)
+  s:equal({ scanner.config.rays, scanner.config.mounted_at }, { 360, 0.0 })
+  local scan = turn_of(s, frame(50, 1150, 1000), frame(34850, 35950, 2000))
+  for i = 1, 360 do
+    local expected = i >= 169 and i <= 180 and 1 or i >= 181 and i <= 192 and 2 or math.huge
+    s:equal(scan.ranges[i], expected, "ray " .. i)
+  end
+  local config, step = scan.config, 2 * math.pi / 360
+  for name, value in pairs { minAngle = -math.pi, maxAngle = math.pi - step, angularRes = step, minRange = 0.02, maxRange = 12 } do
+    s:near(config[name], value, 1e-9, name)
+  end
+end)
+
+scenario("a frame of a LiDAR may end one turn and begin the next", { timeout = 5 }, function(s)
+  load(s)
+  s:inject("lidar.wire_in", frame(35550, 650, 1000))
+  s:run(0.05)
+  local scan = s.scanner.scan.value
+  for i = 170, 190 do s:equal(scan.ranges[i], i >= 181 and i <= 185 and 1 or math.huge, "ray " .. i) end
+  scan = turn_of(s)
+  for i = 170, 190 do s:equal(scan.ranges[i], i >= 174 and i <= 180 and 1 or math.huge, "ray " .. i) end
+end)
+
+scenario("the nearest point in a ray counts, and none that is nearer than the LiDAR can see", { timeout = 5 }, function(s)
+  load(s)
+  local scan = turn_of(s, frame(5050, 5050, 900), frame(6050, 6050, 700), frame(6050, 6050, 800), frame(7050, 7050, 19),
+    frame(8050, 8050, 20))
+  s:equal({ scan.ranges[130], scan.ranges[120], scan.ranges[110], scan.ranges[100] }, { 0.9, 0.7, math.huge, 0.02 })
+end)
+
+scenario("a LiDAR may be mounted askew, and give other rays from the next turn on", { timeout = 5 }, function(s)
+  local scanner = load(s)
+  scanner.config.mounted_at, scanner.config.rays = math.pi / 2, 36
+  s:run(0.02)
+  s:equal(#turn_of(s, frame(4500, 4500, 1000)).ranges, 360, "this turn has begun before")
+  local scan = turn_of(s, frame(4500, 4500, 1000))
+  s:equal(#scan.ranges, 36)
+  s:equal(nearest(scan), 1)
+  s:equal(select(2, nearest(scan)), 23)
+  s:near(scan.config.maxAngle, math.pi - 2 * math.pi / 36, 1e-9)
+  scanner.config.rays = 720
+  s:run(0.02)
+  turn_of(s, frame(4500, 4500, 1000))
+  s:equal(#turn_of(s, frame(4500, 4500, 1000)).ranges, 720)
+end)
+
+scenario("a LiDAR's frame may arrive in any pieces", { timeout = 5, sweep = { size = { 1, 7, 46 } } }, function(s, p)
+  load(s)
+  local bytes = "\x54\x54\x00" .. frame(5050, 5050, 900) .. "\x54" .. frame(6050, 6050, 700)
+  for i = 1, #bytes, p.size do
+    s:inject("lidar.wire_in", bytes:sub(i, i + p.size - 1))
+    s:run(0.02)
+  end
+  local scan = turn_of(s)
+  s:equal({ scan.ranges[130], scan.ranges[120] }, { 0.9, 0.7 })
+end)

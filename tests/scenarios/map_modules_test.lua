@@ -1,8 +1,7 @@
---- The modules for maps: poses, grid, path, and what they say of arguments that are wrong.
+--- The modules for maps: grid, path, and what they say of arguments that are wrong.
 
 local grid = require "nezumi.grid"
 local path = require "nezumi.path"
-local poses = require "nezumi.poses"
 
 --- What a call says when it fails, with its line, which is to be one of this file.
 local function said(f)
@@ -13,82 +12,19 @@ end
 
 local function equal(s, actual, expected) s:check(actual == expected, ("%s, not %s"):format(actual, expected)) end
 
-local function near_pose(s, actual, x, y, heading)
-  s:near(actual.position.x, x, 1e-12)
-  s:near(actual.position.y, y, 1e-12)
-  s:near(actual.heading, heading, 1e-12)
-end
-
-scenario("poses in the plane are composed, inverted and related", function(s)
-  local robot = poses.plane(1, 2, math.pi / 2)
-  near_pose(s, poses.compose(robot, poses.plane(3, 1, math.pi)), 0, 5, -math.pi / 2)
-  near_pose(s, poses.compose(robot, poses.inverse(robot)), 0, 0, 0)
-  near_pose(s, poses.relative(robot, poses.plane(1, 4, math.pi)), 2, 0, math.pi / 2)
-  local point = poses.transform(robot, { x = 1, y = 0 })
-  s:near(point.x, 1, 1e-12)
-  s:near(point.y, 3, 1e-12)
-  local back = poses.to_local(robot, point)
-  s:near(back.x, 1, 1e-12)
-  s:near(back.y, 0, 1e-12)
-end)
-
---- Angles that are no special ones, and those where x points straight up and down.
-local in_space = {
-  poses.space(1, -2, 0.5, 0.3, -0.4, 2.9),
-  poses.space(0, 1, 2, -1.2, 1.1, -0.7),
-  poses.space(3, 0, 0, 0.4, math.pi / 2, 1),
-  poses.space(0, 0, -1, -0.3, -math.pi / 2, 0.2),
-}
-
-scenario("poses in space turn by yaw, then pitch, then roll", function(s)
-  local point = poses.transform(poses.space(0, 0, 1, 0, 0, math.pi / 2), { x = 1, y = 0, z = 0 })
-  s:near(point.x, 0, 1e-12)
-  s:near(point.y, 1, 1e-12)
-  s:near(point.z, 1, 1e-12)
-  s:near(poses.transform(poses.space(0, 0, 0, 0, math.pi / 2, 0), { x = 1, y = 0, z = 0 }).z, -1, 1e-12, "nose down")
-  s:near(poses.transform(poses.space(0, 0, 0, math.pi / 2, 0, 0), { x = 0, y = 1, z = 0 }).z, 1, 1e-12, "left side up")
-end)
-
-scenario("a pose composed in space moves points as its parts do, one after the other", function(s)
-  local point = { x = 0.3, y = -0.2, z = 0.7 }
-  for _, a in ipairs(in_space) do
-    for _, b in ipairs(in_space) do
-      local at_once, in_turn = poses.transform(poses.compose(a, b), point), poses.transform(a, poses.transform(b, point))
-      local there_and_back = poses.transform(poses.relative(a, b), point)
-      local other_way = poses.to_local(a, poses.transform(b, point))
-      for _, axis in ipairs { "x", "y", "z" } do
-        s:near(at_once[axis], in_turn[axis], 1e-9)
-        s:near(there_and_back[axis], other_way[axis], 1e-9)
-      end
-    end
-    local nothing = poses.compose(a, poses.inverse(a))
-    s:near(nothing.position.x, 0, 1e-9)
-    s:near(nothing.orientation.p, 0, 1e-9)
-  end
-end)
-
-scenario("a value that is not a pose is refused", function(s)
-  local a_pose = " expected a pose: { position = { x, y }, heading }, or position with z and orientation = { r, p, y }"
-  equal(s, said(function() poses.inverse { x = 1, y = 2, heading = 0 } end), "poses.inverse" .. a_pose)
-  equal(s, said(function() poses.transform(nil, {}) end), "poses.transform" .. a_pose)
-  equal(s, said(function() poses.transform(poses.plane(0, 0, 0), { 1, 2 }) end), "poses.transform expected a point: { x, y }")
-  equal(s, said(function() poses.to_local(in_space[1], { x = 1, y = 2 }) end), "poses.to_local expected a point: { x, y, z }")
-  equal(s, said(function() poses.compose(poses.plane(0, 0, 0), in_space[1]) end),
-    "poses.compose expected two poses in the plane or two in space, got one of each")
-  equal(s, said(function() poses.plane(1, 2) end), "poses.plane: heading expected a finite number, got nothing")
-  equal(s, said(function() poses.space(1, 2) end), "poses.space: z expected a finite number, got nothing")
-end)
-
 scenario("a grid knows the cell of a place and the place of a cell", function(s)
-  local map = grid { columns = 4, rows = 3, cell = 0.5, x = -1, y = 0 }
-  local column, row = map:cell_at(-1, 0)
+  local map = grid { columns = 4, rows = 3, cell = 0.5, x = -1, y = 2 }
+  local column, row = map:cell_at(-1, 2)
   s:check(column == 1 and row == 1)
-  column, row = map:cell_at(0.99, 1.49)
+  column, row = map:cell_at(0.99, 3.49)
   s:check(column == 4 and row == 3)
-  s:check(map:cell_at(1, 0.5) == nil and map:cell_at(0, 1.5) == nil and map:cell_at(-1.01, 0) == nil)
+  s:check(map:cell_at(1, 2.5) == nil and map:cell_at(0, 3.5) == nil and map:cell_at(-1.01, 2) == nil and map:cell_at(0, 1.99) == nil)
+  local left, below = map:centre(1, 1)
+  s:near(left, -0.75, 1e-12)
+  s:near(below, 2.25, 1e-12)
   local x, y = map:centre(4, 3)
   s:near(x, 0.75, 1e-12)
-  s:near(y, 1.25, 1e-12)
+  s:near(y, 3.25, 1e-12)
 end)
 
 scenario("a ray makes the cells on its way free, and the last one occupied where it hit", function(s)
@@ -100,6 +36,9 @@ scenario("a ray makes the cells on its way free, and the last one occupied where
   s:near(map:evidence(7, 4), 0.85, 1e-12)
   s:near(map:evidence(8, 1), -0.4, 1e-12)
   s:near(map:evidence(1, 4), 0, 0)
+  local shifted = grid { columns = 8, rows = 4, cell = 0.1, x = 5, y = -3 }
+  shifted:mark_ray(5.05, -2.95, 5.65, -2.65, true)
+  equal(s, shifted:text(), "     .# \n   ...  \n ...    \n..      ")
 end)
 
 scenario("a ray marks each cell that it passes, in every direction", function(s)
@@ -128,9 +67,24 @@ scenario("rays from outside, to the outside and past the grid", function(s)
   equal(s, map:text(), "   \n...\n   ")
   map:mark_ray(-1, 5, 5, 8, true)
   map:mark_ray(-1, -1, -1, 5, true)
+  map:mark_ray(-1, 0.5, -1, 0.5, true)
+  map:mark_ray(4, 0.5, 4, 0.5, true)
+  map:mark_ray(0.5, -1, 0.5, -1, true)
+  map:mark_ray(0.5, 4, 0.5, 4, true)
   equal(s, map:text(), "   \n...\n   ")
   map:mark_ray(2.5, 0.5, 2.5, 0.5, true)
   s:check(map:evidence(3, 1) > 0, "a ray of no length hits where it begins")
+  for _, ends in ipairs { { -1, -0.5, 4, 3 }, { 4, 3, -1, -0.5 } } do
+    local through = grid { columns = 3, rows = 3, cell = 1 }
+    through:mark_ray(ends[1], ends[2], ends[3], ends[4], true)
+    equal(s, through:text(), "  .\n ..\n.. ")
+  end
+  for _, border in ipairs { 0, 3 } do
+    local along = grid { columns = 3, rows = 3, cell = 1 }
+    along:mark_ray(-1, border, 5, border, false)
+    along:mark_ray(border, -1, border, 5, false)
+    equal(s, along:text(), border == 0 and ".  \n.  \n..." or "...\n  .\n  .", "along the border itself")
+  end
 end)
 
 scenario("evidence is bounded, so that the world may change", function(s)
@@ -139,6 +93,8 @@ scenario("evidence is bounded, so that the world may change", function(s)
   s:near(map:evidence(1, 1), 3.5, 0)
   for _ = 1, 9 do map:mark_ray(0.5, 0.5, 0.5, 0.5, false) end
   s:check(map:evidence(1, 1) < 0)
+  for _ = 1, 100 do map:mark_ray(0.5, 0.5, 0.5, 0.5, false) end
+  s:near(map:evidence(1, 1), -2, 0)
   map:set(0.5, 0.5, true)
   s:check(map:evidence(1, 1) > 0)
   map:set(5, 5, true)
@@ -156,10 +112,31 @@ scenario("wrong options of a grid are refused", function(s)
   equal(s, said(function() grid { columns = 0, rows = 3, cell = 1 } end), "grid: columns expected a whole number from 1 to 250000, got 0")
   equal(s, said(function() grid { columns = 501, rows = 500, cell = 1 } end),
     "grid: the number of cells expected a whole number from 1 to 250000, got 250500")
+  equal(s, said(function() grid() end), "grid expected a table, got nothing")
   equal(s, said(function() grid { width = 3 } end), "grid has no 'width': it has columns, rows, cell, x, y")
+  equal(s, said(function() grid { columns = 1, rows = 0, cell = 1 } end), "grid: rows expected a whole number from 1 to 250000, got 0")
+  equal(s, said(function() grid { columns = 1, rows = 1, cell = 1, x = {} } end), "grid: x expected a finite number, got table")
+  equal(s, said(function() grid { columns = 1, rows = 1, cell = 1, y = {} } end), "grid: y expected a finite number, got table")
+  equal(s, said(function() grid({ columns = 1, rows = 1, cell = 1 }, 1) end), "grid: memory expected a table, got 1")
   local map = grid { columns = 3, rows = 3, cell = 1 }
-  equal(s, said(function() map:evidence(4, 1) end), "grid: column expected a whole number from 1 to 3, got 4")
-  equal(s, said(function() map:mark_ray(0, 0, 1, 1) end), "grid: hit expected a boolean, got nothing")
+  for _, name in ipairs { "evidence", "centre" } do
+    for _, wrong in ipairs { 0, 4, 1.5 } do
+      local expected = " expected a whole number from 1 to 3, got " .. wrong
+      equal(s, said(function() map[name](map, wrong, 1) end), "grid: column" .. expected)
+      equal(s, said(function() map[name](map, 1, wrong) end), "grid: row" .. expected)
+    end
+  end
+  -- The last argument is a boolean, all before are numbers.
+  for name, arguments in pairs {
+    cell_at = { "x", "y" }, set = { "x", "y", "occupied" }, mark_ray = { "x", "y", "to_x", "to_y", "hit" },
+  } do
+    for i, argument in ipairs(arguments) do
+      local values = { 0, 0, name == "set" or 0, 0, true }
+      values[i] = "1"
+      local kind = (argument == "occupied" or argument == "hit") and "boolean" or "finite number"
+      equal(s, said(function() map[name](map, table.unpack(values)) end), ("grid: %s expected a %s, got string"):format(argument, kind))
+    end
+  end
 end)
 
 --- A grid of cells of 1 m of a drawing, the largest y first; what is no `#` is free, spaces are unknown.
@@ -215,6 +192,23 @@ scenario("clearance keeps off walls, and lets a robot leave one", function(s)
   equal(s, reason, "the goal is blocked")
 end)
 
+scenario("the cells within the clearance of an occupied one are blocked, whatever the size of cells, and no others", function(s)
+  for _, clearance in ipairs { 0, 1, 1.5, 3 } do
+    for _, place in ipairs { { 4, 4 }, { 1, 1 }, { 7, 2 } } do
+      local map = grid { columns = 7, rows = 7, cell = 0.5 }
+      map:mark_ray(0.5 * place[1] - 0.25, 0.5 * place[2] - 0.25, 0.5 * place[1] - 0.25, 0.5 * place[2] - 0.25, true) -- seen once
+      for column = 1, 7 do
+        for row = 1, 7 do
+          local goal = { x = 0.5 * column - 0.25, y = 0.5 * row - 0.25 }
+          local _, reason = path.find(map, goal, goal, { clearance = clearance / 2 })
+          local is_near = (column - place[1]) ^ 2 + (row - place[2]) ^ 2 <= clearance ^ 2
+          s:equal(reason, is_near and "the goal is blocked" or nil)
+        end
+      end
+    end
+  end
+end)
+
 scenario("where there is no way it says why", function(s)
   local map = drawn(". .", "###", "...")
   local function reason(from, to, options) return select(2, path.find(map, from, to, options)) end
@@ -226,8 +220,22 @@ scenario("where there is no way it says why", function(s)
   equal(s, reason({ x = 0.5, y = 2.5 }, { x = 2.5, y = 2.5 }, { unknown = "blocked" }), "there is no way")
 end)
 
+scenario("of ways that are equally short the same is taken each time", function(s)
+  local map = drawn(".......", ".......", ".......", ".......", ".......")
+  local function corners(from_x, from_y, to_x, to_y)
+    local text = {}
+    for i, point in ipairs(path.find(map, { x = from_x, y = from_y }, { x = to_x, y = to_y })) do
+      text[i] = ("%g,%g"):format(point.x, point.y)
+    end
+    return table.concat(text, " ")
+  end
+  equal(s, corners(0.5, 0.5, 6.5, 2.5), "0.5,0.5 4.5,0.5 6.5,2.5")
+  equal(s, corners(6.5, 2.5, 0.5, 0.5), "6.5,2.5 2.5,2.5 0.5,0.5")
+  equal(s, corners(0.5, 4.5, 2.5, 0.5), "0.5,4.5 0.5,2.5 2.5,0.5")
+end)
+
 scenario("ways through random grids are as short as those of a search in all directions", function(s)
-  for _ = 1, 20 do
+  for _ = 1, 60 do
     local lines = {}
     for row = 1, 12 do
       local line = {}
@@ -235,10 +243,13 @@ scenario("ways through random grids are as short as those of a search in all dir
       lines[row] = table.concat(line)
     end
     local map = drawn(table.unpack(lines))
-    map:set(0.5, 0.5, false)
-    map:set(11.5, 11.5, false)
+    local from = { x = math.random(12) - 0.5, y = math.random(12) - 0.5 }
+    local to = { x = math.random(12) - 0.5, y = math.random(12) - 0.5 }
+    map:set(from.x, from.y, false)
+    map:set(to.x, to.y, false)
+    local function index_of(point) return 12 * (point.y // 1) + point.x // 1 + 1 end
     -- Bellman and Ford: lengths that are shortened until none can be.
-    local length, shortened = { [1] = 0 }, true
+    local length, shortened = { [index_of(from)] = 0 }, true
     local function free(column, row)
       return column >= 1 and column <= 12 and row >= 1 and row <= 12 and map:evidence(column, row) < 0
     end
@@ -258,9 +269,9 @@ scenario("ways through random grids are as short as those of a search in all dir
         end
       end
     end
-    local way = path.find(map, { x = 0.5, y = 0.5 }, { x = 11.5, y = 11.5 })
-    s:check((way ~= nil) == (length[144] ~= nil))
-    if way then s:near(path.length(way), length[144], 1e-6) end
+    local way, shortest = path.find(map, from, to), length[index_of(to)]
+    s:check((way ~= nil) == (shortest ~= nil))
+    if way then s:near(path.length(way), shortest, 1e-6) end
   end
 end)
 
@@ -275,19 +286,37 @@ scenario("the point to steer for lies ahead on the way", function(s)
   equal(s, ahead(-3, 0, 0.25), "0.25,0")
   equal(s, ahead(2, 1.5, 9), "2,2")
   equal(s, ahead(1, 0, 0), "1,0")
+  equal(s, ahead(2.3, 1, 0.5), "2,1.5")
+  equal(s, ahead(2.5, -0.5, 0.5), "2,0.5")
+  -- Legs of 5 m and 13 m.
+  way = { { x = 1, y = 2 }, { x = 4, y = 6 }, { x = 16, y = 11 } }
+  equal(s, ahead(1.4, 4.2, 1), "2.8,4.4")
+  equal(s, ahead(1.4, 4.2, 9.5), "10,8.5")
+  equal(s, ahead(9.5, 9.7, 2.6), "12.4,9.5")
+  equal(s, ahead(20, 12, 1), "16,11")
+  way = { { x = 1, y = 1 }, { x = 1, y = 1 }, { x = 3, y = 1 } }
+  equal(s, ahead(1, 1, 0.5), "1.5,1")
   local only = path.ahead({ { x = 4, y = 5 } }, { x = 0, y = 0 }, 1)
   s:check(only.x == 4 and only.y == 5)
 end)
 
 scenario("a value that is not a path or a point is refused", function(s)
-  local map = drawn("...")
-  equal(s, said(function() path.find(map, { 1, 2 }, { x = 1, y = 1 }) end), "path.find: from expected a point: { x, y }")
-  equal(s, said(function() path.find(map, { x = 1, y = 1 }, { x = 1, y = 1 }, { margin = 1 }) end),
+  local map, good = drawn("..."), { x = 1, y = 1 }
+  for _, wrong in ipairs { { 1, 2 }, { x = 1 }, { y = 1 }, 1 } do
+    equal(s, said(function() path.find(map, wrong, good) end), "path.find: from expected a point: { x, y }")
+    equal(s, said(function() path.find(map, good, wrong) end), "path.find: to expected a point: { x, y }")
+    equal(s, said(function() path.ahead({ good }, wrong, 1) end), "path.ahead: position expected a point: { x, y }")
+  end
+  equal(s, said(function() path.find(1, good, good) end), "path.find: grid expected a table, got 1")
+  equal(s, said(function() path.find(map, good, good, { margin = 1 }) end),
     "path.find: options has no 'margin': it has clearance, unknown")
-  equal(s, said(function() path.find(map, { x = 1, y = 1 }, { x = 1, y = 1 }, { unknown = 1 }) end),
+  equal(s, said(function() path.find(map, good, good, { clearance = -1 }) end),
+    "path.find: clearance expected a number from 0 on, got -1")
+  equal(s, said(function() path.find(map, good, good, { unknown = 1 }) end),
     "path.find: unknown expected 'free' or 'blocked', got 1")
-  equal(s, said(function() path.ahead({}, { x = 1, y = 1 }, 1) end),
+  equal(s, said(function() path.length(1) end), "path.length: points expected a table, got 1")
+  equal(s, said(function() path.ahead(1, good, 1) end), "path.ahead: points expected a table, got 1")
+  equal(s, said(function() path.ahead({}, good, 1) end),
     ("path.ahead: the number of points expected a whole number from 1 to %d, got 0"):format(math.maxinteger))
-  equal(s, said(function() path.ahead({ { x = 1, y = 1 } }, { x = 1, y = 1 }, -1) end),
-    "path.ahead: distance expected a number from 0 on, got -1")
+  equal(s, said(function() path.ahead({ good }, good, -1) end), "path.ahead: distance expected a number from 0 on, got -1")
 end)

@@ -81,17 +81,3 @@ scenario("a mouse takes the shortest way in a contest's maze, also on diagonals,
   s:check(is_goal, "it is where it believes to be")
   if p.solver == "diagonal" then s:check(solver.state.time < 15, "the diagonals are short") end
 end)
-
-scenario("a maze whose goal can't be reached is reported", { timeout = 60 }, function(s)
-  local closed = s:maze { rows = { "o---o---o---o", "|       | G |", "o   o   o---o", "| S |       |", "o---o---o---o" } }
-  s:arena { closed }
-  s:robot "mouse" { model = "raspimouse", pose = closed.pose }
-  local solver = s:behavior "solver" { script = "flood_fill", config = { goal = closed.goal, size = { 3, 2 } } }
-  s:connect("mouse.current_pose_out", "solver.pose")
-  s:connect("mouse.ir_sensor_metre_out", "solver.ranges")
-  s:connect("solver.target", "mouse.target_velocity_in")
-  s:allow_error(solver)
-  s:eventually("gives up", { within = 60 }, function() return solver.error end)
-  s:check(solver.error:find("no way leads to the goal", 1, true), solver.error)
-  s:check(not s.mouse.collided, "it has touched nothing")
-end)

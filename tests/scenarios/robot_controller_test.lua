@@ -90,11 +90,11 @@ scenario("its parameters have their bounds, and speed 0 by default", function(s)
 end)
 
 scenario("deactivation writes zero once, and then nothing", function(s)
-  local controller = controller_alone(s, { speed_x = 0.2 })
+  local controller = controller_alone(s, { speed_x = 0.2, speed_r = 0.5 })
   s:run(0.1)
   controller:deactivate()
   s:run(0.01)
-  s:near(controller.out.value.vx, 0, 0)
+  s:equal(controller.out.value, { vx = 0, vy = 0, va = 0 })
   local stamp = controller.out.tm
   s:run(0.1)
   s:near(controller.out.tm, stamp, 0)

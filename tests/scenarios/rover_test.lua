@@ -70,3 +70,72 @@ scenario("an emergency stop brakes the rover through its driver, and then only t
   s:check(world.rover_line.wire_out.age > 0.3, "nothing follows the safe bytes")
   s:check(math.abs(world.rover.truth.velocity.vx) < 0.001)
 end)
+
+scenario("the rover's driver reads the lines of its microcontroller, and no torn ones", { timeout = 5 }, function(s)
+  local driver = s:behavior "driver" { script = "rover_driver" }
+  s:equal({ driver.config.low_voltage, driver.config.warning_voltage }, { 6.4, 6.8 })
+  local function take(...)
+    for _, line in ipairs { ... } do s:inject(driver.line_in, line) end
+    s:run(0.02)
+  end
+  s:equal(driver.state.warned, false)
+  take("e 120 -118", "r 0.53", "b 7.4")
+  s:equal({ driver.wheel_pulses.value, driver.distance.value, driver.may_drive.value }, { { 120, -118 }, 0.53, true })
+  s:near(driver.probes.battery.value, 7.4, 1e-9)
+  take("e 7 8\r")
+  s:equal(driver.wheel_pulses.value, { 7, 8 })
+  take("e 12", "e 1 2 3", "r 1", "r 0.", "b 5", "x 1.5", " r 1.5", "")
+  s:equal({ driver.wheel_pulses.value, driver.distance.value, driver.may_drive.value }, { { 7, 8 }, 0.53, true })
+  local function volts(value, may_drive, warned)
+    take(("b %.2f"):format(value))
+    s:equal({ driver.may_drive.value, driver.state.warned }, { may_drive, warned })
+  end
+  volts(6.8, true, false)
+  volts(6.79, true, true)
+  volts(6.4, true, true)
+  volts(6.39, false, true)
+  volts(7.0, true, false)
+  volts(6.7, true, true)
+  s:check(s:reload("driver", { file = "rover_driver" }))
+  s:equal(driver.state.warned, true, "a reload does not warn again")
+end)
+
+scenario("the rover's driver sends its speeds as a line in each execution", { timeout = 5 }, function(s)
+  local driver = s:behavior "driver" { script = "rover_driver" }
+  s:run(0.02)
+  s:equal(driver.line_out.value, "v 0.000 0.000")
+  s:inject(driver.target_velocity_in, { vx = -0.1234, va = 0.5 })
+  s:run(0.02)
+  s:equal(driver.line_out.value, "v -0.123 0.500")
+  s:run(1)
+  s:check(driver.line_out.age < 0.02)
+end)
+
+scenario("the rover's microcontroller does what a line says, until none comes", { timeout = 5 }, function(s)
+  local model, kept = s:behavior "model" { script = "rover_firmware" }, s:behavior "kept" { script = "keeps_all" }
+  s:connect("model.line_out", "kept.texts")
+  s:equal(model.config.volts, 7.4)
+  local function drives(vx, va) s:equal(model.target_velocity_in.value, { vx = vx, vy = 0, va = va }) end
+  local function take(line)
+    s:inject(model.line_in, line)
+    s:run(0.02)
+  end
+  s:run(0.02)
+  drives(0, 0)
+  s:equal(kept.state.texts[1], "e 0 0")
+  s:equal({ kept.state.texts[2], kept.state.texts[3] }, { "r 0.000", "b 7.40" })
+  s:inject(model.wheel_pulses, { 120, -5 })
+  s:inject(model.front, 0.53)
+  s:run(0.01)
+  kept:forget()
+  s:run(0.01)
+  s:equal(kept.state.texts, { "e 120 -5", "r 0.530", "b 7.40" })
+  take "v 0.25 -0.5"
+  drives(0.25, -0.5)
+  take "v 0.3"
+  drives(0.25, -0.5)
+  s:run(0.26)
+  drives(0.25, -0.5)
+  s:run(0.06)
+  drives(0, 0)
+end)

@@ -101,8 +101,8 @@ function Grid:mark_ray(x, y, to_x, to_y, hit)
   local column, row = inside(from_x + first * step_x, columns), inside(from_y + first * step_y, rows)
   local end_column, end_row = inside(from_x + last * step_x, columns), inside(from_y + last * step_y, rows)
   local turn_x, turn_y = step_x > 0 and 1 or -1, step_y > 0 and 1 or -1
-  local function border(at, from, step, turn) return step == 0 and math.huge or (at + (turn + 1) // 2 - from) / step end
-  local next_x, next_y = border(column, from_x, step_x, turn_x), border(row, from_y, step_y, turn_y)
+  local function border(at, from, step) return (step > 0 and at + 1 - from or at - from) / step end
+  local next_x, next_y = border(column, from_x, step_x), border(row, from_y, step_y)
   -- So many borders lie in between, whatever rounding does.
   local crossings = math.abs(end_column - column) + math.abs(end_row - row)
   local hits_within = hit and last >= 1
@@ -112,10 +112,10 @@ function Grid:mark_ray(x, y, to_x, to_y, hit)
     cells[index] = math.max(LEAST, math.min(MOST, cells[index] + change))
     if row == end_row or (next_x < next_y and column ~= end_column) then
       column = column + turn_x
-      next_x = border(column, from_x, step_x, turn_x)
+      next_x = border(column, from_x, step_x)
     else
       row = row + turn_y
-      next_y = border(row, from_y, step_y, turn_y)
+      next_y = border(row, from_y, step_y)
     end
   end
 end
