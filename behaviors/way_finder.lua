@@ -1,4 +1,4 @@
---- Finds its way to a goal through a place it has never seen: it maps what its sensors see, and plans anew as it learns.
+--- Finds its way to a goal through a place it has never seen: it maps what its sensors see, and plans again as it learns.
 
 local angles = require "nezumi.angles"
 local grid = require "nezumi.grid"

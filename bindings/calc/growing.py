@@ -10,7 +10,7 @@ EARLIER = "its cells hold other rows: empty them to begin"
 
 
 def key_of(row):
-    """A row that is another, or says something else, begins anew."""
+    """A row that is another, or says something else, begins again."""
     return tuple(sorted((name, repr(value)) for name, value in vars(row).items() if name != "headings"))
 
 
@@ -45,7 +45,7 @@ class Log:
         self._changes = []  # lines to write, as Sheets.write takes them
 
     def look(self, data):
-        """Before a refresh: begins anew where its cells were emptied. Returns what to ask for."""
+        """Before a refresh: begins again where its cells were emptied. Returns what to ask for."""
         is_empty = all(cell == "" for cell in _cells(data, self.row.row, self.row, self._width()))
         if self._waits:
             self._waits = not is_empty

@@ -184,7 +184,7 @@ std::string to_text(PlotCurves looked) {
 
 bool draw_again(Session::Parts& parts, PlotRequest& plot) {
     const double now = parts.live.system().now().seconds;
-    if (now < plot.next - plot.every) plot.next = now;  // started anew
+    if (now < plot.next - plot.every) plot.next = now;  // started again
     if (now < plot.next) return true;
     Expected<void> answered{};
     for (auto& [name, each] : plot.elsewhere) {

@@ -85,7 +85,7 @@ void ConsoleServer::after_tick() {
     }
 }
 
-bool ConsoleServer::batch_works() const {
+bool ConsoleServer::is_batch_running() const {
     return std::any_of(consoles_.begin(), consoles_.end(),
                        [](const auto& each) { return each.second.batch && each.second.running; });
 }

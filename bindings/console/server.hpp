@@ -57,8 +57,8 @@ public:
     bool serve(Clock::time_point until);
     /// Call this after every tick.
     void after_tick();
-    /// Whether a command of a `Use::batch` client runs.
-    bool batch_works() const;
+    /// Whether a command of a `Use::batch` client is running.
+    bool is_batch_running() const;
     /// Whether a `Use::batch` client is slower than the output.
     bool is_behind() { return transport_.is_behind(); }
     /// Readable if there is something for `serve`.

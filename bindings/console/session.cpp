@@ -249,7 +249,7 @@ void Session::after_tick() {
     std::erase_if(parts.explained, [&parts](const Explained& each) {
         const bool is_same = each.start == parts.live.generation();
         const auto seen = is_same ? parts.live.explanation(each.component, each.trace)
-                                  : Expected<std::optional<Explanation>>(failure(each.component + " began anew"));
+                                  : Expected<std::optional<Explanation>>(failure(each.component + " began again"));
         if (seen && !*seen) return false;
         if (seen) {
             parts.show(to_text(**seen));

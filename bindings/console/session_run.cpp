@@ -41,7 +41,8 @@ void show_results(Session::Parts& parts, lua_State* L, int base) {
     parts.show(fmt::format("{}", fmt::join(texts, several_lines ? "\n" : "\t")));
 }
 
-// Shows what is above `base`, and removes it. Returns whether the input was whole.
+// Shows the values above the index `base` and pops them. If a command among them still needs its table, shows an error
+// instead and returns false.
 bool take_results(Session::Parts& parts, lua_State* L, int base) {
     for (int i = base + 1; i <= lua_gettop(L); ++i) {
         const std::string begun = waiting_command_at(L, i);
@@ -92,7 +93,7 @@ void unpack_results(lua_State* L) {
     lua_remove(L, table);
 }
 
-// The next slice of a coroutine that is on top of the stack.
+// Runs the next slice of the coroutine on top of the stack. Calls `done` when the coroutine has ended.
 void go_on(Session::Parts& parts, const std::string& input, const std::function<void(bool)>& done) {
     lua_State* const L = parts.state->lua();
     lua_State* const coroutine = lua_tothread(L, -1);

@@ -15,7 +15,7 @@ namespace nezumi {
 namespace {
 
 constexpr const char* hook_name = "nezumi_observe";
-constexpr std::size_t most_helpers = 32;  // functions that a condition makes anew are others each time
+constexpr std::size_t most_helpers = 32;  // functions that a condition makes again are others each time
 
 // The names of a function's upvalues, in order.
 std::vector<std::string> upvalues_of(lua_State* lua, int function) {

@@ -1,4 +1,5 @@
-// The margin of an expectation over time, from the robustness of its condition in each sample.
+// The margin of an expectation over time, from the robustness of its condition in each sample: how far the condition is
+// from changing between true and false.
 #pragma once
 
 #include <optional>

@@ -41,7 +41,8 @@ struct MarginSummary {
 /// than the first one's do not count. Only valid runs count.
 std::vector<MarginSummary> summarize_margins(const std::vector<MeasuredRun>& runs);
 
-/// "always 'keeps off' of drives: least margin of 20 runs 0.022 m, at 5.12 s of drives [speed=0.3]".
+/// For example "always 'keeps off' of avoid_wall: least margin of 20 runs 0.022 m, at 5.12 s of avoid_wall
+/// [speed=0.3]".
 std::string text_of(const MarginSummary& summary);
 
 /// CSV (RFC 4180): a row for each condition of each run, with the columns scenario, run, seed, condition, kind, margin,

@@ -69,7 +69,8 @@ public:
     /// The text of the file, or of a module that it required; null for other names.
     const std::string* text(const std::string& shown) const;
     const FileSource* source(const std::string& shown) const { return file_->source(shown); }
-    /// The file, and the modules that it and its scenarios have required, as the project shows them.
+    /// The paths of the file and of the modules that it and its scenarios have required, in the form of
+    /// `Project::shown`.
     const std::vector<std::string>& files() const { return file_->files(); }
 
     /// The last error of `scenario` or `range`; empty at first. Running scenarios may call them by mistake.

@@ -15,7 +15,7 @@ enum Answered : int {
 };
 
 struct ScenarioRun::Methods {
-    /// Pushes the object. May raise a Lua error.
+    /// Pushes the Lua object of `run`, which has these methods. May raise a Lua error.
     static void push_object(lua_State* lua, ScenarioRun& run);
     /// The names of all methods, sorted.
     static std::vector<std::string_view> names(const PeerWords& peer_words);

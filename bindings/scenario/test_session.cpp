@@ -134,7 +134,7 @@ private:
         return runs_.stored(run, repetition, std::move(result));
     }
 
-    // A run is complete when all its repetitions are.
+    // Moves known results to their runs, in order, up to the first run that lacks a repetition.
     void take_known() {
         for (; taken_ < runs_.mine.size(); ++taken_) {
             const std::size_t run = runs_.mine[taken_];

@@ -118,7 +118,7 @@ void LineEditor::Parts::follow_size() {
 }
 
 // Before a key: libedit would draw over what stands there, by the size that the window had. Some terminals break rows
-// anew and others do not: an input of several rows is drawn once more below.
+// again and others do not: an input of several rows is drawn once more below.
 void LineEditor::Parts::draw_resized() {
     if (!editing || plain || columns() == width) return;
     const bool is_one_row = cursor_row(width) == 0 && cursor_row() == 0;

@@ -68,7 +68,7 @@ void Transport::send(ClientId id, Event event) {
 
 std::filesystem::path console_folder() { return "/tmp"; }
 Expected<Listener> Listener::open(std::string_view /*name*/, const std::filesystem::path& /*folder*/) {
-    return failure("nothing can attach to a page");
+    return failure("a console can't attach to a system that runs in a web page");
 }
 Listener::~Listener() = default;
 

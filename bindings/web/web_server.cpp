@@ -317,7 +317,7 @@ void WebServer::explain() {
         if (!browsers_.contains(each.client)) return true;
         const auto seen = each.start == live_.generation()
                               ? live_.explanation(each.component, each.trace)
-                              : Expected<std::optional<Explanation>>(failure(each.component + " began anew"));
+                              : Expected<std::optional<Explanation>>(failure(each.component + " began again"));
         if (seen && !*seen) return false;
         hub_.send(each.client, seen ? json_text(explanation_to_json(**seen))
                                     : json_text(Json{{"is", "explain"},

@@ -295,7 +295,8 @@ public:
     using Component::Component;
     /// Writes the out-ports from the outside. Called in every tick and every state.
     virtual void sense(const Time& now) = 0;
-    /// Acts on the values of its in-ports. Called in every tick and every state; unless it is ACTIVE, it must be still.
+    /// Acts on the values of its in-ports. Called in every tick and every state; the
+    /// device must not move unless it is ACTIVE.
     virtual void actuate(const Time& now) = 0;
 };
 

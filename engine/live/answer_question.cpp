@@ -1,4 +1,5 @@
-// Reads values from the tree of names, as a console does; performs requests as acts.
+// Answers requests of other hosts: looks up names by the rules of the console, and performs all requests except reads
+// as acts.
 #include "engine/live/answer_question.hpp"
 
 #include <fmt/format.h>

@@ -158,7 +158,8 @@ Expected<const MessageType*> MessageCatalog::define(const MessageDefinition& def
             return refuse(field, fmt::format("has {} levels of nested messages, expected at most {}", extent.depth,
                                              most_message_depth - 1));
         if (count > most_message_fields)
-            return refuse(field, fmt::format("makes a message of more than {} fields", most_message_fields));
+            return refuse(field, fmt::format("makes a message with more than {} fields, nested ones included",
+                                             most_message_fields));
         fields.push_back(
             {.name = field.name,
              .type = type,

@@ -1,4 +1,4 @@
-// Searches folders for the file of a name, then for the types of its fields.
+// Searches folders for the file that defines a message type, then for the types of its fields.
 #include "engine/messages/message_files.hpp"
 
 #include <fmt/format.h>

@@ -54,8 +54,8 @@ public:
     /// The names of all files that `find` could find, sorted.
     std::vector<std::string> names(FileKind kind, const std::filesystem::path& named_in) const;
 
-    /// Where such a file is looked for, in this order: beside the file `named_in`, in the project, among the installed
-    /// ones.
+    /// The folders in which files of this kind are searched, in order: the folder of `named_in`, which is the file that
+    /// mentions the name; the project's; the installed one.
     std::vector<std::filesystem::path> places(FileKind kind, const std::filesystem::path& named_in) const {
         return folders(kind, (working_ / named_in).lexically_normal());
     }

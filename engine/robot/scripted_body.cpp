@@ -17,7 +17,7 @@ namespace {
 
 constexpr double stale = 0.3;          // [s] readings older than this are not used, as those of drivers in C++
 constexpr double speed_window = 0.05;  // [s] time over which speeds are measured
-constexpr double impossible = 10;      // [m/s] a rim that seems faster has counts that began anew
+constexpr double impossible = 10;      // [m/s] a rim that seems faster has counts that began again
 
 using Pulses = std::vector<std::int32_t>;
 

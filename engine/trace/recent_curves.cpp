@@ -1,4 +1,4 @@
-// Shortens long curves before they are sent: a drawing has a few hundred dots.
+// Reduces the points of long curves before they are sent: a plot is only a few hundred pixels wide.
 #include "engine/trace/recent_curves.hpp"
 
 #include <fmt/format.h>

@@ -41,7 +41,7 @@ concept Described = requires {
     std::tuple_size<std::remove_cvref_t<decltype(T::fields)>>::value;
 };
 
-/// A structure with a name in its description.
+/// A type with a static member `type_name`.
 template <class T>
 concept Named = requires {
     { T::type_name } -> std::convertible_to<std::string_view>;

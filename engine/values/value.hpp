@@ -99,9 +99,9 @@ public:
         return std::move(*static_cast<T*>(place()));
     }
 
-    // NOLINTNEXTLINE(google-explicit-constructor): a walker takes any value
+    // NOLINTNEXTLINE(google-explicit-constructor): functions that visit values take any type
     operator ValueView() const { return {*type_, place()}; }
-    // NOLINTNEXTLINE(google-explicit-constructor): a reader takes any value
+    // NOLINTNEXTLINE(google-explicit-constructor): functions that read into values take any type
     operator ValuePlace() { return {*type_, place()}; }
 
     /// Whether value and type are equal.

@@ -18,7 +18,7 @@ struct ValueView {
     const void* at;
 
     ValueView(const Type& its_type, const void* place) : type(&its_type), at(place) {}
-    // NOLINTNEXTLINE(google-explicit-constructor): a walker takes any value
+    // NOLINTNEXTLINE(google-explicit-constructor): functions that visit values take any type
     template <Tabled T>
     ValueView(const T& value) : type(&type_of<T>()), at(&value) {}
 

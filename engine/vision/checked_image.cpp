@@ -49,7 +49,8 @@ Expected<Format> format_of(const CameraImage& image) {
         if (image.format.empty() && image.bpp != 8 && image.bpp != 24) break;
         return format;
     }
-    if (image.format.empty()) return failure(fmt::format("no format, and a bpp of {}: expected 8 or 24", image.bpp));
+    if (image.format.empty())
+        return failure(fmt::format("an image without a format must have a bpp of 8 or 24, got {}", image.bpp));
     names.insert(names.end(), std::begin(compressed), std::end(compressed));
     return failure(fmt::format("unknown format '{}': expected {}{}", shown(image.format), fmt::join(names, ", "),
                                did_you_mean(image.format, names)));

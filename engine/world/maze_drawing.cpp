@@ -11,8 +11,8 @@
 namespace nezumi {
 namespace {
 
-constexpr std::size_t usual_signs = 3;            // of a cell and a post, where the first row does not tell
-constexpr std::size_t contest_signs = 4;          // as in the drawings that contests exchange
+constexpr std::size_t usual_characters = 3;       // of a cell and a post, where the first row does not tell
+constexpr std::size_t contest_characters = 4;     // as in the drawings that contests exchange
 constexpr std::string_view walls_across = "-=_";  // a horizontal wall consists of one of these
 
 // Rows without what editors and other systems add: a byte order mark, CR, tabs, blanks at the end, indentation.
@@ -23,7 +23,7 @@ void tidy(std::vector<std::string>& rows) {
         std::string wide;
         for (const char sign : row) {
             if (sign != '\t') wide += sign;
-            if (sign == '\t') wide.resize((wide.size() / contest_signs + 1) * contest_signs, ' ');
+            if (sign == '\t') wide.resize((wide.size() / contest_characters + 1) * contest_characters, ' ');
         }
         const std::size_t last = wide.find_last_not_of(" \r");
         wide.resize(last == std::string::npos ? 0 : last + 1);
@@ -33,11 +33,11 @@ void tidy(std::vector<std::string>& rows) {
     for (std::string& row : rows) row.erase(0, std::min(indented, row.size()));
 }
 
-// A drawing, read with a certain number of signs for a cell and a post.
+// A drawing of a maze. `characters` is the number of characters for one cell together with one post.
 class Drawing {
 public:
-    Drawing(const std::vector<std::string>& rows, std::size_t signs, char post)
-        : rows_(rows), signs_(signs), post_(post) {
+    Drawing(const std::vector<std::string>& rows, std::size_t characters, char post)
+        : rows_(rows), characters_(characters), post_(post) {
         width_ = rows.front().size();
         // A first row with blank posts ends before the last one.
         if (post == ' ') {
@@ -47,21 +47,24 @@ public:
 
     tl::expected<Maze, MazeProblem> read() const {
         constexpr auto most = static_cast<std::size_t>(most_maze_cells);
-        if (width_ <= signs_ || width_ % signs_ != 1 || width_ > signs_ * most + 1) {
-            return wrong(1, fmt::format("expected {} signs for each cell and one more, for 1 to {} cells, got {} signs",
-                                        signs_, most_maze_cells, width_));
+        if (width_ <= characters_ || width_ % characters_ != 1 || width_ > characters_ * most + 1) {
+            return wrong(1, fmt::format("expected {} characters for each cell and one more, for 1 to {} cells, got {}",
+                                        characters_, most_maze_cells, width_));
         }
-        Maze maze(static_cast<int>(width_ / signs_), static_cast<int>(rows_.size() / 2), false);
+        Maze maze(static_cast<int>(width_ / characters_), static_cast<int>(rows_.size() / 2), false);
         for (int line = 0; line <= 2 * maze.rows(); ++line) {
             const std::size_t number = static_cast<std::size_t>(line) + 1;
             std::string row = rows_[number - 1];
             if (row.size() > width_) {
-                return wrong(number, fmt::format("expected {} signs, as in the first row, got {}", width_, row.size()));
+                return wrong(number,
+                             fmt::format("expected {} characters, as in the first row, got {}", width_, row.size()));
             }
             row.resize(width_, ' ');
             for (int column = 0; column <= 2 * maze.columns(); ++column) {
-                const std::size_t first = static_cast<std::size_t>(column / 2) * signs_ + (column % 2 == 1 ? 1 : 0);
-                const std::string_view drawn = std::string_view(row).substr(first, column % 2 == 1 ? signs_ - 1 : 1);
+                const std::size_t first =
+                    static_cast<std::size_t>(column / 2) * characters_ + (column % 2 == 1 ? 1 : 0);
+                const std::string_view drawn =
+                    std::string_view(row).substr(first, column % 2 == 1 ? characters_ - 1 : 1);
                 const bool is_blank = drawn.find_first_not_of(' ') == std::string_view::npos;
                 const bool fits = column % 2 == 1 && line % 2 == 1 ? is_cell(drawn)
                                   : column % 2 == 0 && line % 2 == 0
@@ -89,9 +92,9 @@ private:
         return tl::unexpected(MazeProblem{std::move(text), row});
     }
     std::string expected(int column, int line) const {
-        if (column % 2 == 1 && line % 2 == 1) return fmt::format("\"{}\"", std::string(signs_ - 1, ' '));
+        if (column % 2 == 1 && line % 2 == 1) return fmt::format("\"{}\"", std::string(characters_ - 1, ' '));
         if (column % 2 == 0 && line % 2 == 0) return fmt::format("\"{}\" or blanks", post_);
-        return fmt::format("\"{}\" or blanks", line % 2 == 0 ? std::string(signs_ - 1, '-') : "|");
+        return fmt::format("\"{}\" or blanks", line % 2 == 0 ? std::string(characters_ - 1, '-') : "|");
     }
     bool is_post(char sign) const { return sign == post_ || sign == '-' || sign == '|'; }
     // A wall fills its place, or stands in its middle.
@@ -114,7 +117,7 @@ private:
     }
 
     const std::vector<std::string>& rows_;
-    std::size_t signs_;
+    std::size_t characters_;
     char post_;
     std::size_t width_;
 };
@@ -134,13 +137,13 @@ tl::expected<Maze, MazeProblem> read_drawing(std::vector<std::string> rows) {
     if (draws_posts) {
         const std::size_t second = first.find(first.front(), 1);
         const bool tells = second != std::string::npos && second >= 2;
-        return Drawing(rows, tells ? second : usual_signs, first.front()).read();
+        return Drawing(rows, tells ? second : usual_characters, first.front()).read();
     }
     // Blank posts do not tell how wide a cell is.
-    auto read = Drawing(rows, contest_signs, ' ').read();
-    for (const std::size_t signs : {usual_signs, std::size_t{2}}) {
+    auto read = Drawing(rows, contest_characters, ' ').read();
+    for (const std::size_t characters : {usual_characters, std::size_t{2}}) {
         if (read) break;
-        if (auto other = Drawing(rows, signs, ' ').read()) read = std::move(other);
+        if (auto other = Drawing(rows, characters, ' ').read()) read = std::move(other);
     }
     return read;
 }

@@ -57,7 +57,7 @@ public:
     bool is_late(double now) const { return asked_at_ > 0 && now - asked_at_ > beat_timeout; }
     /// True if the guard has proved, for a beat no older than `beat_timeout`, that it can stop the motors.
     bool is_proved(double now) const { return !trouble_ && now - proved_at_ <= beat_timeout; }
-    /// Why it could not stop them at the last beat.
+    /// Why the guard could not stop the motors at the last beat, if so.
     const std::optional<NodeError>& trouble() const { return trouble_; }
     /// All guards of this process stop their motors and prevent any further motion. Waits until the orders are
     /// received, for at most `longest_braking`. Any thread may call it at any time: for a program that is about to end

@@ -23,7 +23,7 @@ public:
     /// True if motors must be stopped: the guard has stopped them since the last call, or they turn and may not.
     /// Reports it.
     bool must_stop(double now, bool they_turn);
-    /// Why it could not stop them. Then the nodes must be opened again and given to `take_up`.
+    /// Why the guard could not stop the motors, if so. Then the nodes must be opened again and given to `take_up`.
     const std::optional<NodeError>& trouble() const { return guard_->trouble(); }
     /// As `Guard::take_up`.
     tl::expected<void, NodeError> take_up(const Node& node, const Guard::Stop& stop) {

@@ -25,7 +25,8 @@ struct GpioLevels {
 /// Sets them; 0 or an `errno`. Allocates nothing. `pwm`: of each channel its open file duty_cycle.
 int set_gpio(int lines, const std::array<int, most_pwm_channels>& pwm, const GpioLevels& levels);
 
-/// Requests lines of a chip, with this level at once. Nothing with `errno` if they are not there, or in use (EBUSY).
+/// Requests lines of a chip as outputs and sets their levels at once, one bit a line. Returns an empty descriptor and
+/// sets `errno` if a line does not exist or is in use (EBUSY).
 Descriptor request_outputs(int chip, const std::vector<std::int64_t>& lines, std::uint64_t levels);
 enum class Pull { none, up, down };
 /// Requests lines whose edges are reported. `debounce`: [s] that a level must last; 0: every edge counts.

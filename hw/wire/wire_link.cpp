@@ -175,7 +175,8 @@ private:
 
 Expected<std::unique_ptr<DeviceLink>> open_wire(MakeWireDriver make, const Parameters& parameters,
                                                 const DeviceRoots& roots) {
-    if (!roots.files->are_real()) return failure("a device log has no messages of such devices: it can't be replayed");
+    if (!roots.files->are_real())
+        return failure("can't replay this device: a device log has no messages of Serial, Udp, I2c, Spi and Gpio");
     auto made = make(parameters, roots);
     if (!made) return failure(made.error());
     const Driver driver = std::move(*made);

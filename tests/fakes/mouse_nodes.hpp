@@ -28,7 +28,7 @@ public:
     /// "none", "missing" (ENOENT), "denied" (EACCES), "eio", "enodev", "hang", "zeros", "tear" (every 7th reading of a
     /// counter is 256 off), "frozen" (says the same for ever), "garbage". False when there is no such node or fault.
     bool set_fault(const std::string& node, const std::string& fault);
-    /// The driver's module has been loaded anew: handles are void, counters at 0, motors enabled.
+    /// The driver's module has been loaded again: handles are void, counters at 0, motors enabled.
     void reload();
     /// Another program has opened the signed counters.
     void open_signed();

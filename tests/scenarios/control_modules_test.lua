@@ -237,7 +237,7 @@ scenario("a state machine enters, executes and leaves its states", function(s)
   s:near(memory.since, 1.5005, 1e-9)
 end)
 
-scenario("a state machine goes on where its memory stands, and begins anew where that state is gone", function(s)
+scenario("a state machine goes on where its memory stands, and begins again where that state is gone", function(s)
   local memory, notes = {}, {}
   two_states(memory, notes):go("go", 5)
   equal(s, two_states(memory, notes):update(5.05), "go")

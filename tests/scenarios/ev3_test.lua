@@ -23,7 +23,7 @@ scenario("a hand rolls the EV3 until its first command, then it holds", { timeou
   ev3:activate()
   s:disturb("ev3", { vx = 0.1, seconds = 1 })
   s:run(0.5)
-  s:near(ev3.current_vel.value.vx, 0.1, 0.005, "activated anew it coasts again")
+  s:near(ev3.current_vel.value.vx, 0.1, 0.005, "after another activation it coasts again")
 end)
 
 scenario("a command that times out holds the EV3", { timeout = 30 }, function(s)

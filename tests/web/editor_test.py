@@ -171,7 +171,7 @@ class Writing(EditorCase):
         self.told("It counts from the next start")
         page.js("document.querySelector('.editor .told button').click()")
         page.answer("Restart")
-        page.until("parseFloat(document.querySelector('.clock').textContent) < 1", "it begins anew")
+        page.until("parseFloat(document.querySelector('.clock').textContent) < 1", "it begins again")
 
     def test_a_view_only_page_shows_no_files(self):
         system = self.begin()

@@ -556,7 +556,7 @@ class Connection(rig.PageCase):
         rig.wait_until(lambda: seconds() > before + 0.2, "time passes")
         page.press("Restart")
         page.answer("Restart")
-        rig.wait_until(lambda: seconds() < before + 0.2, "time begins anew")
+        rig.wait_until(lambda: seconds() < before + 0.2, "time begins again")
 
     def test_colours_are_light_or_dark_as_the_computer_has_them_until_somebody_chooses(self):
         self.open(WALL)

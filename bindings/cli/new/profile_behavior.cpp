@@ -129,7 +129,8 @@ private:
         return fmt::format("there is no message type '{}'{}", shown(port.type), where);
     }
 
-    // Why its definition can't be used; without the folder, which may be one of this computer.
+    // The error in the definition of a message type. It shows the file name alone, because the folder may exist only on
+    // this computer.
     static std::string with_file_name(Error error) {
         error.place.file = error.place.file.substr(error.place.file.rfind('/') + 1);
         return describe(error);

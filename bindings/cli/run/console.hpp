@@ -42,7 +42,7 @@ public:
     /// The line of --batch that was interrupted, or never run, at the end of the run; 0: none. Valid after `close`.
     int unfinished_line() const { return unfinished_; }
     /// A command of --batch is running.
-    bool batch_works() const { return server_ && server_->batch_works(); }
+    bool is_batch_running() const { return server_ && server_->is_batch_running(); }
     /// Standard output or error is slower than --batch.
     bool is_behind() const { return server_ && server_->is_behind(); }
 

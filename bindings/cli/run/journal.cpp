@@ -40,7 +40,7 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
                 fmt::format("{}:{}: the last line is incomplete and is ignored", file_, replay_->torn_line()));
         if (!replay_->end())
             notes_.push_back(fmt::format(
-                "{}: has no end: the original run was cut off, so this one is cut off at the same tick", file_));
+                "{}: has no end: the original run was interrupted, so this one stops at the same tick", file_));
         if (options.opens_replay && replay_->end() == RunEnd::error)
             notes_.push_back(fmt::format("{}: an error ended that run: {}", file_, replay_->end_message()));
         auto loaded = replay_->load(std::move(live));

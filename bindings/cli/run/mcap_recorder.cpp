@@ -189,7 +189,7 @@ void McapRecorder::read(Followed& followed, std::uint64_t log_time, bool latest_
         return;
     }
     const Port& port = *channel.port();
-    if (port.type() != followed.type) {  // a reload has defined it anew
+    if (port.type() != followed.type) {  // a reload has defined it again
         followed.type = port.type();
         followed.coding = coding_for(*followed.type);
         followed.number =

@@ -1,4 +1,4 @@
-// Components are looked for anew when the system has changed.
+// Components are looked for again when the system has changed.
 #include "bindings/cli/run/profile.hpp"
 
 #include <fmt/format.h>

@@ -282,7 +282,7 @@ private:
         loop_->add(*console_);
         console_->server().ask_peers_by(peer_asker());
         loop_->after_tick([this] { console_->after_tick(); });
-        if (options_.batch) loop_->end_waits_while([this] { return console_->batch_works(); });
+        if (options_.batch) loop_->end_waits_while([this] { return console_->is_batch_running(); });
         // A run that nobody can attach to is better than none.
         if (auto ok = console_->listen(); !ok) screen_.say("no console can attach: " + ok.error().message);
         if (options_.batch) return console_->open_batch();

@@ -76,7 +76,8 @@ void StatusLine::show(std::size_t columns) {
     const Lateness lateness = loop_.lateness();
     if (lateness.ticks() > 0) {
         pieces.push_back({"  late by " + to_text(lateness), ""});
-        if (lateness.skipped() > 0) pieces.push_back({fmt::format(", {} skipped", lateness.skipped()), "\x1b[33m"});
+        if (lateness.skipped() > 0)
+            pieces.push_back({fmt::format(", {} ticks skipped", lateness.skipped()), "\x1b[33m"});
     }
 
     std::string line;

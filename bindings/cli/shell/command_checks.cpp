@@ -63,7 +63,7 @@ std::string missing_value(const SubCommand& command, const std::vector<std::stri
         if (option == nullptr || !takes_value(*option)) continue;
         const std::string& value = words[++i];
         if (is_option(command, value))
-            return fmt::format("{}: its value is missing (got the option {})", words[i - 1], shown(value));
+            return fmt::format("{}: expected a value, got the option {}", words[i - 1], shown(value));
     }
     return "";
 }

@@ -1,4 +1,4 @@
-// Writes the macros of man(7): .TH, .SH, .TP and others.
+// Writes the manual page with the macros of man(7): .TH, .SH, .TP and others.
 #include "bindings/cli/shell/manual.hpp"
 
 #include <fmt/format.h>

@@ -95,7 +95,7 @@ private:
             return refuse(
                 fmt::format("message '{}': expected a name of letters and digits, as 'Obstacle'", shown(*name)));
         if (*name != of_file)
-            return refuse(fmt::format("message '{}': a file of this name defines '{}'", *name, of_file));
+            return refuse(fmt::format("message '{}': a message must have the name of its file, '{}'", *name, of_file));
         name_ = *name;
         return {};
     }
@@ -111,11 +111,11 @@ private:
         all.text("ros", made.ros);
         all.text("rtm", made.rtm);
         if (!made.ros.empty() && !is_type_name(made.ros, "", "/msg/", ""))
-            check.wrong_at({"ros"}, fmt::format("ros: expected a type of ROS 2 as \"my_msgs/msg/{}\", got '{}'", name_,
-                                                shown(made.ros)));
+            check.wrong_at({"ros"}, fmt::format("ros: expected a type of ROS 2 such as \"my_msgs/msg/{}\", got '{}'",
+                                                name_, shown(made.ros)));
         if (!made.rtm.empty() && !is_type_name(made.rtm, "IDL:", "/", ":1.0"))
-            check.wrong_at({"rtm"}, fmt::format("rtm: expected a type of OpenRTM as \"IDL:My/{}:1.0\", got '{}'", name_,
-                                                shown(made.rtm)));
+            check.wrong_at({"rtm"}, fmt::format("rtm: expected a type of OpenRTM such as \"IDL:My/{}:1.0\", got '{}'",
+                                                name_, shown(made.rtm)));
         std::size_t index = 0;
         for (const Value& each : all.elements()) {
             read_field({check, each, {fmt::format("[{}]", ++index)}}, made);

@@ -169,7 +169,7 @@ private:
         std::vector<std::string> above = above_;
         above.push_back(shown_);
         if (std::find(above.begin(), above.end(), shown) != above.end()) {
-            refuse(fmt::format("{} would be built on itself: {}, {}", shown, fmt::join(above, ", "), shown));
+            refuse(fmt::format("{} can't be its own base; the bases are {}, {}", shown, fmt::join(above, ", "), shown));
             return {};
         }
         const auto text = project_.read(*path);

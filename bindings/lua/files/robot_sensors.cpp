@@ -109,7 +109,7 @@ void read_scan(Fields& sensor, SensorSpec& spec) {
     if (!sensor.has("rays")) spec.rays = 360;
     if (spec.cone <= 0 || spec.cone > full_turn + 1e-6)
         sensor.check().wrong(sensor.path_of("cone"),
-                             fmt::format("expected an angle of up to 2 pi, the field of view, got {}", spec.cone));
+                             fmt::format("expected a field of view above 0 and up to 2 pi rad, got {}", spec.cone));
     if (spec.rays < 2)
         sensor.check().wrong(sensor.path_of("rays"),
                              fmt::format("expected 2 or more of a scan, got {}: a single ray is a 'range'", spec.rays));

@@ -54,8 +54,8 @@ struct WordHost {
     std::function<const FieldSource*(const std::string& shown)> source{};
     /// Gets the error of a word, and returns the error to raise in Lua. Empty: raises the error itself.
     std::function<Error(Error error)> fail{};
-    /// Pushes the result of `robot "mouse" { ... }` and similar words, by the name. May raise a Lua error. Empty: they
-    /// return nothing.
+    /// Pushes the result of words such as `robot "mouse" { ... }`, whose `name` is "mouse". May raise a Lua error. If
+    /// this is empty, such words return nothing.
     std::function<void(lua_State* lua, std::string_view name)> push_entry{};
     /// "name.port" of an argument that is a port object; nothing for other values. An error if words can't use this
     /// port. Raises no Lua error. Empty: there are no port objects.

@@ -21,7 +21,7 @@ enum class Libraries {
 
 /// Opens the sandbox's library in a new state: the basic functions, and `math`, `string`, `table`, `utf8`, `coroutine`
 /// as read-only tables, all as globals. There is no os, io, debug, load, dofile, require, collectgarbage or _G, and
-/// nothing shows an address, a clock or the order of a hash. The caller adds its own words to the table of globals
+/// scripts see no memory address, no clock and no order of a hash table. The caller adds its own globals
 /// (lua_pushglobaltable) and then calls `make_globals_strict`.
 Expected<void> open_sandbox(LuaState& state, Libraries libraries = Libraries::at_once);
 

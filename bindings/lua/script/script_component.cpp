@@ -205,7 +205,7 @@ void ScriptComponent::commit(Version next, int reload) {
     old.uses = uses();
     if (!set_fits) note_set_in_use("");  // its values were removed when this version was prepared
     if (state() == LifeState::active && !script_->tasks().empty())
-        log(LogLevel::info, fmt::format("tasks begin anew: {}", script_->tasks().names()));
+        log(LogLevel::info, fmt::format("tasks start again: {}", script_->tasks().names()));
     if (const std::string kept = kept_text(old.parameters, parameters_, configured); !kept.empty())
         log(LogLevel::info, "keeps what was set: " + kept);
     past_.push_back(std::move(old));

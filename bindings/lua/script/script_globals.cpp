@@ -64,8 +64,8 @@ int end_module(lua_State* L) {
     return 0;
 }
 
-// Pushes a value that ends the module when it is closed, also if the module fails and the script catches this with
-// pcall.
+// Pushes a to-be-closed value that calls `Script::end_module`, also if loading the module fails and the script catches
+// the error with pcall.
 void push_module_end(lua_State* L) {
     lua_newuserdatauv(L, 0, 0);
     lua_createtable(L, 0, 1);

@@ -1,4 +1,4 @@
-// The copy is made anew for each check: what the pupil wrote, then the exercise's own scenarios over it.
+// The copy is made again for each check: what the pupil wrote, then the exercise's own scenarios over it.
 #include "bindings/web/classroom/check_work.hpp"
 
 #include <fmt/format.h>

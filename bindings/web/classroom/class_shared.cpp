@@ -1,4 +1,4 @@
-// The shared system: pupils take turns, and after each turn it starts anew from the teacher's files, stopped.
+// The shared system: pupils take turns, and after each turn it starts again from the teacher's files, stopped.
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>

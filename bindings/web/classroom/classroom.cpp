@@ -58,7 +58,7 @@ Expected<std::unique_ptr<Classroom>> Classroom::open(ClassOptions options) {
     std::unique_ptr<Classroom> room(new Classroom(std::move(options), std::move(*pupils)));
     if (room->exercises_.empty()) return failure("there is no exercise: write one with nezumi new exercise NAME");
     if (room->access_.token().empty() || room->access_.view_token().empty())
-        return failure("the kernel gives no random numbers for the secret in its address");
+        return failure("can't get random numbers from the kernel for the secret in the class's address");
     room->first_exercise_ = room->exercises_.front().name;
     room->jobs_ = std::make_unique<JobThread>();
     for (const auto& pupil : room->pupils_.all()) room->add_seat(*pupil);

@@ -29,8 +29,9 @@ std::filesystem::path system_of(std::string_view exercise);
 /// file is none.
 std::vector<Exercise> find_exercises(const std::vector<std::filesystem::path>& folders);
 
-/// Copies files and folders with their times, not links, nor names that begin with a dot. Existing files are replaced
-/// if `replaces`, else kept. At most `most_copied` files. The error names the file.
+/// Copies files and folders with their times, but no links and no names that begin with a dot. Existing files are
+/// replaced if `replaces`, else kept. Fails at more than `most_copied` files and folders; those before are copied then.
+/// The error names the file.
 Expected<void> copy_files(const std::filesystem::path& from, const std::filesystem::path& to, bool replaces);
 inline constexpr int most_copied = 2000;
 

@@ -1,4 +1,4 @@
-// The one system that a class shares: it runs in a copy of the teacher's project, which is made anew for each start.
+// The one system that a class shares: it runs in a copy of the teacher's project, which is made again for each start.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ struct SharedSystem : ClassSystem {
     bool is_real() const { return !options.hardware.empty(); }
     /// The system file in the copy.
     std::filesystem::path file() const;
-    /// Makes the copy anew, without exercises and scenarios.
+    /// Makes the copy again, without exercises and scenarios.
     Expected<void> renew() const;
     /// Puts the behaviours and modules of a pupil's project in the place of those of the copy; the running system
     /// reloads them as any saved file. Returns how many have changed. An error: none has the name of one that runs.

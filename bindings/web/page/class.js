@@ -51,7 +51,7 @@ async function give_hint(pupil, name) {
 
 const time_text = (seconds) => new Date(seconds * 1000).toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
 
-/// A tile is made once and filled anew, so that a button keeps the focus.
+/// A tile is made once and filled again, so that a button keeps the focus.
 class Tile {
   #name = el("span", {});
   #here = el("small", {});

@@ -1,4 +1,4 @@
-// The engine in a worker, as a transport of `Link`. It is ended when it does not answer, and can begin anew.
+// The engine in a worker, as a transport of `Link`. It is ended when it does not answer, and can begin again.
 import { Emitter } from "./emitter.js";
 
 const LONGEST_SILENCE = 8000;  // ms; the engine sends at least once a second
@@ -25,7 +25,7 @@ export class EngineWorker extends Emitter {
     return this.#is_open;
   }
 
-  /// Also begins anew, with other files.
+  /// Also begins again, with other files.
   connect(start = this.#start) {
     this.end();
     this.#start = start;

@@ -12,7 +12,7 @@ export const language = [localStorage.getItem(KEPT), ...navigator.languages.map(
 export const T = TABLES[language];
 document.documentElement.lang = language;
 
-/// Shows the page anew in the next language, whose name it has.
+/// Shows the page again in the next language, whose name it has.
 export function make_language_button() {
   const all = Object.keys(LANGUAGES);
   const next = all[(all.indexOf(language) + 1) % all.length];

@@ -215,8 +215,8 @@ export const EN = {
     import: "Open a project (.zip):", not_imported: (why) => `Not opened: ${why}`, not_opened: (why) => `This address names no project that can be opened: ${why}`,
     forget: "Forget", forget_question: (name) => `Forget ${name} and all of its files?`,
     link: "Link", link_hint: "Copy an address that holds the whole project", link_copied: (n) => `Copied: an address of ${n} characters holds the project.`,
-    export: "Export", export_hint: "Save the project as .zip: unpack it, and nezumi runs it", anew: "Begin anew", anew_hint: "End the engine and start it with the saved files",
-    silent: "The engine does not answer: begin anew.", ended: "quit", try_again: "Save and start",
+    export: "Export", export_hint: "Save the project as .zip: unpack it, and nezumi runs it", anew: "Begin again", anew_hint: "End the engine and start it with the saved files",
+    silent: "The engine does not answer: begin again.", ended: "quit", try_again: "Save and start",
     light: "recorded: any time, any speed", examples: "Examples of the documentation",
     guide: {
       begin: "Begin with a guide: a behaviour of your own in four steps", of: (n, all) => `Step ${n} of ${all}`, file: (name) => `File ${name}`, copy: "Copy", check: "Check", checking: "It is checked…",
@@ -224,7 +224,7 @@ export const EN = {
       too_good: "The scenario passes even with a gain of 0.1, where the mouse is too slow: state what must hold, and within which time.", too_few: "There is no scenario in tests/keep_distance_test.lua yet.",
       steps: {
         behavior: { title: "A behaviour", text: "A behaviour reads in-ports and writes out-ports. This one reads the distances that the mouse measures, and drives faster when the thing in front is farther away. Open Editor, choose behaviors/keep_distance.lua, replace its text by the one below, and press Ctrl+S. The text has a spelling mistake: the list below the editor names it. Correct it and save again." },
-        system: { title: "A system", text: "A system file lists robots and behaviours, and connects them. In behaviors/systems/keep_distance.lua there are a wall and a mouse only. Add the behaviour and the two connections, save, and press Begin anew in the bar: the mouse drives to the wall and stops before it." },
+        system: { title: "A system", text: "A system file lists robots and behaviours, and connects them. In behaviors/systems/keep_distance.lua there are a wall and a mouse only. Add the behaviour and the two connections, save, and press Begin again in the bar: the mouse drives to the wall and stops before it." },
         change: { title: "Change it while it runs", text: "Open behaviors/keep_distance.lua, change the gain from 1.0 to 0.8, and save: the mouse uses the new version at once, and the time goes on. A mistake breaks nothing: the old version keeps running, and the log names the line." },
         test: { title: "A test", text: "A scenario sets up a world and states what must hold in it. Make the file tests/keep_distance_test.lua with New… in the editor, write the text below, and save. The view Scenarios runs it too: once for each distance, many times faster than the mouse. A good test fails when the behaviour is wrong: the check also runs it with a gain of 0.1." },
       },

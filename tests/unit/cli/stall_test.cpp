@@ -98,7 +98,7 @@ TEST_CASE("a run that is killed leaves recording and journal whole up to 0.1 s b
         INFO(replayed.error);
         CHECK(replayed.status == 0);
         CHECK_THAT(replayed.error,
-                   Contains("has no end: the original run was cut off, so this one is cut off at the same tick"));
+                   Contains("has no end: the original run was interrupted, so this one stops at the same tick"));
         const auto same = lines_of(text_of_file(again));
         REQUIRE(same.size() > 100);
         CHECK(std::atof(same.back().c_str()) > told - 0.1);

@@ -31,7 +31,7 @@ TEST_CASE("the console reports why it can't explain a component, or that time is
     it.type("restart()");
     it.shown.clear();
     it.turn();
-    CHECK(it.shown == "controller began anew: not explained");
+    CHECK(it.shown == "controller began again: not explained");
 }
 
 TEST_CASE("on real robots a breakpoint shows executions without stopping, at most one a second", "[console][explain]") {

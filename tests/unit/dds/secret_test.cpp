@@ -118,7 +118,7 @@ TEST_CASE("a stored and replayed announcement is ignored", "[dds][secret]") {
     REQUIRE(hosts.find("ev3") != nullptr);
     hosts.heard(1, announced("ev3", 5, 1, {}), 0);  // an older one of the same run
     REQUIRE(hosts.find("ev3") != nullptr);
-    hosts.heard(2, announced("ev3", 6, 1, {own}), 1);  // it has started anew
+    hosts.heard(2, announced("ev3", 6, 1, {own}), 1);  // it has started again
     REQUIRE(hosts.find("ev3") != nullptr);
     CHECK(hosts.find("ev3")->run == 6);
     hosts.heard(3, announced("ev3", 5, 9, {own}), 2);  // and what it said before is sent again

@@ -114,7 +114,7 @@ TEST_CASE("a connection ends on both hosts when it ends on one", "[dds][network]
         CHECK(room.domain.topics() == Lines{"< nezumi/ev3/replies", "< nezumi/ev3/requests", "< nezumi/hosts",
                                             "< nezumi/hosts", "< nezumi/pi/replies", "< nezumi/pi/requests",
                                             "> nezumi/hosts", "> nezumi/hosts"});
-        // And it can be made anew.
+        // And it can be made again.
         REQUIRE(pi.system.connect("ev3/part.speed", "part.target"));
         pass(room, 4, ev3, pi);
         CHECK(ev3.connections() == Lines{"part.speed > pi/part.target"});

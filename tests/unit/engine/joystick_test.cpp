@@ -111,7 +111,7 @@ struct Told : Gamepad {
 
 }  // namespace
 
-TEST_CASE("a joystick with a gamepad asks for it anew when its parameters change", "[engine][joystick]") {
+TEST_CASE("a joystick with a gamepad asks for it again when its parameters change", "[engine][joystick]") {
     std::vector<GamepadSettings> opened;
     std::optional<GamepadState> told = GamepadState{.x = 0.5, .y = -1, .axes = {0.5F, 1}, .buttons = {true}};
     System system({}, {});

@@ -57,7 +57,7 @@ bool is_wall(const BoxSpec& box, Point2D middle, double length_x, double length_
 
 }  // namespace
 
-TEST_CASE("the drawings that contests exchange have posts o, four signs a cell, and letters for start and goal",
+TEST_CASE("the drawings that contests exchange have posts o, four characters a cell, and letters for start and goal",
           "[engine][maze]") {
     const std::vector<std::string> contest{
         "o---o---o",  //
@@ -81,7 +81,7 @@ TEST_CASE("the drawings that contests exchange have posts o, four signs a cell, 
     CHECK(problem_of(wrong) == "4 expected \"   \" from sign 2 on, got \" # \"");
     wrong = contest;
     wrong[0] = "o---o---";
-    CHECK(problem_of(wrong) == "1 expected 4 signs for each cell and one more, for 1 to 64 cells, got 8 signs");
+    CHECK(problem_of(wrong) == "1 expected 4 characters for each cell and one more, for 1 to 64 cells, got 8");
 }
 
 TEST_CASE("drawings vary as the programs that write them do", "[engine][maze]") {
@@ -165,8 +165,8 @@ TEST_CASE("an error in the drawing of a maze has its row", "[engine][maze]") {
     CHECK(problem_of({"+--+", "|  |"}) ==
           "0 expected 2 rows for each cell and one more, for 1 to 64 cells, got 2 rows");
     CHECK(problem_of({"+--", "|  ", "+--"}) ==
-          "1 expected 3 signs for each cell and one more, for 1 to 64 cells, got 3 signs");
-    CHECK(problem_of({"+--+", "|   |", "+--+"}) == "2 expected 4 signs, as in the first row, got 5");
+          "1 expected 3 characters for each cell and one more, for 1 to 64 cells, got 3");
+    CHECK(problem_of({"+--+", "|   |", "+--+"}) == "2 expected 4 characters, as in the first row, got 5");
     CHECK(problem_of({"+--+", "|  |", "+- +"}) == "3 expected \"--\" or blanks from sign 2 on, got \"- \"");
     CHECK(problem_of({"+--+", "|- |", "+--+"}) == "2 expected \"  \" from sign 2 on, got \"- \"");
     CHECK(problem_of({"+--o", "|  |", "+--+"}) == "1 expected \"+\" or blanks from sign 4 on, got \"o\"");

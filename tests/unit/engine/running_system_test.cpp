@@ -26,7 +26,7 @@ std::unique_ptr<RunningSystem> run_native() {
 
 }  // namespace
 
-TEST_CASE("a system of C++ components runs, is changed by acts and starts anew without scripts", "[engine][live]") {
+TEST_CASE("a system of C++ components runs, is changed by acts and starts again without scripts", "[engine][live]") {
     const auto live = run_native();
     for (int i = 0; i < 10; ++i) live->tick();
     CHECK(live->system().find("it")->executions() == 10);

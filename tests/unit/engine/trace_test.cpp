@@ -210,7 +210,7 @@ TEST_CASE("the numbers of every port are remembered, also of one that comes late
     CHECK(series.seconds(5) == 0.01);
     CHECK((*it.trace.remember("camera.image"))->size() == 0);
 
-    // What is gone is forgotten, and begins anew when it comes again.
+    // What is gone is forgotten, and begins again when it comes again.
     REQUIRE(it.system.remove("late"));
     it.tick();
     it.add("late", says_three_things);

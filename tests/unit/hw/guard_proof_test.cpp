@@ -114,7 +114,7 @@ TEST_CASE("a guard gives no proof for a removed or new node, and says which",
     auto guard = Guard::start("test", power.string());
     REQUIRE(guard);
     REQUIRE(guard_file(**guard, 0, power));
-    SECTION("removed, and made anew") {
+    SECTION("removed, and made again") {
         REQUIRE(guard_file(**guard, 1, motor));
         REQUIRE(proof_of(**guard) == true);
         std::filesystem::remove(motor);

@@ -111,7 +111,7 @@ TEST_CASE("a counter with a new starting value is accepted at the third reading"
     wheel.zero = 20000;
     REQUIRE(wheel.read() == Verdict::taken);
     wheel.drive(500, 100);
-    wheel.zero = -400;  // its module was loaded anew
+    wheel.zero = -400;  // its module was loaded again
     wheel.turn(500);
     CHECK(wheel.read() == Verdict::doubted);
     wheel.turn(500);

@@ -122,7 +122,7 @@ TEST_CASE("a rig moves the robot back before each run, pushes it, presses its bu
           "[hw][test][fakes][wallclock]") {
     Mouse fake({"0.3"});
     const Outcome run = fake.test(
-        "scenario('begins anew', { sweep = { turn = { 1, 2 } } }, function(s, p)\n"
+        "scenario('begins again', { sweep = { turn = { 1, 2 } } }, function(s, p)\n"
         "  local world = s:load 'ahead.lua'\n"
         "  s:check(world.mouse.truth.pose.position.x < 0.01, 'put back')\n"
         "  s:run(1)\n"

@@ -156,7 +156,7 @@ TEST_CASE("a robot file can't build on itself", "[lua][robot_file]") {
     robots.folder.write("behaviors/b.lua", "return robot_model { base = 'a' }");
     const auto circle = robots.read("return robot_model { base = 'a' }");
     REQUIRE_FALSE(circle.has_value());
-    CHECK(circle.error().message.find("would be built on itself") != std::string::npos);
+    CHECK(circle.error().message.find("can't be its own base") != std::string::npos);
     CHECK(circle.error().place.file.find("b.lua") != std::string::npos);
 
     const auto none = robots.read("return robot_model { base = 'plan' }");

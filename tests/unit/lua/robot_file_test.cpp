@@ -253,7 +253,7 @@ TEST_CASE("a scan covers a full turn by default", "[lua][robot_file]") {
     CHECK(angles_of(ahead).step == Approx(M_PI / 180));
     CHECK(ahead.noise == 0.01);
     CHECK(robot_error(with("sensors = { a = { kind = 'scan', cone = 7 } }")) ==
-          "r.lua:2:34: robot_model: field 'sensors.a.cone' expected an angle of up to 2 pi, the field of view, got 7");
+          "r.lua:2:34: robot_model: field 'sensors.a.cone' expected a field of view above 0 and up to 2 pi rad, got 7");
     CHECK(robot_error(with("sensors = { a = { kind = 'scan', rays = 1 } }")) ==
           "r.lua:2:34: robot_model: field 'sensors.a.rays' expected 2 or more of a scan, got 1: a single ray is a "
           "'range'");

@@ -20,7 +20,7 @@ TEST_CASE("an execution that writes endlessly is an error before the memory is f
           "MB in one execution");
     ScriptRig rig("local a = output('a', 'TimedString') function on_execute() a:write(('x'):rep(1e7)) end",
                   {.budget = Budget{20}});
-    rig.activate().tick(10);  // each execution counts anew
+    rig.activate().tick(10);  // each execution counts again
     CHECK(rig.status() == "ACTIVE");
 }
 

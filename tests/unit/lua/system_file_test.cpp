@@ -298,7 +298,7 @@ TEST_CASE("occupied pixels of a map of ROS become boxes of the arena", "[lua][sy
     REQUIRE(spec.has_value());
     REQUIRE(spec->arena.boxes.size() == 1);
     CHECK(spec->arena.boxes[0].at == Point3D{0.25, 0.25, 0.05});
-    CHECK(spec->files.size() == 3);  // a change of any of them makes the system anew
+    CHECK(spec->files.size() == 3);  // a change of any of them makes the system again
     CHECK(read("arena { map 'rooms/map.yml' }").error().message.find("map: ") == 0);
     CHECK(read("arena { map = 'rooms/map.yaml' }").error().message ==
           "arena: unknown field 'map': write map \"map.yaml\", without =");

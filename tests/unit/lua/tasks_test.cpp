@@ -29,7 +29,7 @@ TEST_CASE("a reload starts tasks again, keeps the state, and reports it", "[lua]
     world.tick(3);
     CHECK(world.out<std::int32_t>("it.out") == 1);
     CHECK(world.change("it.lua", text("10")) == "");
-    CHECK(world.said("it: tasks begin anew: count"));
+    CHECK(world.said("it: tasks start again: count"));
     world.tick(3);
     CHECK(world.out<std::int32_t>("it.out") == 11);
     CHECK(world.change("it.lua", text("10") + "function on_reload() cancel('count') end") == "");

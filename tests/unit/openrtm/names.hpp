@@ -66,7 +66,7 @@ public:
         } while (line.find("Checkpointing completed") == std::string::npos);
     }
     void kill() { service_.reset(); }
-    /// One that begins anew has no names.
+    /// One that begins again has no names.
     void forget() {
         for (const auto& file : std::filesystem::directory_iterator(folder_.path()))
             std::filesystem::remove(file.path());

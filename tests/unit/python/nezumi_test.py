@@ -283,7 +283,7 @@ class EnvironmentTest(Case):
                 observations, rewards, terminated, truncated, _ = envs.step([[0.4, 0.0]] * 3)
                 for i in range(3):
                     if ended[i]:
-                        self.assertEqual((rewards[i], terminated[i]), (0.0, False), "it has begun anew")
+                        self.assertEqual((rewards[i], terminated[i]), (0.0, False), "it has begun again")
                         self.assertLess(observations[i], 0.25)
                 ended = terminated
             said = self.refused(nezumi.Error, envs.step, [[0, 0]])

@@ -113,7 +113,7 @@ class VectorTest(unittest.TestCase):
         self.assertEqual((rewards[0], terminations[0], truncations[0]), (0, False, False))
         self.assertNotEqual(envs.seeds()[0], first)
         _, rewards, _, _, _ = envs.step([[0, 0]])
-        self.assertEqual(rewards[0], 1)  # the file's own variables begin anew, too
+        self.assertEqual(rewards[0], 1)  # the file's own variables begin again, too
 
     def test_an_episode_that_ends_early_is_terminated(self):
         self.write("behaviors/wall_env.lua", ENVIRONMENT.replace("limit = 8", "limit = 500"))

@@ -130,7 +130,7 @@ TEST_CASE("only the least robustness of a touch is exact, where only this is ask
     CHECK(tried.condition->robustness().value == 0.3);
 }
 
-TEST_CASE("a helper that is made anew in each sample is observed a limited number of times",
+TEST_CASE("a helper that is made again in each sample is observed a limited number of times",
           "[lua][scenario][condition]") {
     Tried tried(
         "local a = 1\n"

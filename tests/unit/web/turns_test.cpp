@@ -76,7 +76,7 @@ TEST_CASE("a pupil who is away for long gives up the turn and the place, not one
     CHECK(turns.look(later + Turns::longest_absence + seconds(1), is_there));
 }
 
-TEST_CASE("the shared system runs in a copy without exercises, which is made anew", "[web][class]") {
+TEST_CASE("the shared system runs in a copy without exercises, which is made again", "[web][class]") {
     const Scratch scratch;
     scratch.write("mine/behaviors/systems/arena.lua", "arena {}");
     scratch.write("mine/behaviors/driver.lua", "-- the teacher's");
