@@ -317,7 +317,7 @@ Expected<void> Replay::perform(RunningSystem& live, const Entry& entry) {
     files_->update(entry.files);
     const auto act = act_from_json(entry.name, entry.fields, live.part_reader());
     if (!act) return wrong(entry.line, act.error().message);
-    const auto done = live.act(*act, entry.who);
+    const auto done = live.act_again(*act, entry.who);
     if (done.has_value() != entry.failed) return {};
     return wrong(entry.line, entry.failed ? fmt::format("{} failed in the original run, but not now{}", entry.name,
                                                         cause(entry.when))

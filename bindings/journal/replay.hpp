@@ -54,6 +54,8 @@ public:
     /// follow. An error gives the line where the run differs from the journal.
     Expected<bool> before_tick(RunningSystem& live);
 
+    /// Whether everything has been performed, and the run is at its end.
+    bool is_over() const { return next_ == entries_.size(); }
     /// The number of ticks of the recorded run, over all its starts.
     std::int64_t ticks() const;
     /// How the recorded run ended; nothing if its journal is incomplete, because the process was killed.

@@ -61,7 +61,7 @@ WebServer::WebServer(RunningSystem& live, ClockControl& clock, ConsoleServer& co
 Expected<std::unique_ptr<WebServer>> WebServer::open(RunningSystem& live, ClockControl& clock, ConsoleServer& consoles,
                                                      const WebOptions& options) {
     std::unique_ptr<WebServer> server(new WebServer(live, clock, consoles, options));
-    if (options.only_shows) server->hub_.only_show();
+    if (!options.only_shows.empty()) server->hub_.only_show(options.only_shows);
     const AccessControl& access = server->hub_.access();
     if (options.sockets.relay < 0 && (access.token().empty() || access.view_token().empty()))
         return failure("the kernel gives no random numbers for the secret in its address");

@@ -33,7 +33,7 @@ struct WebOptions {
     Pictures::Encode encode{};     ///< pictures for browsers
     PeerSource peers{};            ///< optional
     EditorOptions editor{};
-    bool only_shows = false;                ///< browsers may change nothing but the pace of time
+    std::string only_shows{};               ///< why browsers may change nothing but the pace of time; "": they may
     std::vector<std::string> conditions{};  ///< of a failed scenario that is looked at, one line for each
 };
 

@@ -44,7 +44,9 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
         if (options.opens_replay && replay_->end() == RunEnd::error)
             notes_.push_back(fmt::format("{}: an error ended that run: {}", file_, replay_->end_message()));
         auto loaded = replay_->load(std::move(live));
-        if (loaded) live_ = loaded->get();
+        if (!loaded) return loaded;
+        live_ = loaded->get();
+        if (!options.only_repeats.empty()) live_->refuse_acts(options.only_repeats);
         return loaded;
     }
     if (options.journal.empty() && !recording) return RunningSystem::load(options.file, std::move(live));
@@ -152,7 +154,8 @@ Expected<void> RunJournal::finish(bool of_given_length, std::uint64_t hash) {
         journal_->end(of_given_length ? RunEnd::duration : RunEnd::stopped, "", stopped_, hash);
         if (journal_->error()) return Unexpected(*journal_->error());
     }
-    if (!replay_ || !replay_->hash() || *replay_->hash() == hash) return {};
+    // A person may end it before.
+    if (!replay_ || !replay_->is_over() || !replay_->hash() || *replay_->hash() == hash) return {};
     return failure(fmt::format("{}: this run differs from the journal's run: its hash was {}, not {}", file_,
                                hash_text(*replay_->hash()), hash_text(hash)));
 }

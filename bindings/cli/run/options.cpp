@@ -175,8 +175,9 @@ std::vector<Option> run_options(RunWords& words) {
          FileUse::result},
         {"--replay",
          &words.replay,
-         "repeat the run of a journal, headless and as fast as possible unless --speed is given. It ends at the same "
-         "time and for the same reason. No other file is read",
+         "repeat the run of a journal, as fast as possible unless --speed is given; it can be watched, but not "
+         "changed. "
+         "It ends at the same time and for the same reason. No other file is read",
          "OUT",
          {},
          FileUse::source},
@@ -223,7 +224,7 @@ Expected<RunOptions> read_run_options(const RunWords& typed) {
     if (words.replay.empty() && words.file.ends_with(".mcap")) words.replay = std::exchange(words.file, {});
     const bool repeats = !words.replay.empty() && !words.opens_replay;
     RunOptions options{.file = words.file,
-                       .headless = words.headless || words.batch || repeats,
+                       .headless = words.headless || words.batch,
                        .stopped = words.stopped,
                        .batch = words.batch,
                        .keep_going = words.keep_going,
@@ -309,6 +310,13 @@ Expected<RunOptions> read_run_options(const RunWords& typed) {
     auto web = read_web(words, options.headless);
     if (!web) return Unexpected(web.error());
     options.web = *web;
+    if (repeats) {
+        options.only_repeats = fmt::format(
+            "a run that is repeated can't be changed: nezumi open {} can go back in it "
+            "and change it",
+            shown(options.replay));
+        if (options.web) options.web->only_shows = options.only_repeats;
+    }
     return options;
 }
 

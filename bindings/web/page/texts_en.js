@@ -8,7 +8,7 @@ export const EN = {
   real: "real robots",
   simulated: "simulated",
   view_only: "view only",
-  watching: "a scenario runs",
+  watching: "a run that is only watched",
   systems: { hint: "Systems that run on this machine", here: "this page", process: (id) => `process ${id}`,
     about: "Through a tunnel, make one for each." },
   share: { hint: "Copy a view-only address", copied: "Copied. This address shows everything but controls nothing.",

@@ -8,7 +8,7 @@ export const JA = {
   real: "実機",
   simulated: "シミュレーション",
   view_only: "閲覧のみ",
-  watching: "シナリオの実行",
+  watching: "見るだけの実行",
   systems: { hint: "このコンピュータで動いているシステム", here: "この画面", process: (id) => `プロセス ${id}`,
     about: "トンネル経由のときは、システムごとにトンネルを作ってください。" },
   share: { hint: "閲覧のみのアドレスをコピー", copied: "コピーしました。このアドレスでは、すべて見えますが操作はできません。",
