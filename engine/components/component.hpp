@@ -69,6 +69,8 @@ public:
     const Error& last_error() const { return last_error_; }
     /// [s] the time of this error.
     double failed_at() const { return failed_at_; }
+    /// [s] The time of the last execution since it was activated; negative: none.
+    double executed_at() const { return executed_at_; }
     /// The error of the latest callback or command that ran out of time; none if all were in time. Everything after it
     /// depends on the machine. A reload that runs out of time is refused and does not count.
     const std::optional<Error>& out_of_time() const { return out_of_time_; }

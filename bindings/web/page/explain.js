@@ -1,5 +1,6 @@
 // Explains one execution of a behaviour: its inputs, the executed lines with values, its outputs, and the effect of the
-// robot's limits on the wheels. Requests nothing while the view is hidden.
+// robot's limits on the wheels. Where time stands, it is the execution before that moment. Requests nothing while the view
+// is hidden.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 import { number_text } from "./value_text.js";
@@ -55,23 +56,24 @@ export function make_explain({ model, link, notices }) {
   let is_shown = false;
   let waits = false;
   let timer = null;
+  let shown_at = null;  // the tick at which time stood when the shown execution was asked for
 
   const ask = async () => {
     if (!which.value || waits) return;
     waits = true;
+    shown_at = null;
     const { ok, text } = await link.ask({ do: "explain", component: which.value });
-    if (!ok) {
-      refuse(text || T.link.no_answer);
-    } else if (!model.frame.running) {
-      notices.say(T.explain.paused);
-    }
+    if (!ok) refuse(text || T.link.no_answer);
   };
   /// Shows why there is no explanation, in place of the previous one.
   const refuse = (why) => {
     waits = false;
     stop_following();
-    const { error } = model.component(which.value) ?? {};
-    body.replaceChildren(el("p", { class: "empty", text: why }), ...(error ? [el("code", { class: "error", text: error })] : []));
+    body.replaceChildren(el("p", { class: "empty", text: why }), ...error_of(which.value));
+  };
+  const error_of = (name) => {
+    const { state, error } = model.component(name) ?? {};
+    return state === "ERROR" ? [el("code", { class: "error", text: error })] : [];
   };
   const stop_following = () => {
     follow.setAttribute("aria-pressed", false);
@@ -90,10 +92,13 @@ export function make_explain({ model, link, notices }) {
   };
   model.on("explain", (seen) => {
     if (seen.component !== which.value) return;
+    if (seen.waits) return notices.say(T.explain.paused);
     waits = false;
     if (seen.problem) return refuse(seen.problem);
+    shown_at = model.frame.tick;
     body.replaceChildren(
       el("p", { class: "when", text: T.explain.when(seen.component, seen.at.toFixed(2), seen.tick) }),
+      ...error_of(seen.component),
       stage(T.explain.inputs, "inputs", ...ports_of(seen.inputs, "←")),
       stage(T.explain.lines, "lua", ...lines_of(seen).filter(Boolean)),
       stage(T.explain.outputs, "outputs", ...ports_of(seen.outputs, "→")),
@@ -103,6 +108,10 @@ export function make_explain({ model, link, notices }) {
   for (const what of ["restarted", "went_back"]) model.on(what, () => {
     waits = false;
     stop_following();
+  });
+  // After a step or a seek, what stands there is no more the last execution.
+  model.on("frame", () => {
+    if (is_shown && !model.frame.running && !model.looked && shown_at !== null && shown_at !== model.frame.tick) ask();
   });
   link.on("lost", () => {
     waits = false;

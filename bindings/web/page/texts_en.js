@@ -112,8 +112,8 @@ export const EN = {
     clear: "Clear", hello: "The system's names are in scope: try ls() or help()." },
 
   explain: {
-    which: "Behaviour", look: "Explain", look_hint: "Look at the next execution, line by line", follow: "Repeat",
-    about: "Choose a robot in the world, or a behaviour here: its next execution is shown, from its sensor values to the commands of its wheels.",
+    which: "Behaviour", look: "Explain", look_hint: "Look at an execution, line by line: the next one; while time is paused, the last one", follow: "Repeat",
+    about: "Choose a robot in the world, or a behaviour here: one of its executions is shown, from its sensor values to the commands of its wheels.",
     none: "none", no_lines: "No line of Lua ran.", cut: "… and more lines", turns: (count) => `… ${count} more turns`,
     paused: "Time is paused: press Step to execute it.",
     when: (name, at, tick) => `${name} at ${at} s, tick ${tick}`,

@@ -77,8 +77,8 @@ TEST_CASE("the option --eval shows all of a long output, also where it is read l
 TEST_CASE("a run that is repeated is looked at and paced by attach, and is not changed", "[cli][attach][journal]") {
     const Place place;
     const std::string journal = place.scratch.path("run.journal").string();
-    const Outcome first = run_nezumi({"run", place.system, "--headless", "--speed", "max", "--duration", "3",
-                                      "--trace-hash", "--journal", journal});
+    const Outcome first = run_nezumi(
+        {"run", place.system, "--headless", "--speed", "max", "--duration", "3", "--trace-hash", "--journal", journal});
     REQUIRE(first.status == 0);
     Program again({"run", "--replay", journal, "--speed", "0.01", "--trace-hash"});
     for (int tries = 0; tries < 300 && run_nezumi({"attach", "--list"}).status != 0; ++tries) usleep(100'000);

@@ -6,6 +6,7 @@
 
 #include "engine/base/whole_file.hpp"
 #include "engine/values/cdr.hpp"
+#include "engine/values/value_text.hpp"
 #include "tests/unit/web/web_rig.hpp"
 
 using namespace nezumi;
@@ -198,11 +199,59 @@ TEST_CASE("an execution is explained to any browser, also a view-only one", "[we
     const auto refused = WebRig::answer(browser, {{"do", "explain"}, {"id", 2}, {"component", "mouse"}});
     CHECK(refused["ok"] == false);
     CHECK(refused["text"] == "mouse is not a behaviour: it has no lines");
+}
 
-    rig.paused = true;
-    CHECK(WebRig::answer(browser, {{"do", "explain"}, {"id", 3}, {"component", "controller"}})["ok"] == true);
-    REQUIRE(rig.live->act(Remove{"controller"}, {}));
-    CHECK(browser.next_text("\"is\":\"explain\"").find("controller is gone: not explained") != std::string::npos);
+TEST_CASE("what has not been executed yet is explained when it is, and a browser is told that time stands",
+          "[web][explain]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    CHECK(WebRig::answer(browser, {{"do", "explain"}, {"id", 1}, {"component", "controller"}})["ok"] == true);
+    CHECK(Json::parse(browser.next_text("\"is\":\"explain\""))["waits"] == true);
+    SECTION("and then it is gone") {
+        REQUIRE(rig.live->act(Remove{"controller"}, {}));
+        CHECK(browser.next_text("\"is\":\"explain\"").find("controller is gone: not explained") != std::string::npos);
+    }
+    SECTION("and then it is executed") {
+        rig.turn();
+        CHECK(Json::parse(browser.next_text("\"is\":\"explain\""))["tick"] == 0);
+    }
+}
+
+TEST_CASE("where time stands, the execution before this moment is explained", "[web][explain]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    int id = 0;
+    const auto explained = [&] {
+        REQUIRE(WebRig::answer(browser, {{"do", "explain"}, {"id", ++id}, {"component", "controller"}})["ok"] == true);
+        return Json::parse(browser.next_text("\"is\":\"explain\""));
+    };
+    rig.turn(10);
+    const std::uint64_t hash = rig.live->trace_hash();
+    const Json seen = explained();
+    CHECK(seen["tick"] == 9);
+    CHECK_FALSE(seen["lines"].empty());
+    CHECK(seen["outputs"][0]["value"] == short_text((*rig.live->system().port("controller.out"))->value()));
+    CHECK(rig.live->system().now().tick == 10);
+    CHECK(rig.live->trace_hash() == hash);
+    rig.turn();
+    CHECK(explained()["tick"] == 10);
+    rig.turn(3);
+    CHECK(explained()["tick"] == 13);
+    REQUIRE(rig.live->act(Seek{.tick = 5}, {}));
+    CHECK(explained()["tick"] == 4);
+}
+
+TEST_CASE("of a behaviour in ERROR the execution that failed is explained", "[web][explain]") {
+    WebRig rig("behavior 'it' { script = 'it' }\n", {{"it",
+                                                      "local turns = 0\nfunction on_execute()\n  turns = turns + 1\n"
+                                                      "  if turns == 4 then error('enough') end\nend\n"}});
+    rig.turn(20);
+    rig.paused = false;
+    RawBrowser browser = rig.open();
+    CHECK(WebRig::answer(browser, {{"do", "explain"}, {"id", 1}, {"component", "it"}})["ok"] == true);
+    const auto seen = Json::parse(browser.next_text("\"is\":\"explain\""));
+    CHECK(seen["tick"] == 3);
+    CHECK(seen["lines"].back()["line"] == 4);
 }
 
 TEST_CASE("a browser with full access gets the view-only token", "[web]") {
