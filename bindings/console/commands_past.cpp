@@ -121,7 +121,7 @@ Expected<void> come_back(Session::Parts& parts) {
 void give_keys(Session::Parts& parts, bool to_seek) {
     if (!parts.options.output.take_keys || parts.seek_has_keys == to_seek) return;
     parts.seek_has_keys = to_seek;
-    parts.options.output.take_keys(to_seek);
+    parts.options.output.take_keys(to_seek ? TakenKeys::escape : TakenKeys::none);
 }
 
 Expected<CommandEnd> explain_failure(Session::Parts& parts, const std::string& name) {
@@ -170,7 +170,9 @@ Expected<CommandEnd> command_rewind(Session::Parts& parts, const Arguments& argu
                    .start = parts.live.starts()};
         // Before a restart, time goes on at its end.
         while (where.tick < 0) {
-            const auto end = where.start > 1 ? parts.live.history().end_of_start(where.start - 1) : std::nullopt;
+            const auto end = where.start > 1
+                                 ? parts.live.history().end_of_start(where.start - 1, parts.live.history().current())
+                                 : std::nullopt;
             if (!end) {
                 const double back = static_cast<double>(where.tick) / parts.live.system().settings().rate;
                 return failure(fmt::format("only {:g} s have passed since the start", *seconds + back));

@@ -98,6 +98,7 @@ Expected<std::unique_ptr<Replay>> Replay::of_record(std::string_view text, const
 Expected<std::unique_ptr<Replay>> Replay::parse(std::string_view text, const fs::path& file, const std::string& version,
                                                 bool takes_hardware) {
     std::unique_ptr<Replay> replay(new Replay(file));
+    if (text.empty()) return failure("is empty: it contains no run", {file.string()});
     int number = 0;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = text.find('\n', at);
