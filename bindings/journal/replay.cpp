@@ -274,6 +274,8 @@ std::int64_t Replay::ticks() const {
     for (const Entry& entry : entries_) {
         // A restart begins at tick 0; a seek continues at an earlier tick.
         if (entry.when.start != last.start) last.tick = 0;
+bool Replay::is_over() const { return next_ == entries_.size(); }
+
         all += std::max<std::int64_t>(0, entry.when.tick - last.tick);
         last = entry.when;
     }

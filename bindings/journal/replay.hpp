@@ -55,7 +55,7 @@ public:
     Expected<bool> before_tick(RunningSystem& live);
 
     /// Whether everything has been performed, and the run is at its end.
-    bool is_over() const { return next_ == entries_.size(); }
+    bool is_over() const;
     /// The number of ticks of the recorded run, over all its starts.
     std::int64_t ticks() const;
     /// How the recorded run ended; nothing if its journal is incomplete, because the process was killed.
