@@ -76,7 +76,7 @@ Replay::Replay(fs::path file) : file_(std::move(file)) {}
 Replay::~Replay() = default;
 
 Unexpected Replay::wrong(int line, const std::string& what) const {
-    return failure(what, {.file = file_.string(), .line = line});
+    return failure(what + written_by(), {.file = file_.string(), .line = line});
 }
 
 Expected<std::unique_ptr<Replay>> Replay::read(const fs::path& file, const std::string& version) {
@@ -119,10 +119,16 @@ Expected<std::unique_ptr<Replay>> Replay::parse(std::string_view text, const fs:
 Expected<void> Replay::read_header(const std::string& line, const std::string& version, bool takes_hardware) {
     const Json json = Json::parse(line, nullptr, false);
     if (!json.is_object() || !json.contains("journal")) return wrong(1, "is not a journal of nezumi run --journal");
-    const auto written_by = field<std::string>(json, "version");
-    if (written_by != version || field<int>(json, "journal") != 1) {
-        return failure(fmt::format("{} is a journal of nezumi {}, this is {}: only the same version replays it",
-                                   file_.string(), shown(written_by.value_or("of another time")), version));
+    const std::string written_by = shown(field<std::string>(json, "version").value_or("of an unknown version"));
+    const auto format = field<int>(json, "journal");
+    if (format != journal_format) {
+        return failure(fmt::format("{} is a journal of nezumi {} in the format {}: this is nezumi {}, which reads {}",
+                                   file_.string(), written_by, format ? std::to_string(*format) : "?", version,
+                                   journal_format));
+    }
+    if (written_by != version) {
+        other_version_ = written_by;
+        version_ = version;
     }
     is_of_hardware_ = field<bool>(json, "hardware").value_or(false);
     if (is_of_hardware_ && !takes_hardware) {
@@ -268,14 +274,14 @@ std::optional<std::int64_t> Replay::end_tick() const {
     return end_ ? std::optional(entries_.back().when.tick) : std::nullopt;
 }
 
+bool Replay::is_over() const { return next_ == entries_.size(); }
+
 std::int64_t Replay::ticks() const {
     std::int64_t all = 0;
     ActTime last{};
     for (const Entry& entry : entries_) {
         // A restart begins at tick 0; a seek continues at an earlier tick.
         if (entry.when.start != last.start) last.tick = 0;
-bool Replay::is_over() const { return next_ == entries_.size(); }
-
         all += std::max<std::int64_t>(0, entry.when.tick - last.tick);
         last = entry.when;
     }
@@ -302,6 +308,11 @@ Expected<bool> Replay::before_tick(RunningSystem& live) {
         }
     }
     return false;
+}
+
+std::string Replay::written_by() const {
+    if (other_version_.empty()) return "";
+    return fmt::format("; the journal is of nezumi {}, this is {}", other_version_, version_);
 }
 
 std::string Replay::cause(const ActTime& now) const {

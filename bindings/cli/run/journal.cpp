@@ -30,6 +30,11 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
         auto replay = Replay::of_text(*text, file_, version());
         if (!replay) return Unexpected(replay.error());
         replay_ = std::move(*replay);
+        if (!replay_->other_version().empty()) {
+            notes_.push_back(
+                fmt::format("{}: the run of nezumi {} is repeated by nezumi {}, as long as both do the same", file_,
+                            replay_->other_version(), version()));
+        }
         // The new recording repeats the same run.
         if (recording) recording(text->size(), [text = std::move(*text)] { return text; });
         if (!options.file.empty()) {
@@ -156,8 +161,8 @@ Expected<void> RunJournal::finish(bool of_given_length, std::uint64_t hash) {
     }
     // A person may end it before.
     if (!replay_ || !replay_->is_over() || !replay_->hash() || *replay_->hash() == hash) return {};
-    return failure(fmt::format("{}: this run differs from the journal's run: its hash was {}, not {}", file_,
-                               hash_text(*replay_->hash()), hash_text(hash)));
+    return failure(fmt::format("{}: this run differs from the journal's run: its hash was {}, not {}{}", file_,
+                               hash_text(*replay_->hash()), hash_text(hash), replay_->written_by()));
 }
 
 void RunJournal::give_up(const std::string& why) {
