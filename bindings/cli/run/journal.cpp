@@ -79,7 +79,11 @@ Expected<void> RunJournal::find_failure() {
     if (!fs::is_directory(file_, none)) return {};
     const fs::path folder = file_;
     file_ = (folder / failure_journal).string();
-    if (!fs::is_regular_file(file_, none)) {
+    if (fs::is_regular_file(folder / failed_recording, none)) {
+        if (auto found = find_failed_recording(folder / failed_recording); !found) return found;
+    } else if (!fs::is_regular_file(file_, none)) {
+        if (fs::exists(folder / "failure.txt", none))
+            return failure("failed without a run that can be repeated: failure.txt there says why", {folder.string()});
         return failure(fmt::format("has no {}: open the folder of a scenario that failed, which the report of nezumi "
                                    "test names",
                                    failure_journal),
@@ -95,6 +99,18 @@ Expected<void> RunJournal::find_failure() {
         }
         notes_.push_back(std::move(*text));
     }
+    return {};
+}
+
+Expected<void> RunJournal::find_failed_recording(const std::filesystem::path& note) {
+    const auto text = read_whole(note, note.string(), std::size_t{1} << 16);
+    if (!text) return Unexpected(text.error());
+    std::istringstream lines(*text);
+    Seek where;
+    if (!std::getline(lines, file_) || !(lines >> where.start >> where.tick))
+        return failure("expected the path of a recording, and below it the start and the tick of the failure",
+                       {note.string()});
+    failed_at_ = where;
     return {};
 }
 
@@ -121,7 +137,8 @@ Expected<void> RunJournal::go_to_end(const volatile std::sig_atomic_t& end) {
         live_->tick();
     }
     opened_ = std::move(replay_);
-    return {};
+    if (!failed_at_ || end != 0) return {};
+    return live_->act(*failed_at_, {}).map([](const ActResult&) {});
 }
 
 void RunJournal::follow(RunLoop& loop) {
