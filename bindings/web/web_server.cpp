@@ -235,6 +235,10 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
         hub_.send(client, json_text(*remembered), true);
         return Reply::now;
     }
+    if (const auto* then = std::get_if<ThenMessage>(&message.body)) {
+        hub_.send(client, json_text(then_to_json(live_, then->at, then->names)), true);
+        return Reply::now;
+    }
     if (const auto* time = std::get_if<TimeMessage>(&message.body)) {
         if (time->what == TimeMessage::What::restart)
             return prepare(client, message.id, browser, {.act = Restart{}, .shown = "restarts the system"});

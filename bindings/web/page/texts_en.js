@@ -40,7 +40,7 @@ export const EN = {
   troubles: { count: (n) => (n === 1 ? "1 error" : `${n} errors`), show: "Show", open: (line) => `Open line ${line}`,
     runs: (version, names, more) => `Version ${version} runs: ${names}${more > 0 ? ` and ${more} more` : ""}.` },
 
-  past: { label: "Time line", time: "Go to this time", branch: "Branch", now: "Now", now_hint: "To the end of this branch",
+  past: { not_remembered: "not remembered", label: "Time line", time: "Go to this time", branch: "Branch", now: "Now", now_hint: "To the end of this branch",
     of: (time, end) => `${time} of ${end}`, is_past: "past", hint: "What followed happens again when time runs. Every change begins a new branch.",
     is_away: "past, alone", conditions: "Conditions of the scenario", mark: (time, text) => `${time}: ${text}`,
     keys: "Drag, or arrow keys; Page Up and Page Down go to the next and the last mark" },

@@ -40,7 +40,7 @@ export const JA = {
   troubles: { count: (n) => `エラー ${n} 件`, show: "表示", open: (line) => `${line} 行目を開く`,
     runs: (version, names, more) => `バージョン ${version} が動いています: ${names}${more > 0 ? ` ほか ${more} 件` : ""}` },
 
-  past: { label: "時間軸", time: "この時刻へ移動", branch: "分岐", now: "現在へ", now_hint: "この分岐の終わりへ移動",
+  past: { not_remembered: "記録なし", label: "時間軸", time: "この時刻へ移動", branch: "分岐", now: "現在へ", now_hint: "この分岐の終わりへ移動",
     of: (time, end) => `${time} / ${end}`, is_past: "過去", hint: "再開すると、その後の出来事がもう一度起こります。何かを変えると、新しい分岐が始まります。",
     is_away: "過去 (自分だけ)", conditions: "シナリオの条件", mark: (time, text) => `${time}: ${text}`,
     keys: "ドラッグか矢印キーで動かします。Page Up と Page Down で、次の印や前の印へ移ります。" },

@@ -254,6 +254,38 @@ TEST_CASE("of a behaviour in ERROR the execution that failed is explained", "[we
     CHECK(seen["lines"].back()["line"] == 4);
 }
 
+TEST_CASE("a browser is shown the values of a time that is remembered", "[web][past]") {
+    WebRig rig("behavior 'controller' { script = 'counter' }\n", {{"counter", R"(
+local out = output("out", "TimedVelocity2D")
+local name = output("name", "TimedString")
+state.steps = 0
+function on_execute()
+  state.steps = state.steps + 1
+  out:write { vx = now() }
+  name:write("tick " .. math.floor(now() * 100 + 0.5) // 10)
+end
+)"}});
+    rig.live->trace().remember_ports();
+    rig.turn(50);
+    RawBrowser browser = rig.open(rig.view_token);
+    int id = 0;
+    const auto then = [&](double at) {
+        REQUIRE(browser.send_frame(Json{{"do", "then"},
+                                        {"id", ++id},
+                                        {"at", at},
+                                        {"names", {"controller.out", "controller.name", "nobody.out"}}}
+                                       .dump()));
+        return Json::parse(browser.next_text("\"is\":\"then\""))["values"];
+    };
+    const Json values = then(0.3);
+    CHECK(values.size() == 2);
+    CHECK(values["controller.out"]["tm"] == 0.29);
+    CHECK(values["controller.out"]["leaves"][0] == Json::array({"vx", 0.29}));
+    CHECK(values["controller.name"]["leaves"] == Json::array({Json::array({"", "tick 2"})}));
+    CHECK(then(0).empty());
+    CHECK(rig.live->system().now().tick == 50);
+}
+
 TEST_CASE("a browser with full access gets the view-only token", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
