@@ -2,6 +2,7 @@
 // robot's limits on the wheels. Where time stands, it is the execution before that moment. Requests nothing while the view
 // is hidden.
 import { el } from "./dom.js";
+import { error_of } from "./error_frames.js";
 import { T } from "./texts.js";
 import { number_text } from "./value_text.js";
 import { owner_of } from "./port_name.js";
@@ -48,7 +49,9 @@ function robot_of({ robot, asked, limits, limited, wheels }) {
   ];
 }
 
-export function make_explain({ model, link, notices }) {
+/// Adds to the parts `explain(name)`, which opens the view for a behaviour.
+export function make_explain(parts) {
+  const { model, link, notices } = parts;
   const which = el("select", { "aria-label": T.explain.which });
   const look = el("button", { class: "primary", text: T.explain.look, title: T.explain.look_hint });
   const follow = el("button", { class: "toggle", "aria-pressed": false, text: T.explain.follow });
@@ -69,17 +72,19 @@ export function make_explain({ model, link, notices }) {
   const refuse = (why) => {
     waits = false;
     stop_following();
-    body.replaceChildren(el("p", { class: "empty", text: why }), ...error_of(which.value));
-  };
-  const error_of = (name) => {
-    const { state, error } = model.component(name) ?? {};
-    return state === "ERROR" ? [el("code", { class: "error", text: error })] : [];
+    body.replaceChildren(el("p", { class: "empty", text: why }), ...error_of(model.component(which.value)));
   };
   const stop_following = () => {
     follow.setAttribute("aria-pressed", false);
     clearTimeout(timer);
   };
   look.onclick = ask;
+  parts.explain = (name) => {
+    which.value = name;
+    waits = false;
+    if (is_shown) ask();
+    else parts.layout.choose("explain");
+  };
   which.onchange = () => {
     waits = false;
     ask();
@@ -98,7 +103,7 @@ export function make_explain({ model, link, notices }) {
     shown_at = model.frame.tick;
     body.replaceChildren(
       el("p", { class: "when", text: T.explain.when(seen.component, seen.at.toFixed(2), seen.tick) }),
-      ...error_of(seen.component),
+      ...error_of(model.component(seen.component)),
       stage(T.explain.inputs, "inputs", ...ports_of(seen.inputs, "←")),
       stage(T.explain.lines, "lua", ...lines_of(seen).filter(Boolean)),
       stage(T.explain.outputs, "outputs", ...ports_of(seen.outputs, "→")),

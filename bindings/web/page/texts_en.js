@@ -37,7 +37,7 @@ export const EN = {
 
   splits: { dock: "Height of the console", side: "Width of the controls", hint: "Drag, or move by arrow keys; a double click puts it back" },
 
-  troubles: { count: (n) => (n === 1 ? "1 error" : `${n} errors`), show: "Show", open: (line) => `Open line ${line}`,
+  troubles: { frames: "Functions that were running", count: (n) => (n === 1 ? "1 error" : `${n} errors`), show: "Show", open: (line) => `Open line ${line}`,
     runs: (version, names, more) => `Version ${version} runs: ${names}${more > 0 ? ` and ${more} more` : ""}.` },
 
   past: { not_remembered: "not remembered", label: "Time line", time: "Go to this time", branch: "Branch", now: "Now", now_hint: "To the end of this branch",
@@ -112,6 +112,7 @@ export const EN = {
     clear: "Clear", hello: "The system's names are in scope: try ls() or help()." },
 
   explain: {
+    failed_hint: "Show the execution that failed",
     which: "Behaviour", look: "Explain", look_hint: "Look at an execution, line by line: the next one; while time is paused, the last one", follow: "Repeat",
     about: "Choose a robot in the world, or a behaviour here: one of its executions is shown, from its sensor values to the commands of its wheels.",
     none: "none", no_lines: "No line of Lua ran.", cut: "… and more lines", turns: (count) => `… ${count} more turns`,

@@ -37,7 +37,7 @@ export const JA = {
 
   splits: { dock: "コンソールの高さ", side: "操作欄の幅", hint: "ドラッグか矢印キーで動かします。ダブルクリックで元に戻ります。" },
 
-  troubles: { count: (n) => `エラー ${n} 件`, show: "表示", open: (line) => `${line} 行目を開く`,
+  troubles: { frames: "実行中だった関数", count: (n) => `エラー ${n} 件`, show: "表示", open: (line) => `${line} 行目を開く`,
     runs: (version, names, more) => `バージョン ${version} が動いています: ${names}${more > 0 ? ` ほか ${more} 件` : ""}` },
 
   past: { not_remembered: "記録なし", label: "時間軸", time: "この時刻へ移動", branch: "分岐", now: "現在へ", now_hint: "この分岐の終わりへ移動",
@@ -112,6 +112,7 @@ export const JA = {
     clear: "消去", hello: "システムの名前をそのまま使えます。ls() や help() を試してみましょう。" },
 
   explain: {
+    failed_hint: "失敗した実行を調べる",
     which: "ふるまい", look: "調べる", look_hint: "1 回の実行を、1 行ずつ調べる。時間が動いていれば次の実行、止まっていれば最後の実行です", follow: "くり返す",
     about: "ワールドでロボットを選ぶか、ここでふるまいを選んでください。1 回の実行を、センサの値から車輪への指令まで順に示します。",
     none: "なし", no_lines: "Lua の行は実行されませんでした。", cut: "… 以下省略", turns: (count) => `… あと ${count} 回くり返し`,

@@ -254,6 +254,21 @@ TEST_CASE("of a behaviour in ERROR the execution that failed is explained", "[we
     CHECK(seen["lines"].back()["line"] == 4);
 }
 
+TEST_CASE("a browser sees the functions of a failed behaviour with their variables", "[web]") {
+    WebRig rig("behavior 'it' { script = 'it' }\n",
+               {{"it", "local function half(of)\n  return of.x / 2\nend\nfunction on_execute()\n  local y = half(7)\n"
+                       "  return y\nend\n"}});
+    rig.turn(2);
+    RawBrowser browser = rig.open();
+    const Json component = next_system(browser)["components"][0];
+    CHECK(component["error"].get<std::string>().find("it.lua:2: ") != std::string::npos);
+    REQUIRE(component["frames"].size() == 2);
+    CHECK(component["frames"][0]["line"] == 2);
+    CHECK(component["frames"][0]["name"] == "half");
+    CHECK(component["frames"][0]["locals"] == Json::array({Json::array({"of", "7"})}));
+    CHECK(component["frames"][1]["line"] == 5);
+}
+
 TEST_CASE("a browser is shown the values of a time that is remembered", "[web][past]") {
     WebRig rig("behavior 'controller' { script = 'counter' }\n", {{"counter", R"(
 local out = output("out", "TimedVelocity2D")
