@@ -151,6 +151,10 @@ public:
     virtual std::int64_t traces() const { return 0; }
     virtual TracedLines latest_trace() const { return {}; }
 
+    /// Measures from now on what each of its ticks costs, by the clock; null ends it. `costs` must outlive that.
+    void measure_ticks(TickCosts* costs) const { tick_costs_ = costs; }
+    TickCosts* tick_costs() const { return tick_costs_; }
+
     /// Whether it requested an emergency stop since the last call, such as by a button of a gamepad.
     virtual bool take_stop() { return false; }
 
@@ -277,6 +281,7 @@ private:
     double tick_rate_ = 100;
     double executed_at_ = -1;
     std::int64_t executions_ = 0;
+    mutable TickCosts* tick_costs_ = nullptr;
     LifeState state_ = LifeState::inactive;
     Hook hook_ = Hook::none;
     bool error_hook_failed_ = false;
