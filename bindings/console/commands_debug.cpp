@@ -107,6 +107,10 @@ Expected<CommandEnd> command_break_at(Session::Parts& parts, const Arguments& ar
 
 void watch_lines(Session::Parts& parts) {
     parts.breaks_of = parts.live.generation();
+    for (const Component* component : std::as_const(parts.live).system().components()) {
+        if (dynamic_cast<const ScriptComponent*>(component) != nullptr) continue;
+        component->measure_ticks(parts.profile ? &parts.profile->natives[component->name()] : nullptr);
+    }
     for (const ScriptComponent* script : scripts_of(parts.live.system())) {
         std::vector<LineTrace::Watched> lines;
         for (const LineBreak& each : parts.breaks) {
@@ -208,11 +212,11 @@ Expected<CommandEnd> command_profile(Session::Parts& parts, const Arguments& arg
     parts.profile->until = now + seconds;
     for (const ScriptComponent* script : scripts_of(parts.live.system()))
         parts.profile->components[script->name()].by_line = script->name() == only;
-    if (parts.profile->components.empty()) {
-        parts.profile.reset();
-        return failure("there is no behaviour");
-    }
     watch_lines(parts);
+    if (parts.profile->components.empty() && parts.profile->natives.empty()) {
+        parts.profile.reset();
+        return failure("there is no component");
+    }
     if (parts.clock.is_paused()) parts.show("time is paused: run() lets it go on");
     return CommandEnd::done;
 }
@@ -222,14 +226,7 @@ void show_profile(Session::Parts& parts) {
     const auto profile = std::exchange(parts.profile, nullptr);
     watch_lines(parts);
     const double rate = parts.live.system().settings().rate;
-    parts.show(cost_table(profile->components, rate));
-    std::vector<std::string> others;
-    for (const auto& component : parts.live.system().components()) {
-        if (dynamic_cast<const ScriptComponent*>(component) == nullptr &&
-            dynamic_cast<const Device*>(component) == nullptr)
-            others.push_back(component->name());
-    }
-    if (!others.empty()) parts.show(fmt::format("not measured, because written in C++: {}", fmt::join(others, ", ")));
+    parts.show(cost_table(profile->components, profile->natives, rate));
     const auto only = profile->components.find(profile->by_line);
     if (only == profile->components.end()) return;
     if (only->second.lines.nodes().size() <= 1 && !only->second.times.empty())

@@ -100,7 +100,7 @@ Expected<CommandEnd> command_drive(Session::Parts& parts, const Arguments& argum
         }
     }
     if (auto ok = parts.drive.begin(parts.live, *what, parts.options.who); !ok) return Unexpected(ok.error());
-    parts.options.output.take_keys(true);
+    parts.options.output.take_keys(TakenKeys::all);
     parts.show(fmt::format("at full deflection: {}\ndriving {}: arrow keys, + and - scale, space stops, Esc ends",
                            parts.drive.full_speed(), parts.drive.path()));
     return CommandEnd::done;

@@ -14,7 +14,7 @@
 #include "bindings/console/console_fields.hpp"
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
-#include "engine/live/past_run.hpp"
+#include "engine/live/past_execution.hpp"
 
 namespace nezumi {
 
@@ -121,36 +121,21 @@ Expected<void> come_back(Session::Parts& parts) {
 void give_keys(Session::Parts& parts, bool to_seek) {
     if (!parts.options.output.take_keys || parts.seek_has_keys == to_seek) return;
     parts.seek_has_keys = to_seek;
-    parts.options.output.take_keys(to_seek);
+    parts.options.output.take_keys(to_seek ? TakenKeys::escape : TakenKeys::none);
 }
 
 Expected<CommandEnd> explain_failure(Session::Parts& parts, const std::string& name) {
     const CallPause pause;
-    double failed_at = 0;
-    const auto past = parts.at_system([&]() -> std::optional<Expected<std::unique_ptr<PastRun>>> {
-        const Component* const component = std::as_const(parts.live).system().find(name);
-        if (component == nullptr) return failure(fmt::format("{} is gone", name));
-        failed_at = component->failed_at();
-        return parts.live.begin_seek({.tick = tick_at(parts.live, failed_at), .start = parts.live.starts()});
-    });
+    const auto past = parts.at_system([&] { return std::make_optional(PastExecution::begin(parts.live, name)); });
     if (!past) return failure("interrupted");
     if (!*past) return Unexpected(past->error());
-    RunningSystem& then = (**past)->system();
-    if (auto computed = compute(parts, ***past); !computed) return Unexpected(computed.error());
+    PastExecution& execution = ***past;
+    if (auto computed = compute(parts, execution.run()); !computed) return Unexpected(computed.error());
     // The past system belongs to this command, but its ticks belong to the thread that runs ticks.
-    const auto explained = parts.at_system([&]() -> std::optional<Expected<std::string>> {
-        then.repeat_known();  // an act may have begun the execution
-        const auto trace = then.explain_next(name);
-        if (!trace) return failure(fmt::format("{} failed outside an execution: errors() shows where", name));
-        then.tick();
-        const auto seen = then.explanation(name, *trace);
-        if (!seen) return Unexpected(seen.error());
-        if (!*seen) return failure(fmt::format("{} failed outside an execution: errors() shows where", name));
-        return to_text(**seen);
-    });
+    const auto explained = parts.at_system([&] { return std::make_optional(execution.explain()); });
     if (!explained) return failure("interrupted");
     if (!*explained) return Unexpected(explained->error());
-    parts.show(fmt::format("the execution that failed, at {:g} s:\n{}", failed_at, **explained));
+    parts.show(fmt::format("the execution that failed, at {:g} s:\n{}", execution.seconds(), to_text(**explained)));
     return CommandEnd::done;
 }
 
@@ -185,7 +170,9 @@ Expected<CommandEnd> command_rewind(Session::Parts& parts, const Arguments& argu
                    .start = parts.live.starts()};
         // Before a restart, time goes on at its end.
         while (where.tick < 0) {
-            const auto end = where.start > 1 ? parts.live.history().end_of_start(where.start - 1) : std::nullopt;
+            const auto end = where.start > 1
+                                 ? parts.live.history().end_of_start(where.start - 1, parts.live.history().current())
+                                 : std::nullopt;
             if (!end) {
                 const double back = static_cast<double>(where.tick) / parts.live.system().settings().rate;
                 return failure(fmt::format("only {:g} s have passed since the start", *seconds + back));

@@ -1,4 +1,4 @@
-// Times are CPU times of the executing thread.
+// Times of behaviours are CPU times of the executing thread, those of native components real times.
 #include "bindings/console/profile_text.hpp"
 
 #include <fmt/format.h>
@@ -42,15 +42,20 @@ std::string text_of_line(const std::string& text, int line) {
 
 }  // namespace
 
-std::string cost_table(const std::map<std::string, ExecutionProfile>& components, double rate) {
+std::string cost_table(const std::map<std::string, ExecutionProfile>& behaviors,
+                       const std::map<std::string, TickCosts>& natives, double rate) {
     std::vector<Cost> costs;
-    std::size_t widest = std::string_view("behaviour").size();
-    for (const auto& [name, profile] : components) {
-        costs.push_back(cost_of(name, profile.times));
-        widest = std::max(widest, name.size());
-    }
+    std::size_t widest = std::string_view("component").size();
+    const auto add = [&](const auto& components) {
+        for (const auto& [name, measured] : components) {
+            costs.push_back(cost_of(name, measured.times));
+            widest = std::max(widest, name.size());
+        }
+    };
+    add(behaviors);
+    add(natives);
     std::stable_sort(costs.begin(), costs.end(), [](const Cost& a, const Cost& b) { return a.mean > b.mean; });
-    std::string text = fmt::format("{:{}}  executions      median       worst  of a tick", "behaviour", widest);
+    std::string text = fmt::format("{:{}}  executions      median       worst  of a tick", "component", widest);
     for (const Cost& cost : costs) {
         text += fmt::format("\n{:{}}  {:10}  {:>10}  {:>10}  {:7.2f} %", cost.name, widest, cost.count,
                             text_of_time(cost.median), text_of_time(cost.worst), cost.mean * 1e-9 * rate * 100);

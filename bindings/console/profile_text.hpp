@@ -9,9 +9,10 @@
 
 namespace nezumi {
 
-/// A row for each behaviour, the most expensive first: executions, median, worst, and the mean as a share of the tick's
-/// period at this rate [Hz].
-std::string cost_table(const std::map<std::string, ExecutionProfile>& components, double rate);
+/// A row for each component, the most expensive first: executions (of a native one its ticks), median, worst, and the
+/// mean as a share of the tick's period at this rate [Hz].
+std::string cost_table(const std::map<std::string, ExecutionProfile>& behaviors,
+                       const std::map<std::string, TickCosts>& natives, double rate);
 
 /// A row for each line, the most expensive first: its share, its time, how often it ran, and its text. `text_of` gives
 /// the text of a file by its name in messages.

@@ -43,7 +43,7 @@ struct Event {
         output,       ///< one or more lines in `text`: results, prints, watches
         error,        ///< one or more lines in `text`: errors
         log,          ///< a log line; `level` is its level
-        keys,         ///< whether keys are wanted from now on (`ok`)
+        keys,         ///< whether keys are wanted from now on (`ok`): all, or `only_escape` as `text`
         status,       ///< the state of the system in one line, about once a second; `ok`: time passes
         lost,         ///< `count` outputs and log lines were dropped, because the client was too slow
         bye,          ///< the last event; `text` gives the reason
@@ -51,6 +51,8 @@ struct Event {
 
     /// The `level` of an output that replaces the previous drawing in a terminal.
     static constexpr std::string_view in_place = "in_place";
+    /// The `text` of `keys` if no other key is wanted.
+    static constexpr const char* only_escape = "escape";
 
     Kind kind = Kind::output;
     std::int64_t id = 0;

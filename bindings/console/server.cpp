@@ -239,8 +239,10 @@ Expected<Session*> ConsoleServer::session_of(ClientId id, Console& console) {
     };
     options.output.log_level = [this, id](LogLevel level) { return set_log_level(id, level); };
     if (console.keys) {
-        options.output.take_keys = [this, id](bool on) {
-            transport_.send(id, {.kind = Event::Kind::keys, .ok = on, .text = {}});
+        options.output.take_keys = [this, id](TakenKeys keys) {
+            transport_.send(id, {.kind = Event::Kind::keys,
+                                 .ok = keys != TakenKeys::none,
+                                 .text = keys == TakenKeys::escape ? Event::only_escape : ""});
         };
     }
     auto session = Session::create(live_, clock_, std::move(options));

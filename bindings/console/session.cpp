@@ -269,7 +269,7 @@ void Session::after_tick() {
     std::erase_if(parts.plots, [&parts](PlotRequest& plot) { return !draw_again(parts, plot); });
     if (auto driving = parts.drive.after_tick(parts.live); !driving) {
         parts.show(driving.error().message);
-        if (parts.options.output.take_keys) parts.options.output.take_keys(false);
+        if (parts.options.output.take_keys) parts.options.output.take_keys(TakenKeys::none);
     }
 }
 
@@ -304,7 +304,8 @@ void Session::key(Key key) {
     parts.drive.key(key, parts.live);
     if (parts.drive.is_on() && (key == Key::faster || key == Key::slower))
         parts.show("at full deflection: " + parts.drive.full_speed());
-    if (was_on && !parts.drive.is_on() && parts.options.output.take_keys) parts.options.output.take_keys(false);
+    if (was_on && !parts.drive.is_on() && parts.options.output.take_keys)
+        parts.options.output.take_keys(TakenKeys::none);
 }
 
 }  // namespace nezumi

@@ -23,6 +23,9 @@ class Bell;
 /// The keys of `drive`.
 enum class Key { up, down, left, right, space, escape, faster, slower };
 
+/// The keys that a command takes; all others are typed for the next input.
+enum class TakenKeys { none, escape, all };
+
 /// The functions that receive the output of a session. They are called within `advance`, `after_tick`, `interrupt` and
 /// `key`.
 struct SessionOutput {
@@ -36,8 +39,9 @@ struct SessionOutput {
     std::function<void(std::string_view text)> show_error;
     /// An input of `submit` is finished, with or without an error: the prompt may appear again.
     std::function<void(bool well)> done;
-    /// Whether `drive` is active: then keys go to `key`. Empty: there are no keys, and `drive` is refused.
-    std::function<void(bool on)> take_keys;
+    /// Which keys go to `key` from now on: `drive` takes all, a long seek Escape. Empty: there are no keys, and `drive`
+    /// is refused.
+    std::function<void(TakenKeys keys)> take_keys;
     /// Shows log lines of this level and above from now on. False or empty: no log is shown here.
     std::function<bool(LogLevel level)> log_level{};
 };

@@ -64,6 +64,7 @@ struct ChangeWatch {
 /// The measurement of `profile`.
 struct ConsoleProfile {
     std::map<std::string, ExecutionProfile> components{};
+    std::map<std::string, TickCosts> natives{};
     std::string by_line{};  ///< the behaviour whose lines are measured; "" for none
     double until = 0;       ///< [s] simulated
 };

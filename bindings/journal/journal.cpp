@@ -55,7 +55,7 @@ void Journal::begin(RunningSystem& live, const std::string& version, bool hardwa
     for (const auto& folder : live.options().installed) installed.push_back(text_to_json(folder.string()));
     Json set = Json::array();
     for (const std::string& each : live.options().values.set) set.push_back(text_to_json(each));
-    Json first{{"journal", 1},
+    Json first{{"journal", journal_format},
                {"version", version},
                {"hardware", hardware},
                {"system", text_to_json(live.file().string())},

@@ -30,6 +30,9 @@
 
 namespace nezumi {
 
+/// The version of the lines of a journal, in its first line.
+inline constexpr int journal_format = 1;
+
 /// How a run ended.
 enum class RunEnd {
     duration,  ///< at a time set by --duration or commands

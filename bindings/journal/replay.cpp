@@ -76,7 +76,7 @@ Replay::Replay(fs::path file) : file_(std::move(file)) {}
 Replay::~Replay() = default;
 
 Unexpected Replay::wrong(int line, const std::string& what) const {
-    return failure(what, {.file = file_.string(), .line = line});
+    return failure(what + written_by(), {.file = file_.string(), .line = line});
 }
 
 Expected<std::unique_ptr<Replay>> Replay::read(const fs::path& file, const std::string& version) {
@@ -98,6 +98,7 @@ Expected<std::unique_ptr<Replay>> Replay::of_record(std::string_view text, const
 Expected<std::unique_ptr<Replay>> Replay::parse(std::string_view text, const fs::path& file, const std::string& version,
                                                 bool takes_hardware) {
     std::unique_ptr<Replay> replay(new Replay(file));
+    if (text.empty()) return failure("is empty: it contains no run", {file.string()});
     int number = 0;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = text.find('\n', at);
@@ -118,10 +119,16 @@ Expected<std::unique_ptr<Replay>> Replay::parse(std::string_view text, const fs:
 Expected<void> Replay::read_header(const std::string& line, const std::string& version, bool takes_hardware) {
     const Json json = Json::parse(line, nullptr, false);
     if (!json.is_object() || !json.contains("journal")) return wrong(1, "is not a journal of nezumi run --journal");
-    const auto written_by = field<std::string>(json, "version");
-    if (written_by != version || field<int>(json, "journal") != 1) {
-        return failure(fmt::format("{} is a journal of nezumi {}, this is {}: only the same version replays it",
-                                   file_.string(), shown(written_by.value_or("of another time")), version));
+    const std::string written_by = shown(field<std::string>(json, "version").value_or("of an unknown version"));
+    const auto format = field<int>(json, "journal");
+    if (format != journal_format) {
+        return failure(fmt::format("{} is a journal of nezumi {} in the format {}: this is nezumi {}, which reads {}",
+                                   file_.string(), written_by, format ? std::to_string(*format) : "?", version,
+                                   journal_format));
+    }
+    if (written_by != version) {
+        other_version_ = written_by;
+        version_ = version;
     }
     is_of_hardware_ = field<bool>(json, "hardware").value_or(false);
     if (is_of_hardware_ && !takes_hardware) {
@@ -267,6 +274,8 @@ std::optional<std::int64_t> Replay::end_tick() const {
     return end_ ? std::optional(entries_.back().when.tick) : std::nullopt;
 }
 
+bool Replay::is_over() const { return next_ == entries_.size(); }
+
 std::int64_t Replay::ticks() const {
     std::int64_t all = 0;
     ActTime last{};
@@ -301,6 +310,11 @@ Expected<bool> Replay::before_tick(RunningSystem& live) {
     return false;
 }
 
+std::string Replay::written_by() const {
+    if (other_version_.empty()) return "";
+    return fmt::format("; the journal is of nezumi {}, this is {}", other_version_, version_);
+}
+
 std::string Replay::cause(const ActTime& now) const {
     const auto is_before = [&](const Ended& each) {
         return std::pair(each.when.start, each.when.tick) <= std::pair(now.start, now.tick);
@@ -317,7 +331,7 @@ Expected<void> Replay::perform(RunningSystem& live, const Entry& entry) {
     files_->update(entry.files);
     const auto act = act_from_json(entry.name, entry.fields, live.part_reader());
     if (!act) return wrong(entry.line, act.error().message);
-    const auto done = live.act(*act, entry.who);
+    const auto done = live.act_again(*act, entry.who);
     if (done.has_value() != entry.failed) return {};
     return wrong(entry.line, entry.failed ? fmt::format("{} failed in the original run, but not now{}", entry.name,
                                                         cause(entry.when))

@@ -20,8 +20,8 @@ namespace nezumi {
 
 class Replay {
 public:
-    /// Reads a journal of this version. An error gives the file, the line and the problem, or why it can't be replayed
-    /// here. An incomplete last line is ignored.
+    /// Reads a journal, also of another version: then the run may differ, and each error names both. An error gives the
+    /// file, the line and the problem, or why it can't be replayed here. An incomplete last line is ignored.
     static Expected<std::unique_ptr<Replay>> read(const std::filesystem::path& file, const std::string& version);
     /// Reads a journal from its text; `file` is the name for errors.
     static Expected<std::unique_ptr<Replay>> of_text(std::string_view text, const std::filesystem::path& file,
@@ -54,8 +54,14 @@ public:
     /// follow. An error gives the line where the run differs from the journal.
     Expected<bool> before_tick(RunningSystem& live);
 
+    /// Whether everything has been performed, and the run is at its end.
+    bool is_over() const;
     /// The number of ticks of the recorded run, over all its starts.
     std::int64_t ticks() const;
+    /// The version of nezumi that wrote it; "": this one.
+    const std::string& other_version() const { return other_version_; }
+    /// "; the journal is of nezumi 1.2, this is 1.3", or "".
+    std::string written_by() const;
     /// How the recorded run ended; nothing if its journal is incomplete, because the process was killed.
     std::optional<RunEnd> end() const { return end_; }
     const std::string& end_message() const { return end_message_; }
@@ -80,6 +86,7 @@ private:
     std::string cause(const ActTime& now) const;
 
     std::filesystem::path file_;
+    std::string other_version_, version_;
     std::string system_;
     std::vector<std::filesystem::path> installed_;
     std::uint64_t seed_ = 0;

@@ -57,7 +57,7 @@ int ScenarioRun::Methods::recorded(ScenarioRun& run, lua_State* lua) {
     const double length = (*world)->length();
     RunningSystem& live = run.worlds_.add(std::move(*world));
     live.activate();
-    if (run.settings_.files != nullptr) run.settings_.files->begin(run.worlds_.size() - 1, live, false);
+    if (run.settings_.files != nullptr) run.settings_.files->begin_recorded(run.worlds_.size() - 1, live, file);
     const auto pushed = protect(lua, condition_budget, [&](lua_State* inside) {
         run.objects_->push_system(inside, live);
         lua_pushnumber(inside, length);

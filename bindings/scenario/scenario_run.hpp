@@ -35,6 +35,8 @@ public:
     virtual ~RunFiles() = default;
     /// A world begins. If `is_journaled`, it is not active yet, and a journal of it can be replayed.
     virtual void begin(std::size_t world, RunningSystem& live, bool is_journaled) = 0;
+    /// A world begins that is a recording, of this file.
+    virtual void begin_recorded(std::size_t world, RunningSystem& live, const std::filesystem::path& recording) = 0;
     /// Its journal can't be replayed any more.
     virtual void drop_journal(std::size_t world) = 0;
     /// A world has made a tick.

@@ -46,7 +46,7 @@ private:
     void keep(const std::string& input);
     std::optional<Event> wait_for_answer(std::int64_t id);
     Came wait(int timeout);
-    void take_keys(bool alone);
+    bool take_keys(bool alone);
     void interrupt();
     void show_events();
     void show(const Event& event, std::string& text);
@@ -63,7 +63,8 @@ private:
     bool begun_ = false;           // the input has lines already
     bool paused_ = false;
     std::optional<std::chrono::steady_clock::time_point> asked_;  // time of the question how to leave
-    bool keys_ = false;                                           // keys go to `drive`
+    bool keys_ = false;                                           // keys go to `drive`, or Escape to a seek
+    bool only_escape_ = false;                                    // other keys are typed for the next input
     bool ended_ = false;                                          // the system has ended
     bool hung_up_ = false;                                        // the terminal is closed
     bool history_fails_ = false;
@@ -164,12 +165,12 @@ Completion Prompt::complete(const std::string& text, std::size_t cursor) {
 
 std::optional<Event> Prompt::wait_for_answer(std::int64_t id) {
     answer_.reset();
+    bool undecided = false;
     while (!(answer_ && answer_->id == id) || keys_) {
         // An arrow key sends several bytes at once. After a single Escape nothing follows.
-        const bool undecided = keys_ && !editor_->typed().empty();
         const Came came = wait(undecided ? escape_wait : -1);
         if (came == Came::end) return std::nullopt;
-        if (keys_) take_keys(came == Came::nothing && undecided);
+        undecided = keys_ && take_keys(came == Came::nothing && undecided);
         const std::size_t interrupted = editor_->typed().find('\x03');
         if (interrupted == std::string::npos) continue;
         // Ctrl-C also drops what was typed before it.
@@ -181,17 +182,24 @@ std::optional<Event> Prompt::wait_for_answer(std::int64_t id) {
 
 void Prompt::interrupt() { client_.send({.kind = Request::Kind::interrupt, .text = {}}); }
 
-void Prompt::take_keys(bool alone) {
+// Returns whether the rest may be the beginning of a key.
+bool Prompt::take_keys(bool alone) {
     static constexpr std::array<std::string_view, 8> names{"up",    "down",   "left",   "right",
                                                            "space", "escape", "faster", "slower"};
     std::string& typed = editor_->typed();
-    while (!typed.empty() && typed.front() != '\x03') {
-        const TypedKey key = next_key(typed, alone);
-        if (key.size == 0) return;
-        typed.erase(0, key.size);
+    for (std::size_t at = 0; at < typed.size() && typed[at] != '\x03';) {
+        const TypedKey key = next_key(std::string_view(typed).substr(at), alone);
+        if (key.size == 0) return true;
+        const bool is_kept = only_escape_ && key.key != Key::escape;
+        if (is_kept) {
+            at += key.size;
+            continue;
+        }
+        typed.erase(at, key.size);
         if (key.key)
             client_.send({.kind = Request::Kind::key, .text = std::string(names[static_cast<std::size_t>(*key.key)])});
     }
+    return false;
 }
 
 Prompt::Came Prompt::wait(int timeout) {
@@ -242,7 +250,10 @@ void Prompt::show(const Event& event, std::string& text) {
         case Event::Kind::lost:
             text += "(" + std::to_string(event.count) + " more were dropped: this terminal is too slow)\n";
             return;
-        case Event::Kind::keys: keys_ = event.ok; return;
+        case Event::Kind::keys:
+            keys_ = event.ok;
+            only_escape_ = event.text == Event::only_escape;
+            return;
         case Event::Kind::status:
             paused_ = !event.ok;
             editor_->set_title(visible(event.text));

@@ -194,17 +194,17 @@ Admission Hub::lets_in(const HttpRequest& request) {
 }
 
 void Hub::opened(ClientId id, const Admission& admission) {
-    const bool view_only = admission.view_only || only_shows_;
+    const bool view_only = admission.view_only || !only_shows_.empty();
     const std::lock_guard lock(mutex_);
     Client& client = clients_[id];
     client.view_only = view_only;
-    client.paces = only_shows_ && !admission.view_only;
+    client.paces = !only_shows_.empty() && !admission.view_only;
     client.came = Clock::now();
     ++clients_there_;
     // The browser's own fields come first.
     put_text(client,
              fmt::format(R"({{"is":"hello","you":"browser {}","view_only":{},"paces":{},"view_token":"{}",{})", id,
-                         view_only, only_shows_ && !admission.view_only, access_.view_token(), hello_),
+                         view_only, client.paces, access_.view_token(), hello_),
              false);
     for (const std::string& line : log_) put_text(client, line, true);
     if (goodbye_) put_text(client, *goodbye_, false);  // the run ended while the browser was being admitted
@@ -250,12 +250,10 @@ bool Hub::received(ClientId id, std::string_view text) {
         return true;
     }
     const bool changes_nothing = std::holds_alternative<ExplainMessage>(message->body) ||
-                                 std::holds_alternative<RememberedMessage>(message->body);
+                                 std::holds_alternative<RememberedMessage>(message->body) ||
+                                 std::holds_alternative<ThenMessage>(message->body);
     if (client.view_only && !changes_nothing && !(client.paces && is_pace(*message))) {
-        put_text(client,
-                 refusal(message->id,
-                         client.paces ? "a scenario that is watched can't be changed" : "this link is view-only"),
-                 false);
+        put_text(client, refusal(message->id, client.paces ? only_shows_ : "this link is view-only"), false);
         return true;
     }
     if (++client.waiting > most_waiting) return false;

@@ -46,8 +46,8 @@ public:
 
     /// `hello` is the greeting message without the browser's own fields.
     Hub(AccessControl access, StaticFiles files, PartReader parts, std::string hello);
-    /// Before it serves: browsers may change nothing but the pace of time.
-    void only_show() { only_shows_ = true; }
+    /// Before it serves: browsers may change nothing but the pace of time, for this reason.
+    void only_show(std::string why) { only_shows_ = std::move(why); }
     Hub(const Hub&) = delete;
     Hub& operator=(const Hub&) = delete;
     ~Hub() override = default;
@@ -130,8 +130,8 @@ private:
     const StaticFiles files_;
     const PartReader parts_;
     const std::string hello_;
-    bool only_shows_ = false;
-    Descriptor news_;  // eventfd
+    std::string only_shows_;  // why; "": browsers may change the system
+    Descriptor news_;         // eventfd
     std::atomic<int> clients_there_ = 0;
 
     mutable Mutex mutex_;  // for all members below that are not marked as belonging to one thread

@@ -76,6 +76,12 @@ public:
         wrong(name, "true or false");
         return false;
     }
+    double number(const char* name) {
+        const Json* value = find(name);
+        if (value != nullptr && value->is_number()) return value->get<double>();
+        wrong(name, "a number");
+        return 0;
+    }
     std::vector<std::string> texts(const char* name) {
         const Json* value = find(name);
         std::vector<std::string> texts;
@@ -322,6 +328,10 @@ constexpr std::array kinds{
     Kind{"remembered",
          [](const Given& given) -> Body {
              return RememberedMessage{.branch = given.fields.text("branch"), .rows = given.fields.flag("rows")};
+         }},
+    Kind{"then",
+         [](const Given& given) -> Body {
+             return ThenMessage{.at = given.fields.number("at"), .names = given.fields.texts("names")};
          }},
     Kind{"systems", [](const Given&) -> Body { return SystemsMessage{}; }},
     Kind{"edit", [](const Given& given) -> Body { return read_edit(given.fields); }},

@@ -89,13 +89,19 @@ struct RememberedMessage {
     bool rows = false;  ///< also where robots were
 };
 
+/// Requests what ports and members had at a time of the present branch, as far as it is remembered.
+struct ThenMessage {
+    double at = 0;  ///< [s]
+    std::vector<std::string> names;
+};
+
 /// Requests the list of running systems.
 struct SystemsMessage {};
 
 struct BrowserMessage {
     std::int64_t id = 0;  ///< chosen by the page; the answer has the same id
     std::variant<Watch, ActMessage, TimeMessage, DriveMessage, ConsoleMessage, FloorMessage, ExplainMessage,
-                 RememberedMessage, SystemsMessage, PeerMessage, EditMessage, TestMessage>
+                 RememberedMessage, ThenMessage, SystemsMessage, PeerMessage, EditMessage, TestMessage>
         body{};
 };
 

@@ -89,4 +89,30 @@ Expected<Json> remembered_to_json(RunningSystem& live, const std::string& branch
     return json;
 }
 
+Json then_to_json(RunningSystem& live, double at, const std::vector<std::string>& names) {
+    Json values = Json::object();
+    for (const std::string& name : names) {
+        const auto found = live.trace().remember_part(name);
+        if (!found) continue;
+        const Series& series = *found->series;
+        // What is published in a tick is there after it.
+        std::size_t after = 0;
+        for (std::size_t end = series.size(); after < end;) {
+            const std::size_t middle = (after + end) / 2;
+            series.seconds(middle) < at - 1e-9 ? after = middle + 1 : end = middle;
+        }
+        if (after == 0) continue;
+        Json leaves = Json::array();
+        for (std::size_t label = 0; label < series.labels().size(); ++label) {
+            const double value = series.value(after - 1, label);
+            if (std::isnan(value)) continue;
+            const bool is_text = series.is_text(label);
+            leaves.push_back({series.labels()[label],
+                              is_text ? Json(series.texts()[static_cast<std::size_t>(value)]) : Json(value)});
+        }
+        values[name] = {{"tm", series.seconds(after - 1)}, {"leaves", std::move(leaves)}};
+    }
+    return {{"is", "then"}, {"at", at}, {"values", std::move(values)}};
+}
+
 }  // namespace nezumi::web

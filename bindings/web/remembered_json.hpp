@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "engine/live/running_system.hpp"
 
@@ -11,5 +12,9 @@ namespace nezumi::web {
 /// The marks of a branch (acts, reloads, errors, collisions) and, with `rows`, where its robots and
 /// moving things were, since the last start. An error if there is no such branch.
 Expected<nlohmann::ordered_json> remembered_to_json(RunningSystem& live, const std::string& branch, bool rows);
+
+/// What these ports and members had at a time [s] of the present branch: for each that is remembered its stamp, and its
+/// numbers and texts by their names. The others are left out; members are remembered from now on.
+nlohmann::ordered_json then_to_json(RunningSystem& live, double at, const std::vector<std::string>& names);
 
 }  // namespace nezumi::web

@@ -69,12 +69,27 @@ Json ports_to_json(const Component& component) {
     return ports;
 }
 
+// The functions that were running, the innermost first, with their local variables.
+Json frames_to_json(const ErrorFrames& frames) {
+    Json json = Json::array();
+    for (const ErrorFrames::Frame& frame : frames.all) {
+        Json locals = Json::array();
+        for (const ErrorFrames::Variable& each : frame.locals) locals.push_back({each.name, each.text});
+        json.push_back(
+            {{"file", frame.file}, {"line", frame.line}, {"name", frame.name}, {"locals", std::move(locals)}});
+    }
+    return json;
+}
+
 Json component_to_json(const TreeNode& node) {
     const Component& component = *node.component();
     Json json{{"name", component.name()},       {"kind", kind_of(component)},
               {"type", component.type()},       {"state", to_text(component.state())},
               {"version", component.version()}, {"rate", component.rate}};
-    if (component.state() == LifeState::error) json["error"] = describe(component.last_error());
+    if (component.state() == LifeState::error) {
+        json["error"] = describe(component.last_error());
+        if (const auto& frames = component.last_error().frames) json["frames"] = frames_to_json(*frames);
+    }
     if (const ScriptFile* script = component.script_file()) {
         json["script"] = script->shown;
         json["about"] = component.about().description;

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "bindings/web/explain_json.hpp"
 #include "bindings/web/relay.hpp"
 #include "bindings/web/remembered_json.hpp"
 #include "bindings/web/system_json.hpp"
@@ -21,8 +20,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Waiting requests for explanations.
-constexpr std::size_t most_explained = 64;
 constexpr std::string_view only_real_time = "this works only in simulation: real robots always run in real time";
 
 // The greeting without the browser's own fields and without the opening bracket.
@@ -55,13 +52,15 @@ WebServer::WebServer(RunningSystem& live, ClockControl& clock, ConsoleServer& co
              }),
       seeks_(live, clock,
              [this](ClientId client, std::int64_t id, const Expected<void>& done) { answer(client, id, done); }),
+      explanations_(live, clock,
+                    [this](ClientId client, std::string message) { hub_.send(client, std::move(message)); }),
       peers_(options.peers,
              [this](ClientId client, std::int64_t id, const Expected<void>& done) { answer(client, id, done); }) {}
 
 Expected<std::unique_ptr<WebServer>> WebServer::open(RunningSystem& live, ClockControl& clock, ConsoleServer& consoles,
                                                      const WebOptions& options) {
     std::unique_ptr<WebServer> server(new WebServer(live, clock, consoles, options));
-    if (options.only_shows) server->hub_.only_show();
+    if (!options.only_shows.empty()) server->hub_.only_show(options.only_shows);
     const AccessControl& access = server->hub_.access();
     if (options.sockets.relay < 0 && (access.token().empty() || access.view_token().empty()))
         return failure("the kernel gives no random numbers for the secret in its address");
@@ -146,8 +145,8 @@ bool WebServer::serve(Clock::time_point until, double late) {
         hub_.show(Hub::Slot::peers, std::move(*news));
         sockets_->wake();
     }
-    explain();
-    return seeks || dealt_ < waiting_.size();
+    const bool explains = explanations_.serve(until);
+    return seeks || explains || dealt_ < waiting_.size();
 }
 
 void WebServer::deal_with(const Hub::Incoming& incoming) {
@@ -164,6 +163,7 @@ void WebServer::deal_with(const Hub::Incoming& incoming) {
         live_.let_go(found->second.who);
         drives_.forget(id);
         relay_.close(id);
+        explanations_.forget(id);
         note(found->second, "has disconnected");
         browsers_.erase(found);
         return;
@@ -215,11 +215,7 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
         return replied(relay_.send(client, console->line, browser.who), Reply::later);
     }
     if (const auto* wanted = std::get_if<ExplainMessage>(&message.body)) {
-        if (explained_.size() >= most_explained) return failure("too many explanations are already waiting");
-        const auto trace = live_.explain_next(wanted->component);
-        if (!trace) return Unexpected(trace.error());
-        explained_.push_back({client, wanted->component, *trace, live_.generation()});
-        return Reply::now;
+        return replied(explanations_.ask(client, wanted->component), Reply::now);
     }
     if (const auto* peer = std::get_if<PeerMessage>(&message.body)) {
         note(browser, peer->shown);
@@ -237,6 +233,10 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
         const auto remembered = remembered_to_json(live_, wanted->branch, wanted->rows);
         if (!remembered) return Unexpected(remembered.error());
         hub_.send(client, json_text(*remembered), true);
+        return Reply::now;
+    }
+    if (const auto* then = std::get_if<ThenMessage>(&message.body)) {
+        hub_.send(client, json_text(then_to_json(live_, then->at, then->names)), true);
         return Reply::now;
     }
     if (const auto* time = std::get_if<TimeMessage>(&message.body)) {
@@ -310,21 +310,6 @@ Expected<void> WebServer::set_time(const TimeMessage& time, const Browser& brows
             return {};
     }
     return {};
-}
-
-void WebServer::explain() {
-    std::erase_if(explained_, [&](const Explained& each) {
-        if (!browsers_.contains(each.client)) return true;
-        const auto seen = each.start == live_.generation()
-                              ? live_.explanation(each.component, each.trace)
-                              : Expected<std::optional<Explanation>>(failure(each.component + " began again"));
-        if (seen && !*seen) return false;
-        hub_.send(each.client, seen ? json_text(explanation_to_json(**seen))
-                                    : json_text(Json{{"is", "explain"},
-                                                     {"component", each.component},
-                                                     {"problem", seen.error().message + ": not explained"}}));
-        return true;
-    });
 }
 
 void WebServer::describe_system(Clock::time_point now) {

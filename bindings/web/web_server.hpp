@@ -13,6 +13,7 @@
 #include "bindings/web/console_relay.hpp"
 #include "bindings/web/drives.hpp"
 #include "bindings/web/editor.hpp"
+#include "bindings/web/explanations.hpp"
 #include "bindings/web/hub.hpp"
 #include "bindings/web/peer_desk.hpp"
 #include "bindings/web/pictures.hpp"
@@ -33,7 +34,7 @@ struct WebOptions {
     Pictures::Encode encode{};     ///< pictures for browsers
     PeerSource peers{};            ///< optional
     EditorOptions editor{};
-    bool only_shows = false;                ///< browsers may change nothing but the pace of time
+    std::string only_shows{};               ///< why browsers may change nothing but the pace of time; "": they may
     std::vector<std::string> conditions{};  ///< of a failed scenario that is looked at, one line for each
 };
 
@@ -90,7 +91,6 @@ private:
     Expected<void> set_time(const TimeMessage& time, const Browser& browser);
     Expected<Reply> prepare(ClientId client, std::int64_t id, const Browser& browser, const ActMessage& wanted);
     void finish_prepared();
-    void explain();
     void show(double late, Clock::time_point now);
     void describe_system(Clock::time_point now);
 
@@ -104,13 +104,6 @@ private:
     Drives drives_;
     ConsoleRelay relay_;
     std::map<ClientId, Browser> browsers_;
-    struct Explained {
-        ClientId client = 0;
-        std::string component;
-        std::int64_t trace = 0;
-        int start = 0;
-    };
-    std::vector<Explained> explained_;  // pending requests
     std::vector<Hub::Incoming> waiting_;
     std::size_t dealt_ = 0;  // of waiting_
     struct Prepared {
@@ -122,6 +115,7 @@ private:
     Prepared prepared_;  // the request whose act worker_ prepares
     ActWorker worker_;
     Seeks seeks_;
+    Explanations explanations_;
     PeerDesk peers_;
     Clock::time_point shown_{};
     Clock::time_point described_{};

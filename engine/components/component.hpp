@@ -69,6 +69,8 @@ public:
     const Error& last_error() const { return last_error_; }
     /// [s] the time of this error.
     double failed_at() const { return failed_at_; }
+    /// [s] The time of the last execution since it was activated; negative: none.
+    double executed_at() const { return executed_at_; }
     /// The error of the latest callback or command that ran out of time; none if all were in time. Everything after it
     /// depends on the machine. A reload that runs out of time is refused and does not count.
     const std::optional<Error>& out_of_time() const { return out_of_time_; }
@@ -148,6 +150,10 @@ public:
     /// The number of the latest trace, and the trace itself.
     virtual std::int64_t traces() const { return 0; }
     virtual TracedLines latest_trace() const { return {}; }
+
+    /// Measures from now on what each of its ticks costs, by the clock; null ends it. `costs` must outlive that.
+    void measure_ticks(TickCosts* costs) const { tick_costs_ = costs; }
+    TickCosts* tick_costs() const { return tick_costs_; }
 
     /// Whether it requested an emergency stop since the last call, such as by a button of a gamepad.
     virtual bool take_stop() { return false; }
@@ -275,6 +281,7 @@ private:
     double tick_rate_ = 100;
     double executed_at_ = -1;
     std::int64_t executions_ = 0;
+    mutable TickCosts* tick_costs_ = nullptr;
     LifeState state_ = LifeState::inactive;
     Hook hook_ = Hook::none;
     bool error_hook_failed_ = false;

@@ -55,6 +55,22 @@ struct TracedLines {
     bool is_cut = false;  ///< there were more lines
 };
 
+/// What a component costs, one number for each tick.
+struct TickCosts {
+    static constexpr std::size_t most_times = 1'000'000;
+    std::vector<std::int64_t> times{};  ///< [ns] at most `most_times`
+    std::int64_t tick = -1;             ///< of the last one
+
+    void add(std::int64_t of_tick, std::int64_t nanoseconds) {
+        if (of_tick == tick) {
+            times.back() += nanoseconds;
+        } else if (times.size() < most_times) {
+            times.push_back(nanoseconds);
+            tick = of_tick;
+        }
+    }
+};
+
 /// The functions of a script that were running when an error occurred, the innermost first.
 struct ErrorFrames {
     struct Variable {

@@ -24,6 +24,13 @@ Expected<ActResult> RunningSystem::act(const Act& act, const Actor& who) {
     });
 }
 
+Expected<ActResult> RunningSystem::act_again(const Act& act, const Actor& who) {
+    std::string refusal = std::exchange(refusal_, {});
+    auto done = this->act(act, who);
+    refusal_ = std::move(refusal);
+    return done;
+}
+
 Expected<ActResult> RunningSystem::deliver(const Port& port, const Act& act, const Actor& who) {
     // The sender's system is const, but this is the system's own interface.
     return perform_and_tell(act, who, nullptr, [&] { return nezumi::deliver(const_cast<Port&>(port), act); });
@@ -65,6 +72,7 @@ void RunningSystem::settle() {
 template <class Perform>
 Expected<ActResult> RunningSystem::perform_and_tell(const Act& act, const Actor& who, FilesSeen* files,
                                                     const Perform& perform) {
+    if (!refusal_.empty()) return failure(refusal_);
     settle();
     const ActTime time = when();
     auto done = perform();

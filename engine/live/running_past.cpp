@@ -29,13 +29,24 @@ Expected<std::unique_ptr<PastRun>> RunningSystem::begin_seek(const Seek& where) 
     }
     history_.reach(when(), system().now().seconds);
     const auto branch = where.branch.empty() ? std::optional(history_.current()) : history_.find(where.branch);
-    if (!branch) return failure(fmt::format("there is no branch '{}': branches() lists them", shown(where.branch)));
+    if (!branch) {
+        std::string hint = did_you_mean(where.branch, history_.branches(), &RunHistory::Branch::name);
+        // A person may leave out its number.
+        if (hint.empty()) hint = did_you_mean(where.branch + " 1", history_.branches(), &RunHistory::Branch::name);
+        return failure(fmt::format("there is no branch '{}'{}: branches() lists them", shown(where.branch), hint));
+    }
     const ActTime& end = history_.branches()[*branch].end;
+    if (where.start < 0)
+        return failure(fmt::format("expected a start from 1 on, or 0 for the last one, got {}", where.start));
     ActTime to{where.start == 0 ? end.start : where.start, where.tick};
     if (where.tick < 0) to = end;
     if (is_earlier(end, to)) {
         return failure(
             fmt::format("{} ends at {:g} s", history_.branches()[*branch].name, history_.branches()[*branch].seconds));
+    }
+    if (const auto its_end = history_.end_of_start(to.start, *branch); its_end && to.tick > *its_end) {
+        return failure(fmt::format("start {} of {} ends at {:g} s", to.start, history_.branches()[*branch].name,
+                                   static_cast<double>(*its_end) / system().settings().rate));
     }
     return PastRun::begin(*this, *branch, where, to);
 }

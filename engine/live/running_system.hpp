@@ -88,6 +88,10 @@ public:
     ///   real robot, can't be removed. Connections and port overrides go with it; its columns in a recording stay
     ///   empty. Reload, Add and Restart read and load here: `prepare` and `commit` at once.
     Expected<ActResult> act(const Act& act, const Actor& who);
+    /// From now on acts are refused for this reason, except those of `act_again`.
+    void refuse_acts(std::string why) { refusal_ = std::move(why); }
+    /// Performs an act that a journal has, like `act`.
+    Expected<ActResult> act_again(const Act& act, const Actor& who);
     /// Delivers a message to an existing port, like the act `Write` or `Inject` for its path, but without searching the
     /// port.
     Expected<ActResult> deliver(const Port& port, const Act& act, const Actor& who);
@@ -226,6 +230,7 @@ private:
     Trace trace_;
     ActObserver* act_observer_ = nullptr;
     std::int64_t acts_ = 0;
+    std::string refusal_;  // of acts; "": none
     std::vector<Foreseen> foreseen_;
     struct Ending {
         std::string port;

@@ -332,19 +332,39 @@ void System::end_when_out_of_time() {
     if (found != components_.end()) fatal_error_ = (*found)->out_of_time();
 }
 
+namespace {
+
+// Calls `work`. If the component is measured, notes the time until it is done: the tick also waits for the bus of a
+// device, and for the thread of a detector.
+template <class Work>
+void measured(const Component& component, std::int64_t tick, const Work& work) {
+    using Clock = std::chrono::steady_clock;
+    TickCosts* const costs = component.tick_costs();
+    if (costs == nullptr) return work();
+    const auto began = Clock::now();
+    work();
+    costs->add(tick, std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - began).count());
+}
+
+}  // namespace
+
 template <class ForEach>
 void System::run_phases(const Group& group, const ForEach& for_each) {
     for_each(group.devices, [this](Device& device) {
-        device.sense(now_);
-        device.latch_outputs(now_);
+        measured(device, now_.tick, [&] {
+            device.sense(now_);
+            device.latch_outputs(now_);
+        });
     });
     // Outputs latch after all executions, so no execution sees another's outputs, and each component can continue with
     // its inputs at once.
     std::atomic<bool> has_hung = false;
     for_each(group.behaviors, [this, &has_hung](Component& behavior) {
-        behavior.latch_inputs(now_);
         const LifeState before = behavior.state();
-        if (is_due(behavior) && !at_rest_) behavior.execute(now_);
+        measured(behavior, now_.tick, [&] {
+            behavior.latch_inputs(now_);
+            if (is_due(behavior) && !at_rest_) behavior.execute(now_);
+        });
         if (behavior.out_of_time()) out_of_time_ = true;
         if (behavior.state() != before && behavior.last_error().kind == Error::Kind::out_of_time) has_hung = true;
     });
@@ -352,8 +372,10 @@ void System::run_phases(const Group& group, const ForEach& for_each) {
     for_each(group.devices, [this, &has_hung](Device& device) {
         auto* robot = has_hung ? dynamic_cast<Robot*>(&device) : nullptr;
         if (robot != nullptr) robot->halt();
-        device.latch_inputs(now_);
-        device.actuate(now_);
+        measured(device, now_.tick, [&] {
+            device.latch_inputs(now_);
+            device.actuate(now_);
+        });
     });
 }
 

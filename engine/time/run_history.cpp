@@ -109,9 +109,9 @@ std::optional<std::size_t> RunHistory::find(std::string_view name) const {
     return std::nullopt;
 }
 
-std::optional<std::int64_t> RunHistory::end_of_start(int start) const {
-    for (std::size_t index = 0; index < branches_[current_].size(); ++index) {
-        const PastEvent& each = event(current_, index);
+std::optional<std::int64_t> RunHistory::end_of_start(int start, std::size_t branch) const {
+    for (std::size_t index = 0; index < branches_[branch].size(); ++index) {
+        const PastEvent& each = event(branch, index);
         const PastAct* const act = act_in(each);
         if (each.when.start == start && act != nullptr && std::holds_alternative<Restart>(act->act))
             return each.when.tick;

@@ -106,8 +106,8 @@ public:
     const std::vector<Branch>& branches() const { return branches_; }
     std::size_t current() const { return current_; }
     std::optional<std::size_t> find(std::string_view name) const;
-    /// The tick at which `restart()` ended a start of the present branch; nothing if it did not.
-    std::optional<std::int64_t> end_of_start(int start) const;
+    /// The tick at which `restart()` ended a start of a branch; nothing if it did not.
+    std::optional<std::int64_t> end_of_start(int start, std::size_t branch) const;
 
 private:
     FilesSeen files_;

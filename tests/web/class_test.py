@@ -301,7 +301,7 @@ class Lessons(ClassCase):
             page.until("[...document.querySelectorAll('.notice')].some((each) => each.textContent.includes('the teacher has paused the class'))", "it is frozen too")
             teacher.press("Go on")
         with page.opened(lambda: page.find("[aria-label^='Watch %s']" % failed).click()):
-            page.until("document.querySelector('header .kind')?.textContent === 'simulated · a scenario runs'", "it says what it is", 60)
+            page.until("document.querySelector('header .kind')?.textContent === 'simulated · a run that is only watched'", "it says what it is", 60)
             page.until("parseFloat(document.querySelector('.clock').textContent) > 0.3", "time passes", 30)
             page.picture("watched_in_class")
             self.assertEqual(len(room.processes()), 2, "what was opened before has ended")

@@ -123,13 +123,19 @@ class Wiring(rig.PageCase):
         self.assertEqual(page.errors(), [])
 
     def test_an_error_is_shown_where_it_happened(self):
-        clumsy = 'input("in", "TimedShortSeq")\nfunction on_execute()\n  error("oh no")\nend\n'
+        clumsy = 'local function half(of)\n  return error("oh no")\nend\nfunction on_execute()\n  half(7)\nend\n'
         self.open(text='behavior "clumsy" { script = "clumsy" }', scripts={"clumsy": clumsy})
         page = self.page
         page.view("diagram")
-        page.until("document.querySelector('.node.error text.error')?.textContent.includes('clumsy.lua:3')", "the box says where")
+        page.until("document.querySelector('.node.error text.error')?.textContent.includes('clumsy.lua:2')", "the box says where")
         page.find(".node .title").click()
         self.assertIn("oh no", page.text(".chosen code.error"))
+        self.assertRegex(page.text(".chosen .frames"), r"clumsy.lua:5")
+        self.assertRegex(page.text(".chosen .frames"), r"of = 7")
+        page.press("Explain")
+        page.until("document.querySelector('.explain .when')?.textContent.startsWith('clumsy at 0.00 s')", "the execution that failed is explained")
+        self.assertRegex(page.text(".explain .frames"), r"of = 7")
+        page.view("diagram")
         for each in ("Reset", "Activate"):
             page.until("[...document.querySelectorAll('.chosen button')].find((each) => each.textContent === %r && !each.disabled)" % each,
                        "it can be told: " + each).click()

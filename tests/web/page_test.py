@@ -381,6 +381,21 @@ behavior "teller" { script = "teller" }
         page.js("const slider = document.querySelector('.timeline input'); slider.dispatchEvent(new Event('change'))")
         page.until(clock + " === 0.2", "the past is gone to when the slider is let go")
 
+    def test_while_the_slider_is_dragged_a_ports_value_is_that_of_then(self):
+        self.open(text='robot "mouse" { model = "raspimouse" }\nbehavior "teller" { script = "teller" }',
+                  scripts={"teller": 'local out = output("out", "TimedVelocity2D")\nfunction on_execute() out:write { vx = now() } end\n'})
+        page = self.page
+        page.view("diagram")
+        page.until("parseFloat(document.querySelector('.clock').textContent) > 1.5", "some time has passed")
+        page.js("document.querySelector('[data-port=\"teller.out\"]').dispatchEvent(new PointerEvent('pointerenter'))")
+        tip = "document.querySelector('.diagram .tip').textContent"
+        page.until("/vx = [1-9]/.test(%s)" % tip, "the present value is shown")
+        page.js("const slider = document.querySelector('.timeline input'); slider.dispatchEvent(new PointerEvent('pointerdown'));"
+                "slider.value = 0.5; slider.dispatchEvent(new Event('input'))")
+        page.until("/vx = 0.49/.test(%s)" % tip, lambda: "the value of then is shown, not " + page.text(".diagram .tip"))
+        page.js("document.querySelector('.timeline input').dispatchEvent(new Event('change'))")
+        page.until("parseFloat(document.querySelector('.clock').textContent) === 0.5", "the past is gone to")
+        page.until("/vx = 0.49/.test(%s)" % tip, "it has the same value")
 
     def test_a_failed_scenario_shows_its_conditions_as_rows_that_lead_to_their_times(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -110,7 +110,7 @@ class Scenarios(rig.PageCase):
         page.until("document.querySelector('.scenario') !== null", "it is listed")
         time = lambda: float(page.text(".clock").split()[0])
         with page.opened(lambda: page.find("[aria-label^='Watch drives']").click()):
-            page.until("document.querySelector('header .kind')?.textContent === 'simulated · a scenario runs'", "it says what it is", 60)
+            page.until("document.querySelector('header .kind')?.textContent === 'simulated · a run that is only watched'", "it says what it is", 60)
             page.until("parseFloat(document.querySelector('.clock').textContent) > 0.3", "time passes")
             self.assertLess(time(), 8, "it runs at the speed of the clock")
             page.press("Pause")

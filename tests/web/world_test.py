@@ -106,7 +106,7 @@ class Hands(rig.PageCase):
 class Explain(rig.PageCase):
     """One execution, from the sensor to the wheels."""
 
-    def test_what_is_in_error_is_not_explained_by_what_another_did(self):
+    def test_of_what_is_in_error_the_execution_that_failed_is_explained(self):
         self.open(text=STANDING + """
             behavior "well" { script = "well" }
             behavior "clumsy" { script = "clumsy" }""",
@@ -117,9 +117,25 @@ class Explain(rig.PageCase):
         page.choose_text(".explain select", "well")
         page.until("document.querySelectorAll('.explain .step').length >= 3", "the one that is well is explained")
         page.choose_text(".explain select", "clumsy")
-        page.until("document.querySelectorAll('.explain .step').length === 0", "what the other did is gone")
-        self.assertIn("clumsy is ERROR: nothing of it is executed", page.text(".explain .chain"))
+        page.until("document.querySelector('.explain .when')?.textContent.startsWith('clumsy at 0.00 s')", "the failed one is explained")
+        self.assertIn('error("oh no")', page.text(".explain .lua"))
         self.assertIn("clumsy.lua:3: oh no", page.text(".explain .chain"))
+
+    def test_where_time_stands_the_execution_before_it_is_explained_after_steps_and_seeks_too(self):
+        self.open("behaviors/systems/stop_at_wall.lua")
+        page = self.page
+        page.view("explain")
+        page.press("Pause")
+        page.choose(".world select", "robot 0")
+        tick = "Number(document.querySelector('.explain .when')?.textContent.split(' ').pop())"
+        rig.wait_until(lambda: page.js("return %s" % tick) > 0, "an execution is shown")
+        page.until("%s === Math.round(100 * Number(document.querySelector('.timeline input').value)) - 1" % tick, "it is the last one")
+        before = page.js("return %s" % tick)
+        page.press("Step")
+        page.until("%s === %d" % (tick, before + 1), "it is that of the step")
+        page.js("const slider = document.querySelector('.timeline input'); slider.value = 0.1; slider.dispatchEvent(new Event('input')); slider.dispatchEvent(new Event('change'));")
+        page.until("%s === 9" % tick, "it is that of the past")
+        self.assertEqual(page.errors(), [])
 
     def test_choosing_a_robot_explains_what_drives_it(self):
         self.open("behaviors/systems/stop_at_wall.lua")

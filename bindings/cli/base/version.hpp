@@ -1,4 +1,4 @@
-// The version of this program. A journal can be replayed only by the version that wrote it, a project can be pushed
+// The version of this program. A journal of another version may differ when it is replayed, a project can be pushed
 // only to a robot with the same version, and results of runs belong to the version that made them.
 #pragma once
 

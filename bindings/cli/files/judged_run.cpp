@@ -17,10 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A replay can't be of real robots, and another program's recording has no journal.
+// A replay can't be of real robots, and another program's recording has no journal. Another version may differ.
 bool can_be_repeated(const record::McapFile& recording, const std::string& name) {
     const auto journal = record::journal_of(recording, name);
-    return journal && Replay::of_text(*journal, name, version());
+    if (!journal) return false;
+    const auto replay = Replay::of_text(*journal, name, version());
+    return replay && (*replay)->other_version().empty();
 }
 
 Expected<TopicsOfPorts> topics_in(const std::map<std::string, std::string>& map, std::string& component) {

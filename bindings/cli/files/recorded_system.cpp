@@ -24,6 +24,24 @@ SystemSpec system_of(const RecordedPorts& ports, const std::string& file) {
     return spec;
 }
 
+// Whether this version repeats the run to its end. Another one may differ, and a recording has messages as well.
+Expected<void> check_repeats(std::string_view journal, const std::filesystem::path& file, LiveOptions options) {
+    const auto replay = Replay::of_text(journal, file, version());
+    if (!replay) return Unexpected(replay.error());
+    if ((*replay)->other_version().empty()) return {};
+    options.build.log = {};
+    options.print = {};
+    const auto live = (*replay)->load(std::move(options));
+    if (!live) return Unexpected(live.error());
+    (*live)->activate();
+    for (;;) {
+        const auto more = (*replay)->before_tick(**live);
+        if (!more) return Unexpected(more.error());
+        if (!*more) return {};
+        (*live)->tick();
+    }
+}
+
 }  // namespace
 
 Expected<std::unique_ptr<RecordedSystem>> RecordedSystem::open(const std::filesystem::path& file,
@@ -48,7 +66,9 @@ Expected<std::unique_ptr<RecordedSystem>> RecordedSystem::open(const std::filesy
         if (!recording) return Unexpected(recording.error());
         // A run of real robots has a journal too, which can't be repeated.
         if (const auto journal = record::journal_of(*recording, name); journal && names.empty()) {
-            if (auto read = replay(*journal); !read) made->notes_.push_back(describe(read.error()));
+            auto repeats = check_repeats(*journal, file, options);
+            if (repeats) repeats = replay(*journal);
+            if (!repeats) made->notes_.push_back(describe(repeats.error()));
         }
         if (made->replay_ == nullptr) {
             auto ports = read_topics(*recording, name, recorded_rate, names, made->notes_);

@@ -30,6 +30,11 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
         auto replay = Replay::of_text(*text, file_, version());
         if (!replay) return Unexpected(replay.error());
         replay_ = std::move(*replay);
+        if (!replay_->other_version().empty()) {
+            notes_.push_back(
+                fmt::format("{}: the run of nezumi {} is repeated by nezumi {}, as long as both do the same", file_,
+                            replay_->other_version(), version()));
+        }
         // The new recording repeats the same run.
         if (recording) recording(text->size(), [text = std::move(*text)] { return text; });
         if (!options.file.empty()) {
@@ -44,7 +49,9 @@ Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& opti
         if (options.opens_replay && replay_->end() == RunEnd::error)
             notes_.push_back(fmt::format("{}: an error ended that run: {}", file_, replay_->end_message()));
         auto loaded = replay_->load(std::move(live));
-        if (loaded) live_ = loaded->get();
+        if (!loaded) return loaded;
+        live_ = loaded->get();
+        if (!options.only_repeats.empty()) live_->refuse_acts(options.only_repeats);
         return loaded;
     }
     if (options.journal.empty() && !recording) return RunningSystem::load(options.file, std::move(live));
@@ -72,7 +79,11 @@ Expected<void> RunJournal::find_failure() {
     if (!fs::is_directory(file_, none)) return {};
     const fs::path folder = file_;
     file_ = (folder / failure_journal).string();
-    if (!fs::is_regular_file(file_, none)) {
+    if (fs::is_regular_file(folder / failed_recording, none)) {
+        if (auto found = find_failed_recording(folder / failed_recording); !found) return found;
+    } else if (!fs::is_regular_file(file_, none)) {
+        if (fs::exists(folder / "failure.txt", none))
+            return failure("failed without a run that can be repeated: failure.txt there says why", {folder.string()});
         return failure(fmt::format("has no {}: open the folder of a scenario that failed, which the report of nezumi "
                                    "test names",
                                    failure_journal),
@@ -88,6 +99,18 @@ Expected<void> RunJournal::find_failure() {
         }
         notes_.push_back(std::move(*text));
     }
+    return {};
+}
+
+Expected<void> RunJournal::find_failed_recording(const std::filesystem::path& note) {
+    const auto text = read_whole(note, note.string(), std::size_t{1} << 16);
+    if (!text) return Unexpected(text.error());
+    std::istringstream lines(*text);
+    Seek where;
+    if (!std::getline(lines, file_) || !(lines >> where.start >> where.tick))
+        return failure("expected the path of a recording, and below it the start and the tick of the failure",
+                       {note.string()});
+    failed_at_ = where;
     return {};
 }
 
@@ -114,7 +137,8 @@ Expected<void> RunJournal::go_to_end(const volatile std::sig_atomic_t& end) {
         live_->tick();
     }
     opened_ = std::move(replay_);
-    return {};
+    if (!failed_at_ || end != 0) return {};
+    return live_->act(*failed_at_, {}).map([](const ActResult&) {});
 }
 
 void RunJournal::follow(RunLoop& loop) {
@@ -152,9 +176,10 @@ Expected<void> RunJournal::finish(bool of_given_length, std::uint64_t hash) {
         journal_->end(of_given_length ? RunEnd::duration : RunEnd::stopped, "", stopped_, hash);
         if (journal_->error()) return Unexpected(*journal_->error());
     }
-    if (!replay_ || !replay_->hash() || *replay_->hash() == hash) return {};
-    return failure(fmt::format("{}: this run differs from the journal's run: its hash was {}, not {}", file_,
-                               hash_text(*replay_->hash()), hash_text(hash)));
+    // A person may end it before.
+    if (!replay_ || !replay_->is_over() || !replay_->hash() || *replay_->hash() == hash) return {};
+    return failure(fmt::format("{}: this run differs from the journal's run: its hash was {}, not {}{}", file_,
+                               hash_text(*replay_->hash()), hash_text(hash), replay_->written_by()));
 }
 
 void RunJournal::give_up(const std::string& why) {

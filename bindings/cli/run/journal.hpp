@@ -2,6 +2,7 @@
 #pragma once
 
 #include <csignal>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,8 @@ namespace nezumi::cli {
 
 /// The journal in the folder of a failed scenario.
 inline constexpr std::string_view failure_journal = "run.journal";
+/// In the folder of a scenario that failed over a recording: its path, and where it failed, as "START TICK".
+inline constexpr std::string_view failed_recording = "recording.txt";
 
 class RunJournal final : public Attendant {
 public:
@@ -56,6 +59,7 @@ public:
 private:
     void before_tick();
     Expected<void> find_failure();
+    Expected<void> find_failed_recording(const std::filesystem::path& note);
     Expected<std::unique_ptr<RunningSystem>> open_recorded(const LiveOptions& live);
 
     RunLoop* loop_ = nullptr;
@@ -65,6 +69,7 @@ private:
     std::unique_ptr<Replay> opened_;            // has been performed; its files are those of the system
     std::unique_ptr<RecordedSystem> recorded_;  // is opened, and plays its messages
     std::string file_;
+    std::optional<Seek> failed_at_;  // within a recording
     std::vector<std::string> notes_, conditions_;
     ActTime stopped_;
     std::optional<Error> error_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <string_view>
 
@@ -102,9 +103,13 @@ Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
 
 std::vector<Option> run_options(RunWords& words) {
     return {
-        {"[FILE]", &words.file,
+        {"[FILE]",
+         &words.file,
          "the system file, or its name: corridor is behaviors/systems/corridor.lua; --replay needs none. A recording "
-         "RUN.mcap is repeated as by --replay"},
+         "RUN.mcap or a journal RUN.journal is repeated as by --replay",
+         "",
+         {},
+         FileUse::source},
         {"--hw", &words.hw,
          "drive the real robots; --hw=NAME,...: only these; the others are simulated, and real and simulated robots do "
          "not see each other"},
@@ -175,8 +180,9 @@ std::vector<Option> run_options(RunWords& words) {
          FileUse::result},
         {"--replay",
          &words.replay,
-         "repeat the run of a journal, headless and as fast as possible unless --speed is given. It ends at the same "
-         "time and for the same reason. No other file is read",
+         "repeat the run of a journal, as fast as possible unless --speed is given; it can be watched, but not "
+         "changed. "
+         "It ends at the same time and for the same reason. No other file is read",
          "OUT",
          {},
          FileUse::source},
@@ -219,11 +225,11 @@ std::vector<Option> open_options(RunWords& words) {
 
 Expected<RunOptions> read_run_options(const RunWords& typed) {
     RunWords words = typed;
-    // A recording repeats its run, as a journal does.
-    if (words.replay.empty() && words.file.ends_with(".mcap")) words.replay = std::exchange(words.file, {});
+    const bool is_run = words.file.ends_with(".mcap") || words.file.ends_with(".journal");
+    if (words.replay.empty() && is_run) words.replay = std::exchange(words.file, {});
     const bool repeats = !words.replay.empty() && !words.opens_replay;
     RunOptions options{.file = words.file,
-                       .headless = words.headless || words.batch || repeats,
+                       .headless = words.headless || words.batch,
                        .stopped = words.stopped,
                        .batch = words.batch,
                        .keep_going = words.keep_going,
@@ -272,6 +278,10 @@ Expected<RunOptions> read_run_options(const RunWords& typed) {
     options.profile = words.profile;
     if (words.record.ends_with(".gz"))
         return wrong("--record", "a file of plain CSV, to be compressed by gzip when the run is over", words.record);
+    const std::string ending = std::filesystem::path(words.record).extension();
+    // Pipes and devices have none: they take CSV.
+    if (!ending.empty() && ending != ".csv" && ending != ".mcap")
+        return wrong("--record", "a file name that ends in .csv or .mcap", words.record);
     options.record = words.record;
     if (!words.every.empty()) {
         if (words.record.empty()) return failure("--every needs --record: give --record FILE.csv as well");
@@ -309,6 +319,13 @@ Expected<RunOptions> read_run_options(const RunWords& typed) {
     auto web = read_web(words, options.headless);
     if (!web) return Unexpected(web.error());
     options.web = *web;
+    if (repeats) {
+        options.only_repeats = fmt::format(
+            "a run that is repeated can't be changed: nezumi open {} can go back in it "
+            "and change it",
+            shown(options.replay));
+        if (options.web) options.web->only_shows = options.only_repeats;
+    }
     return options;
 }
 

@@ -46,11 +46,11 @@ std::vector<Option> open_options(RunWords& words);
 
 /// Where the page for browsers is served.
 struct Web {
-    int port = 8765;          ///< or the next free one
-    bool open = false;        ///< the page is shown in the desktop's browser, where there is one
-    bool on_input = false;    ///< standard input is a socket of `nezumi class`, which has the browsers
-    bool only_shows = false;  ///< browsers may change nothing but the pace of time
-    std::string listen{};     ///< IPv4 address at which other computers reach it, by TLS; "": only this computer does
+    int port = 8765;           ///< or the next free one
+    bool open = false;         ///< the page is shown in the desktop's browser, where there is one
+    bool on_input = false;     ///< standard input is a socket of `nezumi class`, which has the browsers
+    std::string only_shows{};  ///< why browsers may change nothing but the pace of time; "": they may
+    std::string listen{};      ///< IPv4 address at which other computers reach it, by TLS; "": only this computer does
 };
 
 struct RunOptions {
@@ -73,6 +73,7 @@ struct RunOptions {
     std::int64_t every = 1;            ///< every N-th tick is recorded
     std::string journal;               ///< "" for none
     std::string replay;                ///< "" for none
+    std::string only_repeats;          ///< why nothing may change the run, a replay; "": it may be changed
     bool opens_replay = false;         ///< the replay comes first, as fast as possible; then the run is paused
     std::string sounds;                ///< folder for what robots say; "" for none
     StartValues values;                ///< over the file's

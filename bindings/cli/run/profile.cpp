@@ -44,7 +44,10 @@ void RunProfile::measure(const RunningSystem& live) {
     count_ = components.size();
     for (const Component* component : components) {
         const auto* script = dynamic_cast<const ScriptComponent*>(component);
-        if (script == nullptr) continue;
+        if (script == nullptr) {
+            component->measure_ticks(&natives_[component->name()]);
+            continue;
+        }
         ExecutionProfile& profile = components_[script->name()];
         profile.by_line = true;
         script->measure_with(&profile);
@@ -58,13 +61,14 @@ void RunProfile::follow(RunLoop& loop) {
 
 Expected<std::string> RunProfile::finish(const RunningSystem& live) {
     for (const Component* component : live.system().components()) {
+        component->measure_ticks(nullptr);
         if (const auto* script = dynamic_cast<const ScriptComponent*>(component)) script->measure_with(nullptr);
     }
     const auto boxes = boxes_of(components_);
     const std::string text =
         file_.ends_with(".json") ? draw::flame_json(boxes) : draw::flame_svg(boxes, "CPU time of behaviours by line");
     if (auto written = write_whole(file_, text); !written) return Unexpected(written.error());
-    return cost_table(components_, live.system().settings().rate);
+    return cost_table(components_, natives_, live.system().settings().rate);
 }
 
 }  // namespace nezumi::cli

@@ -15,7 +15,8 @@ public:
     /// `file` ends in .svg (a flame graph) or .json (for speedscope and Perfetto).
     explicit RunProfile(std::string file) : file_(std::move(file)) {}
 
-    /// Measures every execution of behaviours from now on, with their lines. Both must outlive the loop's ticks.
+    /// Measures every execution of behaviours from now on, with their lines, and the ticks of native components. Both
+    /// must outlive the loop's ticks.
     void follow(RunLoop& loop);
     /// Ends the measurement and writes the file. Returns the table of costs.
     Expected<std::string> finish(const RunningSystem& live);
@@ -25,6 +26,7 @@ private:
 
     std::string file_;
     std::map<std::string, ExecutionProfile> components_;
+    std::map<std::string, TickCosts> natives_;
     int generation_ = -1;
     std::size_t count_ = 0;  // of components
 };

@@ -184,8 +184,7 @@ private:
         StatusLine status_line(loop, screen_);
         if (screen_.is_live()) loop.add(status_line);
         if (auto open = open_rtm(); !open) return Unexpected(open.error());
-        if (auto open = options_.replay.empty() || options_.opens_replay ? open_console() : Expected<void>(); !open)
-            return Unexpected(open.error());
+        if (auto open = open_console(); !open) return Unexpected(open.error());
         tell_undriven();
         results_.follow(loop);
         if (profile_) profile_->follow(loop);

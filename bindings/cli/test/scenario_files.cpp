@@ -14,6 +14,7 @@
 #include "bindings/draw/picture.hpp"
 #include "bindings/draw/trajectories.hpp"
 #include "bindings/journal/journal.hpp"
+#include "engine/base/whole_file.hpp"
 #include "sim/picture.hpp"
 
 namespace nezumi::cli {
@@ -32,6 +33,12 @@ public:
         if (!journal) return;
         worlds_.back().journal = std::move(*journal);
         worlds_.back().journal->begin(live, version(), false);
+    }
+
+    void begin_recorded(std::size_t world, RunningSystem& live, const std::filesystem::path& recording) override {
+        begin(world, live, false);
+        std::error_code none;
+        if (world == 0) worlds_.back().recording = std::filesystem::absolute(recording, none);
     }
 
     void drop_journal(std::size_t world) override { drop(worlds_[world]); }
@@ -69,6 +76,12 @@ public:
                 world.journal->end(RunEnd::duration, "", world.live.when(), world.live.trace_hash());
                 if (!world.journal->error()) kept.names.emplace_back(failure_journal);
             }
+            if (!world.recording.empty()) {
+                const ActTime when = world.live.when();
+                take(std::string(failed_recording),
+                     write_whole(folder_ / failed_recording,
+                                 fmt::format("{}\n{} {}\n", world.recording.string(), when.start, when.tick)));
+            }
             if (world.recorder) take(world.trace, world.recorder->finish());
             // Without simulated robots there is nothing to draw.
             const System& system = world.live.system();
@@ -88,6 +101,7 @@ private:
         draw::Trajectories trajectories{};
         bool begun = false;  // it has ticked
         std::unique_ptr<Journal> journal{};
+        std::filesystem::path recording{};  // "": it is a simulation
     };
 
     static void drop(World& world) {

@@ -32,7 +32,7 @@ constexpr std::chrono::seconds longest_absence{10};  // a page that is loaded ag
 class ShownRun final : public Spectator {
 public:
     ShownRun(Web web, const volatile std::sig_atomic_t& ends) : web_options_(std::move(web)), ends_(ends) {
-        web_options_.only_shows = true;
+        web_options_.only_shows = "a scenario that is watched can't be changed";
     }
 
     void tick(RunningSystem& live) override {

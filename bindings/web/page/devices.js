@@ -43,8 +43,8 @@ export function make_devices({ model, acts }, chosen) {
   };
   const tell = () => {
     const one = robot();
-    const leds = Object.values(model.values.get(`${one?.name}.leds`)?.value ?? {});
-    const buzzer = Object.values(model.values.get(`${one?.name}.buzzer`)?.value ?? {})[0] ?? 0;
+    const leds = Object.values(model.value_of(`${one?.name}.leds`)?.value ?? {});
+    const buzzer = Object.values(model.value_of(`${one?.name}.buzzer`)?.value ?? {})[0] ?? 0;
     lights.replaceChildren(...leds.map((is_on, i) => el("span", { class: is_on ? "led on" : "led", role: "img", "aria-label": T.devices.led(i + 1, is_on), title: T.devices.led(i + 1, is_on) })),
       buzzer > 0 ? T.devices.tone(buzzer) : "");
   };

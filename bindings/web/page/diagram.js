@@ -260,12 +260,14 @@ class Diagram {
     const port = this.#looked_at && model.port(this.#looked_at);
     if (!port) return;
     const node = this.nodes.querySelector(`[data-port="${CSS.escape(this.#looked_at)}"]`);
-    const now = model.values.get(this.#looked_at);
+    const now = model.value_of(this.#looked_at);
+    const none = model.looked ? T.past.not_remembered : T.diagram.nothing_yet;
+    const time = model.looked?.time ?? model.frame.time;
     this.tip.replaceChildren(el("b", { text: this.#looked_at }), el("small", { text: `${T.diagram[port.way]} ${port.type}` }),
       port.waits && port.component.host ? el("p", { text: T.diagram.waits(port.component.host) }) : "",
       port.doc ? el("p", { text: port.doc }) : "",
-      port.component.kind === "rtc" ? "" : el("code", { text: now ? value_text(now.value) : T.diagram.nothing_yet }),
-      now && now.tm > 0 ? el("small", { text: T.diagram.age(Math.max(0, model.frame.time - now.tm).toFixed(2)) }) : "");
+      port.component.kind === "rtc" ? "" : el("code", { text: now ? value_text(now.value) : none }),
+      now && now.tm > 0 ? el("small", { text: T.diagram.age(Math.max(0, time - now.tm).toFixed(2)) }) : "");
     const [box, frame] = [node.getBoundingClientRect(), this.svg.getBoundingClientRect()];
     const room = frame.width - this.tip.offsetWidth - 8;
     this.tip.style.left = `${Math.max(8, Math.min(room, box.left - frame.left))}px`;

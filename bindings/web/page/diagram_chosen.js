@@ -1,6 +1,7 @@
 // What is chosen in the diagram: its state, and what can be done with it.
 import { ask } from "./ask.js";
 import { el } from "./dom.js";
+import { error_of } from "./error_frames.js";
 import { make_card } from "./parameters.js";
 import { is_rtc, without_prefix } from "./rtcs.js";
 import { owner_of } from "./port_name.js";
@@ -22,7 +23,8 @@ const can_be_ended = ({ from, to, given }) => Boolean(given) || (is_rtc(from) &&
 
 /// { node, card, show(chosen, begun) }: `chosen` is { component } or { from, to } or null, `begun` a port. The card has
 /// the configuration of an RTC.
-export function make_chosen({ model, acts }) {
+export function make_chosen(parts) {
+  const { model, acts } = parts;
   const node = el("div", { class: "chosen", role: "status" });
   const card = el("div", { class: "rtc-card", hidden: true });
   const button = (text, onclick, disabled = false) => el("button", { class: "acts", text, onclick, disabled });
@@ -31,13 +33,15 @@ export function make_chosen({ model, acts }) {
 
   const sure = (question, yes, work) => async () => (await ask(question, yes)) && work();
 
-  function component_bar({ name, state, error, about, script }) {
+  function component_bar(component) {
+    const { name, state, about, script } = component;
+    const explain = script && state === "ERROR" ? [el("button", { text: T.explain.look, title: T.explain.failed_hint, onclick: () => parts.explain(name) })] : [];
     return [el("b", { text: name }), state_of(state), el("small", { text: script ?? "" }),
       button(T.diagram.activate, () => acts.activate(name), state !== "INACTIVE"),
       button(T.diagram.deactivate, () => acts.deactivate(name), state !== "ACTIVE"),
       button(T.diagram.reset, () => acts.reset(name), state !== "ERROR"),
       button(T.diagram.remove, sure(T.diagram.remove_sure(name), T.diagram.remove, () => acts.remove(name))),
-      error ? el("code", { class: "error", text: error }) : about && typeof about === "string" ? el("small", { text: about }) : ""];
+      ...explain, ...error_of(component), about && state !== "ERROR" && typeof about === "string" ? el("small", { text: about }) : ""];
   }
 
   function rtc_bar({ name, type, state }) {

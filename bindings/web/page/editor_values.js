@@ -65,7 +65,7 @@ export function make_values(editor, { link, model }) {
     });
   };
   model.on("explain", (seen) => {
-    if (!is_on() || seen.component !== which.value) return;
+    if (!is_on() || seen.component !== which.value || seen.waits) return;
     waits = false;
     if (seen.problem) {
       editor.say(seen.problem, "bad");

@@ -1,6 +1,8 @@
 // Explains one execution of a behaviour: its inputs, the executed lines with values, its outputs, and the effect of the
-// robot's limits on the wheels. Requests nothing while the view is hidden.
+// robot's limits on the wheels. Where time stands, it is the execution before that moment. Requests nothing while the view
+// is hidden.
 import { el } from "./dom.js";
+import { error_of } from "./error_frames.js";
 import { T } from "./texts.js";
 import { number_text } from "./value_text.js";
 import { owner_of } from "./port_name.js";
@@ -47,7 +49,9 @@ function robot_of({ robot, asked, limits, limited, wheels }) {
   ];
 }
 
-export function make_explain({ model, link, notices }) {
+/// Adds to the parts `explain(name)`, which opens the view for a behaviour.
+export function make_explain(parts) {
+  const { model, link, notices } = parts;
   const which = el("select", { "aria-label": T.explain.which });
   const look = el("button", { class: "primary", text: T.explain.look, title: T.explain.look_hint });
   const follow = el("button", { class: "toggle", "aria-pressed": false, text: T.explain.follow });
@@ -55,29 +59,32 @@ export function make_explain({ model, link, notices }) {
   let is_shown = false;
   let waits = false;
   let timer = null;
+  let shown_at = null;  // the tick at which time stood when the shown execution was asked for
 
   const ask = async () => {
     if (!which.value || waits) return;
     waits = true;
+    shown_at = null;
     const { ok, text } = await link.ask({ do: "explain", component: which.value });
-    if (!ok) {
-      refuse(text || T.link.no_answer);
-    } else if (!model.frame.running) {
-      notices.say(T.explain.paused);
-    }
+    if (!ok) refuse(text || T.link.no_answer);
   };
   /// Shows why there is no explanation, in place of the previous one.
   const refuse = (why) => {
     waits = false;
     stop_following();
-    const { error } = model.component(which.value) ?? {};
-    body.replaceChildren(el("p", { class: "empty", text: why }), ...(error ? [el("code", { class: "error", text: error })] : []));
+    body.replaceChildren(el("p", { class: "empty", text: why }), ...error_of(model.component(which.value)));
   };
   const stop_following = () => {
     follow.setAttribute("aria-pressed", false);
     clearTimeout(timer);
   };
   look.onclick = ask;
+  parts.explain = (name) => {
+    which.value = name;
+    waits = false;
+    if (is_shown) ask();
+    else parts.layout.choose("explain");
+  };
   which.onchange = () => {
     waits = false;
     ask();
@@ -90,10 +97,13 @@ export function make_explain({ model, link, notices }) {
   };
   model.on("explain", (seen) => {
     if (seen.component !== which.value) return;
+    if (seen.waits) return notices.say(T.explain.paused);
     waits = false;
     if (seen.problem) return refuse(seen.problem);
+    shown_at = model.frame.tick;
     body.replaceChildren(
       el("p", { class: "when", text: T.explain.when(seen.component, seen.at.toFixed(2), seen.tick) }),
+      ...error_of(model.component(seen.component)),
       stage(T.explain.inputs, "inputs", ...ports_of(seen.inputs, "←")),
       stage(T.explain.lines, "lua", ...lines_of(seen).filter(Boolean)),
       stage(T.explain.outputs, "outputs", ...ports_of(seen.outputs, "→")),
@@ -103,6 +113,10 @@ export function make_explain({ model, link, notices }) {
   for (const what of ["restarted", "went_back"]) model.on(what, () => {
     waits = false;
     stop_following();
+  });
+  // After a step or a seek, what stands there is no more the last execution.
+  model.on("frame", () => {
+    if (is_shown && !model.frame.running && !model.looked && shown_at !== null && shown_at !== model.frame.tick) ask();
   });
   link.on("lost", () => {
     waits = false;

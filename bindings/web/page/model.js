@@ -1,5 +1,6 @@
 // The page's knowledge of the running system: its layout, poses, and the values of watched ports.
 import { Cdr, to_message } from "./cdr.js";
+import { at_most_every } from "./dom.js";
 import { Emitter } from "./emitter.js";
 import { with_hosts } from "./hosts.js";
 import { split_port } from "./port_name.js";
@@ -8,6 +9,25 @@ import { with_rtcs } from "./rtcs.js";
 const single_type = (type) => type.replace("array of ", "");
 
 const KEPT_EMPTY = 2000;  // ms
+
+/// A value of numbers and texts by their names, ["pose.x", 1] or ["[2]", 1]; of the same kind as `now`, if that is known.
+function from_leaves(leaves, now) {
+  let root;
+  for (const [path, value] of leaves) {
+    const keys = [...path.matchAll(/\[(\d+)\]|([^.[\]]+)/g)].map(([, index, name]) => (index ? Number(index) - 1 : name));
+    const same = keys.reduce((each, key) => each?.[key], now);
+    const own = typeof same === "boolean" ? Boolean(value) : value;
+    if (keys.length === 0) return own;
+    const empty = (key) => (typeof key === "number" ? [] : {});
+    root ??= empty(keys[0]);
+    let at = root;
+    keys.forEach((key, i) => {
+      at[key] = i + 1 === keys.length ? own : at[key] ?? empty(keys[i + 1]);
+      at = at[key];
+    });
+  }
+  return root;
+}
 
 /// Emits: hello, system, rtcs, frame, port (name), picture, floor, restarted, went_back, looked, chosen (a robot, in the
 /// world), and other messages of the engine by their names.
@@ -24,9 +44,10 @@ export class Model extends Emitter {
   rays = [];    // of each robot, by index
   floor = null;  // the address of the floor's picture, after it was received
   coverage = new Map();  // of the latest run of scenarios: path of a file to Map of line to the number of runs
-  looked = null;  // { time }: robots and things are shown where they were then
+  looked = null;  // { time }: robots, things and values are shown as they were then
   values = new Map();  // of watched ports and members: { value, tm, at, count }
   #present = { robots: [], things: [] };  // poses while others are shown
+  #then = new Map();  // name: { value, tm }, of the time that is looked at, as far as it is remembered
   #link;
   #cdr = null;
   #watchers = new Map();  // who: { ports, pictures, truth, rays }
@@ -87,6 +108,28 @@ export class Model extends Emitter {
     return (this.system?.components ?? []).flatMap(({ name, members }) => members.map((member) => `${name}.${member}`));
   }
 
+  /// What a watched port or member has at the time that is shown; undefined if it had nothing, or if that is not known.
+  value_of(name) {
+    return (this.looked ? this.#then : this.values).get(name);
+  }
+
+  /// Asks for the watched values of the time that is looked at.
+  #ask_then = at_most_every(50, () => {
+    const names = [...this.#watchers.values()].flatMap(({ ports = [], members = [] }) => [...ports, ...members]);
+    if (this.looked && names.length > 0) this.#link.send({ do: "then", at: this.looked.time, names: [...new Set(names)] });
+  });
+
+  #take_then({ at, values }) {
+    if (this.looked?.time !== at) return;
+    this.#then = new Map(Object.entries(values).map(([name, { tm, leaves }]) =>
+      [name, { tm, value: from_leaves(leaves, this.values.get(name)?.value) }]));
+    this.#tell_values();
+  }
+
+  #tell_values() {
+    for (const name of this.values.keys()) this.emit("port", name);
+  }
+
   /// The argument of `watch` for the values of these ports and members.
   wanted(names) {
     const members = new Set(this.all_members());
@@ -135,6 +178,7 @@ export class Model extends Emitter {
       peers: wanted.some((each) => each.peers),
     };
     const text = JSON.stringify(next);
+    if (this.looked) this.#ask_then();
     if (text === this.#sent || !this.#link.send(next)) return;
     this.#sent = text;
     if (!next.rays) this.rays = [];
@@ -170,6 +214,8 @@ export class Model extends Emitter {
       if (before && (before.start !== said.start || before.file !== said.file)) this.#forget(before.starts === said.starts && before.file === said.file);
       this.#ask_floor(said);
       this.emit("system", before);
+    } else if (said.is === "then") {
+      this.#take_then(said);
     } else if (said.is === "rtcs") {
       this.rtcs = said;
       for (const { parameters } of said.rtcs) for (const each of parameters) each.type = single_type(each.type);
@@ -189,20 +235,27 @@ export class Model extends Emitter {
     return { ...this.hello?.types, ...this.system?.types };
   }
 
-  /// Shows robots and things where they were at a time: { time, robots, things: Map of poses by index }; null: where
-  /// they are.
+  /// Shows robots and things where they were at a time, and the values of then: { time, robots, things: Map of poses by
+  /// index }; robots may be unknown. Null: the present.
   look_at(then) {
     if (!then && !this.looked) return;
     if (!this.looked) this.#present = { robots: this.robots, things: this.things };
     const { robots, things } = this.#present;
-    this.robots = then ? then.robots.map((pose, i) => ({ ...robots[i], ...pose, collided: false, touches: "", contacts: [] })) : robots;
+    this.robots = then?.robots ? then.robots.map((pose, i) => ({ ...robots[i], ...pose, collided: false, touches: "", contacts: [] })) : robots;
     this.things = then ? things.map((each, index) => (then.things.has(index) ? { index, pose: then.things.get(index) } : each)) : things;
     this.looked = then && { time: then.time };
+    if (then) {
+      this.#ask_then();
+    } else {
+      this.#then = new Map();
+      this.#tell_values();
+    }
     this.emit("looked");
   }
 
   #forget(goes_back) {
     this.looked = null;
+    this.#then = new Map();
     this.robots = [];
     this.things = [];
     this.markers = [];

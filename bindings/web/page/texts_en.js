@@ -8,7 +8,7 @@ export const EN = {
   real: "real robots",
   simulated: "simulated",
   view_only: "view only",
-  watching: "a scenario runs",
+  watching: "a run that is only watched",
   systems: { hint: "Systems that run on this machine", here: "this page", process: (id) => `process ${id}`,
     about: "Through a tunnel, make one for each." },
   share: { hint: "Copy a view-only address", copied: "Copied. This address shows everything but controls nothing.",
@@ -37,10 +37,10 @@ export const EN = {
 
   splits: { dock: "Height of the console", side: "Width of the controls", hint: "Drag, or move by arrow keys; a double click puts it back" },
 
-  troubles: { count: (n) => (n === 1 ? "1 error" : `${n} errors`), show: "Show", open: (line) => `Open line ${line}`,
+  troubles: { frames: "Functions that were running", count: (n) => (n === 1 ? "1 error" : `${n} errors`), show: "Show", open: (line) => `Open line ${line}`,
     runs: (version, names, more) => `Version ${version} runs: ${names}${more > 0 ? ` and ${more} more` : ""}.` },
 
-  past: { label: "Time line", time: "Go to this time", branch: "Branch", now: "Now", now_hint: "To the end of this branch",
+  past: { not_remembered: "not remembered", label: "Time line", time: "Go to this time", branch: "Branch", now: "Now", now_hint: "To the end of this branch",
     of: (time, end) => `${time} of ${end}`, is_past: "past", hint: "What followed happens again when time runs. Every change begins a new branch.",
     is_away: "past, alone", conditions: "Conditions of the scenario", mark: (time, text) => `${time}: ${text}`,
     keys: "Drag, or arrow keys; Page Up and Page Down go to the next and the last mark" },
@@ -112,8 +112,9 @@ export const EN = {
     clear: "Clear", hello: "The system's names are in scope: try ls() or help()." },
 
   explain: {
-    which: "Behaviour", look: "Explain", look_hint: "Look at the next execution, line by line", follow: "Repeat",
-    about: "Choose a robot in the world, or a behaviour here: its next execution is shown, from its sensor values to the commands of its wheels.",
+    failed_hint: "Show the execution that failed",
+    which: "Behaviour", look: "Explain", look_hint: "Look at an execution, line by line: the next one; while time is paused, the last one", follow: "Repeat",
+    about: "Choose a robot in the world, or a behaviour here: one of its executions is shown, from its sensor values to the commands of its wheels.",
     none: "none", no_lines: "No line of Lua ran.", cut: "… and more lines", turns: (count) => `… ${count} more turns`,
     paused: "Time is paused: press Step to execute it.",
     when: (name, at, tick) => `${name} at ${at} s, tick ${tick}`,

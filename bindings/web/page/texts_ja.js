@@ -8,7 +8,7 @@ export const JA = {
   real: "実機",
   simulated: "シミュレーション",
   view_only: "閲覧のみ",
-  watching: "シナリオの実行",
+  watching: "見るだけの実行",
   systems: { hint: "このコンピュータで動いているシステム", here: "この画面", process: (id) => `プロセス ${id}`,
     about: "トンネル経由のときは、システムごとにトンネルを作ってください。" },
   share: { hint: "閲覧のみのアドレスをコピー", copied: "コピーしました。このアドレスでは、すべて見えますが操作はできません。",
@@ -37,10 +37,10 @@ export const JA = {
 
   splits: { dock: "コンソールの高さ", side: "操作欄の幅", hint: "ドラッグか矢印キーで動かします。ダブルクリックで元に戻ります。" },
 
-  troubles: { count: (n) => `エラー ${n} 件`, show: "表示", open: (line) => `${line} 行目を開く`,
+  troubles: { frames: "実行中だった関数", count: (n) => `エラー ${n} 件`, show: "表示", open: (line) => `${line} 行目を開く`,
     runs: (version, names, more) => `バージョン ${version} が動いています: ${names}${more > 0 ? ` ほか ${more} 件` : ""}` },
 
-  past: { label: "時間軸", time: "この時刻へ移動", branch: "分岐", now: "現在へ", now_hint: "この分岐の終わりへ移動",
+  past: { not_remembered: "記録なし", label: "時間軸", time: "この時刻へ移動", branch: "分岐", now: "現在へ", now_hint: "この分岐の終わりへ移動",
     of: (time, end) => `${time} / ${end}`, is_past: "過去", hint: "再開すると、その後の出来事がもう一度起こります。何かを変えると、新しい分岐が始まります。",
     is_away: "過去 (自分だけ)", conditions: "シナリオの条件", mark: (time, text) => `${time}: ${text}`,
     keys: "ドラッグか矢印キーで動かします。Page Up と Page Down で、次の印や前の印へ移ります。" },
@@ -112,8 +112,9 @@ export const JA = {
     clear: "消去", hello: "システムの名前をそのまま使えます。ls() や help() を試してみましょう。" },
 
   explain: {
-    which: "ふるまい", look: "調べる", look_hint: "次の 1 回の実行を、1 行ずつ調べる", follow: "くり返す",
-    about: "ワールドでロボットを選ぶか、ここでふるまいを選んでください。次の 1 回の実行を、センサの値から車輪への指令まで順に示します。",
+    failed_hint: "失敗した実行を調べる",
+    which: "ふるまい", look: "調べる", look_hint: "1 回の実行を、1 行ずつ調べる。時間が動いていれば次の実行、止まっていれば最後の実行です", follow: "くり返す",
+    about: "ワールドでロボットを選ぶか、ここでふるまいを選んでください。1 回の実行を、センサの値から車輪への指令まで順に示します。",
     none: "なし", no_lines: "Lua の行は実行されませんでした。", cut: "… 以下省略", turns: (count) => `… あと ${count} 回くり返し`,
     paused: "時間が止まっています。「コマ送り」を押すと実行されます。",
     when: (name, at, tick) => `${name}  時刻 ${at} s  ティック ${tick}`,

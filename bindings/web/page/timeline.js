@@ -73,12 +73,11 @@ export function make_timeline({ model, acts, tracks }) {
     sign.hidden = now.hidden = !is_past && !(is_real() && held);
     sign.textContent = past()?.away ? T.past.is_away : T.past.is_past;
   });
-  /// Shows where robots were; nothing is computed.
+  /// Shows where robots were, and remembered values; nothing is computed.
   const look = (time) => {
     held = true;
     slider.value = time;
-    const robots = tracks.at(name(), time);
-    if (robots) model.look_at({ time, robots, things: tracks.things_at(name(), time) });
+    model.look_at({ time, robots: tracks.at(name(), time), things: tracks.things_at(name(), time) });
     show();
   };
   const ask = at_most_every(NEWS, () => document.hidden || tracks.ask(name()));

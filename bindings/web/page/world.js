@@ -295,7 +295,7 @@ class World {
   /// The value of the sensor that a ray belongs to.
   #sensor_value({ name, distances }, index) {
     const carrier = distances[index];
-    const value = carrier && this.#parts.model.values.get(`${name}.${carrier.port}`)?.value;
+    const value = carrier && this.#parts.model.value_of(`${name}.${carrier.port}`)?.value;
     const number = Array.isArray(value) ? value[carrier.index] : value?.ranges?.[carrier.index] ?? value;
     return typeof number === "number" ? number_text(number) : undefined;
   }

@@ -74,6 +74,27 @@ TEST_CASE("the option --eval shows all of a long output, also where it is read l
     CHECK(running.program.wait() == 0);
 }
 
+TEST_CASE("a run that is repeated is looked at and paced by attach, and is not changed", "[cli][attach][journal]") {
+    const Place place;
+    const std::string journal = place.scratch.path("run.journal").string();
+    const Outcome first = run_nezumi(
+        {"run", place.system, "--headless", "--speed", "max", "--duration", "3", "--trace-hash", "--journal", journal});
+    REQUIRE(first.status == 0);
+    Program again({"run", "--replay", journal, "--speed", "0.01", "--trace-hash"});
+    for (int tries = 0; tries < 300 && run_nezumi({"attach", "--list"}).status != 0; ++tries) usleep(100'000);
+    CHECK(run_nezumi({"attach", "--eval", "it.config.speed_x"}).out == "0.1\n");
+    for (const char* const change : {"it.config.speed_x = 0.3", "restart()", "rewind(0)", "it:deactivate()"}) {
+        const Outcome refused = run_nezumi({"attach", "--eval", change});
+        INFO(change);
+        CHECK(refused.status != 0);
+        CHECK(refused.error.find("a run that is repeated can't be changed: nezumi open " + journal +
+                                 " can go back in it and change it\n") != std::string::npos);
+    }
+    CHECK(run_nezumi({"attach", "--eval", "speed \"max\" resume()"}).status == 0);
+    CHECK(again.wait() == 0);
+    CHECK(again.out == first.out);
+}
+
 TEST_CASE("options of attach that do not go together are refused", "[cli][attach]") {
     const auto said = [](const std::vector<std::string>& words) {
         const Outcome outcome = run_nezumi(words);

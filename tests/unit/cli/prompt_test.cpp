@@ -316,6 +316,29 @@ TEST_CASE("arrow keys drive until Escape", "[cli][prompt]") {
     CHECK(it.wait_for_row("true"));
 }
 
+TEST_CASE("what is typed while a seek computes is the next input", "[cli][prompt][past]") {
+    const Home home("function on_execute() for i = 1, 60000 do end end\n");
+    PtyProgram it = home.run();
+    REQUIRE(it.wait_for_prompt("nezumi>"));
+    it.type("speed \"max\" run(100) print('there')\r");
+    REQUIRE(it.wait_until([&] { return it.screen.last_row().find("(paused)>") != std::string::npos; }, 60));
+    it.type("seek(99)\r");
+    REQUIRE(it.wait_until([&] { return it.screen.last_row().find("Esc cancels") != std::string::npos; }, 60));
+    it.type("20 + 1");
+    it.type(left + "2\r");
+    CHECK(it.wait_for_row("41", 60));
+    it.type("now()\r");
+    CHECK(it.wait_for_row("99.0"));
+    it.type("seek(98)\r");
+    REQUIRE(it.wait_until([&] { return it.screen.last_row().find("Esc cancels") != std::string::npos; }, 60));
+    it.type("7 * 6\x1b");
+    it.wait_until([] { return false; }, 0.3);
+    it.type("\r");
+    CHECK(it.wait_for_row("42", 60));
+    it.type("now()\r");
+    CHECK(it.wait_for_row("99.0"));
+}
+
 TEST_CASE("a second terminal attaches and leaves, and the system goes on", "[cli][prompt][attach]") {
     const Home home(quiet);
     PtyProgram it = home.run();

@@ -104,6 +104,21 @@ TEST_CASE("a run prints where its page is, and serves it while it runs", "[cli][
     CHECK(get(port, "/").empty());
 }
 
+TEST_CASE("a run that is repeated has a page as well, unless it is headless", "[cli][web]") {
+    const WebSystem system;
+    const std::string journal = system.scratch.path("run.journal").string();
+    REQUIRE(system.run({"--headless", "--speed", "max", "--duration", "3", "--journal", journal}).status == 0);
+    Program again({"run", "--replay", journal, "--speed", "0.1"});
+    REQUIRE(again.wait_for_error("\n"));
+    CHECK(get(port_in(again.error), "/").rfind("HTTP/1.1 200", 0) == 0);
+    // One that is ended before its end is not compared with the journal.
+    again.send(SIGINT);
+    CHECK(again.wait() == 0);
+    const Outcome headless = run_nezumi({"run", "--replay", journal, "--headless"});
+    CHECK(headless.status == 0);
+    CHECK(headless.error.find("http") == std::string::npos);
+}
+
 TEST_CASE("where the port is taken it is the next free one, and without any the run goes on", "[cli][web]") {
     const WebSystem system;
     const TakenPort taken(0);

@@ -34,6 +34,22 @@ TEST_CASE("the console reports why it can't explain a component, or that time is
     CHECK(it.shown == "controller began again: not explained");
 }
 
+TEST_CASE("what robots and devices cost a tick is measured as well", "[console][profile]") {
+    SessionRig it("robot 'mouse' { model = 'raspimouse' }\ncomponent 'stick' { type = 'Joystick' }\n"
+                  "behavior 'idle' { script = 'idle' }\n",
+                  {{"idle", "function on_execute() state.n = 1 end\n"}});
+    CHECK(it.type("profile(0.1)") == "time is paused: run() lets it go on");
+    it.shown.clear();
+    it.turn(10);
+    CHECK(it.shown.find("component  executions      median       worst  of a tick\n") == 0);
+    for (const std::string name : {"mouse", "stick", "idle "}) {
+        INFO(it.shown);
+        CHECK(it.shown.find("\n" + name + "              10  ") != std::string::npos);
+    }
+    for (const Component* component : std::as_const(*it.live).system().components())
+        CHECK(component->tick_costs() == nullptr);
+}
+
 TEST_CASE("on real robots a breakpoint shows executions without stopping, at most one a second", "[console][explain]") {
     SessionRig it(counter_system, {{"counter", counter_behavior}}, {}, disk(), true);
     it.paused = false;

@@ -24,7 +24,7 @@ struct SessionRig : LiveRig, ClockControl {
         options.output.show = [this](std::string_view text) { add(text); };
         options.output.show_error = [this](std::string_view text) { add("! " + std::string(text)); };
         options.output.done = [this](bool well) { all_well = all_well && well, ++finished; };
-        options.output.take_keys = [this](bool on) { keys = on; };
+        options.output.take_keys = [this](TakenKeys taken) { keys = taken != TakenKeys::none; };
         options.bell = &bell;
         session = std::move(Session::create(*live, *this, std::move(options)).value());
     }

@@ -36,14 +36,33 @@ TEST_CASE("a journal says which line can't be replayed, and why", "[journal]") {
               .starts_with("J:2: this run differs from the journal's run: its hash at tick 4 of start 1 was "
                            "0000000000000000, not "));
     CHECK(it.error_with(1, "[]") == "J:1: is not a journal of nezumi run --journal");
-    CHECK(it.error_with(1, R"({"journal":1,"version":"0.0"})") ==
-          "J is a journal of nezumi 0.0, this is test: only the same version replays it");
-    CHECK(it.error_with(1, R"({"journal":1,"version":"\u001b\n"})") ==
-          R"(J is a journal of nezumi \x1b\x0a, this is test: only the same version replays it)");
+    CHECK(it.error_with(1, R"({"journal":2,"version":"0.0"})") ==
+          "J is a journal of nezumi 0.0 in the format 2: this is nezumi test, which reads 1");
+    CHECK(it.error_with(1, R"({"journal":2,"version":"\u001b\n"})") ==
+          R"(J is a journal of nezumi \x1b\x0a in the format 2: this is nezumi test, which reads 1)");
     CHECK(it.error_with(1, R"({"journal":1,"version":"test","hardware":true})") ==
           "J is the journal of a run on hardware: it is only a record, and can't be replayed");
     CHECK(replay(it.folder.path("none")).error == it.folder.path("none").string() + ": there is no such file");
     CHECK(replay(it.folder.path("")).error == it.folder.path("").string() + ": is a folder, expected a file");
+}
+
+TEST_CASE("a journal of another version is replayed, and where the run differs both versions are named", "[journal]") {
+    SmallRun it(counter);
+    it.tick(6);
+    it.end();
+    std::string text = text_of_file(it.file);
+    const std::string ours = R"("version":")" + std::string(journal_version) + '"';
+    REQUIRE(text.find(ours) != std::string::npos);
+    text.replace(text.find(ours), ours.size(), R"("version":"0.0")");
+    const auto other = Replay::of_text(text, "J", journal_version);
+    REQUIRE(other);
+    CHECK((*other)->other_version() == "0.0");
+    CHECK(replay(it.folder.write("other.journal", text)).error.empty());
+    text.replace(text.find('\n') + 1, text.npos,
+                 R"({"at":[1,4,0],"hash":"0000000000000000"})"
+                 "\n");
+    CHECK_THAT(replay(it.folder.write("other.journal", text)).error,
+               Contains("; the journal is of nezumi 0.0, this is test"));
 }
 
 TEST_CASE("a journal whose lines are not those of a run is refused at the line", "[journal]") {

@@ -195,6 +195,7 @@ TEST_CASE("a moment that never was is refused", "[lua][past]") {
     CHECK(it.seek(101) == "main ends at 1 s");
     CHECK(it.seek(5, "other") == "there is no branch 'other': branches() lists them");
     CHECK(it.seek(Seek{.tick = 5, .start = 2}) == "main ends at 1 s");
+    CHECK(it.seek(Seek{.tick = 5, .start = -1}) == "expected a start from 1 on, or 0 for the last one, got -1");
     const auto past = it.live->begin_seek({.tick = 50});
     REQUIRE(past);
     REQUIRE((*past)->go_on(PastRun::Clock::time_point::max()));

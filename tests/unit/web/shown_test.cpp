@@ -6,6 +6,7 @@
 
 #include "engine/base/whole_file.hpp"
 #include "engine/values/cdr.hpp"
+#include "engine/values/value_text.hpp"
 #include "tests/unit/web/web_rig.hpp"
 
 using namespace nezumi;
@@ -198,11 +199,106 @@ TEST_CASE("an execution is explained to any browser, also a view-only one", "[we
     const auto refused = WebRig::answer(browser, {{"do", "explain"}, {"id", 2}, {"component", "mouse"}});
     CHECK(refused["ok"] == false);
     CHECK(refused["text"] == "mouse is not a behaviour: it has no lines");
+}
 
-    rig.paused = true;
-    CHECK(WebRig::answer(browser, {{"do", "explain"}, {"id", 3}, {"component", "controller"}})["ok"] == true);
-    REQUIRE(rig.live->act(Remove{"controller"}, {}));
-    CHECK(browser.next_text("\"is\":\"explain\"").find("controller is gone: not explained") != std::string::npos);
+TEST_CASE("what has not been executed yet is explained when it is, and a browser is told that time stands",
+          "[web][explain]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    CHECK(WebRig::answer(browser, {{"do", "explain"}, {"id", 1}, {"component", "controller"}})["ok"] == true);
+    CHECK(Json::parse(browser.next_text("\"is\":\"explain\""))["waits"] == true);
+    SECTION("and then it is gone") {
+        REQUIRE(rig.live->act(Remove{"controller"}, {}));
+        CHECK(browser.next_text("\"is\":\"explain\"").find("controller is gone: not explained") != std::string::npos);
+    }
+    SECTION("and then it is executed") {
+        rig.turn();
+        CHECK(Json::parse(browser.next_text("\"is\":\"explain\""))["tick"] == 0);
+    }
+}
+
+TEST_CASE("where time stands, the execution before this moment is explained", "[web][explain]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    int id = 0;
+    const auto explained = [&] {
+        REQUIRE(WebRig::answer(browser, {{"do", "explain"}, {"id", ++id}, {"component", "controller"}})["ok"] == true);
+        return Json::parse(browser.next_text("\"is\":\"explain\""));
+    };
+    rig.turn(10);
+    const std::uint64_t hash = rig.live->trace_hash();
+    const Json seen = explained();
+    CHECK(seen["tick"] == 9);
+    CHECK_FALSE(seen["lines"].empty());
+    CHECK(seen["outputs"][0]["value"] == short_text((*rig.live->system().port("controller.out"))->value()));
+    CHECK(rig.live->system().now().tick == 10);
+    CHECK(rig.live->trace_hash() == hash);
+    rig.turn();
+    CHECK(explained()["tick"] == 10);
+    rig.turn(3);
+    CHECK(explained()["tick"] == 13);
+    REQUIRE(rig.live->act(Seek{.tick = 5}, {}));
+    CHECK(explained()["tick"] == 4);
+}
+
+TEST_CASE("of a behaviour in ERROR the execution that failed is explained", "[web][explain]") {
+    WebRig rig("behavior 'it' { script = 'it' }\n", {{"it",
+                                                      "local turns = 0\nfunction on_execute()\n  turns = turns + 1\n"
+                                                      "  if turns == 4 then error('enough') end\nend\n"}});
+    rig.turn(20);
+    rig.paused = false;
+    RawBrowser browser = rig.open();
+    CHECK(WebRig::answer(browser, {{"do", "explain"}, {"id", 1}, {"component", "it"}})["ok"] == true);
+    const auto seen = Json::parse(browser.next_text("\"is\":\"explain\""));
+    CHECK(seen["tick"] == 3);
+    CHECK(seen["lines"].back()["line"] == 4);
+}
+
+TEST_CASE("a browser sees the functions of a failed behaviour with their variables", "[web]") {
+    WebRig rig("behavior 'it' { script = 'it' }\n",
+               {{"it", "local function half(of)\n  return of.x / 2\nend\nfunction on_execute()\n  local y = half(7)\n"
+                       "  return y\nend\n"}});
+    rig.turn(2);
+    RawBrowser browser = rig.open();
+    const Json component = next_system(browser)["components"][0];
+    CHECK(component["error"].get<std::string>().find("it.lua:2: ") != std::string::npos);
+    REQUIRE(component["frames"].size() == 2);
+    CHECK(component["frames"][0]["line"] == 2);
+    CHECK(component["frames"][0]["name"] == "half");
+    CHECK(component["frames"][0]["locals"] == Json::array({Json::array({"of", "7"})}));
+    CHECK(component["frames"][1]["line"] == 5);
+}
+
+TEST_CASE("a browser is shown the values of a time that is remembered", "[web][past]") {
+    WebRig rig("behavior 'controller' { script = 'counter' }\n", {{"counter", R"(
+local out = output("out", "TimedVelocity2D")
+local name = output("name", "TimedString")
+state.steps = 0
+function on_execute()
+  state.steps = state.steps + 1
+  out:write { vx = now() }
+  name:write("tick " .. math.floor(now() * 100 + 0.5) // 10)
+end
+)"}});
+    rig.live->trace().remember_ports();
+    rig.turn(50);
+    RawBrowser browser = rig.open(rig.view_token);
+    int id = 0;
+    const auto then = [&](double at) {
+        REQUIRE(browser.send_frame(Json{{"do", "then"},
+                                        {"id", ++id},
+                                        {"at", at},
+                                        {"names", {"controller.out", "controller.name", "nobody.out"}}}
+                                       .dump()));
+        return Json::parse(browser.next_text("\"is\":\"then\""))["values"];
+    };
+    const Json values = then(0.3);
+    CHECK(values.size() == 2);
+    CHECK(values["controller.out"]["tm"] == 0.29);
+    CHECK(values["controller.out"]["leaves"][0] == Json::array({"vx", 0.29}));
+    CHECK(values["controller.name"]["leaves"] == Json::array({Json::array({"", "tick 2"})}));
+    CHECK(then(0).empty());
+    CHECK(rig.live->system().now().tick == 50);
 }
 
 TEST_CASE("a browser with full access gets the view-only token", "[web]") {
