@@ -12,4 +12,8 @@ namespace nezumi::web {
 /// moving things were, since the last start. An error if there is no such branch.
 Expected<nlohmann::ordered_json> remembered_to_json(RunningSystem& live, const std::string& branch, bool rows);
 
+/// Adds the numbers of a port that the trace remembers, for a plot: `labels`, and `values` as rows [time, number, ...].
+/// Nothing that was not remembered before is remembered from now on.
+void add_numbers(nlohmann::ordered_json& json, const Trace& trace, const std::string& port);
+
 }  // namespace nezumi::web

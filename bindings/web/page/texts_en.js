@@ -102,9 +102,9 @@ export const EN = {
   states: { INACTIVE: "inactive", ACTIVE: "active", ERROR: "error", CREATED: "created", REMOTE: "on another host",
     UNKNOWN: "without a state", SILENT: "does not answer", GONE: "gone", UNASKED: "not asked", MISSING: "not there" },
 
-  plots: { search: "Search", without_data: "no data yet", port: "Port", field: "Field", plot: "Plot", pause: "Pause", resume: "Resume", csv: "CSV",
-    svg: "SVG", clear: "Clear", remove: (name) => `Remove ${name}`, empty: "Choose a port and one of its numbers.",
-    zoom_out: "Last minute", before: (name) => `${name}, before`, time: "time [s]", no_fields: "no message yet", zoom: "Drag across the plot to zoom; double-click shows all." },
+  plots: { search: "Search", without_data: "no data yet", tree: "Values that can be plotted", choose: "Values", more: (count) => `… and ${count} more: search.`, pause: "Pause", resume: "Resume", csv: "CSV",
+    svg: "SVG", clear: "Clear", remove: (name) => `Remove ${name}`, empty: "Choose one of the values.",
+    zoom_out: "Last minute", before: (name) => `${name}, before`, time: "time [s]", zoom: "Drag across the plot to zoom; double-click shows all." },
 
   cameras: { none: "This system has no camera.", waiting: "No picture yet." },
 

@@ -102,9 +102,9 @@ export const JA = {
   states: { INACTIVE: "非アクティブ", ACTIVE: "アクティブ", ERROR: "エラー", CREATED: "生成済み", REMOTE: "ほかのホスト",
     UNKNOWN: "状態なし", SILENT: "応答なし", GONE: "消滅", UNASKED: "未確認", MISSING: "未登録" },
 
-  plots: { search: "検索", without_data: "データなし", port: "ポート", field: "フィールド", plot: "グラフにする", pause: "一時停止", resume: "再開", csv: "CSV",
-    svg: "SVG", clear: "消去", remove: (name) => `${name} を外す`, empty: "ポートと、その中の数値を選んでください。",
-    zoom_out: "直近 1 分", before: (name) => `${name} (戻る前)`, time: "時間 [s]", no_fields: "まだメッセージがありません", zoom: "横にドラッグすると拡大し、ダブルクリックで全体に戻ります。" },
+  plots: { search: "検索", without_data: "データなし", tree: "グラフにできる値", choose: "値を選ぶ", more: (count) => `… ほかに ${count} 個あります。検索で絞り込めます。`, pause: "一時停止", resume: "再開", csv: "CSV",
+    svg: "SVG", clear: "消去", remove: (name) => `${name} を外す`, empty: "グラフにする値を選んでください。",
+    zoom_out: "直近 1 分", before: (name) => `${name} (戻る前)`, time: "時間 [s]", zoom: "横にドラッグすると拡大し、ダブルクリックで全体に戻ります。" },
 
   cameras: { none: "このシステムにはカメラがありません。", waiting: "まだ画像がありません。" },
 
