@@ -80,7 +80,7 @@ export const EN = {
   diagram: {
     label: "Components and their connections",
     activate: "Activate", deactivate: "Deactivate", reset: "Reset", remove: "Remove", disconnect: "Disconnect",
-    all: "All", fit: "Fit", arrange: "Arrange", zoom_in: "Closer", zoom_out: "Farther",
+    all: "All", part: "Neighbours only", all_parts: "Whole system", centre: "Component in the middle", fit: "Fit", arrange: "Arrange", zoom_in: "Closer", zoom_out: "Farther",
     about: "Drag from a port to one of the same type. By keyboard: Enter on a port, then on another.",
     connecting: (port, type) => `${port} (${type}): choose a port that lights up, or press Esc.`,
     remove_sure: (name) => `Remove ${name} and its connections?`,

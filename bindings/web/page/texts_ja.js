@@ -80,7 +80,7 @@ export const JA = {
   diagram: {
     label: "コンポーネントと接続",
     activate: "アクティブにする", deactivate: "非アクティブにする", reset: "リセット", remove: "削除", disconnect: "接続を切る",
-    all: "すべて", fit: "全体を表示", arrange: "整列", zoom_in: "拡大", zoom_out: "縮小",
+    all: "すべて", part: "隣だけ表示", all_parts: "システム全体", centre: "中央に表示するコンポーネント", fit: "全体を表示", arrange: "整列", zoom_in: "拡大", zoom_out: "縮小",
     about: "ポートから、同じ型のポートへドラッグすると接続します。キーボードでは、それぞれのポートで Enter を押します。",
     connecting: (port, type) => `${port} (${type}): 光っているポートを選んでください。Esc で取り消します。`,
     remove_sure: (name) => `${name} とその接続を削除しますか。`,
