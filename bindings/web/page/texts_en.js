@@ -127,6 +127,7 @@ export const EN = {
     edit: "Edit arena", edit_hint: "Add, move, turn and remove what stands here: it is written into the system file", add: "Add", remove: "Remove", undo: "Undo",
     words: { box: "Box", wall: "Wall", cylinder: "Cylinder", marker: "Marker", robot: "Robot" },
     hint: (file) => `Changes are written into ${file}, and the system starts again.`, written: (file) => `Written into ${file}.`,
+    full: "There is no free place near the middle of the view: move the view.",
     no_file: "The system file is not within the project: it can't be changed here.", changed: "Another program has changed the file: look at it, and try again.",
     no_call: (line) => `Line ${line} of the file has no such call: it is made by a map or a function. Edit the text.`,
     loop: (line) => `Line ${line} of the file makes several things, as in a loop. Edit the text.`,
