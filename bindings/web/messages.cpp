@@ -327,7 +327,9 @@ constexpr std::array kinds{
     Kind{"explain", [](const Given& given) -> Body { return ExplainMessage{given.fields.text("component")}; }},
     Kind{"remembered",
          [](const Given& given) -> Body {
-             return RememberedMessage{.branch = given.fields.text("branch"), .rows = given.fields.flag("rows")};
+             RememberedMessage wanted{.branch = given.fields.text("branch"), .rows = given.fields.flag("rows")};
+             if (given.fields.find("port") != nullptr) wanted.port = given.fields.text("port");
+             return wanted;
          }},
     Kind{"then",
          [](const Given& given) -> Body {

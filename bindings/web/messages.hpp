@@ -86,7 +86,8 @@ struct TestMessage {
 /// Requests what is remembered of a branch, for the time line.
 struct RememberedMessage {
     std::string branch;
-    bool rows = false;  ///< also where robots were
+    bool rows = false;   ///< also where robots were
+    std::string port{};  ///< also the recent numbers of this port of the present, for a plot; may be empty
 };
 
 /// Requests what ports and members had at a time of the present branch, as far as it is remembered.

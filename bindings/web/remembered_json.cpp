@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <variant>
 #include <vector>
@@ -17,6 +18,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t most_rows = 1500, most_poses = 12'000, most_marks = 300;
 // Acts of one kind that follow each other within this time [s] have one mark, as those of a joystick.
 constexpr double together = 0.5;
+// The shortest time [s] between two rows of a plot, as in the page.
+constexpr double between_values = 0.04;
 
 struct Mark {
     double at = 0;
@@ -113,6 +116,31 @@ Json then_to_json(RunningSystem& live, double at, const std::vector<std::string>
         values[name] = {{"tm", series.seconds(after - 1)}, {"leaves", std::move(leaves)}};
     }
     return {{"is", "then"}, {"at", at}, {"values", std::move(values)}};
+}
+
+void add_numbers(Json& json, const Trace& trace, const std::string& port) {
+    json["port"] = port;
+    json["labels"] = json["values"] = Json::array();
+    const Series* series = trace.remembered(port);
+    if (series == nullptr) return;
+    std::vector<std::size_t> columns;
+    for (std::size_t label = 0; label < series->labels().size(); ++label) {
+        if (series->is_text(label)) continue;
+        columns.push_back(label);
+        json["labels"].push_back(series->labels()[label]);
+    }
+    double last = -std::numeric_limits<double>::infinity();
+    for (std::size_t sample = 0; sample < series->size(); ++sample) {
+        const double at = series->seconds(sample);
+        if (at < last + between_values && sample + 1 < series->size()) continue;
+        last = at;
+        Json row = Json::array({at});
+        for (const std::size_t label : columns) {
+            const double value = series->value(sample, label);
+            row.push_back(std::isfinite(value) ? Json(value) : Json());
+        }
+        json["values"].push_back(std::move(row));
+    }
 }
 
 }  // namespace nezumi::web

@@ -17,4 +17,8 @@ Expected<nlohmann::ordered_json> remembered_to_json(RunningSystem& live, const s
 /// numbers and texts by their names. The others are left out; members are remembered from now on.
 nlohmann::ordered_json then_to_json(RunningSystem& live, double at, const std::vector<std::string>& names);
 
+/// Adds the numbers of a port that the trace remembers, for a plot: `labels`, and `values` as rows [time, number, ...].
+/// Nothing that was not remembered before is remembered from now on.
+void add_numbers(nlohmann::ordered_json& json, const Trace& trace, const std::string& port);
+
 }  // namespace nezumi::web

@@ -230,8 +230,9 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
         return replied(scenarios_->start(client, message.id, *test), Reply::later);
     }
     if (const auto* wanted = std::get_if<RememberedMessage>(&message.body)) {
-        const auto remembered = remembered_to_json(live_, wanted->branch, wanted->rows);
+        auto remembered = remembered_to_json(live_, wanted->branch, wanted->rows);
         if (!remembered) return Unexpected(remembered.error());
+        if (!wanted->port.empty()) add_numbers(*remembered, live_.trace(), wanted->port);
         hub_.send(client, json_text(*remembered), true);
         return Reply::now;
     }

@@ -98,6 +98,11 @@ Expected<Trace::Remembered> Trace::remember_part(std::string_view name) {
     return all;
 }
 
+const Series* Trace::remembered(std::string_view name) const {
+    const auto known = followed_.find(name);
+    return known != followed_.end() && known->second.remembered ? &known->second.series : nullptr;
+}
+
 void Trace::remember_ports() {
     remembers_ports_ = true;
     follow_layout();

@@ -59,6 +59,8 @@ public:
         bool holds = false;  ///< as `Channel::holds`
     };
     Expected<Remembered> remember_part(std::string_view name);
+    /// What is remembered under this name already; null without.
+    const Series* remembered(std::string_view name) const;
     /// Remembers every port except those of pictures, also later ones, in a system of at most `most_ports`.
     void remember_ports();
 

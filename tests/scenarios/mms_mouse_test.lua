@@ -53,7 +53,7 @@ scenario("a mouse tells a solver which walls it has seen", { timeout = 30 }, fun
   s:equal(driver:walls(1, 2), { false, true, true, false })
 end)
 
-scenario("a solver that gives up begins anew where the mouse is set down", { timeout = 30 }, function(s)
+scenario("a solver that gives up begins again where the mouse is set down", { timeout = 30 }, function(s)
   local driver, mouse, ends, is_at = start(s)
   driver:press_reset()
   s:check(driver.state.was_reset)

@@ -1,6 +1,8 @@
 """The arena edited by hand in the browser's page. Usage: arena_test.py NEZUMI [TEST...]"""
 
+import math
 import os
+import re
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -110,6 +112,48 @@ class Arena(rig.PageCase):
         rig.wait_until(lambda: "cylinder" not in self.on_disk(), "it is removed")
         page.press("Undo")
         self.becomes(before)
+
+    def test_keys_undo_what_a_button_did(self):
+        self.begin()
+        page = self.page
+        page.press("Box")
+        rig.wait_until(lambda: self.on_disk().count("box {") == 2, "a box is added")
+        self.told("Written")
+        for _ in range(2):  # the second time nothing is left, and the button has lost the focus
+            page.keys().key_down(CONTROL).send_keys("z").key_up(CONTROL).perform()
+            self.becomes(ROOM)
+        page.press("Box")
+        rig.wait_until(lambda: self.on_disk().count("box {") == 2, "a box is added")
+        self.told("Written")
+        page.find(".console textarea").click()
+        page.keys().key_down(CONTROL).send_keys("z").key_up(CONTROL).perform()
+        page.drawn()
+        self.assertEqual(self.on_disk().count("box {"), 2, "in a text Ctrl-Z is the text's own")
+
+    def test_things_that_are_added_do_not_overlap(self):
+        self.begin()
+        for word in ("Box", "Box", "Box", "Wall", "Cylinder", "Marker", "Wall", "Robot"):
+            before = self.on_disk()
+            self.page.press(word)
+            rig.wait_until(lambda: self.on_disk() != before, lambda: "%s is added: %s" % (word, self.page.text(".arena-tools [role=status]")))
+        text = self.on_disk()
+        number = r"(-?[\d.]+)"
+        circles = [(0.0, 0.0, 0.04), (0.6, 0.3, 0.1)]  # the mouse, the table: what is within them for sure
+        for kind, radius in (("box", 0.05), ("cylinder", 0.05), ("marker", 0.04)):
+            for at in re.findall(kind + r" \{.*?at = \{ " + number + ", " + number, text):
+                if at != ("0.6", "0.3"):
+                    circles.append((*map(float, at), radius))
+        for x, low, high in re.findall(r"wall \{ from = \{ " + number + ", " + number + r" \}, to = \{ [-\d.]+, " + number, text):
+            circles += [(float(x), float(low) + (float(high) - float(low)) * i / 10, 0.004 + i / 1e9) for i in range(11)]
+        circles += [(float(x), float(y), 0.04) for x, y in re.findall(r"pose = \{ x = " + number + ", y = " + number, text)]
+        self.assertEqual(len(circles), 2 + 3 + 1 + 1 + 2 * 11 + 1)
+        self.page.picture("arena_added")
+        walls = [each for each in circles if each[2] < 0.01]
+        for i, one in enumerate(circles):
+            for other in circles[i + 1:]:
+                if one in walls and other in walls:
+                    continue
+                self.assertGreater(math.dist(one[:2], other[:2]), one[2] + other[2], "%s and %s in %s" % (one, other, text))
 
     def test_what_can_not_be_is_refused_and_not_written(self):
         self.begin()

@@ -18,6 +18,53 @@ connect("late/driver.out", "mouse.target_velocity_in")
 """
 
 
+CHAIN = """
+robot    "mouse" { model = "raspimouse" }
+behavior "first" { script = "robot_controller" }
+behavior "second" { script = "robot_controller" }
+robot    "other" { model = "raspimouse", pose = { x = 1 } }
+connect("mouse.ir_sensor_out", "first.in")
+connect("first.out", "mouse.target_velocity_in")
+connect("mouse.ir_sensor_out", "second.in")
+connect("second.out", "other.target_velocity_in")
+"""
+
+
+class OnAPhone(rig.PageCase):
+    """The diagram on a narrow screen."""
+
+    size = (390, 844)
+
+    def shown(self):
+        return sorted(self.page.js("return [...document.querySelectorAll('.node')].map((each) => each.dataset.component)"))
+
+    def test_the_diagram_begins_at_one_component_and_leads_to_the_whole(self):
+        self.open(text=CHAIN)
+        page = self.page
+        page.view("diagram")
+        page.picture("diagram_phone")
+        self.assertEqual(self.shown(), ["first", "mouse", "second"])
+        height = page.js("return document.querySelector('.node .name').getBoundingClientRect().height")
+        self.assertGreater(height, 9, "names can be read")
+        page.choose(".diagram .tools select", "other")
+        self.assertEqual(self.shown(), ["other", "second"])
+        page.js("document.querySelector('.node[data-component=second] .title').focus()")
+        page.keys().send_keys("\ue007").perform()
+        self.assertEqual(self.shown(), ["mouse", "other", "second"])
+        page.press("Whole system")
+        self.assertEqual(self.shown(), ["first", "mouse", "other", "second"])
+        page.picture("diagram_phone_whole")
+        page.press("Neighbours only")
+        self.assertEqual(self.shown(), ["mouse", "other", "second"])
+        self.assertEqual(page.errors(), [])
+
+    def test_the_robot_that_is_chosen_in_the_world_is_in_the_middle(self):
+        self.open(text=CHAIN)
+        self.page.choose_text(".world .tools select", "other")
+        self.page.view("diagram")
+        self.assertEqual(self.shown(), ["other", "second"])
+
+
 class Wiring(rig.PageCase):
     """The diagram of the system."""
 

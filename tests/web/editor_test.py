@@ -192,7 +192,7 @@ class Writing(EditorCase):
         self.page.view("editor")
         self.page.until("document.querySelector('.editor').textContent.includes('sudo apt install libjs-codemirror')", "it says so")
         self.page.view("plots")
-        self.page.until("document.querySelector('.plots select').options.length > 0", "the others work")
+        self.page.until("document.querySelector('.tree .row') !== null", "the others work")
         self.page.errors()
 
 

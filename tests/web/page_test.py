@@ -148,11 +148,7 @@ class Words(rig.PageCase):
         self.open(text=APART + 'connect("controller.out", "mouse.target_velocity_in")\n')  # no wall stops it first
         page = self.page
         page.view("plots")
-        page.choose(".plots select", "controller.out")
-        page.until("document.querySelectorAll('.plots select')[1].options.length === 3", "the fields are offered")
-        for field in ("vx", "va"):
-            page.choose(".plots select:nth-of-type(2)", field)
-            page.press("Plot")
+        page.plot("controller.out", "vx", "va")
         page.until("document.querySelectorAll('.plots canvas').length > 0", "it is drawn")
         time.sleep(1)
         page.js("URL.createObjectURL = (blob) => (blob.text().then((text) => { window.saved = text; }), 'about:blank');"
@@ -174,20 +170,67 @@ class Words(rig.PageCase):
         page = self.page
         page.view("plots")
         page.find(".plots input[type=search]").send_keys("mouse vel")
-        page.until("[...document.querySelector('.plots select').options].length > 0 && "
-                   "[...document.querySelector('.plots select').options].every((each) => /^mouse\\..*vel/.test(each.value))", "only such ports are offered")
+        page.until("document.querySelector('.tree [data-key^=\"mouse.current_velocity_out\"]') !== null", "such ports are offered")
+        self.assertEqual([each for each in page.offered() if each not in ("mouse", "mouse.truth") and not re.match(r"mouse\..*vel", each)], [])
         page.find(".plots input[type=search]").send_keys("\b" * 9)
-        page.until("[...document.querySelector('.plots select').options].some((each) => each.value === 'controller.out')", "all are offered again")
+        page.until("document.querySelector('.tree [data-key=\"controller\"]') !== null", "all are offered again")
 
 
     def test_ports_with_data_are_offered_first(self):
         self.open(text=APART)
         page = self.page
         page.view("plots")
-        page.until("document.querySelector('.plots optgroup:last-child')?.label === 'no data yet'", "the others are apart")
-        groups = page.js("return [...document.querySelectorAll('.plots optgroup')].map((each) => [each.label, [...each.children].map((one) => one.value)])")
-        self.assertIn("mouse.ir_sensor_out", dict(groups)["mouse"])
-        self.assertIn("mouse.target_velocity_in", dict(groups)["no data yet"])
+        page.unfold("mouse", "mouse.ir_sensor_out")
+        page.until("document.querySelector('.tree [data-key=\"mouse.ir_sensor_out [1]\"]') !== null", "its numbers are there")
+        offered = page.offered()
+        self.assertEqual([each.split(" ")[1] for each in offered if each.startswith("mouse.ir_sensor_out ")], ["[1]", "[2]", "[3]", "[4]"])
+        self.assertIn("no data yet", offered["mouse.target_velocity_in"])
+        self.assertNotIn("no data yet", offered["mouse.ir_sensor_out"])
+        page.plot("mouse.target_velocity_in", "vx")  # may come later
+        self.assertLess(list(offered).index("mouse.ir_sensor_out"), list(offered).index("mouse.target_velocity_in"))
+
+    def test_the_tree_of_values_is_used_by_keys(self):
+        self.open(WALL)
+        page = self.page
+        page.view("plots")
+        page.unfold("mouse")
+        page.js("document.querySelector('.tree .row[tabindex=\"0\"]').focus()")
+        keys = page.keys()
+        for _ in range(30):
+            at = page.js("return document.activeElement.dataset.key")
+            if at == "mouse.ir_sensor_out":
+                break
+            keys.send_keys("\ue015").perform()  # down
+            keys.reset_actions()
+        keys.send_keys("\ue014\ue014\ue015\ue007").perform()  # open, in, down, Enter
+        page.until("document.querySelector('.legend').textContent.includes('mouse.ir_sensor_out[2]')", "it is plotted")
+        keys.reset_actions()
+        keys.send_keys("\ue007").perform()
+        page.until("document.querySelector('.legend').textContent === ''", "it is plotted no longer")
+
+    def test_what_was_before_a_value_was_chosen_is_drawn_at_once(self):
+        self.open(text=APART + 'connect("controller.out", "mouse.target_velocity_in")\n')
+        page = self.page
+        page.until("parseFloat(document.querySelector('.clock').textContent) > 4", "time has passed")
+        page.press("Pause")
+        page.view("plots")
+        page.plot("mouse.truth", "pose.position.x")
+        page.plot("mouse.ir_sensor_out", "[2]")
+        page.plot("controller.out", "vx")
+        page.until("document.querySelectorAll('.plots canvas').length > 0", "it is drawn, although time stands")
+        page.picture("plot_history")
+        page.js("URL.createObjectURL = (blob) => (blob.text().then((text) => { window.saved = text; }), 'about:blank');"
+                "HTMLAnchorElement.prototype.click = () => {};")
+        page.press("CSV")
+        rows = list(csv.DictReader(io.StringIO(page.until("window.saved", "it is saved"))))
+        for name in ("mouse.truth.pose.position.x", "mouse.ir_sensor_out[2]", "controller.out.vx"):
+            of_it = [(float(row["time"]), float(row[name])) for row in rows if row[name]]
+            self.assertLess(of_it[0][0], 0.5, name)
+            self.assertGreater(len(of_it), 40, name)
+        places = [float(row["mouse.truth.pose.position.x"]) for row in rows if row["mouse.truth.pose.position.x"]]
+        self.assertLess(places[0], 0.05)
+        self.assertGreater(places[-1], 0.3)
+        self.assertEqual(page.errors(), [])
 
 
 class Messages(rig.PageCase):
@@ -208,14 +251,10 @@ end"""
         self.open(text='behavior "seer" { script = "seer" }', scripts={"seer": seer, "messages/obstacle": obstacle})
         page = self.page
         page.view("plots")
-        page.choose(".plots select", "seer.seen")
-        fields = "[...document.querySelectorAll('.plots select')[1].options].map((each) => each.value)"
-        page.until(fields + ".includes('distance')", "the fields are offered")
-        offered = page.js("return " + fields)
+        page.plot("seer.seen", "distance")
+        offered = page.offered()
         for field in ("corners[1].y", "box[3]"):
-            self.assertIn(field, offered)
-        page.choose(".plots select:nth-of-type(2)", "distance")
-        page.press("Plot")
+            self.assertIn("seer.seen " + field, offered)
         page.until("document.querySelectorAll('.plots canvas').length > 0", "it is drawn")
         page.view("diagram")
         page.js("document.querySelector('[data-port=\"seer.seen\"]').dispatchEvent(new MouseEvent('pointerenter', { bubbles: true }));"
@@ -262,10 +301,7 @@ class Members(rig.PageCase):
         self.open(WALL)
         page = self.page
         page.view("plots")
-        page.choose(".plots select", "mouse.truth")
-        page.until("[...document.querySelectorAll('.plots select')[1].options].some((each) => each.value === 'pose.position.x')", "it is offered")
-        page.choose(".plots select:nth-of-type(2)", "pose.position.x")
-        page.press("Plot")
+        page.plot("mouse.truth", "pose.position.x")
         page.until("document.querySelectorAll('.plots canvas').length > 0", "it is drawn")
         self.assertIn("mouse.truth.pose.position.x", page.text(".legend"))
         self.assertEqual(page.errors(), [])

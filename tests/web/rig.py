@@ -200,6 +200,26 @@ class Page:
             self.driver.close()
             self.driver.switch_to.window(first)
 
+    def unfold(self, *keys):
+        """Opens these rows of the tree of plots, one within the other."""
+        for key in keys:
+            row = '.tree .row[data-key="%s"]' % key
+            self.until("document.querySelector(%r)?.hasAttribute('aria-expanded')" % row, "the tree has numbers of " + key)
+            self.js("const row = document.querySelector(arguments[0]); if (row.ariaExpanded === 'false') row.click()", row)
+
+    def plot(self, port, *paths):
+        """Chooses these numbers of a port for a plot; without any, the port's only one."""
+        self.unfold(port.rsplit(".", 1)[0], *([port] if paths else []))
+        for key in ["%s %s" % (port, path) for path in paths] or [port]:
+            row = '.tree .row[data-key="%s"]' % key
+            self.until("document.querySelector(%r)" % row, "it is offered: " + key)
+            self.js("document.querySelector(arguments[0]).click()", row)
+            self.until("document.querySelector(%r).ariaChecked === 'true'" % row, "it is chosen: " + key)
+
+    def offered(self):
+        """The rows of the tree of plots in sight: { key: text }."""
+        return self.js("return Object.fromEntries([...document.querySelectorAll('.tree .row')].map((each) => [each.dataset.key, each.textContent]))")
+
     def picture(self, name):
         """Keeps what is seen now in the folder NEZUMI_PICTURES, if that is set."""
         folder = os.environ.get("NEZUMI_PICTURES")

@@ -189,6 +189,66 @@ connect("blinker.tone", "mouse.buzzer_hz_in")
         page.until(lights + " === 'false,false,false,true'", "it is released")
         self.assertEqual(page.errors(), [])
 
+    PAINTER = """local lcd, leds = output("lcd", "CameraImage"), output("leds", "TimedBooleanSeq")
+local touch = input("touch", "TimedBooleanSeq")
+function on_execute()
+  local pressed = touch:read()
+  leds:write { pressed[1] or false, false, pressed[2] or false, true }
+  lcd:write { width = 2, height = 1, bpp = 8, format = "gray8", pixels = pressed[1] and "\\255\\255" or "\\0\\255" }
+end
+"""
+    BRICK = """robot "ev3" { model = "ev3" }
+behavior "painter" { script = "painter" }
+connect("ev3.touch", "painter.touch")
+connect("painter.leds", "ev3.leds")
+connect("painter.lcd", "ev3.lcd")
+"""
+    SHADE = """(() => { const image = document.querySelector('.devices .screen');
+      if (!image.naturalWidth) return '';
+      const canvas = document.createElement('canvas');
+      [canvas.width, canvas.height] = [2, 1];
+      canvas.getContext('2d').drawImage(image, 0, 0);
+      return [...canvas.getContext('2d').getImageData(0, 0, 2, 1).data].filter((_, i) => i % 4 === 0).map((each) => (each > 128 ? 'white' : 'black')).join(); })()"""
+
+    def test_the_screen_of_an_ev3_is_shown_and_its_keys_are_pressed(self):
+        from selenium.webdriver.common.action_chains import ActionChains
+
+        self.open(text=self.BRICK, scripts={"painter": self.PAINTER})
+        page = self.page
+        page.until(self.SHADE + " === 'black,white'", "the screen shows the picture")
+        page.until("document.querySelectorAll('.devices .led').length === 4", "four lights are there")
+        names = [each.text for each in page.all(".devices button")]
+        self.assertEqual(sorted(names), ["key_back", "key_down", "key_enter", "key_left", "key_right", "key_up", "left", "right"])
+        page.picture("ev3_devices")
+        ActionChains(page.driver).click_and_hold(page.all(".devices button")[names.index("right")]).perform()
+        page.until(self.SHADE + " === 'white,white'", "it shows another one while the sensor is pressed")
+        page.until("document.querySelector('.devices .led').classList.contains('on')", "the light is on")
+        ActionChains(page.driver).release().perform()
+        self.assertEqual(page.errors(), [])
+
+    def test_robots_have_the_colours_of_their_trails(self):
+        self.open(text="".join('robot "m%d" { model = "raspimouse", pose = { y = %g } }\n' % (i, i * 0.2) for i in range(3)))
+        page = self.page
+        for each in ("Rays", "Trails", "Names", "Top"):
+            page.press(each)
+        page.drawn()
+        count = page.driver.execute_async_script("""const [picture, done] = arguments;
+            const image = new Image();
+            image.onload = () => {
+              const canvas = document.createElement('canvas');
+              [canvas.width, canvas.height] = [image.width, image.height];
+              const pen = canvas.getContext('2d');
+              pen.drawImage(image, 0, 0);
+              const box = document.querySelector('.world canvas').getBoundingClientRect();
+              const { data } = pen.getImageData(box.left, box.top, box.width, box.height);
+              let green = 0;
+              for (let i = 0; i < data.length; i += 4) if (data[i + 1] > 60 && data[i + 1] > 1.6 * data[i] && data[i + 1] > 1.6 * data[i + 2]) ++green;
+              done(green);
+            };
+            image.src = 'data:image/png;base64,' + picture;""", page.driver.get_screenshot_as_base64())
+        self.assertGreater(count, 30, "the third robot is green")
+        page.picture("robots_colours")
+
     def test_a_robot_out_of_sight_has_its_name_at_the_edge(self):
         self.open(text=self.TEXT, scripts={"blinker": self.BLINKER})
         page = self.page

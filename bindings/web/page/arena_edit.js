@@ -2,10 +2,14 @@
 import { added, call_of, calls_in, moved, removed } from "./arena_text.js";
 import { el } from "./dom.js";
 import { Files } from "./editor_files.js";
+import { outline_of, standing } from "./arena_places.js";
 import { T } from "./texts.js";
 
 const WORDS = ["box", "wall", "cylinder", "marker", "robot"];
-const TRIES = 24;  // places that are tried for a new thing
+const TRIES = 24;  // free places that are tried for a new thing
+const PLACES = 400;  // places that are looked at
+const GAP = 0.02;  // m between a new thing and others
+const ANSWER_WITHIN = 2000;  // ms
 
 export class ArenaEdit {
   is_on = false;
@@ -83,9 +87,26 @@ export class ArenaEdit {
     if (keeps) this.#before.push(this.#text);
     this.undo_button.disabled = this.#before.length === 0;
     [this.#text, this.#mark] = [text, answer.mark];
+    const shown = this.#shown_anew();
     const started = await this.#parts.link.ask({ do: "time", what: "restart" }, 20000);
     if (!started.ok) throw new Error(started.text || T.link.no_answer);
+    await shown;
     this.say(answer.text || T.arena.written(this.#file));
+  }
+
+  /// Resolves when the page knows where things are after the next start.
+  #shown_anew() {
+    const { model } = this.#parts;
+    const { start } = model.system;
+    return new Promise((resolve) => {
+      const stop = model.on("frame", () => model.system.start !== start && done());
+      const late = setTimeout(() => done(), ANSWER_WITHIN);
+      const done = () => {
+        clearTimeout(late);
+        stop();
+        resolve();
+      };
+    });
   }
 
   async #change(text) {
@@ -141,16 +162,29 @@ export class ArenaEdit {
   add(word) {
     return this.#next(async () => {
       const { system } = this.#parts.model;
-      const { x, y } = this.#world.eye.target;
-      let problem = "";
-      for (let i = 0; i < TRIES; ++i) {
-        const [angle, far] = [i * 2.4, 0.12 * Math.sqrt(i)];
-        const text = added(this.#text, word, this.#written(word, system, x + far * Math.cos(angle), y + far * Math.sin(angle)));
+      let problem = T.arena.full;
+      for (const [x, y] of this.#free_places(word)) {
+        const text = added(this.#text, word, this.#written(word, system, x, y));
         problem = await this.#problem_of(text);
         if (!problem) return this.#take(text);
       }
       throw new Error(problem);
     });
+  }
+
+  #free_places(word) {
+    const { model } = this.#parts;
+    const { scene, eye } = this.#world;
+    const others = standing(model, scene);
+    const outline = outline_of(word, Math.max(0.1, ...scene.sizes) / 2);
+    const size = model.system.arena.size ?? [Infinity, Infinity];
+    const fits = ([x, y]) => outline.every(([dx, dy, radius]) => Math.abs(x + dx) + radius < size[0] / 2 && Math.abs(y + dy) + radius < size[1] / 2
+      && others.every((distance) => distance(x + dx, y + dy) > radius + GAP));
+    const places = Array.from({ length: PLACES }, (_, i) => {
+      const [angle, far] = [i * 2.4, 0.06 * Math.sqrt(i)];
+      return [eye.target.x + far * Math.cos(angle), eye.target.y + far * Math.sin(angle)];
+    });
+    return places.filter(fits).slice(0, TRIES);
   }
 
   #written(word, system, x, y) {

@@ -1,4 +1,4 @@
-// The lights, the buzzer and the buttons of a robot: of the selected one, or of the only one.
+// The lights, the buzzer, the screen and the buttons of a robot: of the selected one, or of the only one.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
@@ -6,7 +6,9 @@ import { T } from "./texts.js";
 export function make_devices({ model, acts }, chosen) {
   const lights = el("output", { class: "lights" });
   const buttons = el("div", { class: "row acts not-real" });
-  const node = el("div", { class: "devices", hidden: true }, lights, buttons);
+  const screen = el("img", { class: "screen", alt: T.devices.screen });
+  const node = el("div", { class: "devices", role: "group", hidden: true }, screen, lights, buttons);
+  let screen_port = "";
   let shown = "";
 
   const robot = () => {
@@ -32,13 +34,20 @@ export function make_devices({ model, acts }, chosen) {
   const update = () => {
     const one = robot();
     const sensors = (one?.sensors ?? []).filter(({ kind }) => kind === "button" || kind === "touch").map(({ name }) => name);
-    const members = (one ? model.component(one.name)?.members ?? [] : []).filter((name) => name === "leds" || name === "buzzer");
-    const now = JSON.stringify([one?.name, sensors, members]);
+    const component = one && model.component(one.name);
+    // The lights of some robots are known by their port, which has the name of the member.
+    const told = ["leds", "buzzer"].filter((name) => component?.members.includes(name) || component?.ports.some((port) => port.name === name));
+    const display = component?.ports.find(({ way, type }) => way === "in" && type === "CameraImage");
+    const now = JSON.stringify([one?.name, sensors, told, display?.name]);
     if (now === shown) return;
     shown = now;
-    model.watch("devices", members.length > 0 ? { members: members.map((name) => `${one.name}.${name}`) } : null);
+    screen_port = display ? `${one.name}.${display.name}` : "";
+    screen.removeAttribute("src");  // of another robot
+    screen.hidden = true;  // until there is a picture
+    if (one) node.setAttribute("aria-label", T.devices.of(one.name));
+    model.watch("devices", one ? { ...model.wanted(told.map((name) => `${one.name}.${name}`)), pictures: screen_port ? [screen_port] : [] } : null);
     buttons.replaceChildren(...sensors.map((sensor) => button_of(one.name, sensor)));
-    node.hidden = sensors.length === 0 && members.length === 0;
+    node.hidden = sensors.length === 0 && told.length === 0;
     tell();
   };
   const tell = () => {
@@ -48,6 +57,12 @@ export function make_devices({ model, acts }, chosen) {
     lights.replaceChildren(...leds.map((is_on, i) => el("span", { class: is_on ? "led on" : "led", role: "img", "aria-label": T.devices.led(i + 1, is_on), title: T.devices.led(i + 1, is_on) })),
       buzzer > 0 ? T.devices.tone(buzzer) : "");
   };
+  model.on("picture", ({ port, jpeg }) => {
+    if (port !== screen_port) return;
+    screen.hidden = false;
+    URL.revokeObjectURL(screen.src);
+    screen.src = URL.createObjectURL(new Blob([jpeg], { type: "image/jpeg" }));
+  });
   model.on("system", update);
   model.on("port", (name) => /\.(leds|buzzer)$/.test(name) && tell());
   model.on("restarted", () => {

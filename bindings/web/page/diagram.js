@@ -5,6 +5,7 @@ import { at_most_every, el, svg } from "./dom.js";
 import { connect_ports, disconnect_ports, make_chosen } from "./diagram_chosen.js";
 import { curve, place, port_at, route } from "./diagram_layout.js";
 import { Sheet } from "./diagram_view.js";
+import { owner_of } from "./port_name.js";
 import { carries_same } from "./rtcs.js";
 import { T } from "./texts.js";
 import { value_text } from "./value_text.js";
@@ -37,19 +38,27 @@ class Diagram {
   #chosen = null;  // { component } or { from, to }
   #begun = null;  // the port at which a connection was started
   #looked_at = null;
+  #centre = "";  // the component that is shown with its neighbours, if not all are
+  #is_part = false;
 
   constructor(parts) {
     this.#parts = parts;
+    const narrow = matchMedia("(max-width: 899px)");
+    this.#is_part = narrow.matches;
+    narrow.addEventListener("change", () => this.show_part(narrow.matches));
+    this.centres = el("select", { class: "part", "aria-label": T.diagram.centre, onchange: () => this.#centre_on(this.centres.value) });
+    this.part_button = el("button", { class: "part", onclick: () => this.show_part(!this.#is_part) });
     this.wires = svg("g");
     this.nodes = svg("g");
     this.loose = svg("path", { class: "wire loose" });
     this.svg = svg("svg", { class: "sheet", role: "group", "aria-label": T.diagram.label }, this.wires, this.nodes, this.loose);
     this.sheet = new Sheet(this.svg);
-    this.sheet.on_size = () => this.sheet.fit(this.#boxes);
+    this.sheet.on_size = () => this.fit();
     this.tip = el("div", { class: "tip", role: "tooltip", hidden: true });
     this.bar = make_chosen(parts);
     const { model, acts } = parts;
     model.on("system", () => this.#update());
+    model.on("chosen", (robot) => this.#centre_on(robot));
     model.on("rtcs", () => {
       this.#update();
       this.#show_chosen();
@@ -75,11 +84,43 @@ class Diagram {
   arrange() {
     this.#keep_places({});
     this.#update(true);
-    this.sheet.fit(this.#boxes);
+    this.fit();
   }
 
   fit() {
-    this.sheet.fit(this.#boxes);
+    this.sheet.fit(this.#boxes, this.#is_part ? this.#boxes.get(this.#centre) : null);
+  }
+
+  /// One component with its neighbours, or all.
+  show_part(is_part) {
+    this.#is_part = is_part;
+    if (this.#chosen?.component) this.#centre = this.#chosen.component;
+    this.#update(true);
+    this.fit();
+  }
+
+  #centre_on(name) {
+    const is_new = this.#centre !== name;
+    this.#centre = name;
+    if (!this.#is_part || !is_new) return;
+    this.#update(true);
+    this.fit();
+    this.#choose({ component: name });
+  }
+
+  /// The components in sight.
+  #shown_of(components, connections) {
+    const names = components.map(({ name }) => name);
+    if (!names.includes(this.#centre)) this.#centre = names[0] ?? "";
+    this.part_button.textContent = this.#is_part ? T.diagram.all_parts : T.diagram.part;
+    this.centres.hidden = !this.#is_part;
+    if (this.centres.dataset.names !== names.join()) this.centres.replaceChildren(...names.map((name) => el("option", { value: name, text: name })));
+    this.centres.dataset.names = names.join();
+    this.centres.value = this.#centre;
+    if (!this.#is_part) return components;
+    const near = new Set([this.#centre]);
+    for (const ends of connections.map(({ from, to }) => [owner_of(from), owner_of(to)])) if (ends.includes(this.#centre)) ends.forEach((end) => near.add(end));
+    return components.filter(({ name }) => near.has(name));
   }
 
   shown(is_shown) {
@@ -88,19 +129,20 @@ class Diagram {
   }
 
   #update(anyway = false) {
-    const { boxes: components, connections, system } = this.#parts.model;
+    const { boxes: all, connections, system } = this.#parts.model;
     if (!system) return;
+    const components = this.#shown_of(all, connections);
     const shape = JSON.stringify([components.map(({ parameters, ...rest }) => rest), connections]);
     if (shape === this.#shape && !anyway) return;
     const is_first = this.#boxes.size === 0;
     const count = this.#boxes.size;
     this.#shape = shape;
     const focus = document.activeElement?.dataset?.key;
-    this.#boxes = place(components, connections, this.#places);
+    this.#boxes = place(components, connections, this.#is_part ? {} : this.#places);
     this.nodes.replaceChildren(...components.map((each) => this.#make_node(each)));
     this.#draw_wires();
     if (focus) this.svg.querySelector(`[data-key="${CSS.escape(focus)}"]`)?.focus();
-    if (is_first || count !== this.#boxes.size) this.sheet.fit(this.#boxes);
+    if (is_first || count !== this.#boxes.size) this.fit();
     this.#light();
     this.#show_chosen();
   }
@@ -160,15 +202,17 @@ class Diagram {
       this.#draw_wires();
     });
     title.addEventListener("pointerup", () => {
-      if (grip?.moved) {
+      if (grip?.moved && !this.#is_part) {
         const box = this.#boxes.get(name);
         this.#keep_places({ ...this.#places, [name]: [box.x, box.y] });
       }
+      if (grip && !grip.moved) this.#centre_on(name);
       grip = null;
     });
     title.addEventListener("pointercancel", () => {
       grip = null;
     });
+    title.addEventListener("keydown", ({ key }) => key === "Enter" && this.#centre_on(name));
   }
 
   #make_port(owner, { name, way, type, waits }, [x, y]) {
@@ -303,7 +347,7 @@ export function make_diagram(parts) {
     el("span", { class: "acts label", text: T.diagram.all }),
     button(T.diagram.activate, all("INACTIVE", acts.activate), "acts"), button(T.diagram.deactivate, all("ACTIVE", acts.deactivate), "acts"),
     button(T.diagram.reset, all("ERROR", acts.reset), "acts"), el("span", { class: "gap" }),
-    button(T.diagram.fit, () => diagram.fit()), button(T.diagram.arrange, () => diagram.arrange()),
+    diagram.centres, diagram.part_button, button(T.diagram.fit, () => diagram.fit()), button(T.diagram.arrange, () => diagram.arrange()),
     el("button", { text: "+", "aria-label": T.diagram.zoom_in, onclick: () => diagram.sheet.zoom(1.25) }),
     el("button", { text: "−", "aria-label": T.diagram.zoom_out, onclick: () => diagram.sheet.zoom(0.8) }));
   return { node: el("div", { class: "diagram" }, tools, el("div", { class: "stage-box" }, diagram.svg, diagram.tip, diagram.bar.card), diagram.bar.node),

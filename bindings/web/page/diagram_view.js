@@ -2,6 +2,7 @@
 
 const CLOSEST = 2.2;
 const FARTHEST = 0.08;
+const READABLE = 0.75;
 
 export class Sheet {
   #svg;
@@ -68,16 +69,18 @@ export class Sheet {
     this.#show();
   }
 
-  /// Shows all boxes.
-  fit(boxes) {
+  /// Shows all boxes. With a `centre`, names stay readable: what has no room around that box is outside.
+  fit(boxes, centre = null) {
     const all = [...boxes.values()];
     const { clientWidth: w, clientHeight: h } = this.#svg;
     if (all.length === 0 || !w || !h) return;
     const margin = 34;
     const [x0, y0] = [Math.min(...all.map((b) => b.x)) - margin, Math.min(...all.map((b) => b.y)) - margin];
     const [x1, y1] = [Math.max(...all.map((b) => b.x + b.w)) + margin, Math.max(...all.map((b) => b.y + b.h)) + margin + 14];
-    const scale = Math.min(1.25, w / (x1 - x0), h / (y1 - y0));
-    this.#at = { scale, x: (x0 + x1 - w / scale) / 2, y: (y0 + y1 - h / scale) / 2 };
+    const scale = Math.max(centre ? READABLE : 0, Math.min(1.25, w / (x1 - x0), h / (y1 - y0)));
+    // Where the drawing is larger than the sheet, the centre is in the middle.
+    const corner = (from, to, size, middle) => (to - from <= size + 1 || !centre ? (from + to - size) / 2 : Math.max(from, Math.min(to - size, middle - size / 2)));
+    this.#at = { scale, x: corner(x0, x1, w / scale, centre && centre.x + centre.w / 2), y: corner(y0, y1, h / scale, centre && centre.y + centre.h / 2) };
     this.#is_fitted = true;
     this.#show();
   }

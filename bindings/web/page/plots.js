@@ -2,6 +2,7 @@
 import { numbers_in } from "./cdr.js";
 import { at_most_every, el, save_as } from "./dom.js";
 import { to_csv, to_svg } from "./plot_files.js";
+import { make_plot_tree } from "./plot_tree.js";
 import { T } from "./texts.js";
 
 const KEPT = 300;  // s
@@ -9,8 +10,7 @@ const WINDOW = 60;  // s shown
 const MOST_ROWS = 12000;
 const STEP = 0.04;  // s between two rows
 const MOST_FIELDS = 12;
-const SURVEY = 700;  // ms
-const MOST_SURVEYED = 200;
+const PLACES = ["pose.position.x", "pose.position.y", "pose.heading"];  // of a robot's truth, as the time line has them
 
 /// The data of a plot: rows [time, value of the first field, ...], null without a value.
 class Recording {
@@ -30,6 +30,26 @@ class Recording {
   remove(index) {
     this.fields.splice(index, 1);
     for (const row of [...this.rows, ...this.ghost]) row.splice(index + 1, 1);
+    if (this.fields.length === 0) this.clear();
+  }
+
+  /// Fills in the numbers of a field from before it was chosen: [[time, number], ...], each valid until the next one.
+  fill(index, samples) {
+    let at = -1;
+    for (const row of this.rows) {
+      while (at + 1 < samples.length && samples[at + 1][0] <= row[0] + 1e-9) ++at;
+      if (at >= 0) row[index + 1] ??= samples[at][1];
+    }
+    const first = this.rows[0]?.[0] ?? Infinity;
+    const none = this.fields.map(() => null);
+    this.rows.unshift(...samples.filter(([time]) => time < first - 1e-9).map(([time, number]) => [time, ...none.map((_, i) => (i === index ? number : null))]));
+    this.#drop_old();
+  }
+
+  #drop_old() {
+    const last = this.rows.at(-1)?.[0];
+    const old = this.rows.findIndex(([time]) => time >= last - KEPT);
+    this.rows.splice(0, Math.max(old, this.rows.length - MOST_ROWS));
   }
 
   clear() {
@@ -59,7 +79,7 @@ class Recording {
       if (!seen.has(port)) seen.set(port, new Map(numbers_in(values.get(port)?.value)));
       return seen.get(port).get(path) ?? null;
     })]);
-    while (this.rows.length > MOST_ROWS || this.rows[0][0] < time - KEPT) this.rows.shift();
+    this.#drop_old();
     return true;
   }
 }
@@ -86,6 +106,8 @@ class WholeRecording extends Recording {
   clear() {
     this.fields.length = this.rows.length = 0;
   }
+
+  fill() {}
 
   take() {
     return false;
@@ -119,6 +141,7 @@ class Plots {
     model.on("restarted", () => this.recording.clear());
     if (parts.run) model.on("frame", () => this.#look(model.frame.time));
     model.on("looked", () => this.#look(model.looked?.time));
+    model.on("remembered", (said) => this.#take_history(said));
     addEventListener("theme", () => this.#anew());
     new ResizeObserver(() => this.#graph?.resize()).observe(this.box);
   }
@@ -129,10 +152,38 @@ class Plots {
   }
 
   add(port, path) {
-    const is_there = this.recording.fields.some((each) => each.port === port && each.path === path);
-    if (is_there || this.recording.fields.length >= MOST_FIELDS) return;
+    if (this.has(port, path) || this.recording.fields.length >= MOST_FIELDS) return;
     this.recording.add({ port, path });
+    const { link, model, run } = this.#parts;
+    const branch = model.system?.past?.branches[model.system.past.branch].name;
+    if (!run && branch) link.send({ do: "remembered", branch, rows: port.endsWith(".truth"), port });
     this.#changed();
+  }
+
+  has(port, path) {
+    return this.recording.fields.some((each) => each.port === port && each.path === path);
+  }
+
+  toggle(port, path) {
+    if (this.has(port, path)) this.remove(this.recording.fields.findIndex((each) => each.port === port && each.path === path));
+    else this.add(port, path);
+  }
+
+  /// What the engine remembers of a port from before it was chosen.
+  #take_history({ port, labels, values, rows }) {
+    if (!port) return;
+    const { system, frame } = this.#parts.model;
+    const robot = system.robots.findIndex(({ name }) => `${name}.truth` === port);
+    this.recording.fields.forEach((field, index) => {
+      if (field.port !== port) return;
+      const column = labels.indexOf(field.path);
+      const place = PLACES.indexOf(field.path);
+      let samples = [];
+      if (column >= 0) samples = values.map((row) => [row[0], row[column + 1]]);
+      else if (robot >= 0 && place >= 0) samples = (rows ?? []).map((row) => [row[0], row[1 + 3 * robot + place] ?? null]);
+      this.recording.fill(index, samples.filter(([time, number]) => number !== null && time <= frame.time + 1e-9));
+    });
+    this.draw();
   }
 
   remove(index) {
@@ -225,69 +276,17 @@ class Plots {
   }
 }
 
-function make_chooser(plots, { model }) {
-  const search = el("input", { type: "search", placeholder: T.plots.search, "aria-label": T.plots.search });
-  const port = el("select", { "aria-label": T.plots.port });
-  const field = el("select", { "aria-label": T.plots.field });
-  const add = el("button", { text: T.plots.plot, onclick: () => field.value !== "-" && plots.add(port.value, field.value) });
-  let fields = "";
-  const look = () => {
-    model.watch("plot chooser", port.value && model.wanted([port.value]));
-    fields = "";
-    fill_fields();
-  };
-  const fill_fields = at_most_every(200, () => {
-    const paths = numbers_in(model.values.get(port.value)?.value).map(([path]) => path);
-    if (paths.join() === fields && field.children.length > 0) return;
-    fields = paths.join();
-    field.replaceChildren(...(paths.length > 0 ? paths.map((path) => el("option", { value: path, text: path || port.value.split(".")[1] }))
-      : [el("option", { value: "-", text: T.plots.no_fields })]));
-    add.disabled = paths.length === 0;
-  });
-  let all = [];
-  let with_data = new Set();
-  /// Looks once at everything, to show first what has data.
-  const survey = () => {
-    model.watch("plot survey", model.wanted(all.slice(0, MOST_SURVEYED)));
-    setTimeout(() => {
-      with_data = new Set(all.filter((name) => model.values.get(name)?.count > 0 && numbers_in(model.values.get(name).value).length > 0));
-      model.watch("plot survey", null);
-      fill();
-    }, SURVEY);
-  };
-  /// The ports whose names have all words that are searched, grouped by component; those with data come first.
-  const fill = () => {
-    const words = search.value.toLowerCase().split(/[\s.]+/).filter(Boolean);
-    const names = all.filter((name) => words.every((word) => name.toLowerCase().includes(word)));
-    const before = port.value;
-    const groups = new Map();  // label: names
-    const add_to = (label, name) => groups.set(label, [...groups.get(label) ?? [], name]);
-    for (const name of names.filter((each) => with_data.has(each))) add_to(name.split(".")[0], name);
-    for (const name of names.filter((each) => !with_data.has(each))) add_to(with_data.size > 0 ? T.plots.without_data : name.split(".")[0], name);
-    port.replaceChildren(...[...groups].map(([label, those]) => el("optgroup", { label }, ...those.map((name) => el("option", { value: name, text: name })))));
-    if (names.includes(before)) port.value = before;
-    if (port.value !== before || field.children.length === 0) look();
-  };
-  port.onchange = look;
-  model.on("port", (name) => name === port.value && fill_fields());
-  model.on("system", () => {
-    const names = model.all_ports().filter(([, { type }]) => !/String|CameraImage/.test(type)).map(([name]) => name)
-      .concat(model.all_members());
-    if (port.dataset.names === names.join()) return;
-    port.dataset.names = names.join();
-    all = names;
-    fill();
-  });
-  search.oninput = () => fill();
-  return { nodes: [search, port, field, add], look: () => {
-    look();
-    survey();
-  }, stop: () => model.watch("plot chooser", null) };
-}
-
 export function make_plots(parts) {
   const plots = new Plots(parts);
-  const chooser = make_chooser(plots, parts);
+  const tree = make_plot_tree(plots, parts);
+  const choose = el("button", { class: "toggle", "aria-expanded": true, text: T.plots.choose });
+  const show_tree = (is_open) => {
+    choose.setAttribute("aria-expanded", is_open);
+    tree.node.hidden = !is_open;
+    tree.shown(is_open && is_shown);
+  };
+  choose.onclick = () => show_tree(tree.node.hidden);
+  let is_shown = false;
   const { recording } = plots;
   const name = () => `${parts.model.system?.name ?? "nezumi"}_plot`;
   const pause = el("button", { class: "toggle", "aria-pressed": false, text: T.plots.pause, onclick: () => {
@@ -306,18 +305,22 @@ export function make_plots(parts) {
       return chip;
     }));
   };
-  plots.on_changed = () => show_legend();
+  plots.on_changed = () => {
+    show_legend();
+    tree.fill();
+  };
   plots.on_values = show_legend;
   addEventListener("theme", () => show_legend());
-  const tools = el("div", { class: "tools", role: "toolbar", "aria-label": T.views.plots }, ...chooser.nodes, el("span", { class: "gap" }), pause,
+  const tools = el("div", { class: "tools", role: "toolbar", "aria-label": T.views.plots }, choose, el("span", { class: "gap" }), pause,
     el("button", { text: T.plots.zoom_out, onclick: () => plots.follow() }),
     el("button", { text: T.plots.csv, onclick: () => save_as(`${name()}.csv`, "text/csv", to_csv(recording.names, recording.rows)) }),
     el("button", { text: T.plots.svg, onclick: () => save_as(`${name()}.svg`, "image/svg+xml", to_svg(recording.names, recording.rows, line_colors())) }),
     el("button", { class: "quiet", text: T.plots.clear, onclick: () => plots.clear() }));
-  return { node: el("div", { class: "plots" }, tools, plots.legend, plots.box, el("p", { class: "hint", text: T.plots.zoom })),
-    shown: (is_shown) => {
-      if (is_shown) chooser.look();
-      else chooser.stop();
+  const drawing = el("div", { class: "drawing" }, plots.legend, plots.box, el("p", { class: "hint", text: T.plots.zoom }));
+  return { node: el("div", { class: "plots" }, tools, el("div", { class: "both" }, tree.node, drawing)),
+    shown: (whether) => {
+      is_shown = whether;
+      tree.shown(is_shown && !tree.node.hidden);
       plots.shown(is_shown);
     } };
 }

@@ -80,7 +80,7 @@ export const EN = {
   diagram: {
     label: "Components and their connections",
     activate: "Activate", deactivate: "Deactivate", reset: "Reset", remove: "Remove", disconnect: "Disconnect",
-    all: "All", fit: "Fit", arrange: "Arrange", zoom_in: "Closer", zoom_out: "Farther",
+    all: "All", part: "Neighbours only", all_parts: "Whole system", centre: "Component in the middle", fit: "Fit", arrange: "Arrange", zoom_in: "Closer", zoom_out: "Farther",
     about: "Drag from a port to one of the same type. By keyboard: Enter on a port, then on another.",
     connecting: (port, type) => `${port} (${type}): choose a port that lights up, or press Esc.`,
     remove_sure: (name) => `Remove ${name} and its connections?`,
@@ -102,9 +102,9 @@ export const EN = {
   states: { INACTIVE: "inactive", ACTIVE: "active", ERROR: "error", CREATED: "created", REMOTE: "on another host",
     UNKNOWN: "without a state", SILENT: "does not answer", GONE: "gone", UNASKED: "not asked", MISSING: "not there" },
 
-  plots: { search: "Search", without_data: "no data yet", port: "Port", field: "Field", plot: "Plot", pause: "Pause", resume: "Resume", csv: "CSV",
-    svg: "SVG", clear: "Clear", remove: (name) => `Remove ${name}`, empty: "Choose a port and one of its numbers.",
-    zoom_out: "Last minute", before: (name) => `${name}, before`, time: "time [s]", no_fields: "no message yet", zoom: "Drag across the plot to zoom; double-click shows all." },
+  plots: { search: "Search", without_data: "no data yet", tree: "Values that can be plotted", choose: "Values", more: (count) => `… and ${count} more: search.`, pause: "Pause", resume: "Resume", csv: "CSV",
+    svg: "SVG", clear: "Clear", remove: (name) => `Remove ${name}`, empty: "Choose one of the values.",
+    zoom_out: "Last minute", before: (name) => `${name}, before`, time: "time [s]", zoom: "Drag across the plot to zoom; double-click shows all." },
 
   cameras: { none: "This system has no camera.", waiting: "No picture yet." },
 
@@ -128,13 +128,14 @@ export const EN = {
     edit: "Edit arena", edit_hint: "Add, move, turn and remove what stands here: it is written into the system file", add: "Add", remove: "Remove", undo: "Undo",
     words: { box: "Box", wall: "Wall", cylinder: "Cylinder", marker: "Marker", robot: "Robot" },
     hint: (file) => `Changes are written into ${file}, and the system starts again.`, written: (file) => `Written into ${file}.`,
+    full: "There is no free place near the middle of the view: move the view.",
     no_file: "The system file is not within the project: it can't be changed here.", changed: "Another program has changed the file: look at it, and try again.",
     no_call: (line) => `Line ${line} of the file has no such call: it is made by a map or a function. Edit the text.`,
     loop: (line) => `Line ${line} of the file makes several things, as in a loop. Edit the text.`,
     no_robot: (name) => `The file does not contain exactly one robot "${name}" { ... }. Edit the text.`, no_place: (name) => `${name} stands in no line of the file.`,
     not_number: (name) => `'${name}' is computed, or missing. Edit the text.`, choose: "Select what is to be removed.",
   },
-  devices: { press: (sensor) => `Press ${sensor}`, led: (i, is_on) => `light ${i} is ${is_on ? "on" : "off"}`, tone: (hertz) => `♪ ${hertz} Hz` },
+  devices: { of: (robot) => `Devices of ${robot}`, screen: "Its screen", press: (sensor) => `Press ${sensor}`, led: (i, is_on) => `light ${i} is ${is_on ? "on" : "off"}`, tone: (hertz) => `♪ ${hertz} Hz` },
 
   scenarios: {
     one: "Scenario",

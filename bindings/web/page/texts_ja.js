@@ -80,7 +80,7 @@ export const JA = {
   diagram: {
     label: "コンポーネントと接続",
     activate: "アクティブにする", deactivate: "非アクティブにする", reset: "リセット", remove: "削除", disconnect: "接続を切る",
-    all: "すべて", fit: "全体を表示", arrange: "整列", zoom_in: "拡大", zoom_out: "縮小",
+    all: "すべて", part: "隣だけ表示", all_parts: "システム全体", centre: "中央に表示するコンポーネント", fit: "全体を表示", arrange: "整列", zoom_in: "拡大", zoom_out: "縮小",
     about: "ポートから、同じ型のポートへドラッグすると接続します。キーボードでは、それぞれのポートで Enter を押します。",
     connecting: (port, type) => `${port} (${type}): 光っているポートを選んでください。Esc で取り消します。`,
     remove_sure: (name) => `${name} とその接続を削除しますか。`,
@@ -102,9 +102,9 @@ export const JA = {
   states: { INACTIVE: "非アクティブ", ACTIVE: "アクティブ", ERROR: "エラー", CREATED: "生成済み", REMOTE: "ほかのホスト",
     UNKNOWN: "状態なし", SILENT: "応答なし", GONE: "消滅", UNASKED: "未確認", MISSING: "未登録" },
 
-  plots: { search: "検索", without_data: "データなし", port: "ポート", field: "フィールド", plot: "グラフにする", pause: "一時停止", resume: "再開", csv: "CSV",
-    svg: "SVG", clear: "消去", remove: (name) => `${name} を外す`, empty: "ポートと、その中の数値を選んでください。",
-    zoom_out: "直近 1 分", before: (name) => `${name} (戻る前)`, time: "時間 [s]", no_fields: "まだメッセージがありません", zoom: "横にドラッグすると拡大し、ダブルクリックで全体に戻ります。" },
+  plots: { search: "検索", without_data: "データなし", tree: "グラフにできる値", choose: "値を選ぶ", more: (count) => `… ほかに ${count} 個あります。検索で絞り込めます。`, pause: "一時停止", resume: "再開", csv: "CSV",
+    svg: "SVG", clear: "消去", remove: (name) => `${name} を外す`, empty: "グラフにする値を選んでください。",
+    zoom_out: "直近 1 分", before: (name) => `${name} (戻る前)`, time: "時間 [s]", zoom: "横にドラッグすると拡大し、ダブルクリックで全体に戻ります。" },
 
   cameras: { none: "このシステムにはカメラがありません。", waiting: "まだ画像がありません。" },
 
@@ -128,13 +128,14 @@ export const JA = {
     edit: "アリーナを編集", edit_hint: "置いてあるものを追加、移動、回転、削除し、システムファイルに書き込みます", add: "追加", remove: "削除", undo: "元に戻す",
     words: { box: "箱", wall: "壁", cylinder: "円柱", marker: "マーカー", robot: "ロボット" },
     hint: (file) => `変更は ${file} に書き込まれ、システムは最初から動きます。`, written: (file) => `${file} に書き込みました。`,
+    full: "画面の中央の近くに空いた場所がありません。視点を動かしてください。",
     no_file: "システムファイルがプロジェクトの外にあるので、ここでは変更できません。", changed: "ほかのプログラムがファイルを変更しました。内容を確かめて、もう一度試してください。",
     no_call: (line) => `ファイルの ${line} 行目に、この呼び出しはありません (地図か関数が作っています)。テキストを編集してください。`,
     loop: (line) => `ファイルの ${line} 行目は、ループなどで複数のものを作っています。テキストを編集してください。`,
     no_robot: (name) => `ファイルに robot "${name}" { ... } がちょうど 1 つある必要があります。テキストを編集してください。`, no_place: (name) => `${name} はファイルのどの行にもありません。`,
     not_number: (name) => `'${name}' は計算で決まるか、書かれていません。テキストを編集してください。`, choose: "削除するものを選んでください。",
   },
-  devices: { press: (sensor) => `${sensor} を押す`, led: (i, is_on) => `ライト ${i} は${is_on ? "点灯" : "消灯"}`, tone: (hertz) => `♪ ${hertz} Hz` },
+  devices: { of: (robot) => `${robot} の機器`, screen: "画面", press: (sensor) => `${sensor} を押す`, led: (i, is_on) => `ライト ${i} は${is_on ? "点灯" : "消灯"}`, tone: (hertz) => `♪ ${hertz} Hz` },
 
   scenarios: {
     one: "シナリオ",

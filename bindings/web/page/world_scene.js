@@ -165,12 +165,13 @@ export class Scene {
     const kinds = new Map();
     robots.forEach((robot, index) => {
       const { name, ...looks } = robot;
-      const key = JSON.stringify(looks);
+      const color = this.#colors.trails[index % this.#colors.trails.length];
+      const key = JSON.stringify([looks, color]);
       if (!kinds.has(key)) kinds.set(key, []);
-      kinds.get(key).push({ robot, index });
+      kinds.get(key).push({ robot, index, color });
     });
     this.#groups = [...kinds.values()].map((members) => ({ members,
-      mesh: this.#add(new THREE.InstancedMesh(robot_geometry(members[0].robot, this.#colors), shaded(), members.length)) }));
+      mesh: this.#add(new THREE.InstancedMesh(robot_geometry(members[0].robot, { ...this.#colors, arrow: members[0].color }), shaded(), members.length)) }));
     const disc = (texture, color, z) => {
       const material = new THREE.MeshBasicMaterial({ map: texture, color, transparent: true, depthWrite: false });
       const mesh = this.#add(new THREE.InstancedMesh(new THREE.PlaneBufferGeometry(1, 1).translate(0, 0, z), material, Math.max(1, robots.length)));

@@ -27,10 +27,15 @@ function make_arena_tools(world, parts) {
   button.classList.add("acts", "not-real");
   button.title = T.arena.edit_hint;
   world.canvas.addEventListener("keydown", (event) => {
-    if (!world.arena?.is_on) return;
-    if (event.key === "Delete") world.arena.remove();
-    else if (event.key === "z" && event.ctrlKey) world.arena.undo();
-    else return;
+    if (!world.arena?.is_on || event.key !== "Delete") return;
+    world.arena.remove();
+    event.preventDefault();
+  });
+  // Wherever the focus is after a button was pressed, but not in a text, which has an undo of its own.
+  addEventListener("keydown", (event) => {
+    const is_undo = event.key === "z" && (event.ctrlKey || event.metaKey);
+    if (!is_undo || !world.arena?.is_on || !world.canvas.offsetParent || event.target.closest?.("input, textarea, .CodeMirror")) return;
+    world.arena.undo();
     event.preventDefault();
   });
   return [button, place];

@@ -331,7 +331,8 @@ TEST_CASE("the commands on the page about classes in Japanese give the documente
     follow("ja/classroom.md", "", "mkdir robots-7b");
 }
 
-TEST_CASE("each page in Japanese and its English one lead to each other and have as many commands", "[cli][docs]") {
+TEST_CASE("each page in Japanese and its English one lead to each other and have as many sections and commands",
+          "[cli][docs]") {
     std::size_t count = 0;
     for (const auto& entry : fs::directory_iterator(root / "docs/ja")) {
         const std::string name = entry.path().filename().string();
@@ -351,6 +352,19 @@ TEST_CASE("each page in Japanese and its English one lead to each other and have
             return found;
         };
         CHECK(commands(japanese) == commands(english));
+        // The depth of each heading. The README in Japanese is a short one.
+        const auto sections = [](const std::string& page) {
+            std::vector<std::size_t> depths;
+            bool is_text = true;
+            std::istringstream lines(page);
+            for (std::string line; std::getline(lines, line);) {
+                if (line.starts_with("```")) is_text = !is_text;
+                const std::size_t depth = line.find_first_not_of('#');
+                if (is_text && depth != 0 && depth != std::string::npos && line[depth] == ' ') depths.push_back(depth);
+            }
+            return depths;
+        };
+        if (!is_readme) CHECK(sections(japanese) == sections(english));
         ++count;
     }
     CHECK(count >= 4);
