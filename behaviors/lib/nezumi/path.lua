@@ -116,22 +116,25 @@ function path.find(grid, from, to, options)
     local dx, dy = math.abs(goal_column - column), math.abs(goal_row - row)
     return math.max(dx, dy) + (DIAGONAL - 1) * math.min(dx, dy)
   end
-  local open, cost, came_from = {}, { [start] = 0 }, {}
+  local open, cost, came_from, done = {}, { [start] = 0 }, {}, {}
   push(open, start, 0)
   while #open > 0 do
     local index = pop(open)
     if index == goal then return corners(grid, came_from, from, to, goal) end
-    local column, row = (index - 1) % columns + 1, (index - 1) // columns + 1
-    for _, step in ipairs(STEPS) do
-      local c, r = column + step[1], row + step[2]
-      local next_index = (r - 1) * columns + c
-      local diagonal = step[1] ~= 0 and step[2] ~= 0
-      local cuts_corner = diagonal and (blocked[index + step[1]] or blocked[index + step[2] * columns])
-      if c >= 1 and c <= columns and r >= 1 and r <= rows and not blocked[next_index] and not cuts_corner then
-        local way = cost[index] + (diagonal and DIAGONAL or 1)
-        if way < (cost[next_index] or math.huge) then
-          cost[next_index], came_from[next_index] = way, index
-          push(open, next_index, way + estimate(c, r))
+    if not done[index] then -- else it is an older entry with a longer way
+      done[index] = true
+      local column, row = (index - 1) % columns + 1, (index - 1) // columns + 1
+      for _, step in ipairs(STEPS) do
+        local c, r = column + step[1], row + step[2]
+        local next_index = (r - 1) * columns + c
+        local diagonal = step[1] ~= 0 and step[2] ~= 0
+        local cuts_corner = diagonal and (blocked[index + step[1]] or blocked[index + step[2] * columns])
+        if c >= 1 and c <= columns and r >= 1 and r <= rows and not blocked[next_index] and not cuts_corner then
+          local way = cost[index] + (diagonal and DIAGONAL or 1)
+          if way < (cost[next_index] or math.huge) then
+            cost[next_index], came_from[next_index] = way, index
+            push(open, next_index, way + estimate(c, r))
+          end
         end
       end
     end
