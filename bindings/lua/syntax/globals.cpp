@@ -19,7 +19,7 @@ const Named* find(const std::vector<Named>& list, std::string_view name) {
     return found != list.end() ? &*found : nullptr;
 }
 
-std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"; }
+std::string in_quotes(std::string_view name) { return "'" + std::string(name) + "'"; }
 
 // The local variables that are visible at a token, sorted, so that the hint is the same in every run.
 std::vector<std::string_view> locals_at(const SyntaxTree& tree, const Token* token) {
@@ -38,30 +38,30 @@ std::string complaint(const SyntaxTree& tree, const GlobalUse& use, const KnownG
     if (name == environment) return "'_ENV' can't be used: globals are known by their names alone";
     if (contains(known.callbacks, name)) {
         if (!known.is_module) return {};
-        return quoted(name) + " can't be used in a module: callbacks belong in the component's own file";
+        return in_quotes(name) + " can't be used in a module: callbacks belong in the component's own file";
     }
     if (contains(known.readable, name)) {
         if (!use.assigned) return {};
-        return quoted(name) + " can't be assigned: it is predefined (write 'local " + std::string(name) +
+        return in_quotes(name) + " can't be assigned: it is predefined (write 'local " + std::string(name) +
                "' for a variable of that name)";
     }
     const bool has_callbacks = !known.callbacks.empty() && !known.is_module;
     if (name.starts_with("on_") && has_callbacks) {
         std::string hint = did_you_mean(name, known.callbacks);
-        if (!hint.empty()) return "unknown callback " + quoted(name) + hint;
+        if (!hint.empty()) return "unknown callback " + in_quotes(name) + hint;
         for (const std::string_view callback : known.callbacks) {
             hint += (hint.empty() ? "" : ", ") + std::string(callback);
         }
-        return "unknown callback " + quoted(name) + " (there are " + hint + ")";
+        return "unknown callback " + in_quotes(name) + " (there are " + hint + ")";
     }
     if (const Instead* const instead = find(known.instead, name))
-        return "unknown global " + quoted(name) + ": " + std::string(instead->hint);
+        return "unknown global " + in_quotes(name) + ": " + std::string(instead->hint);
     std::vector<std::string_view> candidates = locals_at(tree, use.node->first);
     candidates.insert(candidates.end(), known.readable.begin(), known.readable.end());
     if (has_callbacks) candidates.insert(candidates.end(), known.callbacks.begin(), known.callbacks.end());
     std::string hint = did_you_mean(name, candidates);
     if (hint.empty() && use.assigned) hint = " (declare it first: local " + std::string(name) + ")";
-    return "unknown global " + quoted(name) + hint;
+    return "unknown global " + in_quotes(name) + hint;
 }
 
 // The error for an unknown field of a library: `math.flor`. Assignments have an error of their own.
@@ -72,7 +72,7 @@ std::optional<Error> field_complaint(const GlobalUse& use, const KnownGlobals& k
     const std::vector<std::string_view> fields(library->fields.begin(), library->fields.end());
     if (contains(fields, field->name)) return std::nullopt;
     const std::string whole = library->name + "." + shown(field->name);
-    Error error{"unknown field " + quoted(whole), {{}, field->place->line, field->place->column}};
+    Error error{"unknown field " + in_quotes(whole), {{}, field->place->line, field->place->column}};
     if (const Instead* const instead = find(known.instead, whole)) {
         error.message += ": " + std::string(instead->hint);
     } else if (const std::string_view near = nearest(field->name, fields); !near.empty()) {
