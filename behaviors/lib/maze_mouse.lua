@@ -105,7 +105,6 @@ function Mouse:place(column, row, direction)
   local memory = self.memory
   memory.column, memory.row, memory.direction, memory.odometry = column, row, direction, nil
   memory.here = lane(memory)
-  aim(self, column, row, direction)
 end
 
 --- What walls say of the place in the lane: those at the sides where it is across, one ahead where it is along, and both
@@ -163,7 +162,6 @@ return function(column, row, direction, memory, size)
   self.map = grid({
     columns = 2 * self.columns + 1, rows = 2 * self.rows + 1, cell = CELL / 2, x = -0.75 * CELL, y = -0.75 * CELL,
   }, memory.map)
-  aim(self, memory.column, memory.row, memory.direction)
   if begins then
     for turn = 0, 3 do know(self, column, row, direction + turn, turn ~= 0) end
   end

@@ -77,7 +77,7 @@ scenario("a mouse that has learned a small maze takes its shortest way", {
   s:equal(table.concat(way, ", "), (p.mirrored and mirrored_ways or ways)[p.solver])
   s:near(solver.state.time, s:now() - begun, 0.05)
   s:near(fastest, 0.4, 1e-9)
-  s:check(#solver:map() > 7 * 7)
+  s:equal(#solver:map(), 8 * 7 - 1, "7 lines")
 end)
 
 scenario("a goal of several cells is reached in the nearest", { timeout = 60 }, function(s)
@@ -91,6 +91,7 @@ scenario("the mice of the mazes have their defaults", function(s)
   local function has(script, expected)
     local config = s:behavior(script, { script = script }).config
     for name, value in pairs(expected) do s:equal(config[name], value, name) end
+    s:equal(#s.world[script]:map(), 34 * 33 - 1, "33 lines")
   end
   has("left_hand", { goal = { 8, 8 }, speed = 0.3 })
   for _, script in ipairs { "flood_fill", "diagonal" } do
