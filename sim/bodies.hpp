@@ -105,6 +105,9 @@ struct SimRobot {
     std::vector<Vec3> contact_points;    // points of the latest step of this call in which it touched something
     Neighbours near;
     std::string name;
+    std::vector<double> message;       // that others can hear
+    std::vector<double> next_message;  // from the next step on
+    bool says_anew = false;
     std::vector<bool> pressed;   // by sensor of the spec
     std::vector<double> servos;  // [rad] by actuator of the spec
 };
@@ -133,6 +136,7 @@ struct Movers {
 
     bool is_thing(Scene::Index mover) const { return mover < things.size(); }
     SimRobot& robot(Scene::Index mover) { return robots[mover - things.size()]; }
+    const SimRobot& robot(Scene::Index mover) const { return robots[mover - things.size()]; }
 };
 
 }  // namespace nezumi::sim

@@ -1,6 +1,7 @@
 // A world of robots and things in ODE.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -20,6 +21,7 @@
 #include "sim/robot_model.hpp"
 #include "sim/rolling_ahead.hpp"
 #include "sim/scene.hpp"
+#include "sim/simulated_body.hpp"
 #include "sim/sound_files.hpp"
 #include "sim/world.hpp"
 
@@ -79,6 +81,11 @@ public:
     SimRobot& robot(RobotId id) { return movers_.robots[id]; }
     const SimRobot& robot(RobotId id) const { return movers_.robots[id]; }
     void read_ranges(const SimRobot& robot, std::span<double> distances, std::span<const std::uint8_t> due) const;
+    /// Appends the other robots within the sensor's radius, unless something is between.
+    void list_neighbours(const SimRobot& robot, const SensorSpec& neighbours,
+                         std::vector<SimulatedBody::InSight>& seen) const;
+    /// Others hear it from the next step on. Several robots may speak at once.
+    void say(RobotId id, std::span<const double> message);
     bool touches_something(const SimRobot& robot, const SensorSpec& touch_sensor) const;
     /// The floor's colour for a downward-looking sensor. Nothing outside the floor's picture, or if the sensor is too
     /// high.
@@ -120,6 +127,7 @@ private:
     Expected<void> move_label(const Label& label, Shape& shape, const Pose2D& pose, Scene::Index self);
 
     // Stepping (stepping.cpp).
+    void publish_messages();
     int step_together(int most);
     void step_others(int index);
     void place(const Thing& thing);
@@ -135,6 +143,7 @@ private:
     void tell_who_left();
     void restore(const BodyView& body, const Shape& last, double drop, const std::string& name);
 
+    std::atomic<bool> somebody_speaks_ = false;
     double step_;
     std::uint64_t seed_;             // of the sensors' noise
     std::optional<Point2D> inside_;  // [m] size of an arena that robots can't leave

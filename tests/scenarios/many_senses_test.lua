@@ -53,7 +53,7 @@ scenario("mice that look in all directions become a flock", {
 }, function(s, p)
   local world = s:load "systems/flock.lua"
   local mice = {}
-  for i = 1, 7 do mice[i] = world["mouse_" .. i] end
+  for i = 1, 50 do mice[i] = world["mouse_" .. i] end
   local pose = mice[1].truth.pose
   local begin = { pose.position.x + p.one, pose.position.y + p.two, p.three }
   s:teleport("mouse_1", { x = begin[1], y = begin[2], heading = begin[3] })
@@ -61,8 +61,8 @@ scenario("mice that look in all directions become a flock", {
 
   local function nearest()
     local least = math.huge
-    for i = 1, 7 do
-      for j = i + 1, 7 do
+    for i = 1, 50 do
+      for j = i + 1, 50 do
         least = math.min(least, distance(mice[i].truth.pose.position, mice[j].truth.pose.position))
       end
     end
@@ -74,7 +74,7 @@ scenario("mice that look in all directions become a flock", {
     for _, mouse in ipairs(mice) do
       x, y = x + math.cos(mouse.truth.pose.heading), y + math.sin(mouse.truth.pose.heading)
     end
-    return math.sqrt(x * x + y * y) / 7
+    return math.sqrt(x * x + y * y) / 50
   end
   s:check(order() < 0.6, "no flock yet")
   s:always("keep off each other", function() return nearest() > 0.105 end)

@@ -182,7 +182,7 @@ end)
 scenario("flock", { timeout = 60, sweep = { x = range(-0.05, 0.05), heading = range(-3, 3) }, samples = 1 }, function(s, p)
   local world = s:load "systems/flock.lua"
   local mice, feeds = {}, {}
-  for i = 1, 7 do
+  for i = 1, 50 do
     mice[i] = world["mouse_" .. i]
     feeds["flock_" .. i .. ".ranges"] = mice[i].ir_sensor_metre_out
   end
@@ -191,8 +191,8 @@ scenario("flock", { timeout = 60, sweep = { x = range(-0.05, 0.05), heading = ra
   s:teleport("mouse_1", { x = at.x + p.x, y = at.y, heading = p.heading })
   local function apart()
     local least = 1
-    for i = 1, 7 do
-      for j = i + 1, 7 do
+    for i = 1, 50 do
+      for j = i + 1, 50 do
         least = math.min(least, distance(mice[i].truth.pose.position, mice[j].truth.pose.position))
       end
     end

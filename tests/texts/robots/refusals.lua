@@ -23,6 +23,19 @@ ports = { p = { type = 'TimedPose2D', form = 'odometry' } }
 ports = { p = { type = 'TimedPose2D', from = 'odometry', queue = 3 } }
 --                                                       ^ error: robot_model: unknown field 'ports.p.queue': expected type, from, doc, rate, quantity
 
+--- The message says what is wrong with a sensor of neighbours and with its ports.
+sensors = { near = { kind = 'neighbours', radus = 1 } }
+--                                        ^ error: robot_model: unknown field 'sensors.near.radus' (did you mean 'radius'?)
+
+sensors = { near = { kind = 'neighbours', loss = 2 } }
+--                                        ^ error: robot_model: field 'sensors.near.loss' expected
+
+sensors = { near = { kind = 'neighbours', on = 'head' } }
+--                                        ^ error: robot_model: field 'sensors.near.on' is not for neighbours: the hull carries that sensor
+
+sensors = { near = { kind = 'range', radius = 1 } }
+--                                   ^ error: robot_model: unknown field 'sensors.near.radius'
+
 --- The message names a sensor that the robot needs and does not have.
 return robot_model { mass = 1, sensors = { eye = { kind = 'range' } },
 drive = { radius = 0.02, track = 0.1, needs = { 'eyes' } } }
