@@ -79,7 +79,9 @@ struct SimRobot {
     /// Sets whether ODE's solver moves the robot in the next step.
     void leave_to_ode(bool solved_by_ode);
     /// True if the robot can roll freely, provided that its motion allows it.
-    bool may_roll() const { return !kept_by_ode && !meets && !coasting && !constraint; }
+    bool may_roll() const { return !meets && !coasting && is_alone(); }
+    /// True if ODE is not needed: nothing that moves touches the robot or drags it.
+    bool is_alone() const { return !kept_by_ode && !meets_mover && !constraint; }
     /// True if the motors hold the wheels at standstill.
     bool is_held() const { return !coasting && speeds.left == 0 && speeds.right == 0; }
     /// Turns the driven wheels by `steps` steps of `step` [s].
@@ -92,7 +94,8 @@ struct SimRobot {
     bool left = false;  // has left the arena; reported once
     bool has_neighbours = false;
     bool meets = false;        // touches something other than the flat floor in this step
-    bool by_ode = true;        // ODE's solver moves it; otherwise it rolls freely
+    bool meets_mover = false;  // touches a robot or a thing in this step
+    bool by_ode = true;        // ODE's solver moves it
     bool kept_by_ode = false;  // ODE's solver always moves it: for tests that compare the two ways
     bool coasting = false;
     bool on_slope = false;  // a wheel or skid stands on a slope, in this step
@@ -100,7 +103,7 @@ struct SimRobot {
     Wheels angles;          // [rad]
     ConstraintMotors constraint;
     std::unique_ptr<RayFan> turned_fan;  // set when a servo that carries a sensor has moved
-    Motion rolling{};                    // motion after the step, if it rolls freely
+    Motion next{};                       // motion after the step, if ODE's solver does not move it
     std::optional<Obstacle> touched;     // the first obstacle touched in this call of `step`
     std::vector<Vec3> contact_points;    // points of the latest step of this call in which it touched something
     Neighbours near;

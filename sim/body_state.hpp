@@ -45,7 +45,7 @@ void BodyStateOf<Real>::advance(const MotionOf<Real>& how, double step) {
     const Vector<Real> less = spin.cwiseProduct(along);
     Real w = turn[0] - (less.x() + less.y() + less.z()) * Real(step / 2);
     Real x = turned.x(), y = turned.y(), z = turned.z();
-    // The same formulas as dNormalize4 and dQtoR.
+    // The formulas of dNormalize4 and dQtoR.
     const Real scale = 1 / root(w * w + x * x + y * y + z * z);
     turn = {w *= scale, x *= scale, y *= scale, z *= scale};
     const Real xx = 2 * x * x, yy = 2 * y * y, zz = 2 * z * z;

@@ -18,7 +18,7 @@ class OdeWorld;
 /// camera is not painted.
 class SimCamera final : public CameraSource {
 public:
-    /// `world` must outlive it. `distortion` comes from the camera's settings, if they have one.
+    /// `world` must outlive this object. `distortion` comes from the camera's settings, if they have one.
     SimCamera(const OdeWorld& world, std::optional<RobotId> carrier, const CameraMount& mount,
               const CameraSettings& settings, std::optional<Distortion> distortion);
 

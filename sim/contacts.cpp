@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/contact_solver.hpp"
 #include "sim/free_rolling.hpp"
 
 namespace nezumi::sim {
@@ -29,21 +30,35 @@ void Contacts::find(std::span<SimRobot* const> robots) {
     any_by_ode_ = false;
     for (SimRobot* robot : robots) {
         if (robot->has_neighbours) touch_neighbours(*robot);
+        advance(*robot);
+        robot->meets = robot->meets_mover = robot->on_slope = false;
     }
     for (Thing& thing : movers_.things) {
         if (thing.asleep) continue;
-        any_by_ode_ = true;
         touch_floor(thing);
         touch_neighbours(thing);
-    }
-    for (SimRobot* robot : robots) {
-        const bool free = rolls_freely(*robot);
-        robot->meets = false;
-        robot->leave_to_ode(!free);
-        if (free) continue;
         any_by_ode_ = true;
-        touch_floor(*robot);
-        robot->on_slope = false;
+        join();
+    }
+}
+
+// Computes the robot's motion, or leaves it to ODE. All its contacts but those with the floor must have been found.
+void Contacts::advance(SimRobot& robot) {
+    const auto state = [&] { return robot.body.state(); };
+    std::optional<Motion> next;
+    if (robot.may_roll()) next = roll_freely(*robot.model, state(), robot.speeds, step_);
+    if (!next) {
+        touch_floor(robot);
+        if (robot.is_alone()) next = solve_contacts(*robot.model, state(), found_, step_);
+    }
+    robot.leave_to_ode(!next);
+    if (next) {
+        robot.next = *next;
+        found_.clear();
+        pairs_.clear();
+    } else {
+        any_by_ode_ = true;
+        join();
     }
 }
 
@@ -56,17 +71,11 @@ void Contacts::forget_touches() {
     touched_.clear();
 }
 
-bool Contacts::rolls_freely(SimRobot& robot) const {
-    if (!robot.may_roll()) return false;
-    const auto motion = roll_freely(*robot.model, robot.body.state(), robot.speeds, step_);
-    if (motion) robot.rolling = *motion;
-    return motion.has_value();
-}
-
 void Contacts::meet(SimRobot& robot, const Obstacle& obstacle) {
     if (!robot.meets) robot.contact_points.clear();
     robot.contact_points.insert(robot.contact_points.end(), points_.begin(), points_.end());
     robot.meets = true;
+    robot.meets_mover = robot.meets_mover || obstacle.moves;
     if (robot.touched) return;
     robot.touched = obstacle;
     touched_.push_back(robot.mover);
@@ -81,7 +90,16 @@ Spring Contacts::spring_of(const Thing& thing) const {
 void Contacts::attach(const dContact& contact, dBodyID a, dBodyID b) {
     ++count_;
     points_.emplace_back(Eigen::Map<const Vec3>(contact.geom.pos));
-    dJointAttach(dJointCreateContact(world_, joints_.get(), &contact), a, b);
+    found_.push_back(contact);
+    pairs_.emplace_back(a, b);
+}
+
+// Gives the contacts to ODE.
+void Contacts::join() {
+    for (std::size_t i = 0; i < found_.size(); ++i)
+        dJointAttach(dJointCreateContact(world_, joints_.get(), &found_[i]), pairs_[i].first, pairs_[i].second);
+    found_.clear();
+    pairs_.clear();
 }
 
 void Contacts::add_contact(dBodyID a, dBodyID b, const Touch& touch, const Spring& spring, double friction) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sim/bodies.hpp"
@@ -15,13 +16,13 @@ namespace nezumi::sim {
 
 class Contacts {
 public:
-    /// `step` [s] is the length of a step. All must outlive it, the world first.
+    /// `step` [s] is the length of a step. All other arguments must outlive this object.
     Contacts(dWorldID world, double step, const Scene& scene, Movers& movers, Islands& islands);
 
     /// Makes the contacts of these robots, and of the things that are awake, with the floor and their neighbours.
-    /// Records who touched whom and wakes touched things. A robot that rolls freely gets no contacts but its
-    /// `SimRobot::rolling`. `robots` must contain all robots that have neighbours. The neighbour lists and the scene
-    /// must be up to date.
+    /// Records who touched whom and wakes touched things. A robot that touches no mover gets its `SimRobot::next`
+    /// instead of joints. `robots` must contain all robots that have neighbours, in the order of adding. The neighbour
+    /// lists and the scene must be up to date.
     void find(std::span<SimRobot* const> robots);
     /// Clears the records of touches.
     void forget_touches();
@@ -37,7 +38,7 @@ public:
     void keep() { OdeLibrary::keep(joints_.release()); }
 
 private:
-    bool rolls_freely(SimRobot& robot) const;
+    void advance(SimRobot& robot);
     void touch_floor(SimRobot& robot);
     void touch_neighbours(SimRobot& robot);
     // Records that the robot touches this obstacle at the latest contacts.
@@ -56,6 +57,7 @@ private:
     void add_skid_contact(SimRobot& robot, const Touch& touch, dBodyID other);
     void add_contact(dBodyID a, dBodyID b, const Touch& touch, const Spring& spring, double friction);
     void attach(const dContact& contact, dBodyID a, dBodyID b);
+    void join();
 
     dWorldID world_;
     double step_;
@@ -63,6 +65,8 @@ private:
     Movers& movers_;
     Islands& islands_;
     JointGroupHandle joints_;
+    std::vector<dContact> found_;                     // of the mover that is being checked, not yet joints
+    std::vector<std::pair<dBodyID, dBodyID>> pairs_;  // which these contacts are between
     std::size_t count_ = 0;
     std::vector<Scene::Index> touched_;  // movers: robots that have touched something
     std::vector<Vec3> points_;           // contact points of the pair that is being checked

@@ -142,7 +142,7 @@ struct SupportsOf {
     Holds<Real> wheels_stand;
 };
 
-// The same formula as in geometry.hpp.
+// Uses the formula of geometry.hpp.
 template <class Real>
 Vector<Real> turned_by(const Matrix<Real>& r, const Vec3& v) {
     return r.col(0) * Real(v.x()) + r.col(1) * Real(v.y()) + r.col(2) * Real(v.z());
@@ -262,7 +262,7 @@ struct AnyProcessor {
 };
 
 #if defined(__x86_64__)
-// The same operations with AVX2, four numbers at a time and with three operands: the same bits.
+// The operations with AVX2, four numbers at a time and with three operands. They give the same bits.
 struct Avx2 {
     [[gnu::flatten, gnu::target("avx2")]] static void take_steps_side_by_side(const RobotModel& model,
                                                                               BodyStateOf<Lanes>& body,

@@ -36,7 +36,7 @@ struct Lanes {
     Numbers numbers;
 };
 
-/// A truth value for each lane.
+/// A boolean for each lane.
 struct LaneMask {
     using Vector = std::int64_t __attribute__((vector_size(Lanes::count * sizeof(std::int64_t))));
     using Bits __attribute__((aligned(16))) = Vector;
@@ -77,7 +77,7 @@ inline Lanes root(Lanes x) {
     return roots;
 }
 
-// The same as std::min and std::max, also for equal arguments.
+// Equal to std::min and std::max, also for equal arguments.
 template <class Real>
 Real lesser(Real a, Real b) {
     return choose(b < a, b, a);

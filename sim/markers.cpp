@@ -20,10 +20,8 @@ auto find_marker(std::vector<MarkerPose>& markers, std::string_view name) {
 }
 
 Unexpected no_marker(std::string_view name, const std::vector<MarkerPose>& markers) {
-    std::vector<std::string_view> names(markers.size());
-    std::transform(markers.begin(), markers.end(), names.begin(),
-                   [](const MarkerPose& marker) { return std::string_view(marker.name); });
-    return failure(fmt::format("there is no marker '{}'{}", shown(name), did_you_mean(name, names)));
+    return failure(
+        fmt::format("there is no marker '{}'{}", shown(name), did_you_mean(name, markers, &MarkerPose::name)));
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ void cut_box(const Shape& box, const Vec3& centre, const Vec3& axis, const Vec3&
               });
 }
 
-// The same for an upright cylinder and a wheel that stands about upright.
+// The cut of an upright cylinder and a wheel that is about upright.
 void cut_cylinder(const Shape& cylinder, const Vec3& centre, const Vec3& axis, const Vec3& forward, Polygon& cut) {
     const Vec3 from = cylinder.centre - centre;
     const double aside = dot({from.x(), from.y(), 0}, axis);

@@ -256,7 +256,7 @@ std::optional<double> OdeWorld::clearance(RobotId id, double most) const {
         const double far = least + reach + shape.reach();
         if (dx * dx + dy * dy < far * far) least = std::min(least, gap_from_above(hull, shape));
     };
-    // What is near is found fast; if there is something, nothing else can be nearer.
+    // Near objects are found fast; if there is one, no object farther away can be nearer.
     for (const double range : {0.1 * most, most}) {
         scene_.for_each_fixed_near(hull.centre.x(), hull.centre.y(), reach + range,
                                    [&](Scene::Index, const Shape& shape) { look(shape); });

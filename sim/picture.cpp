@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include <charconv>
 #include <filesystem>
 #include <memory>
 
+#include "engine/base/number_in.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi::sim {
@@ -54,11 +54,8 @@ Expected<Picture> read_picture(const std::string& file) {
 }
 
 Rgb parse_color(const std::string& text) {
-    Rgb color = 0;
     if (text.size() != 7 || text[0] != '#') return grey;
-    const char* end = text.data() + text.size();
-    const auto [stopped, error] = std::from_chars(text.data() + 1, end, color, 16);
-    return error == std::errc() && stopped == end ? color : grey;
+    return number_in<Rgb>(std::string_view(text).substr(1), 16).value_or(grey);
 }
 
 }  // namespace nezumi::sim

@@ -9,7 +9,8 @@ class OdeWorld;
 
 class SimRobotBody final : public SimulatedBody {
 public:
-    /// `world` and `spec` must outlive it. The destructor removes the robot from the world. `seed` is for sensor noise.
+    /// `world` and `spec` must outlive this object. The destructor removes the robot from the world. `seed` is for
+    /// sensor noise.
     SimRobotBody(OdeWorld& world, RobotId id, const RobotSpec& spec, std::uint64_t seed)
         : SimulatedBody(spec, seed), world_(world), id_(id) {}
     ~SimRobotBody() override;

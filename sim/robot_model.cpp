@@ -122,10 +122,10 @@ RayFan RobotModel::fan_at(const std::vector<double>& servo_angles) const {
         }
         if (sensor.kind == SensorSpec::Kind::scan) {
             const ScanAngles angles = angles_of(sensor);
-            for (int k = 0; k < sensor.rays; ++k) {
-                const double angle = yaw + angles.first + angles.step * k;
-                rays.add({at + origin, {std::cos(angle), std::sin(angle), 0}, sensor.range, slot++});
-            }
+            const auto count = static_cast<std::size_t>(sensor.rays);
+            rays.add_scan({.from = at + origin, .range = sensor.range, .sensor = slot}, yaw + angles.first, angles.step,
+                          count);
+            slot += count;
             continue;
         }
         const int count = sensor.cone > 0 ? std::max(1, sensor.rays) : 1;

@@ -39,7 +39,7 @@ namespace per_kilogram {
 inline constexpr double firm = 18'750, firm_damping = 437.5;  ///< wheels, hulls, things
 inline constexpr double skid = 940, skid_damping = 41.9;      ///< soft: rigid skids would lift the wheels on a ramp
 inline constexpr double slip = 8e-4;                          ///< [m/s for each N, times kg] creep of a loaded wheel
-inline constexpr double held_creep = 8e-8;                    ///< the same for a wheel on a slope
+inline constexpr double held_creep = 8e-8;                    ///< creep of a loaded wheel on a slope
 }  // namespace per_kilogram
 
 /// Common to the surfaces of all contacts.
@@ -78,7 +78,7 @@ struct RobotModel {
     dContact held_contact{};      ///< of a wheel held on a slope; position and direction are set per step
     dContact coasting_contact{};  ///< of a coasting wheel; position and direction are set per step
     dContact skid_contact{};      ///< position is set per step
-    // The same for a robot that rolls freely.
+    // The contacts of a robot that rolls freely.
     SoftEquation wheel_normal, wheel_along, wheel_across, skid_normal;
 
     RayFan fan;  ///< of range sensors and scans, with servos at 0; distances in the spec's order

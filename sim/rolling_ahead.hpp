@@ -18,7 +18,7 @@ namespace nezumi::sim {
 /// is ahead of the others. Its previous state is kept, because the lists may expire early.
 class RollingAhead {
 public:
-    /// `step` [s] is the length of a step. All must outlive it.
+    /// `step` [s] is the length of a step. `movers` and `scene` must outlive this object.
     RollingAhead(Movers& movers, Scene& scene, double step) : movers_(movers), scene_(scene), step_(step) {}
 
     /// Threads that share the robots; null for none. The result does not depend on their number.

@@ -32,7 +32,7 @@ public:
     const std::vector<Shape>& fixed() const { return fixed_; }
     const std::vector<Shape>& movers() const { return movers_; }
 
-    /// For moving a mover. Searches use its place at the last refresh.
+    /// For moving a mover. Searches use its position at the last refresh.
     Shape& mover(Index index) { return movers_[index]; }
 
     /// Searches use the present places of all movers from now on.
@@ -53,7 +53,7 @@ public:
         for (const Index i : large_fixed_) look(i);
     }
 
-    /// The same for movers, each visited once.
+    /// Visits the movers near a point, each once.
     template <class Visit>
     void for_each_mover_near(double x, double y, double reach, Index except, Visit&& visit) const {
         const auto look = [&](Index i) {

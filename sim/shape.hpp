@@ -25,7 +25,7 @@ struct Shape {
     double reach() const;
     /// Half the height [m] of the shape at its present rotation.
     double half_height() const { return half_height_at(rotation); }
-    /// The same at another rotation.
+    /// Half the height [m] of the shape at another rotation.
     template <class Real>
     Real half_height_at(const Eigen::Matrix<Real, 3, 3>& how) const;
     /// Whether its own z axis is vertical, up or down, within 0.01 rad.

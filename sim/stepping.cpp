@@ -115,7 +115,7 @@ void OdeWorld::advance() {
     for (const SimRobot* robot : ahead_.others()) {
         if (robot->by_ode) continue;
         BodyState state = robot->body.state();
-        state.advance(robot->rolling, step_);
+        state.advance(robot->next, step_);
         robot->body.arrive(state);
     }
 }

@@ -16,7 +16,7 @@ namespace nezumi::sim {
 Expected<std::unique_ptr<World>> make_world(const ArenaSpec& arena, const PhysicsSpec& physics,
                                             std::function<void(const std::string&)> warn);
 
-/// The same with sounds: what robots say is written as WAV files (`SoundFiles`) to this folder, which is made if
+/// Makes worlds with sounds: what robots say is written as WAV files (`SoundFiles`) to this folder, which is made if
 /// missing. Fails if that is not possible.
 WorldFactory make_worlds_with_sound(std::string folder);
 

@@ -60,7 +60,7 @@ class Tool:
 
 
 FLAG = {"type": "boolean"}
-VALUE = {"description": "a number, a text, a truth value, a list or an object of them"}
+VALUE = {"description": "a number, a text, a boolean, a list or an object of them"}
 
 TOOLS = {
     "list_files": Tool("The files of the project: behaviours, systems, scenarios and others; your drafts; which scenarios count."),

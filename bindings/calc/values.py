@@ -12,7 +12,7 @@ class Wrong(Exception):
 
 
 class Part:
-    """One number, truth value or text of a message: its name within the message, its unit, its kind."""
+    """One number, boolean or text of a message: its name within the message, its unit, its kind."""
 
     def __init__(self, name, unit, kind, steps):
         self.name, self.unit, self.kind, self.steps = name, unit, kind, steps

@@ -14,7 +14,7 @@ namespace nezumi {
 class BreakCondition {
 public:
     /// Copies the function at `index`. It may use its argument, the library, and local variables of the console whose
-    /// values are numbers, texts or truth values. Raises no error.
+    /// values are numbers, texts or booleans. Raises no error.
     static Expected<std::unique_ptr<BreakCondition>> of_function(lua_State* lua, int index);
 
     /// Calls it with a table of variables. An error if it fails.

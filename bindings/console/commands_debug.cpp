@@ -2,16 +2,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "bindings/console/console_commands.hpp"
 #include "bindings/console/profile_text.hpp"
+#include "bindings/lua/sandbox/bytecode.hpp"
+#include "bindings/lua/sandbox/compile.hpp"
 #include "bindings/lua/script/script_component.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/base/trimmed.hpp"
-#include "engine/base/visible.hpp"
 #include "engine/live/answer_question.hpp"
 #include "engine/live/explain.hpp"
 #include "engine/tree/node.hpp"
@@ -24,11 +26,7 @@ namespace {
 Expected<LineTrace::Watched> read_place(const std::string& text) {
     const std::size_t colon = text.rfind(':');
     LineTrace::Watched place{.file = text.substr(0, colon)};
-    if (colon != text.npos) {
-        const char* const end = text.data() + text.size();
-        const auto [rest, problem] = std::from_chars(text.data() + colon + 1, end, place.line);
-        if (problem != std::errc() || rest != end) place.line = 0;
-    }
+    if (colon != text.npos) place.line = number_in<int>(text.substr(colon + 1)).value_or(0);
     if (place.file.empty() || place.line < 1)
         return failure(
             fmt::format("expected a file and a line, as in break_at \"keeper.lua:12\", got '{}'", shown(text)));
@@ -52,7 +50,7 @@ std::string file_in(const ScriptComponent& script, const std::string& name) {
     return "";
 }
 
-// The text of a line of a file; an error if no behaviour runs it.
+// The text of a line of a file; an error if no execution of a behaviour can run it.
 Expected<std::string> line_of(const System& system, const LineTrace::Watched& place) {
     std::string files;
     for (const ScriptComponent* script : scripts_of(system)) {
@@ -66,9 +64,12 @@ Expected<std::string> line_of(const System& system, const LineTrace::Watched& pl
         for (int line = 1; line < place.line && !rest.empty(); ++line)
             rest.remove_prefix(std::min(rest.find('\n'), rest.size() - 1) + 1);
         const std::string line(trimmed(rest.substr(0, rest.find('\n'))));
-        if (line.empty() || line.starts_with("--"))
-            return failure(fmt::format("line {} of {} has no code", place.line, file));
-        return line;
+        const auto chunk = compile(whole, file);
+        const std::set<int> lines = chunk ? lines_of_functions(chunk->bytecode) : std::set<int>();
+        if (lines.contains(place.line)) return line;
+        const auto next = lines.upper_bound(place.line);
+        return failure(fmt::format("no execution runs line {} of {}{}", place.line, file,
+                                   next == lines.end() ? "" : fmt::format("; the next that one may run is {}", *next)));
     }
     return failure(fmt::format("no behaviour runs a file '{}'; there {} {}", shown(place.file),
                                files.find(',') == files.npos ? "is" : "are", files.empty() ? "none" : files));
@@ -222,8 +223,20 @@ void show_profile(Session::Parts& parts) {
     watch_lines(parts);
     const double rate = parts.live.system().settings().rate;
     parts.show(cost_table(profile->components, rate));
+    std::vector<std::string> others;
+    for (const auto& component : parts.live.system().components()) {
+        if (dynamic_cast<const ScriptComponent*>(component) == nullptr &&
+            dynamic_cast<const Device*>(component) == nullptr)
+            others.push_back(component->name());
+    }
+    if (!others.empty()) parts.show(fmt::format("not measured, because written in C++: {}", fmt::join(others, ", ")));
     const auto only = profile->components.find(profile->by_line);
     if (only == profile->components.end()) return;
+    if (only->second.lines.nodes().size() <= 1 && !only->second.times.empty())
+        return parts.show(
+            fmt::format("its lines were not measured, because break_at looked at them: unwatch() ends it"));
+    parts.show(
+        fmt::format("measuring each line takes time itself: without it {} is faster than shown", profile->by_line));
     for (const ScriptComponent* script : scripts_of(parts.live.system())) {
         if (script->name() != profile->by_line) continue;
         parts.show(

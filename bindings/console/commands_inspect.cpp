@@ -153,7 +153,12 @@ Expected<CommandEnd> command_find(Session::Parts& parts, const Arguments& argume
 Expected<CommandEnd> command_errors(Session::Parts& parts, const Arguments&) {
     std::string text;
     const auto add = [&text](const std::string& line) { text += (text.empty() ? "" : "\n") + line; };
+    const ActTime now = parts.live.when();
+    const double seconds = parts.live.system().now().seconds;
     for (const LogLine& line : parts.clock.problems()) {
+        // In the past, what came later has not happened.
+        const bool is_later = line.start > now.start || (line.start == now.start && line.seconds > seconds);
+        if (parts.live.is_past() && is_later) continue;
         const std::string start = line.start == parts.live.starts() ? "" : fmt::format("start {}, ", line.start);
         add(fmt::format("[{}{:.3f}] {}{}{}: {}", start, line.seconds, to_text(line.level),
                         line.component.empty() ? "" : " ", line.component, visible_message(line.text)));
@@ -162,7 +167,7 @@ Expected<CommandEnd> command_errors(Session::Parts& parts, const Arguments&) {
         if (component->state() != LifeState::error) continue;
         const Error& error = component->last_error();
         add(fmt::format("{} is in ERROR: {}", component->name(), visible_message(describe(error))));
-        // A single function without variables says no more than the error's place.
+        // A single function without variables says no more than the error's location.
         if (error.frames && (error.frames->all.size() > 1 || !error.frames->all.front().locals.empty()))
             add(frames_text(*error.frames));
     }

@@ -25,7 +25,7 @@ struct Present {
 
 Present present_of(const RunningSystem& live) { return {live.project(), live.spec()}; }
 
-// What is added belongs to the file of the system, without a line.
+// An added entry belongs to the file of the system, without a line.
 WordCall call_of(const std::string& word, const Present& present) { return {word, {present.spec.file}, nullptr}; }
 
 // An error of the input has no file; an error of a script or robot file has one. The console adds the word itself.

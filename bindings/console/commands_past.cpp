@@ -46,8 +46,9 @@ double seconds_at(const RunningSystem& live, const ActTime& when) {
 }
 
 std::string told(const RunningSystem& live) {
-    const std::string& branch = live.history().branches()[live.history().current()].name;
-    return fmt::format("at {:g} s of {}, paused{}", live.system().now().seconds, branch,
+    const RunHistory::Branch& branch = live.history().branches()[live.history().current()];
+    const std::string start = branch.end.start == 1 ? "" : fmt::format(", start {}", live.starts());
+    return fmt::format("at {:g} s of {}{}, paused{}", live.system().now().seconds, branch.name, start,
                        live.is_past() ? ": resume() repeats what followed, every change begins a new branch" : "") +
            (live.is_away() ? "; other programs wait: resume { live = true } comes back to them" : "");
 }
@@ -138,6 +139,7 @@ Expected<CommandEnd> explain_failure(Session::Parts& parts, const std::string& n
     if (auto computed = compute(parts, ***past); !computed) return Unexpected(computed.error());
     // The past system belongs to this command, but its ticks belong to the thread that runs ticks.
     const auto explained = parts.at_system([&]() -> std::optional<Expected<std::string>> {
+        then.repeat_known();  // an act may have begun the execution
         const auto trace = then.explain_next(name);
         if (!trace) return failure(fmt::format("{} failed outside an execution: errors() shows where", name));
         then.tick();
@@ -179,10 +181,19 @@ Expected<CommandEnd> command_rewind(Session::Parts& parts, const Arguments& argu
     if (!seconds) return Unexpected(seconds.error());
     if (!(*seconds >= 0)) return failure(fmt::format("expected seconds from 0 on, got {:g}", *seconds));
     return go_to(parts, [&]() -> Expected<Seek> {
-        const std::int64_t now = parts.live.system().now().tick;
-        if (*seconds > parts.live.system().now().seconds + 1e-9)
-            return failure(fmt::format("only {:g} s have passed since the start", parts.live.system().now().seconds));
-        return Seek{.tick = now - tick_at(parts.live, *seconds), .start = parts.live.starts()};
+        Seek where{.tick = parts.live.system().now().tick - tick_at(parts.live, *seconds),
+                   .start = parts.live.starts()};
+        // Before a restart, time goes on at its end.
+        while (where.tick < 0) {
+            const auto end = where.start > 1 ? parts.live.history().end_of_start(where.start - 1) : std::nullopt;
+            if (!end) {
+                const double back = static_cast<double>(where.tick) / parts.live.system().settings().rate;
+                return failure(fmt::format("only {:g} s have passed since the start", *seconds + back));
+            }
+            where.tick += *end;
+            --where.start;
+        }
+        return where;
     });
 }
 

@@ -211,7 +211,7 @@ Expected<CommandEnd> command_plot(Session::Parts& parts, const Arguments& argume
         const auto answer = ask_host(*parts.objects, parts.live, question_of(name, plot->seconds));
         if (auto taken = take_answer(each, answer); !taken) return Unexpected(taken.error());
     }
-    // What is drawn is a copy: drawing takes longer than a look.
+    // A copy is drawn, because drawing takes longer than copying.
     auto looked = parts.at_system([&]() -> Expected<PlotCurves> {
         auto curves = look_at_plot(parts.live, *plot);
         if (curves && plot->every > 0) {

@@ -1,5 +1,4 @@
 // Commands that connect and disconnect ports.
-#include <fmt/format.h>
 
 #include "bindings/console/console_commands.hpp"
 #include "bindings/lua/live/hosts_object.hpp"

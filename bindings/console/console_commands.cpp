@@ -1,18 +1,17 @@
 // One C function serves all commands. It raises a Lua error for a wrong call only after all C++ objects are destroyed.
 #include "bindings/console/console_commands.hpp"
 #include "bindings/lua/live/object_core.hpp"
+#include "bindings/lua/sandbox/slices.hpp"
 #include "bindings/lua/values/codec.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <optional>
-#include <utility>
 
 namespace nezumi {
 namespace {
 
-enum class Outcome : unsigned char { done, number, value, table, failed };
+enum class Outcome : unsigned char { done, number, value, table, waits, failed };
 
 // Lets the ticks pass that a command waits for, and detects if another user changes time meanwhile.
 class Wait {
@@ -48,6 +47,10 @@ Expected<CommandEnd> run(Session::Parts& parts, const ConsoleCommand& command, c
             end = command.run(parts, arguments);
             if (!end || *end != CommandEnd::wait) return true;
             wait.emplace(parts);
+            if (!Worker::has_thread) {  // the input pauses, and asks this
+                parts.waits = [wait = *wait] { return wait.is_over() ? std::optional(wait.end()) : std::nullopt; };
+                return true;
+            }
         }
         parts.waiting = !wait->is_over();
         if (parts.waiting) return false;
@@ -69,12 +72,37 @@ Outcome run_command(lua_State* L, Session::Parts& parts, const ConsoleCommand& c
         keep_error(L, fmt::format("{}: {}", name, describe(end.error())));
         return Outcome::failed;
     }
+    if (*end == CommandEnd::wait && parts.waits) return Outcome::waits;
     if (*end == CommandEnd::table) return Outcome::table;
     if (*end == CommandEnd::value) return Outcome::value;
     return *end == CommandEnd::number ? Outcome::number : Outcome::done;
 }
 
 int call_with_table(lua_State* L);
+
+// Whether a paused input may go on; an error is kept.
+Outcome end_wait(lua_State* L, Session::Parts& parts) {
+    const auto ended = parts.waits();
+    parts.waiting = !ended;
+    if (!ended) return Outcome::waits;
+    parts.waits = nullptr;
+    if (*ended) return Outcome::done;
+    keep_error(L, describe(ended->error()));
+    return Outcome::failed;
+}
+
+int go_on_waiting(lua_State* L, int /*status*/, lua_KContext /*context*/) {
+    switch (end_wait(L, parts_of(L))) {
+        case Outcome::done: return 0;
+        case Outcome::failed: return raise_kept(L);
+        default: return pause(L, 0, go_on_waiting);
+    }
+}
+
+int begin_waiting(lua_State* L) {
+    if (can_pause(L)) return go_on_waiting(L, LUA_OK, 0);
+    return luaL_error(L, "here a page can't wait: call it by itself");
+}
 
 // Upvalues: the parts, the number of the command.
 int call_command(lua_State* L) {
@@ -90,6 +118,7 @@ int call_command(lua_State* L) {
             lua_pushvalue(L, 1);
             lua_pushcclosure(L, call_with_table, 3);
             return 1;
+        case Outcome::waits: return begin_waiting(L);
         case Outcome::failed: return raise_kept(L);
     }
     return 0;
@@ -299,7 +328,7 @@ const std::vector<ConsoleCommand>& console_commands() {
          {},
          {"resume_options", 1}},
         {"rewind", "rewind(seconds)", "goes back in time by this many seconds, and pauses", 1, command_rewind, true},
-        {"seek", "seek(12.3) or seek(\"main\", 12.3)", "goes to this time of a branch, or to its end, and pauses", 2,
+        {"seek", "seek(12.3) or seek(\"main\", 12.3)", "goes to this time, or to the end of a branch, and pauses", 2,
          command_seek, true},
         {"branches", "branches()", "lists the branches of this run: a change in the past starts a new branch", 0,
          command_branches},

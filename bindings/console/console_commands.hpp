@@ -30,7 +30,7 @@ enum class Offer : unsigned char {
     any_port,   ///< a port, also one of another host
     source,     ///< an out-port, also one of another host
     target,     ///< an in-port of the type of the first argument, also one of another host
-    in_port,    ///< the same of this system
+    in_port,    ///< an in-port of that type, only of this system
     value,      ///< the fields of what the port before it carries
     carried,    ///< a marker, a robot, or a thing as in "box 1"
     removable,  ///< a component or marker

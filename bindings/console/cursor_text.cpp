@@ -1,7 +1,6 @@
 // Searches from the last token outwards.
 #include "bindings/console/cursor_text.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace nezumi {

@@ -27,7 +27,7 @@ struct TextAtCursor {
     std::string field;                     ///< of a table, where the text is the field's value: `{ script = "co`
     int argument = 1;                      ///< which one it is, from 1; 2 behind `robot "mouse"`
     std::string first;                     ///< the first argument, if it is a quoted text
-    std::vector<std::string> first_chain;  ///< the same, if it is a chain of names
+    std::vector<std::string> first_chain;  ///< the first argument, if it is a chain of names
 };
 
 /// `controller.out:write { v` is the name of a field in the table argument of `controller.out:write`. In `write {
@@ -40,7 +40,7 @@ struct FieldAtCursor {
 
 class CursorText {
 public:
-    /// The text ends at the cursor. It must outlive this object.
+    /// The text ends at the cursor and must outlive this object.
     explicit CursorText(std::string_view text);
 
     bool in_comment() const { return tree_.ends_in_comment(); }

@@ -21,13 +21,13 @@ bool takes_values(std::string_view command);
 std::string with_plotted_names(std::string_view text);
 
 /// Compiles an input; an expression returns its values. If both fail, the error is the one of the input as statements.
-/// Its place is the line within the input.
+/// Its location is the line within the input.
 Expected<Chunk> compile_input(std::string_view text);
 
 /// Whether an input is complete: no block, string, comment or bracket is open at its end.
 bool is_complete_input(std::string_view text);
 
-/// The file name of places within an input.
+/// The file name of locations within an input.
 inline constexpr const char* input_name = "console";
 
 }  // namespace nezumi

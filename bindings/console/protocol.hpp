@@ -41,7 +41,7 @@ struct Event {
         answer,       ///< to the request `id`; `ok`: it succeeded
         completions,  ///< to the request `id`: `items` can replace the text from byte `from` to the cursor
         output,       ///< one or more lines in `text`: results, prints, watches
-        error,        ///< the same for errors
+        error,        ///< one or more lines in `text`: errors
         log,          ///< a log line; `level` is its level
         keys,         ///< whether keys are wanted from now on (`ok`)
         status,       ///< the state of the system in one line, about once a second; `ok`: time passes
@@ -49,7 +49,7 @@ struct Event {
         bye,          ///< the last event; `text` gives the reason
     };
 
-    /// The `level` of an output that replaces the drawing before it in a terminal.
+    /// The `level` of an output that replaces the previous drawing in a terminal.
     static constexpr std::string_view in_place = "in_place";
 
     Kind kind = Kind::output;

@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
-
 #include "bindings/console/file_to_write.hpp"
 #include "bindings/lua/files/change_robot.hpp"
 #include "bindings/lua/files/robot_parameters.hpp"

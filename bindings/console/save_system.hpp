@@ -23,9 +23,9 @@ struct PresentSystem {
 /// robot's changes could not be read again.
 Expected<PresentSystem> present_system(const RunningSystem& live);
 
-/// Writes it as a system file and returns a sentence about it. The old file is kept as `FILE~`. Writes only `.lua`
-/// files, and only within the project, or without a project within the folder of the system. If the result could not be
-/// read again, it writes nothing and returns the reason.
+/// Writes the system as a system file and returns a sentence about it. The old file is kept as `FILE~`. Writes only
+/// `.lua` files, and only within the project, or without a project within the folder of the system. If the result could
+/// not be read again, it writes nothing and returns the reason.
 Expected<std::string> save_system(PresentSystem present, const std::string& file);
 
 }  // namespace nezumi

@@ -7,7 +7,6 @@
 #include "bindings/console/session_parts.hpp"
 #include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/sandbox/call.hpp"
-#include "bindings/lua/sandbox/stdlib.hpp"
 
 namespace nezumi {
 namespace {

@@ -28,7 +28,7 @@ class ConsoleServer {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// Both must outlive it.
+    /// `live` and `clock` must outlive this object.
     ConsoleServer(RunningSystem& live, ClockControl& clock) : live_(live), clock_(clock) {}
     /// Stops running inputs. If one does not end within a second, its thread is abandoned.
     ~ConsoleServer();
@@ -70,7 +70,7 @@ public:
     /// Sends the line to the clients that want the log. Can be called from any thread.
     void log(const LogLine& line);
     void say(const std::string& text);
-    /// The same for the status line.
+    /// Sends the status line to the clients.
     void show_status(const std::string& text, bool running);
 
 private:

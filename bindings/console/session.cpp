@@ -7,47 +7,18 @@
 #include <system_error>
 #include <utility>
 
-#include "bindings/console/console_commands.hpp"
 #include "bindings/console/input_text.hpp"
 #include "bindings/console/session_parts.hpp"
-#include "bindings/lua/sandbox/call.hpp"
-#include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "engine/base/trimmed.hpp"
-#include "engine/live/live_text.hpp"
 
 namespace nezumi {
 namespace {
 
-constexpr Budget input_budget{5.0};
 // The longest time that a session waits for an input that can't be stopped at once: Lua's own code is left after a
 // second.
 constexpr std::chrono::seconds stuck_after{2};
 constexpr std::chrono::seconds session_farewell{1};
-
-// An error of an input with one line needs no place. With several lines, the line number replaces the name of the
-// input.
-std::string error_text(const Error& error, std::string_view input) {
-    if (error.place.file != input_name || error.place.line <= 0) return describe(error);
-    if (input.find('\n') == std::string_view::npos) return error.message;
-    return fmt::format("line {}: {}", error.place.line, error.message);
-}
-
-// Shows all values above `base`.
-void show_results(Session::Parts& parts, lua_State* L, int base) {
-    const int count = lua_gettop(L);
-    if (count == base) return;
-    std::vector<std::string> texts;
-    bool several_lines = false;
-    InspectWork work;
-    for (int i = base + 1; i <= count; ++i) {
-        const ConsoleCommand* command = command_at(L, i);
-        texts.push_back(command != nullptr ? fmt::format("{}: {}", command->usage, command->help)
-                                           : inspect(L, i, {.work = &work}));
-        several_lines = several_lines || texts.back().find('\n') != std::string::npos;
-    }
-    parts.show(fmt::format("{}", fmt::join(texts, several_lines ? "\n" : "\t")));
-}
 
 // A person who types only `quit` or `exit` wants to leave, not to read what the command does.
 bool is_goodbye(std::string_view text) {
@@ -119,28 +90,6 @@ void Session::Parts::open_if_lost() {
     if (!state->is_lost()) return;
     show_error("definitions made in this console are lost");
     if (auto ok = open(); !ok) show_error(describe(ok.error()));
-}
-
-bool Session::Parts::run(const std::string& input) {
-    const auto refuse = [&](const Error& error) {
-        show_error(error_text(error, input));
-        return false;
-    };
-    const auto chunk = compile_input(input);
-    if (!chunk) return refuse(chunk.error());
-    lua_State* const L = state->lua();
-    const int base = lua_gettop(L);
-    if (auto loaded = load_chunk(L, *chunk); !loaded) return refuse(loaded.error());
-    if (auto called = protected_call(L, 0, LUA_MULTRET, input_budget); !called) return refuse(called.error());
-    for (int i = base + 1; i <= lua_gettop(L); ++i) {
-        const std::string begun = waiting_command_at(L, i);
-        if (begun.empty()) continue;
-        lua_settop(L, base);
-        return refuse({fmt::format("expected a table after the name: {} {{ ... }}", begun), {}});
-    }
-    show_results(*this, L, base);
-    lua_settop(L, base);
-    return true;
 }
 
 Expected<std::unique_ptr<Session>> Session::create(RunningSystem& live, ClockControl& clock, SessionOptions options) {
@@ -237,9 +186,10 @@ void Session::begin_next() {
             });
             return;
         }
-        const bool well = parts.run(job.text);
-        parts.open_if_lost();
-        parts.worker.post(0, [this, well] { finish(well); });
+        parts.run(job.text, [this, &parts](bool well) {
+            parts.open_if_lost();
+            parts.worker.post(0, [this, well] { finish(well); });
+        });
     });
 }
 

@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -31,9 +30,9 @@ struct SessionOutput {
     std::function<void(std::string_view text)> show;
     /// Whether more output can be taken now. If not, the running input waits, and nothing else. Empty: always.
     std::function<bool()> takes_more{};
-    /// The same as `show`, for a drawing that replaces the drawing before it. Empty: `show`.
+    /// Shows a drawing that replaces the drawing before it. Empty: uses `show`.
     std::function<void(std::string_view text)> show_in_place{};
-    /// The same for errors of an input.
+    /// Shows errors of an input.
     std::function<void(std::string_view text)> show_error;
     /// An input of `submit` is finished, with or without an error: the prompt may appear again.
     std::function<void(bool well)> done;
@@ -58,7 +57,7 @@ using DrawingMaker = std::function<Drawing(Drawn what)>;
 struct BehaviorRequest {
     std::string name;                       ///< such as line_follower
     std::vector<std::string> inputs{};      ///< "name:Type" or "name:Type:doc"
-    std::vector<std::string> outputs{};     ///< the same
+    std::vector<std::string> outputs{};     ///< "name:Type" or "name:Type:doc"
     std::vector<std::string> parameters{};  ///< "gain=0.5"
     std::vector<std::string> callbacks{};   ///< besides on_execute: "on_activated", ...
     std::string doc{};                      ///< one sentence about what it does
@@ -117,8 +116,8 @@ public:
     bool is_waiting() const;
     /// Executes the requests of inputs to the system now, until about this time.
     void serve(std::chrono::steady_clock::time_point until);
-    /// The same, and also waits for more requests, until about `slice` of real time has passed or nothing is left to
-    /// do. Returns whether more may come.
+    /// Executes requests like `serve`, and also waits for more of them, until about `slice` of real time has passed or
+    /// nothing is left to do. Returns whether more may come.
     bool advance(std::chrono::microseconds slice = std::chrono::microseconds(1000));
     /// Call this after every tick: watches show changes, and `drive` sends.
     void after_tick();

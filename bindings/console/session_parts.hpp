@@ -166,10 +166,11 @@ struct Session::Parts {
 
     /// Creates a new Lua state with all names in scope.
     Expected<void> open();
-    /// The same if the state was lost; reports this.
+    /// Creates a new Lua state if the state was lost, and reports this.
     void open_if_lost();
-    /// Runs an input, and shows its results and errors. Returns whether it succeeded.
-    bool run(const std::string& input);
+    /// Runs an input, shows its results and errors, and calls `done` with whether it succeeded: now, or later if the
+    /// worker has no thread and the input waits for ticks.
+    void run(const std::string& input, std::function<void(bool well)> done);
     /// Runs `body()` in the ticking thread, where the system may be read and changed, and waits for it. Returns its
     /// result, or a default value if the job is interrupted.
     template <class Body>
@@ -185,6 +186,9 @@ struct Session::Parts {
     double number = 0;       ///< the result of a command
     Value value;             ///< the result of a command that returns a table
     std::int64_t ticks = 0;  ///< that a command waits for
+    /// What a paused input waits for: nothing while it is not over.
+    std::function<std::optional<Expected<void>>()> waits;
+    std::optional<int> paused_at;  ///< the level of the stack below the coroutine of a paused input
     std::unique_ptr<Objects> objects;
     std::unique_ptr<LuaState> state;
     Worker worker;

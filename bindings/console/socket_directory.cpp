@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <climits>
 #include <cstdio>
 #include <cstdlib>
@@ -19,6 +18,8 @@
 #include <memory>
 #include <optional>
 #include <utility>
+
+#include "engine/base/number_in.hpp"
 
 namespace nezumi {
 namespace {
@@ -101,9 +102,8 @@ std::optional<ListeningSystem> parse_name(std::string_view file) {
     const std::size_t dash = file.rfind('-');
     if (dash == std::string_view::npos || dash == 0 || file.front() == '.') return std::nullopt;
     ListeningSystem system{.name = std::string(file.substr(0, dash)), .path = {}};
-    const std::string_view number = file.substr(dash + 1);
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), system.process);
-    if (error != std::errc{} || end != number.data() + number.size() || system.process <= 0) return std::nullopt;
+    system.process = number_in<int>(file.substr(dash + 1)).value_or(0);
+    if (system.process <= 0) return std::nullopt;
     return system;
 }
 
@@ -177,10 +177,8 @@ Expected<ReachedSystem> connect_to_system(std::string_view which, const std::fil
         if (which.empty() || system.name == name || std::to_string(system.process) == which) fitting.push_back(system);
     }
     if (fitting.empty()) {
-        std::vector<std::string_view> names;
-        for (const ListeningSystem& system : *systems) names.emplace_back(system.name);
-        return failure("no system '" + shown(which) + "' is running" + did_you_mean(which, names) +
-                       "; running: " + list_of(*systems));
+        return failure("no system '" + shown(which) + "' is running" +
+                       did_you_mean(which, *systems, &ListeningSystem::name) + "; running: " + list_of(*systems));
     }
     if (fitting.size() > 1)
         return failure("several systems are running, choose one by its name or process number: " + list_of(fitting));

@@ -11,10 +11,9 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <string>
 #include <utility>
 
-#include "engine/base/descriptors.hpp"
+#include "engine/base/descriptor.hpp"
 
 namespace nezumi {
 namespace {

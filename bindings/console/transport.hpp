@@ -37,7 +37,7 @@ public:
     /// What happens with the events of a slow client.
     enum class Flow {
         lossy,    ///< events that only show something are dropped and counted beyond `max_backlog`; see `takes_more`
-        lossless  ///< the same beyond `max_lossless`: none are dropped if the run waits while the client is slow
+        lossless  ///< as `lossy`, beyond `max_lossless`: none are dropped if the run waits while the client is slow
     };
 
     /// [bytes] that may wait for a client.

@@ -18,6 +18,8 @@
 
 namespace nezumi {
 
+const bool Worker::has_thread = true;
+
 Bell::Bell() : file_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 
 void Bell::ring() const {
@@ -185,6 +187,11 @@ void Worker::post(std::size_t bytes, std::function<void()> work) {
     posts_.push_back({bytes + 64, std::move(work)});
     posted_ += bytes + 64;
     ring();
+}
+
+void Worker::start_again(std::function<void()> job) {
+    const Lock lock(mutex_);
+    job_ = std::move(job);
 }
 
 bool Worker::perform(const Work& work) {

@@ -42,6 +42,9 @@ public:
 
     /// [bytes] of posts that may wait; beyond this the job waits.
     static constexpr std::size_t most_posted = std::size_t{256} << 10;
+    /// Jobs have a thread of their own, in which they may wait for ticks. Without one (bindings/wasm) a job that waits
+    /// ends with `start_again`.
+    static const bool has_thread;
 
     /// The bell must live until `close`.
     explicit Worker(const Bell& bell);
@@ -63,7 +66,7 @@ public:
     void serve_posts();
     /// Stops the job soon: nothing more of it is done, and its calls into Lua end as if their time had run out.
     void revoke();
-    /// The same, and ends the thread, with `last` as its last work.
+    /// Stops the job soon and ends the thread, with `last` as its last work.
     void close(std::function<void()> last);
     /// After `close`: whether the thread has ended.
     bool has_ended() const;
@@ -72,6 +75,8 @@ public:
 
     // For a job:
 
+    /// This is the next job, at the next occasion. Only without threads, and last in a job.
+    void start_again(std::function<void()> job);
     /// Whether this is the thread of the worker.
     bool is_here() const { return std::this_thread::get_id() == thread_.get_id(); }
     /// Asks for work without waiting for it, unless too many posts wait.

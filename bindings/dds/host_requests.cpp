@@ -9,17 +9,16 @@
 #include <vector>
 
 #include "bindings/dds/wire.hpp"
-#include "engine/base/names.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/values/cdr.hpp"
 
 namespace nezumi::dds {
 namespace {
 
-// What is done between two ticks for others must make none late.
+// Limits of the work for other hosts between two ticks, which must make no tick late.
 constexpr std::size_t most_request_bytes = std::size_t{1} << 20;
 constexpr std::size_t most_at_once = 16;
-// Of each run: who asks again does so before that many others were asked.
+// Kept answers of each run: a host repeats a request before it has sent this many others.
 constexpr std::size_t most_kept = 64;
 // Runs of hosts that have gone, and writers: beyond these the oldest of no use are given up.
 constexpr std::size_t most_askers = 1024, most_writers = 64;
@@ -49,10 +48,9 @@ Expected<std::uint64_t> HostRequests::ask(const Question& question, const HostTa
         return failure(fmt::format("{0} is this host: write the component's name without '{0}/'", host_));
     const Announcement* host = hosts.find(question.host);
     if (host == nullptr) {
-        std::vector<std::string_view> names;
-        for (const Announcement* each : hosts.all()) names.push_back(each->head.host);
-        return failure(
-            fmt::format("no host '{}' is known{}", shown(question.host), did_you_mean(question.host, names)));
+        const auto name_of = [](const Announcement* host) -> std::string_view { return host->head.host; };
+        return failure(fmt::format("no host '{}' is known{}", shown(question.host),
+                                   did_you_mean(question.host, hosts.all(), name_of)));
     }
     RemoteRequest request{.from = run_,
                           .to = host->run,
@@ -138,7 +136,7 @@ void HostRequests::take_requests(const HostTable& hosts, const Answer& answer) {
     for (const TopicSample& sample : samples) {
         RemoteRequest request;
         if (sample.bytes.size() > most_request_bytes || !read_cdr(sample.bytes, on_the_wire, request)) continue;
-        // Who is not heard of has not heard of this run either: it asks again.
+        // A host that is not known here does not know this run either: it asks again.
         const auto from = names.find(request.from);
         if (request.to != run_ || from == names.end()) continue;
         Asker& asker = askers_[request.from];

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "bindings/dds/announced_types.hpp"
 #include "engine/base/names.hpp"

@@ -94,7 +94,7 @@ void Lockstep::consider(const Announcement& host, bool is_named) {
         return;
     }
     if (is_news)
-        system_.log(LogLevel::error, fmt::format("lockstep: host {} has {:g} ticks a second, this one {:g}: say "
+        system_.log(LogLevel::error, fmt::format("lockstep: host {} has {:g} ticks per second, this one {:g}: say "
                                                  "rate({:g}) here or rate({:g}) there, and restart()",
                                                  name, host.lockstep, rate, host.lockstep, rate));
     absent_.emplace(name, fmt::format("host {} has another tick rate", name));
@@ -188,7 +188,7 @@ std::string Lockstep::find_missing() {
         };
         if (!is_missing()) continue;
         hear(partner);
-        // Of several, the one that was silent longest: the others may be waiting for it.
+        // If several are missing, takes the one that was silent longest: the others may be waiting for it.
         if (is_missing() && partner.heard_at < heard_at) {
             missing = name;
             heard_at = partner.heard_at;

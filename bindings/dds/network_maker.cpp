@@ -12,8 +12,8 @@
 #include "bindings/dds/ros/node.hpp"
 #include "bindings/dds/ros/ros_word.hpp"
 #include "bindings/dds/sealed_transport.hpp"
-#include "bindings/dds/silent_transport.hpp"
 #include "bindings/dds/system_network.hpp"
+#include "bindings/dds/transport.hpp"
 #include "bindings/dds/user_secret.hpp"
 #include "engine/base/time_of_day.hpp"
 
@@ -21,6 +21,28 @@ namespace nezumi::dds {
 namespace {
 
 constexpr std::string_view of_ros = "ros/";
+
+// Of systems that are checked, tested in scenarios or replayed: nothing is sent, and nothing is received.
+class SilentWriter final : public Writer {
+public:
+    bool write(std::span<const std::uint8_t> /*cdr*/) override { return true; }
+    int readers() const override { return 0; }
+};
+
+class SilentReader final : public Reader {
+public:
+    std::vector<TopicSample> take() override { return {}; }
+    std::vector<std::uint64_t> writers() const override { return {}; }
+    std::uint64_t lost() const override { return 0; }
+};
+
+class SilentTransport final : public DdsTransport {
+public:
+    std::unique_ptr<Writer> write(const Topic& /*topic*/) override { return std::make_unique<SilentWriter>(); }
+    std::unique_ptr<Reader> read(const Topic& /*topic*/) override { return std::make_unique<SilentReader>(); }
+    std::vector<SeenEndpoint> seen() override { return {}; }
+    std::string problem() const override { return ""; }
+};
 
 class BothNetworks final : public Network {
 public:
@@ -31,8 +53,8 @@ public:
 
     Expected<void> reach(std::string_view path, const Port& other) override {
         if (path.starts_with(of_ros))
-            return failure(
-                fmt::format("{}: the node's ports are set by ros {{ publish = ..., subscribe = ... }}", shown(path)));
+            return failure(fmt::format(
+                "{}: connect can't reach the node's ports: use ros {{ publish = ..., subscribe = ... }}", shown(path)));
         if (hosts_ != nullptr) return hosts_->reach(path, other);
         return failure(
             fmt::format("{} is on another host: that needs the word network in the system's file", shown(path)));
@@ -186,7 +208,7 @@ namespace {
 // `reads_secret`: the file of a secret must exist and be valid.
 NetworkMaker make_silent(bool reads_secret) {
     return [reads_secret](const SystemSpec& spec, System& system) {
-        auto silent = make_silent_transport();
+        std::unique_ptr<DdsTransport> silent = std::make_unique<SilentTransport>();
         const auto join = [its = silent.get(), reads_secret]<class Spec>(const Spec& part) -> Expected<DdsTransport*> {
             if constexpr (std::is_same_v<Spec, NetworkSpec>) {
                 if (reads_secret && !part.secret.empty()) {

@@ -38,7 +38,7 @@ private:
 NetworkMaker make_networks(Domains& domains, std::string version);
 /// Networks without other hosts: everything is checked, but nothing leaves the process.
 NetworkMaker make_silent_networks();
-/// The same for a check of a run on this computer: the file of a secret is read too.
+/// Silent networks for a check of a run on this computer: the file of a secret is read too.
 NetworkMaker make_checked_networks();
 
 }  // namespace nezumi::dds

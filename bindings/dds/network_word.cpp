@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "engine/base/names.hpp"
 #include "engine/records/write_record.hpp"
 

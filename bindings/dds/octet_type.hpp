@@ -14,7 +14,7 @@ namespace nezumi::dds {
 /// message is a `std::span<const std::uint8_t>`: CDR with its header.
 ddsi_sertype* make_octet_type(const char* name);
 
-/// The bytes of a message of such a type, valid while `data` lives.
+/// The bytes of a message whose type was made by `make_octet_type`; valid while `data` lives.
 std::span<const std::uint8_t> octets_of(const ddsi_serdata& data);
 
 }  // namespace nezumi::dds

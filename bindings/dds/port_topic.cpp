@@ -1,10 +1,9 @@
-// Of velocities only the newest is sent, and late ones are dropped. All other messages are delivered, oldest first,
+// Only the newest velocity is sent, and late ones are dropped. All other messages are delivered, oldest first,
 // while there is space.
 #include "bindings/dds/port_topic.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/messages/message_catalog.hpp"

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "bindings/dds/transport.hpp"
 #include "engine/base/error.hpp"

@@ -152,7 +152,7 @@ Expected<Secret> read_secret(const std::string& said, const std::string& file) {
     using std::filesystem::perms;
     const auto status = std::filesystem::status(file, none);
     if (!std::filesystem::exists(status))
-        return refuse("is not there: `nezumi network secret FILE` makes one, to be copied to each host");
+        return refuse("does not exist: `nezumi network secret FILE` makes one, to be copied to each host");
     // A reader of this file can drive robots.
     if ((status.permissions() & (perms::group_read | perms::others_read)) != perms::none)
         return refuse(fmt::format("can be read by others: chmod 600 {}", file));

@@ -34,8 +34,8 @@ std::optional<Octets> unseal(std::span<const std::uint8_t> sealed, const Topic& 
 /// The name of an encrypted topic: hosts with and without a secret don't receive each other's messages.
 std::string sealed_name(std::string_view topic);
 
-/// `inner` must outlive it, and it must outlive its readers. Messages that can't be decrypted are dropped on arrival.
-/// Repeated messages must be detected by the reader: heads have numbers.
+/// `inner` must outlive this object, which must outlive its readers. Messages that can't be decrypted are dropped on
+/// arrival. Repeated messages must be detected by the reader: heads have numbers.
 std::unique_ptr<DdsTransport> make_sealed_transport(DdsTransport& inner, const Secret& secret);
 
 }  // namespace nezumi::dds

@@ -30,7 +30,8 @@ std::string Strangers::look(double now) {
     }
     if (who.empty()) return "";
     told_ = true;
-    return fmt::format("{} is there, but refused: set the same `secret = FILE` on both, or `open = true` on both", who);
+    return fmt::format("{} was found, but refused: set the same `secret = FILE` on both, or `open = true` on both",
+                       who);
 }
 
 }  // namespace nezumi::dds

@@ -24,7 +24,8 @@ void SystemNetwork::refuse(const Ends& ends, const std::string& why) {
     if (++told_ > most_told) return;
     system_.log(LogLevel::warn, fmt::format("host {} may not connect({}, {}): {}", other_of(ends), local(ends.first),
                                             local(ends.second), why));
-    if (told_ == most_told) system_.log(LogLevel::warn, "network: further refusals to other hosts are not reported");
+    if (told_ == most_told)
+        system_.log(LogLevel::warn, "network: further refused connections of other hosts are not reported");
 }
 
 // True if both ends of a connection with this host exist; an error if they can't be connected.
@@ -66,9 +67,9 @@ bool SystemNetwork::make_what_others_want(const std::vector<Ends>& present, cons
                 brought_.erase(ends);
                 continue;
             }
-            if (brought_.contains(ends)) {  // it was ended here, so the other host is told
+            if (brought_.contains(ends)) {  // the connection was ended here, so the other host is informed
                 brought_.erase(ends);
-                refusals_.try_emplace(ends, "it was ended there");
+                refusals_.try_emplace(ends, "the connection was ended on that host");
                 continue;
             }
             if (!fits) {

@@ -24,7 +24,7 @@ inline constexpr std::size_t longest_name = 200;
 /// [bytes] of the reason for a refusal.
 inline constexpr std::size_t longest_reason = 1000;
 
-/// What every announcement begins with, in every protocol: enough to say who can't be understood.
+/// The start of every announcement, in every protocol: enough to name a host that can't be understood.
 struct AnnouncementHead {
     std::uint32_t protocol = dds::protocol;  ///< what the rest is to be understood by
     std::string host;                        ///< its name
@@ -72,7 +72,7 @@ struct AnnouncedConnection {
     static constexpr std::string_view type_name = "AnnouncedConnection";
 };
 
-/// What a host says of itself, again whenever it changes. Who comes late is given the last one.
+/// The description of a host, sent again whenever it changes. A host that comes late gets the last one.
 struct Announcement {
     AnnouncementHead head;                      ///< who says this
     std::uint64_t run = 0;                      ///< another number each time that a host starts

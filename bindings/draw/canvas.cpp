@@ -4,11 +4,10 @@
 #include <cairo-svg.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
+#include "engine/base/number_in.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi::draw {
@@ -25,12 +24,9 @@ Colour Colour::shaded(double amount) const {
 }
 
 Colour colour_of(std::string_view text) {
-    unsigned value = 0x8a8f98;
-    if (text.size() == 7 && text.front() == '#') {
-        unsigned read = 0;
-        const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, read, 16);
-        if (error == std::errc{} && end == text.data() + 7) value = read;
-    }
+    constexpr unsigned grey = 0x8a8f98;
+    const bool is_color = text.size() == 7 && text.front() == '#';
+    const unsigned value = is_color ? number_in<unsigned>(text.substr(1), 16).value_or(grey) : grey;
     const auto part = [value](int shift) { return ((value >> shift) & 255) / 255.0; };
     return {part(16), part(8), part(0)};
 }

@@ -17,8 +17,8 @@ struct FlameBox {
 /// A drawing as SVG, whose boxes show their time when the pointer is on them.
 std::string flame_svg(const std::vector<FlameBox>& boxes, const std::string& title);
 
-/// The same as JSON of trace events, which speedscope and Perfetto open: one event for each box, as long as it took in
-/// all.
+/// The drawing as JSON of trace events, which speedscope and Perfetto open: one event for each box, as long as it took
+/// in all.
 std::string flame_json(const std::vector<FlameBox>& boxes);
 
 }  // namespace nezumi::draw

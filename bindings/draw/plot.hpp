@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "engine/base/error.hpp"
@@ -33,7 +32,7 @@ struct Plot {
     std::vector<Moment> moments;
 };
 
-/// Draws it to a file that ends in .png or .svg. An error says why it can't be written; then there is no file.
+/// Draws the plot to a file that ends in .png or .svg. An error says why it can't be written; then there is no file.
 Expected<void> draw_plot(const Plot& plot, const std::string& file);
 
 }  // namespace nezumi::draw

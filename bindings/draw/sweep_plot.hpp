@@ -39,7 +39,7 @@ struct SweepPlot {
     std::string file;                   ///< name without the folder
 };
 
-/// Draws one as SVG. An error says why it can't be written; then there is no file.
+/// Draws the plot as SVG. An error says why it can't be written; then there is no file.
 Expected<void> draw_sweep_plot(const SweepPlot& plot, const std::filesystem::path& folder);
 
 }  // namespace nezumi::draw

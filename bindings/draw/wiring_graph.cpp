@@ -1,8 +1,6 @@
 // Columns from left to right in the direction of data flow; backward connections are below all boxes.
 #include "bindings/draw/wiring_graph.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 

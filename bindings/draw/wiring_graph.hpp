@@ -36,11 +36,11 @@ struct WiringOf {
 
 WiringOf wiring_of(const RunningSystem& live, std::string title);
 
-/// The column of each node, from the left: right of all its sources, except for connections that close a cycle, which
-/// go back.
+/// The column of each node, from the left. A node is right of all its sources. Only a connection that closes a cycle
+/// goes back.
 std::vector<std::size_t> columns_of(const WiringOf& wiring);
 
-/// Draws it to a file that ends in .png or .svg. An error says why it can't be written; then there is no file.
+/// Draws the wiring to a file that ends in .png or .svg. An error says why it can't be written; then there is no file.
 Expected<void> draw_wiring(const WiringOf& wiring, const std::string& file);
 
 }  // namespace nezumi::draw

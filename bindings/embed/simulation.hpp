@@ -30,9 +30,9 @@ public:
     };
 
     /// Reads a system file, builds the system and activates it at time 0. An error is the first one of the file, with
-    /// its place.
+    /// its location.
     static Expected<Simulation> load(const std::filesystem::path& file, Options options);
-    /// The same with the program's own makers besides those of `simulated_systems`: components, drivers of devices.
+    /// Like `load`, with the program's own makers besides those of `simulated_systems`: components, drivers of devices.
     static Expected<Simulation> load_with(const std::filesystem::path& file, LiveOptions options);
 
     /// Runs one tick. Also checks a gamepad's emergency stop button, if a joystick component has one.

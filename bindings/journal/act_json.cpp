@@ -23,7 +23,7 @@ Json write_entry(const Entry& entry, const ScriptHost& scripts) {
                 {"file", text_to_json(place_of(entry).file)}};
 }
 
-// The same.
+// The text of a system file with this marker.
 Json write_marker(const MarkerSpec& marker, const ScriptHost& scripts) {
     SystemSpec spec;
     spec.arena.markers.push_back(marker);
@@ -89,7 +89,7 @@ Json to_json(const Act& act, const ScriptHost& scripts) {
 
 Expected<Act> act_from_json(std::string_view name, const Json& fields, const PartReader& parts) {
     std::optional<Act> act = empty_act(name);
-    if (!act) return failure(fmt::format("there is no act '{}'", shown(name)));
+    if (!act) return failure(fmt::format("there is no act (change of the running system) '{}'", shown(name)));
     const std::string wrong = std::visit([&](auto& each) { return read_value(fields, each, forms_with(parts)); }, *act);
     if (!wrong.empty()) return failure(fmt::format("{}: {}", name, wrong));
     return std::move(*act);

@@ -1,4 +1,4 @@
-// Finds the first tick in which two journaled runs differ, and what differed there.
+// Finds the first tick in which two journaled runs differ, and the differing values.
 #pragma once
 
 #include <cstdint>
@@ -49,11 +49,11 @@ struct RunComparison {
 /// Performs the next tick, and returns the lines that this component executed in it, with their values:
 /// "keeper.lua:9  local near = 3   near = 31".
 Expected<std::vector<std::string>> lines_of_next_tick(RunningSystem& live, const std::string& component);
-/// The same of an earlier tick: goes back to before it.
+/// Goes back to before an earlier tick and returns the lines that this component executes in it.
 Expected<std::vector<std::string>> traced_lines(RunningSystem& live, const ActTime& before,
                                                 const std::string& component);
 
-/// The lines between those that both have at the begin and at the end.
+/// The lines that differ, without the common lines at the start and at the end.
 std::vector<DifferingLine> differing_lines(const std::vector<std::string>& first,
                                            const std::vector<std::string>& second);
 

@@ -11,32 +11,21 @@ namespace {
 // No other component of the judged system has this name.
 std::string player_of(const std::string& behavior) { return behavior + "_recording"; }
 
-// The component that an act of these kinds is about; "" for other acts.
-std::string component_of(const Act& act) {
-    return std::visit(
-        []<class T>(const T& its) -> std::string {
-            if constexpr (std::is_same_v<T, SetParameter> || std::is_same_v<T, Use> || std::is_same_v<T, Activate> ||
-                          std::is_same_v<T, Deactivate> || std::is_same_v<T, Reset> || std::is_same_v<T, Command>) {
-                return its.component;
-            } else {
-                return "";
-            }
-        },
-        act);
-}
-
-// Keeps the acts on one component.
+// Keeps the acts on one component, until the run restarts or goes back.
 class ActKeeper final : public ActObserver {
 public:
-    ActKeeper(RecordedDrive& drive, std::string component) : drive_(drive), component_(std::move(component)) {}
+    ActKeeper(RecordedDrive& drive, const RunningSystem& live)
+        : drive_(drive), live_(live), generation_(live.generation()) {}
     void acted(const ActTime& when, std::shared_ptr<const PastAct> act, const Expected<ActResult>& result) override {
-        if (result && component_of(act->act) == component_) drive_.acts.emplace_back(when.tick, act->act);
+        if (result && live_.generation() == generation_ && is_about(act->act, drive_.entry.name))
+            drive_.acts.emplace_back(when.tick, act->act);
     }
     void ran_out_of_time(const ActTime&, const std::string&, const Component::OutOfTime&) override {}
 
 private:
     RecordedDrive& drive_;
-    const std::string component_;
+    const RunningSystem& live_;
+    const int generation_;
 };
 
 // The last message of a port in each tick, one after the other.
@@ -157,24 +146,27 @@ SystemSpec system_of(const RecordedDrive& drive) {
 
 }  // namespace
 
+Expected<const BehaviorEntry*> recorded_behavior(const SystemSpec& spec, const std::string& component) {
+    if (const auto* entry = find_entry<BehaviorEntry>(spec, component); entry != nullptr) return entry;
+    std::vector<std::string_view> names;
+    for (const BehaviorEntry* each : entries_of<BehaviorEntry>(spec)) names.push_back(each->name);
+    return failure(fmt::format("the recorded system has no behaviour '{}'{}; it has {}", shown(component),
+                               did_you_mean(component, names),
+                               names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+}
+
 Expected<RecordedDrive> drive_of(Replay& replay, RunningSystem& live, const std::string& component) {
     const SystemSpec& spec = live.spec();
-    const BehaviorEntry* entry = find_entry<BehaviorEntry>(spec, component);
-    if (entry == nullptr) {
-        std::vector<std::string_view> names;
-        for (const BehaviorEntry* each : entries_of<BehaviorEntry>(spec)) names.push_back(each->name);
-        return failure(fmt::format("the recorded system has no behaviour '{}'{}; it has {}", shown(component),
-                                   did_you_mean(component, names),
-                                   names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
-    }
-    RecordedDrive drive{.entry = *entry,
+    const auto entry = recorded_behavior(spec, component);
+    if (!entry) return Unexpected(entry.error());
+    RecordedDrive drive{.entry = **entry,
                         .rate = spec.rate,
                         .physics_step = spec.physics_step,
                         .seed = live.options().build.seed_wins ? live.options().build.seed
                                                                : spec.seed.value_or(live.options().build.seed)};
-    ActKeeper keeper(drive, component);
-    live.observe_acts(&keeper);
     live.activate();
+    ActKeeper keeper(drive, live);
+    live.observe_acts(&keeper);
     const int start = live.generation();
     const auto keep = [&](std::map<std::string, DrivePort, std::less<>>& ports, const Port& port, bool is_new) {
         DrivePort& kept = ports[port.name()];
@@ -219,41 +211,53 @@ public:
             for (const auto& port : behavior->in_ports()) player->add(port->name(), drive.arrived.at(port->name()));
             return player;
         };
+        auto seconds = std::make_unique<double>(0);
+        if (!drive.times.empty()) {
+            options.build.real_time = true;
+            options.build.clock = [now = seconds.get()] { return *now; };
+        }
         auto live = RunningSystem::make(system_of(drive), project, std::move(options));
         if (!live) return Unexpected(live.error());
         const std::string& name = drive.entry.name;
-        // Of the inputs that the behaviour has now.
+        // Plays into the inputs that the behaviour has now.
         for (const auto& port : std::as_const(**live).system().find(name)->in_ports()) {
             const Connect connect{.from = player_of(name) + "." + port->name(), .to = name + "." + port->name()};
             if (auto done = (*live)->act(connect, {}); !done) return Unexpected(done.error());
         }
         (*live)->activate();
-        return JudgedSystem(drive, std::move(*live));
+        return JudgedSystem(drive, std::move(seconds), std::move(*live));
     }
 
     /// Performs the acts before the next tick.
     Expected<void> act() {
-        for (; next_ < drive_->acts.size() && drive_->acts[next_].first <= tick(); ++next_) {
+        if (ticks_ < drive_->times.size()) *seconds_ = drive_->times[ticks_];
+        const std::int64_t now = std::as_const(*live_).system().now().tick;
+        for (; next_ < drive_->acts.size() && drive_->acts[next_].first <= now; ++next_) {
             const Act& act = drive_->acts[next_].second;
             const auto done = live_->act(act, {});
             if (done) continue;
-            return failure(fmt::format("{} at {:g} s of the recording fails now: {}", name_of(act),
-                                       static_cast<double>(tick()) / drive_->rate, done.error().message),
+            return failure(fmt::format("{} at {:g} s of the recording fails now: {}", act_in_words(name_of(act)),
+                                       std::as_const(*live_).system().now().seconds, done.error().message),
                            done.error().place);
         }
         return {};
+    }
+    void tick() {
+        live_->tick();
+        ++ticks_;
     }
     RunningSystem& live() { return *live_; }
     const Component& behavior() const { return *std::as_const(*live_).system().find(drive_->entry.name); }
 
 private:
-    JudgedSystem(const RecordedDrive& drive, std::unique_ptr<RunningSystem> live)
-        : drive_(&drive), live_(std::move(live)) {}
-    std::int64_t tick() const { return std::as_const(*live_).system().now().tick; }
+    JudgedSystem(const RecordedDrive& drive, std::unique_ptr<double> seconds, std::unique_ptr<RunningSystem> live)
+        : drive_(&drive), seconds_(std::move(seconds)), live_(std::move(live)) {}
 
     const RecordedDrive* drive_;
+    std::unique_ptr<double> seconds_;  // what the system's clock says
     std::unique_ptr<RunningSystem> live_;
-    std::size_t next_ = 0;
+    std::size_t next_ = 0;   // act
+    std::size_t ticks_ = 0;  // that have been
 };
 
 }  // namespace
@@ -265,18 +269,20 @@ Expected<Judgement> judge(const RecordedDrive& drive, const Project& project, co
     Judgement judgement{.ticks = drive.ticks, .notes = drive.notes};
     Judge each(drive, tolerance, judgement, curves);
     each.follow(judged->behavior());
-    for (std::int64_t tick = 0; tick < drive.ticks; ++tick) {
+    std::int64_t equal = 0;  // ticks before the first difference
+    for (std::int64_t i = 0; i < drive.ticks; ++i) {
         if (auto done = judged->act(); !done) return Unexpected(done.error());
-        judged->live().tick();
+        judged->tick();
         each.compare(judged->behavior(), judged->live().system().last_tick());
+        if (judgement.different == 0) ++equal;
     }
     if (judgement.different == 0) return judgement;
     // Once more up to there: a trace costs time in each tick.
     auto again = JudgedSystem::make(drive, project, options);
     if (!again) return Unexpected(again.error());
-    for (std::int64_t tick = 0; tick <= judgement.first_tick; ++tick) {
+    for (std::int64_t i = 0; i <= equal; ++i) {
         if (auto done = again->act(); !done) return Unexpected(done.error());
-        if (tick < judgement.first_tick) again->live().tick();
+        if (i < equal) again->tick();
     }
     auto lines = lines_of_next_tick(again->live(), drive.entry.name);
     if (lines) judgement.lines = std::move(*lines);

@@ -26,11 +26,15 @@ struct RecordedDrive {
     double physics_step = 0.005;  ///< [s]
     std::uint64_t seed = 0;       ///< of the run
     std::int64_t ticks = 0;
+    std::vector<double> times{};  ///< [s] of the ticks, where the clock decided them; empty: a tick lasts 1 / rate
     std::map<std::string, DrivePort, std::less<>> arrived{};    ///< at in-ports, by their names
     std::map<std::string, DrivePort, std::less<>> published{};  ///< by out-ports
     std::vector<std::pair<std::int64_t, Act>> acts{};           ///< on the component, before these ticks
     std::vector<std::string> notes{};                           ///< for the user
 };
+
+/// The behaviour with this name in a recorded system; the error names those that it has.
+Expected<const BehaviorEntry*> recorded_behavior(const SystemSpec& spec, const std::string& component);
 
 /// Repeats a run, and keeps what this component got and wrote; up to the first restart. An error if the run can't be
 /// repeated, or the component is not in its system file.

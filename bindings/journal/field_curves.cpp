@@ -1,4 +1,4 @@
-// Only numbers are kept: texts and truth values have no curve.
+// Only numbers are kept: texts and booleans have no curve.
 #include "bindings/journal/field_curves.hpp"
 
 #include "engine/tree/node.hpp"

@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <utility>
-#include <variant>
 
 #include "bindings/journal/act_json.hpp"
 #include "bindings/journal/files_json.hpp"

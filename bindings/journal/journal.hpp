@@ -37,8 +37,8 @@ enum class RunEnd {
     error,     ///< by an error
 };
 
-/// Takes lines of a journal, about so many bytes, and makes their text when it writes them. Each call continues the one
-/// before. `make` may be called in another thread.
+/// Takes lines of a journal, about `bytes` of text, and makes their text when it writes them. Each call continues the
+/// one before. `make` may be called in another thread.
 using JournalSink = std::function<void(std::size_t bytes, std::function<std::string()> make)>;
 
 class Journal final : public ActObserver {
@@ -65,7 +65,7 @@ public:
     void serve();
     /// Records the present hash.
     void mark();
-    /// Writes the last line and everything else, and removes the older file. Following ends.
+    /// Writes the last line and all pending lines, removes the older file, and stops observing the system.
     void end(RunEnd how, const std::string& message, const ActTime& when, std::uint64_t hash);
     /// The error of writing, if any.
     const std::optional<Error>& error() const { return error_; }

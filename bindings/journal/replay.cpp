@@ -4,14 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "bindings/journal/act_json.hpp"
 #include "bindings/journal/files_json.hpp"
 #include "bindings/journal/value_json.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/base/whole_file.hpp"
+#include "engine/live/prepare.hpp"
 
 namespace nezumi {
 namespace {
@@ -20,12 +21,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 std::optional<std::uint64_t> hash_of(const Json& json) {
-    std::uint64_t hash = 0;
     if (!json.is_string()) return std::nullopt;
     const auto& text = json.get_ref<const std::string&>();
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), hash, 16);
-    if (error != std::errc{} || end != text.data() + text.size() || text.size() != 16) return std::nullopt;
-    return hash;
+    return text.size() == 16 ? number_in<std::uint64_t>(text, 16) : std::nullopt;
 }
 
 std::optional<ActTime> time_of(const Json& json) {
@@ -89,6 +87,16 @@ Expected<std::unique_ptr<Replay>> Replay::read(const fs::path& file, const std::
 
 Expected<std::unique_ptr<Replay>> Replay::of_text(std::string_view text, const fs::path& file,
                                                   const std::string& version) {
+    return parse(text, file, version, false);
+}
+
+Expected<std::unique_ptr<Replay>> Replay::of_record(std::string_view text, const fs::path& file,
+                                                    const std::string& version) {
+    return parse(text, file, version, true);
+}
+
+Expected<std::unique_ptr<Replay>> Replay::parse(std::string_view text, const fs::path& file, const std::string& version,
+                                                bool takes_hardware) {
     std::unique_ptr<Replay> replay(new Replay(file));
     int number = 0;
     for (std::size_t at = 0; at < text.size();) {
@@ -99,7 +107,7 @@ Expected<std::unique_ptr<Replay>> Replay::of_text(std::string_view text, const f
             break;
         }
         const std::string line(text.substr(at, end - at));
-        auto ok = number == 1 ? replay->read_header(line, version) : replay->read_entry(line, number);
+        auto ok = number == 1 ? replay->read_header(line, version, takes_hardware) : replay->read_entry(line, number);
         if (!ok) return Unexpected(ok.error());
         at = end + 1;
     }
@@ -107,7 +115,7 @@ Expected<std::unique_ptr<Replay>> Replay::of_text(std::string_view text, const f
     return replay;
 }
 
-Expected<void> Replay::read_header(const std::string& line, const std::string& version) {
+Expected<void> Replay::read_header(const std::string& line, const std::string& version, bool takes_hardware) {
     const Json json = Json::parse(line, nullptr, false);
     if (!json.is_object() || !json.contains("journal")) return wrong(1, "is not a journal of nezumi run --journal");
     const auto written_by = field<std::string>(json, "version");
@@ -115,7 +123,8 @@ Expected<void> Replay::read_header(const std::string& line, const std::string& v
         return failure(fmt::format("{} is a journal of nezumi {}, this is {}: only the same version replays it",
                                    file_.string(), shown(written_by.value_or("of another time")), version));
     }
-    if (field<bool>(json, "hardware").value_or(false)) {
+    is_of_hardware_ = field<bool>(json, "hardware").value_or(false);
+    if (is_of_hardware_ && !takes_hardware) {
         return failure(fmt::format("{} is the journal of a run on hardware: it is only a record, and can't be replayed",
                                    file_.string()));
     }
@@ -216,7 +225,7 @@ Expected<void> Replay::check_system(const fs::path& file) const {
     return failure(fmt::format("{} is a journal of {}, not of {}", file_.string(), system_, file.string()));
 }
 
-Expected<std::unique_ptr<RunningSystem>> Replay::load(LiveOptions options) {
+LiveOptions Replay::with_its_files(LiveOptions options) {
     options.files = &*files_;
     options.installed = installed_;
     options.build.seed = seed_;
@@ -226,9 +235,36 @@ Expected<std::unique_ptr<RunningSystem>> Replay::load(LiveOptions options) {
     options.watch = false;
     options.is_replay = true;
     options.budget = headless_budget;
-    auto live = RunningSystem::load(system_, std::move(options));
+    return options;
+}
+
+Expected<SystemSpec> Replay::spec(const LiveOptions& given) {
+    const LiveOptions options = with_its_files(given);
+    return read_spec(system_, Project::of(system_, installed_, *options.files), options);
+}
+
+Expected<std::vector<std::pair<std::int64_t, Act>>> Replay::acts_on(const std::string& component) const {
+    std::vector<std::pair<std::int64_t, Act>> acts;
+    for (const Entry& entry : entries_) {
+        if (entry.when.start != 1 || entry.name == Describe<Seek>::name || entry.name == Describe<Restart>::name) break;
+        if (entry.kind != Entry::Kind::act || entry.failed) continue;
+        const Json its = entry.fields.is_object() ? entry.fields.value("component", Json()) : Json();
+        if (its != component) continue;
+        const auto act = act_from_json(entry.name, entry.fields, PartReader());
+        if (!act) return wrong(entry.line, act.error().message);
+        if (is_about(*act, component)) acts.emplace_back(entry.when.tick, *act);
+    }
+    return acts;
+}
+
+Expected<std::unique_ptr<RunningSystem>> Replay::load(LiveOptions options) {
+    auto live = RunningSystem::load(system_, with_its_files(std::move(options)));
     if (live) (*live)->foresee(std::exchange(foreseen_, {}));
     return live;
+}
+
+std::optional<std::int64_t> Replay::end_tick() const {
+    return end_ ? std::optional(entries_.back().when.tick) : std::nullopt;
 }
 
 std::int64_t Replay::ticks() const {

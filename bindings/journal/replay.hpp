@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bindings/journal/journal.hpp"
@@ -22,10 +23,13 @@ public:
     /// Reads a journal of this version. An error gives the file, the line and the problem, or why it can't be replayed
     /// here. An incomplete last line is ignored.
     static Expected<std::unique_ptr<Replay>> read(const std::filesystem::path& file, const std::string& version);
-    /// The same from its text; `file` is the name for errors.
+    /// Reads a journal from its text; `file` is the name for errors.
     static Expected<std::unique_ptr<Replay>> of_text(std::string_view text, const std::filesystem::path& file,
                                                      const std::string& version);
-    /// A journal may have so many bytes.
+    /// Reads also the journal of a run on hardware, which can't be repeated: for `spec` and `acts_on` only.
+    static Expected<std::unique_ptr<Replay>> of_record(std::string_view text, const std::filesystem::path& file,
+                                                       const std::string& version);
+    /// The largest size of a journal [bytes].
     static constexpr std::size_t largest = std::size_t{4} << 30;
     ~Replay();
     Replay(const Replay&) = delete;
@@ -36,6 +40,16 @@ public:
     Expected<void> check_system(const std::filesystem::path& file) const;
     /// Builds the recorded system from the journal only, with these makers of worlds and components, and this log.
     Expected<std::unique_ptr<RunningSystem>> load(LiveOptions options);
+    /// Reads the recorded system's description from the journal only.
+    Expected<SystemSpec> spec(const LiveOptions& options);
+    /// The seed of the recorded run.
+    std::uint64_t seed_of(const SystemSpec& spec) const { return seed_wins_ ? seed_ : spec.seed.value_or(seed_); }
+    /// The acts that changed this component, each with the tick before which it was; up to the first restart or seek.
+    Expected<std::vector<std::pair<std::int64_t, Act>>> acts_on(const std::string& component) const;
+    /// The tick before which the run ended, and its robots began to brake; nothing if its journal is incomplete.
+    std::optional<std::int64_t> end_tick() const;
+    /// Whether robots were real.
+    bool is_of_hardware() const { return is_of_hardware_; }
     /// Performs the acts before the next tick, and compares hashes. Returns true if there is more, so that a tick may
     /// follow. An error gives the line where the run differs from the journal.
     Expected<bool> before_tick(RunningSystem& live);
@@ -54,7 +68,10 @@ private:
     struct Entry;
 
     Replay(std::filesystem::path file);
-    Expected<void> read_header(const std::string& line, const std::string& version);
+    static Expected<std::unique_ptr<Replay>> parse(std::string_view text, const std::filesystem::path& file,
+                                                   const std::string& version, bool takes_hardware);
+    Expected<void> read_header(const std::string& line, const std::string& version, bool takes_hardware);
+    LiveOptions with_its_files(LiveOptions options);
     Expected<void> read_entry(const std::string& line, int number);
     Expected<void> read_out_of_time(const nlohmann::ordered_json& json, const ActTime& when, int number);
     Unexpected wrong(int line, const std::string& what) const;
@@ -67,6 +84,7 @@ private:
     std::vector<std::filesystem::path> installed_;
     std::uint64_t seed_ = 0;
     bool seed_wins_ = false;
+    bool is_of_hardware_ = false;
     StartValues values_;
     std::optional<RecordedFiles> files_;
     std::vector<Entry> entries_;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "bindings/journal/base64.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/base/utf8.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/ports/port.hpp"
@@ -114,9 +114,7 @@ template <class T>
 std::string read_whole(const Json& json, T& out) {
     if constexpr (!std::is_same_v<T, bool>) {
         if (const auto* text = json.get_ptr<const std::string*>()) {
-            const char* const end = text->data() + text->size();
-            const auto read = std::from_chars(text->data(), end, out);
-            if (read.ec == std::errc() && read.ptr == end) return "";
+            if (const auto read = number_in<T>(*text)) return out = *read, "";
         }
     }
     constexpr auto largest = std::uint64_t{std::numeric_limits<T>::max()};

@@ -14,7 +14,7 @@ namespace nezumi {
 /// A text; one with invalid UTF-8 as its bytes: { "base64": "..." }.
 nlohmann::ordered_json text_to_json(const std::string& text);
 Expected<std::string> text_from_json(const nlohmann::ordered_json& json);
-/// The same for the name of a member, which must be a text: "base64:...".
+/// A text as the name of a member; one with invalid UTF-8 as "base64:...".
 std::string text_to_key(const std::string& text);
 Expected<std::string> text_from_key(const std::string& key);
 
@@ -32,12 +32,12 @@ struct OtherForms {
 };
 
 /// A value by its type's table: a structure as its fields, without those that hold nothing. A value of any type within
-/// it is a truth value, a number or a text as they are, null for nothing, { "table": 0 } for a table of plain data,
+/// it is a boolean, a number or a text as they are, null for nothing, { "table": 0 } for a table of plain data,
 /// else an object of its type's name and itself: { "numbers": [...] }, { "TimedVelocity2D": {...} }.
 nlohmann::ordered_json value_to_json(const ValueView& value, const OtherForms& others = {});
 /// As `read_number`.
 std::string read_value(const nlohmann::ordered_json& json, const ValuePlace& out, const OtherForms& others = {});
-/// The same for plain data. Like every value that was read, it needs no further check.
+/// Reads plain data. Like every value that was read, it needs no further check.
 std::string read_plain(const nlohmann::ordered_json& json, PlainData& out);
 
 /// "expected a text, got 5": a long value is shortened.

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -47,7 +46,7 @@ void read_part(Fields fields, const Value& given, std::vector<SpacePart>& parts)
     if (part.min > part.max)
         return wrong(fmt::format("'{}' has a min of {} above its max of {}", shown(part.name), part.min, part.max));
     for (const SpacePart& other : parts) {
-        if (other.name == part.name) return wrong(fmt::format("'{}' is there twice", shown(part.name)));
+        if (other.name == part.name) return wrong(fmt::format("'{}' occurs twice", shown(part.name)));
     }
     parts.push_back(std::move(part));
 }

@@ -73,12 +73,12 @@ public:
 
     const EnvironmentSpec& spec() const { return spec_; }
     LuaState& state() const { return LuaState::of(file_->lua()); }
-    /// The file of its system. The error has the place of the call.
+    /// The file of its system. The error has the location of the call.
     Expected<std::filesystem::path> find_system(const Project& project) const;
     bool has(EnvironmentFunction function) const;
     /// Pushes the function, which exists. Raises no Lua error.
     static void push(lua_State* lua, EnvironmentFunction function);
-    /// An error of one of the functions: "reward: ...", with its place.
+    /// An error of one of the functions: "reward: ...", with its location.
     Error to_error(EnvironmentFunction function, const Error& error) const;
 
 private:

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -39,7 +38,7 @@ public:
     double& reward(std::size_t world) const { return row<double>(2, world).front(); }
     std::uint8_t& terminated(std::size_t world) const { return row<std::uint8_t>(3, world).front(); }
     std::uint8_t& truncated(std::size_t world) const { return row<std::uint8_t>(4, world).front(); }
-    /// Of the present episode.
+    /// The seed of the present episode.
     std::uint64_t& seed(std::size_t world) const { return row<std::uint64_t>(5, world).front(); }
 
 private:

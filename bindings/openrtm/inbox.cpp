@@ -1,9 +1,7 @@
 // Messages are decoded in the thread that received them.
 #include "bindings/openrtm/inbox.hpp"
 
-#include <algorithm>
 #include <utility>
-#include <variant>
 
 #include "bindings/openrtm/rtm_wiring.hpp"
 #include "engine/ports/payload.hpp"

@@ -2,14 +2,13 @@
 #include "bindings/openrtm/peer_parameters.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
 
 #include "bindings/openrtm/profile_parameter.hpp"
 #include "bindings/openrtm/rtc_profiles.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/base/trimmed.hpp"
 
 namespace nezumi::openrtm {
@@ -27,13 +26,7 @@ std::string_view text_in(const PeerSnapshot& peer, std::string_view set, std::st
     return "";
 }
 
-std::optional<double> bound_in(std::string_view text) {
-    text = trimmed(text);
-    double value = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-    return value;
-}
+std::optional<double> bound_in(std::string_view text) { return finite_in(trimmed(text)); }
 
 struct Comparison {
     std::size_t at = 0, size = 0;  // of the operator in the text

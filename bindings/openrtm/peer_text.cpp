@@ -90,8 +90,7 @@ std::string title(const PeerSnapshot& peer) {
 
 Expected<std::string> told_of_peers(const PeerQuestion& question, const PeerAnswer& answer) {
     if (!answer.problem.empty()) {
-        std::vector<std::string_view> known(answer.known.begin(), answer.known.end());
-        return failure(one_line(answer.problem) + did_you_mean(answer.missing, known));
+        return failure(one_line(answer.problem) + did_you_mean(answer.missing, answer.known));
     }
     std::string text;
     for (const PeerSnapshot& peer : answer.peers) {

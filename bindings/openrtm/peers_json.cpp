@@ -1,7 +1,6 @@
 // A connection has the same id at both ends: that is how the ports of two RTCs find each other.
 #include "bindings/openrtm/peers_json.hpp"
 
-#include <algorithm>
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>

@@ -3,15 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <functional>
 #include <string_view>
 #include <utility>
 
 #include "bindings/openrtm/profile_parameter.hpp"
 #include "bindings/openrtm/profile_xml.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/base/trimmed.hpp"
 
 namespace nezumi::openrtm {
@@ -99,15 +97,14 @@ private:
     // A lower bound (`side` 1) or an upper one (-1).
     void bound(const pugi::xml_node& condition, std::string_view name, int side, bool is_inclusive) {
         const std::string text = text_in(condition, name);
-        std::string_view digits = trimmed(text);
+        const std::string_view digits = trimmed(text);
         if (digits.empty()) return;
-        if (digits.front() == '+') digits.remove_prefix(1);
-        double value = 0;
-        const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        if (problem != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
+        const auto number = signed_finite_in(digits);
+        if (!number) {
             result_.remarks.push_back(fmt::format("a bound '{}' that is not a number", shown(text)));
             return;
         }
+        double value = *number;
         if (!is_inclusive && is_integer_) value = side > 0 ? std::floor(value) + 1 : std::ceil(value) - 1;
         if (!is_inclusive && !is_integer_)
             result_.remarks.push_back(fmt::format("that {} itself is not allowed (bounds are inclusive here)", value));

@@ -10,13 +10,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <string_view>
 #include <utility>
 
 #include "bindings/openrtm/profile_constraint.hpp"
 #include "bindings/openrtm/profile_xml.hpp"
 #include "bindings/openrtm/rtc_profiles.hpp"
-#include "engine/base/lua_text.hpp"
 #include "engine/base/trimmed.hpp"
 
 namespace nezumi::openrtm {
@@ -74,7 +72,7 @@ std::optional<Value> value_like(const NamedType& type) {
 }
 
 // As people write numbers in several languages: " +1.5f", "0x6A".
-std::optional<double> number_in(std::string_view text) {
+std::optional<double> foreign_number_in(std::string_view text) {
     text = trimmed(text);
     const bool is_negative = text.starts_with('-');
     if (is_negative || text.starts_with('+')) text.remove_prefix(1);
@@ -108,7 +106,7 @@ std::optional<Value> single_in(std::string_view text, const Value& like) {
                        [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
         return from_rtc_text(word == "yes" || word == "on" ? "1" : word == "no" || word == "off" ? "0" : word, like);
     }
-    const auto number = number_in(text);
+    const auto number = foreign_number_in(text);
     if (!number) return std::nullopt;
     if (like.is<double>()) return Value(*number);
     if (*number != std::floor(*number) || std::abs(*number) >= 9007199254740992.0) return std::nullopt;
@@ -157,10 +155,10 @@ void read_properties(const pugi::xml_node& configuration, ParameterSpec& spec) {
         if (name == widget_property) {
             const std::size_t dot = value.find('.');
             spec.widget = value.substr(0, dot);
-            const auto step = dot == std::string::npos ? std::nullopt : number_in(value.substr(dot + 1));
+            const auto step = dot == std::string::npos ? std::nullopt : foreign_number_in(value.substr(dot + 1));
             if (step && *step > 0) spec.step = *step;
         } else if (name == step_property) {
-            spec.step = number_in(value).value_or(0);
+            spec.step = foreign_number_in(value).value_or(0);
         } else if (name == min_size_property) {
             spec.min_size = size_in(value);
         } else if (name == max_size_property) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <sstream>
-#include <string>
 
 #include "engine/base/trimmed.hpp"
 #include "engine/base/utf8.hpp"

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "bindings/openrtm/profile_xml.hpp"
-#include "engine/base/utf8.hpp"
 #include "engine/base/yaml.hpp"
 
 namespace nezumi::openrtm {
@@ -135,7 +134,7 @@ void put(YAML::Emitter& out, const pugi::xml_node& element) {
 bool is_yaml_profile(std::string_view text) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     const std::size_t first = text.find_first_not_of(" \t\r\n");
-    // Of UTF-16, one of the first two bytes is 0, or a mark.
+    // In UTF-16, one of the first two bytes is 0, or a mark.
     return first != std::string_view::npos && text[first] != '<' && text[0] != '\0' && text[0] != '\xfe' &&
            text[0] != '\xff';
 }
@@ -157,7 +156,7 @@ Expected<pugi::xml_node> open_yaml_profile(std::string_view text, const std::str
 }
 
 Expected<std::string> save_yaml_profile(const pugi::xml_document& document) {
-    // The same texts as in XML, so that a profile can be converted.
+    // Only texts that XML can have, so that a profile can be converted.
     if (auto fits = save_profile(document); !fits) return Unexpected(fits.error());
     YAML::Emitter out;
     out << YAML::BeginMap << YAML::Key << std::string(root_key) << YAML::Value;

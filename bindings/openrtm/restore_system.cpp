@@ -134,7 +134,7 @@ private:
         const ProfiledComponent* from = component_at(profile_, connection.from);
         const ProfiledComponent* to = component_at(profile_, connection.to);
         if (find(from) == nullptr || find(to) == nullptr) {
-            return fail("not connected: " + text_of(connection) + ": a component is not there");
+            return fail("not connected: " + text_of(connection) + ": one of the two components was not found");
         }
         const std::string between = text_of(connection);
         RtcRequest request{.what = What::connect,

@@ -20,7 +20,7 @@ Expected<std::vector<std::string>> nameservers_of(const SystemProfile& profile);
 struct RestoreHost {
     /// Asks or changes RTCs; waits for the answer.
     std::function<PeerAnswer(const PeerQuestion&)> ask;
-    /// Waits a moment for RTCs that are not there yet; false: long enough.
+    /// Waits a moment for RTCs that are not running yet; false: long enough.
     std::function<bool()> wait;
     /// Reports a line; `is_problem`: something that could not be done.
     std::function<void(bool is_problem, const std::string& line)> say;

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <utility>
 
 #include "bindings/openrtm/rtm_wiring.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/base/trimmed.hpp"
 
 namespace nezumi::openrtm {
@@ -68,8 +68,9 @@ bool read_rtc(const std::string& text, const ValuePlace& out) {
                 if constexpr (std::is_same_v<T, bool>) {
                     return false;
                 } else {
-                    const auto read = std::from_chars(whole.data(), whole.data() + whole.size(), number);
-                    return read.ec == std::errc() && read.ptr == whole.data() + whole.size();
+                    const auto read = number_in<T>(whole);
+                    if (read) number = *read;
+                    return read.has_value();
                 }
             });
     }
@@ -135,11 +136,10 @@ Expected<std::vector<RtcProfile>> profiles_of(const System& system, const RtmSpe
         }
         profiles.push_back(std::move(profile));
     }
-    const std::vector<std::string_view> known(paths.begin(), paths.end());
     for (const auto& [path, other] : rtm.rename) {
         if (paths.contains(path) || system.find(path.substr(0, path.find('.'))) == nullptr) continue;
         return failure(fmt::format("rtm: field 'rename': there is no exported port '{}'{}", shown(path),
-                                   did_you_mean(path, known)),
+                                   did_you_mean(path, paths)),
                        rtm.place);
     }
     return profiles;

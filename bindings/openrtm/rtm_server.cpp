@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "bindings/openrtm/host_context.hpp"
 #include "bindings/openrtm/peer_text.hpp"
@@ -167,8 +166,8 @@ void RtmServer::follow_stop() {
         if (!outlet.published.commands()) continue;
         const WantedOrders connected = orb_->wanted(outlet.path);
         if (connected.little || connected.big)
-            host_.say(true, fmt::format("rtm: emergency stop: RTCs connected to {} are sent zero until rearm()",
-                                        outlet.path));
+            host_.say(true,
+                      fmt::format("rtm: emergency stop: RTCs connected to {} get speed 0 until rearm()", outlet.path));
     }
     for (const ConnectionSpec& wanted : wanted_) {
         const auto links = links_of(host_.system(), {wanted});

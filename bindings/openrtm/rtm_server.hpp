@@ -58,7 +58,7 @@ public:
 
     using OrbMaker = std::function<Expected<std::unique_ptr<Orb>>(const OrbOptions& options, RtcSite& site)>;
 
-    /// Exports the system. An error has the place of the wrong line, or says what to install.
+    /// Exports the system. An error has the location of the wrong line, or says what to install.
     static Expected<std::unique_ptr<RtmServer>> open(RtmHost host, const OrbMaker& make_orb = open_orb);
     /// Ends the export.
     ~RtmServer() override;

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
+
+#include "engine/base/number_in.hpp"
 
 namespace nezumi::openrtm {
 namespace {
@@ -21,9 +22,8 @@ bool is_component(std::string_view text) {
 }
 
 bool is_number(std::string_view text, int least, int most) {
-    int number = -1;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-    return read.ec == std::errc() && read.ptr == text.data() + text.size() && number >= least && number <= most;
+    const auto number = number_in<int>(text);
+    return number && *number >= least && *number <= most;
 }
 
 }  // namespace

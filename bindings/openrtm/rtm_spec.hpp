@@ -18,7 +18,7 @@ struct RtmSpec {
     std::vector<std::string> nameservers{"localhost:2809"};  ///< "HOST:PORT" of CORBA name services, not empty
     std::vector<std::string> exported{};                     ///< names of components that are exported as RTCs
     std::string interface = "127.0.0.1";                     ///< address of these RTCs
-    ParameterValues rename{};                                ///< texts: what a port is called there, by "name.port"
+    ParameterValues rename{};                                ///< texts: what RTCs call a port, by "name.port"
     bool manager = false;                                    ///< tools may add and remove behaviours, and end the run
     Place place{};
 };

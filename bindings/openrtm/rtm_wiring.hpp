@@ -20,7 +20,7 @@ std::string rtm_type_id(const MessageType& type);
 
 /// Writes a message as RTCs exchange it: with its stamp [s], if the type has one there.
 void write_rtm_message(Octets& out, const MessageType& type, const ValueView& data, double tm, std::endian order);
-/// Reads one into a value of the type's payload.
+/// Reads a message in this format into `data`, a value of the type's payload.
 Expected<void> read_rtm_message(std::span<const std::uint8_t> bytes, const MessageType& type, const ValuePlace& data,
                                 std::endian order);
 

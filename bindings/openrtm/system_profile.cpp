@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <utility>
 
 #include "bindings/openrtm/profile_xml.hpp"
 #include "bindings/openrtm/profile_yaml.hpp"

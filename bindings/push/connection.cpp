@@ -6,8 +6,8 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 
+#include "engine/base/number_in.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi::push {
@@ -45,23 +45,20 @@ Expected<std::string> PushConnection::take_bytes(std::size_t count) const {
 Expected<std::string> PushConnection::take() const {
     auto digits = take_bytes(length_digits);
     if (!digits) return digits;
-    std::size_t length = 0;
-    const auto [end, problem] = std::from_chars(digits->data(), digits->data() + length_digits, length, 16);
-    if (problem != std::errc() || end != digits->data() + length_digits || length > longest_text)
+    const auto length = number_in<std::size_t>(*digits, 16);
+    if (!length || *length > longest_text)
         return failure(
             "expected an answer of nezumi on the other computer, got other text: does a shell there print something at "
             "its start?");
-    return take_bytes(length);
+    return take_bytes(*length);
 }
 
 Expected<std::size_t> PushConnection::take_number() const {
     const auto text = take();
     if (!text) return Unexpected(text.error());
-    std::size_t number = 0;
-    const auto [end, problem] = std::from_chars(text->data(), text->data() + text->size(), number);
-    if (problem != std::errc() || end != text->data() + text->size())
-        return failure("expected a number from nezumi on the other computer, got other text");
-    return number;
+    const auto number = number_in<std::size_t>(*text);
+    if (!number) return failure("expected a number from nezumi on the other computer, got other text");
+    return *number;
 }
 
 Expected<std::string> PushConnection::take_line() const {

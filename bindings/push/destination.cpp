@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <sstream>
-#include <string>
 #include <system_error>
 #include <vector>
 

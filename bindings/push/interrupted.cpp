@@ -2,7 +2,6 @@
 #include "bindings/push/interrupted.hpp"
 
 #include <fmt/format.h>
-#include <grp.h>
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -6,7 +6,6 @@
 // files that are kept in addition. Instead of any message, the receiving side may send `failed` with the reason.
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <vector>
 

@@ -19,7 +19,7 @@ using TakesBytes = std::function<int(std::string_view bytes)>;
 
 class OpenFolder {
 public:
-    /// Fails, with the path as its place, if the folder does not exist or can't be read.
+    /// Fails, with the path as its location, if the folder does not exist or can't be read.
     static Expected<OpenFolder> open(const std::filesystem::path& path);
 
     /// Opens the subfolder of this name; a link to a folder is refused.

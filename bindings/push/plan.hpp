@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "bindings/push/file_list.hpp"
@@ -15,7 +14,7 @@ struct FileChange {
         added,
         changed,
         removed,
-        kept_edited,   ///< from an earlier push, edited there since, and different in the project
+        kept_edited,   ///< from an earlier push, edited on the robot since, and different in the project
         kept_own,      ///< not from a push, and the project has another file with this name
         kept_removed,  ///< as kept_edited, but no longer in the project: it becomes the robot's own
     };
@@ -31,7 +30,7 @@ bool is_change(FileChange::What what);
 bool is_withheld(FileChange::What what);
 
 struct PushPlan {
-    std::vector<FileChange> changes{};  ///< sorted by name; without empty folders that are removed
+    std::vector<FileChange> changes{};  ///< sorted by name, without the empty folders that the push removes
     FileList next{};                    ///< the list of pushed files after this push
 };
 

@@ -11,7 +11,6 @@
 #include <cstring>
 #include <system_error>
 #include <thread>
-#include <utility>
 
 #include "bindings/push/content_hash.hpp"
 #include "bindings/push/finishing.hpp"

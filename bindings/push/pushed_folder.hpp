@@ -55,8 +55,8 @@ public:
                          const GivesBytes& content);
     /// From here on this push will be finished in any case.
     Expected<void> commit(const FileList& next);
-    /// Puts the committed files in place. Returns the files that were kept because they were edited there. After an
-    /// error it can be finished later.
+    /// Puts the committed files in place. Returns the files that were kept because they were edited on the robot. After
+    /// an error it can be finished later.
     Expected<std::vector<FileChange>> finish();
 
 private:

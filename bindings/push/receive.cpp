@@ -2,7 +2,6 @@
 #include "bindings/push/receive.hpp"
 
 #include <iterator>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -92,14 +91,14 @@ Expected<void> receive(const PushConnection& connection) {
     auto done = stage_files(connection, *folder, order->project, plan);
     if (done) done = folder->commit(plan.next);
     if (!done) {
-        (void)folder->end_interrupted();  // the next push does it if this one can't
-        done.error().message += ": nothing was changed there";
+        (void)folder->end_interrupted();  // if this fails, the next push repeats it
+        done.error().message += ": nothing was changed on the robot";
         return done;
     }
     const auto kept = folder->finish();
     if (!kept) {
         Error why = kept.error();
-        why.message += ": some files were already changed there; correct this and push again";
+        why.message += ": some files on the robot were already changed; correct this and push again";
         return Unexpected(std::move(why));
     }
     if (auto said = connection.put(say_done); !said) return said;

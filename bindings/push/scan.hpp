@@ -18,7 +18,7 @@ struct ProjectScan {
 };
 
 /// All files and folders of the project except those of git, `build/`, editors' copies (`*~`, `*.swp`) and robots' own
-/// `*.calibration.lua`. Fails, with the file as its place, if one can't be read.
+/// `*.calibration.lua`. Fails, with the file as its location, if one can't be read.
 Expected<ProjectScan> scan_project(const std::filesystem::path& project);
 
 }  // namespace nezumi::push

@@ -14,7 +14,7 @@
 namespace nezumi::push {
 namespace {
 
-constexpr std::string_view nothing_changed = "nothing was changed there";
+constexpr std::string_view nothing_changed = "nothing was changed on the robot";
 
 // Takes the next word of the other side, or its error. `state` is added if it gives no reason.
 Expected<std::string> take_word(const PushConnection& connection, std::string_view state) {

@@ -352,7 +352,7 @@ def _encoded(text):
 
 
 def lua(value):
-    """A value as Lua writes it: None, truth values, numbers, texts, bytes, and lists, tuples and dicts of them."""
+    """A value as Lua writes it: None, booleans, numbers, texts, bytes, and lists, tuples and dicts of them."""
     if value is None:
         return "nil"
     if isinstance(value, bool):

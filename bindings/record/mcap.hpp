@@ -23,7 +23,6 @@ enum class Opcode : std::uint8_t {
     chunk_index = 0x08,
     statistics = 0x0B,
     metadata = 0x0C,
-    metadata_index = 0x0D,
     summary_offset = 0x0E,
     data_end = 0x0F,
 };

@@ -1,4 +1,4 @@
-// The data section is read from the begin: neither the summary nor indexes are needed.
+// The data section is read from the start: neither the summary nor indexes are needed.
 #include "bindings/record/mcap_reader.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 namespace nezumi::record {
 namespace {
 
-// A chunk may have so many bytes before compression.
+// The largest size of a chunk [bytes], before compression.
 constexpr std::size_t most_chunk_bytes = std::size_t{256} << 20;
 
 // Takes numbers and texts from a record's content. After the end everything is 0 and "".
@@ -97,7 +97,7 @@ public:
     }
 
 private:
-    // `offset`: [bytes] from the begin of the file, for errors within a chunk that of the chunk.
+    // `offset`: [bytes] from the start of the file, for errors within a chunk that of the chunk.
     Expected<void> read_records(std::string_view bytes, std::size_t at, std::size_t chunk) {
         while (at < bytes.size()) {
             here_ = chunk > 0 ? chunk : at;

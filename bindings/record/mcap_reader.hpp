@@ -24,7 +24,7 @@ struct McapFile {
     bool is_complete = false;
 };
 
-/// All messages may have so many bytes together, before compression.
+/// The largest size of all messages together [bytes], before compression.
 inline constexpr std::size_t most_recorded_bytes = std::size_t{4} << 30;
 
 /// `name` is that of the file, for errors. Errors give the byte: a record with wrong lengths, a chunk with a wrong

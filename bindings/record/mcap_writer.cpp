@@ -8,7 +8,6 @@
 #include <cassert>
 #include <concepts>
 #include <string_view>
-#include <utility>
 
 namespace nezumi::record {
 namespace {

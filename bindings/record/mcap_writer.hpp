@@ -31,8 +31,6 @@ public:
     /// All that was added since the last whole chunk as one chunk, with its index: replaces the small chunks since
     /// then. "" for nothing.
     std::string whole_chunk();
-    /// The bytes of messages since the last whole chunk, before compression.
-    std::size_t pending_bytes() const { return pending_.size(); }
     /// The end of the file: the last whole chunk, and the summary. Replaces the small chunks as well.
     std::string end();
 

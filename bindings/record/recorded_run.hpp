@@ -28,7 +28,7 @@ std::uint64_t to_nanoseconds(double seconds);
 /// The inverse: a number of seconds with at most 9 decimals comes back exactly.
 double to_seconds(std::uint64_t nanoseconds);
 
-/// Numbers and texts by name, of parameters, of a script's state and of its probes. A truth value is 0 or 1.
+/// Numbers and texts by name, of parameters, of a script's state and of its probes. A boolean is 0 or 1.
 struct NamedNumber {
     std::string name;
     double value = 0;

@@ -1,4 +1,4 @@
-// Writes structures as bytes and reads them back: the fields in order, numbers as in memory, texts and lists after
+// Writes structures as bytes and reads them back: the members in order, numbers as in memory, texts and lists after
 // their length, optional values after whether they exist.
 #pragma once
 
@@ -8,8 +8,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 #include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/values/members.hpp"
 
 namespace nezumi {
 
@@ -25,8 +29,27 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 
-/// A structure needs a function `each_field(archive, value)` in its namespace. It calls the archive with each field,
-/// and returns whether all of them were read. The size of a number must be the same on all machines (no `std::size_t`).
+/// Of a structure that is not archived whole, a function `each_field(archive, value)` in its namespace calls the
+/// archive with each field that is, and returns whether all of them were read.
+template <class Archive, class AnyError>
+requires std::is_same_v<std::remove_const_t<AnyError>, Error>
+bool each_field(Archive& archive, AnyError& error) {
+    return archive(error.message) && archive(error.place) && archive(error.kind) &&
+           error.kind >= Error::Kind::ordinary && error.kind <= Error::Kind::out_of_time;
+}
+
+namespace detail {
+template <class Archive, class Structure>
+bool archive_fields(Archive& archive, Structure& value) {
+    if constexpr (requires { each_field(archive, value); }) {
+        return each_field(archive, value);
+    } else {
+        return std::apply([&](auto&... member) { return (archive(member) && ...); }, members_of(value));
+    }
+}
+}  // namespace detail
+
+/// The size of a number must be the same on all machines (no `std::size_t`).
 struct ArchiveWriter {
     std::string bytes{};
 
@@ -47,7 +70,7 @@ struct ArchiveWriter {
             (*this)(value.has_value());
             return !value || (*this)(*value);
         } else {
-            return each_field(*this, value);
+            return detail::archive_fields(*this, value);
         }
     }
 };
@@ -87,7 +110,7 @@ struct ArchiveReader {
             value.reset();
             return !has_value || (*this)(value.emplace());
         } else {
-            return each_field(*this, value);
+            return detail::archive_fields(*this, value);
         }
     }
 };

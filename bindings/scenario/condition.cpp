@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "bindings/lua/sandbox/compile.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
@@ -266,7 +265,7 @@ int Condition::take_contact(lua_State* lua, Comparison& value, const Function& f
     value.result = lua_toboolean(lua, 3) != 0;
     value.robustness = of_result(value.result);
     value.decided = &value;
-    // Of `and`, `or` and `not`, the least robustness is exact even if a greater one of a part is not.
+    // The least robustness of `and`, `or` and `not` is exact even if a greater one of a part is not.
     const bool is_part = &function == own_.get() && function.observed.returns_only;
     const bool may_be_less = is_part && asked_ != nullptr && value.negated != asked_->opposite;
     const double most = may_be_less ? asked_->least : std::numeric_limits<double>::infinity();

@@ -60,7 +60,7 @@ public:
 
     /// Its own, without those of functions that it calls, in the order of the text.
     const std::vector<Comparison>& comparisons() const;
-    /// Of the last sample.
+    /// The robustness of the last sample.
     const Robustness& robustness() const { return robustness_; }
     /// Why nothing is known about its numbers; "" if something is.
     const std::string& why() const { return why_; }

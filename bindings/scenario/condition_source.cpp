@@ -265,7 +265,6 @@ private:
         Comparison value{.left = words(node), .right = "", .op = Comparison::Operator::truth};
         value.negated = negated;
         if (node.is(Kind::member) && node.word_text() == "collided") {
-            value.is_contact = true;
             value.unit = "m";
             const std::string what = in_message(*node.child);
             if (what != "?") value.called = fmt::format(" ({})", what);

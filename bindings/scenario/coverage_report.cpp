@@ -7,6 +7,9 @@
 #include <cctype>
 #include <sstream>
 
+#include "bindings/lua/syntax/lexer.hpp"
+#include "engine/project/script_source.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -60,6 +63,24 @@ void CoverageReport::add(const std::string& scenario, const std::vector<FileCove
     }
 }
 
+void CoverageReport::add_unloaded(const std::string& name, const std::string& text) {
+    if (files_.contains(name)) return;
+    const MarkedText marked = mark_lines(without_preamble(text));
+    if (!compile(marked.text, name)) return;  // too long for a limit of Lua: it would have no marks when it is loaded
+    FileCoverage file{.file = name, .hash = ScriptFile({"", "", text}).hash};
+    for (const int line : marked.lines) {
+        if (line != 0) file.lines.push_back({line, false});
+    }
+    std::map<int, std::int32_t> numbers;
+    for (const MarkedText::Branch& branch : marked.branches) {
+        const std::int32_t number = numbers[branch.line]++;
+        file.lines.push_back({branch.line, false});
+        file.branches.push_back({branch.line, number, 0, false});
+        if (!branch.passed.empty()) file.branches.push_back({branch.line, number, 1, false});
+    }
+    if (!file.lines.empty()) add("", {file});
+}
+
 CoverageReport::Counts CoverageReport::File::all() const {
     Counts sum;
     for (const auto& [name, counts] : scenarios) {
@@ -78,16 +99,18 @@ std::string CoverageReport::Counts::text() const {
 }
 
 std::string CoverageReport::summary() const {
-    std::size_t lines = 0, lines_ran = 0, ways = 0, ways_ran = 0;
+    std::size_t lines = 0, lines_ran = 0, ways = 0, ways_ran = 0, unloaded = 0;
     for (const auto& [name, file] : files_) {
         const Counts all = file.all();
+        unloaded += file.is_loaded() ? 0 : 1;
         lines += all.lines.size();
         lines_ran += count_ran(all.lines);
         ways += all.ways.size();
         ways_ran += count_ran(all.ways);
     }
-    return fmt::format("coverage: {}, {} of {} file{}", Counts::text(lines_ran, lines, "lines"),
-                       Counts::text(ways_ran, ways, "branches"), files_.size(), files_.size() == 1 ? "" : "s");
+    return fmt::format("coverage: {}, {} of {} file{}{}", Counts::text(lines_ran, lines, "lines"),
+                       Counts::text(ways_ran, ways, "branches"), files_.size(), files_.size() == 1 ? "" : "s",
+                       unloaded == 0 ? "" : fmt::format(", {} of which no scenario loads", unloaded));
 }
 
 std::string CoverageReport::lcov() const {
@@ -132,8 +155,10 @@ std::string CoverageReport::text(
             }
             out += fmt::format("{:>5} {:>4}  {}{}\n", number, ran, line, ways);
         }
-        for (const auto& [scenario, counts] : file.scenarios)
-            out += fmt::format("  {}: {}\n", scenario, line_ranges(counts.lines));
+        if (!file.is_loaded()) out += "  no scenario loads it\n";
+        for (const auto& [scenario, counts] : file.scenarios) {
+            if (file.is_loaded()) out += fmt::format("  {}: {}\n", scenario, line_ranges(counts.lines));
+        }
     }
     return out;
 }

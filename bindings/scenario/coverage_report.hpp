@@ -18,9 +18,11 @@ class CoverageReport {
 public:
     /// Adds a run of this scenario.
     void add(const std::string& scenario, const std::vector<FileCoverage>& files);
+    /// Adds a file with this text that no scenario has loaded, unless one has.
+    void add_unloaded(const std::string& file, const std::string& text);
     bool empty() const { return files_.empty(); }
 
-    /// "coverage: 120 of 125 lines (96.0 %), 40 of 44 branches (90.9 %) of 5 files".
+    /// "coverage: 120 of 125 lines (96.0 %), 40 of 44 branches (90.9 %) of 5 files, 1 of which no scenario loads".
     std::string summary() const;
     /// A tracefile of lcov (geninfo(1)): a section for each scenario and file. Counts are numbers of runs.
     std::string lcov() const;
@@ -42,8 +44,10 @@ private:
     };
     struct File {
         std::uint64_t hash = 0;
-        std::vector<std::pair<std::string, Counts>> scenarios;  // number of runs of each scenario
-        Counts all() const;                                     // number of scenarios
+        std::vector<std::pair<std::string, Counts>>
+            scenarios;       // number of runs of each scenario; one without a name: none
+        Counts all() const;  // number of scenarios
+        bool is_loaded() const { return !scenarios.front().first.empty(); }
     };
 
     std::map<std::string, File> files_;

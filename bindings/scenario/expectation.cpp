@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace nezumi {
 
 std::string_view to_text(Expectation::Kind kind) {

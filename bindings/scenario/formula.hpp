@@ -14,11 +14,10 @@ namespace nezumi {
 struct Comparison {
     enum class Operator : unsigned char { less, less_equal, greater, greater_equal, equal, unequal, truth };
     std::string left;   ///< as written in the text
-    std::string right;  ///< the same; "" of a truth value
+    std::string right;  ///< as written in the text; "" for a boolean
     Operator op = Operator::less;
     std::string_view unit{};  ///< of what is compared, "" when the text does not tell
     bool negated = false;     ///< the condition has `not` before it
-    bool is_contact = false;  ///< the value is `X.collided` of a robot, whose clearance is a number
     std::string called{};     ///< what is called for the value, as in Lua's messages: "upvalue 'near'"; of a contact,
                               ///< what is indexed: " (field 'mouse')"
 
@@ -83,7 +82,7 @@ struct Observed {
     Robustness finish(bool result);
 
 private:
-    // What was nearest to another way through the function, if the function then would return the other value.
+    // The value nearest to another way through the function, if the function would then return the other value.
     Robustness nearest_[2]{};
     std::optional<Robustness> result_;
 };

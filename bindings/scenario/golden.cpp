@@ -4,13 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
-#include <optional>
 #include <sstream>
 
 #include "engine/base/csv.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/project/project.hpp"
 
@@ -31,13 +30,6 @@ std::vector<Fields> read_rows(const std::string& csv) {
         if (fields && !row.empty()) rows.emplace_back(fields->begin(), fields->end());
     }
     return rows;
-}
-
-std::optional<double> number_of(const std::string& text) {
-    double number = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (problem != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
-    return number;
 }
 
 std::string shown_cell(const std::string& text) { return text.empty() ? "nothing" : shown(text); }
@@ -78,8 +70,8 @@ Expected<void> Golden::compare(const std::string& csv) const {
             const std::string wanted = i < expected.size() ? expected[i] : "";
             if (actual == wanted) continue;
             const std::string where = fmt::format("line {}, at {} s: {}", row + 2, rows_[row].time, shown(names[i]));
-            const auto a = number_of(actual);
-            const auto b = number_of(wanted);
+            const auto a = finite_in(actual);
+            const auto b = finite_in(wanted);
             if (!a || !b)
                 return failure(fmt::format("{} is {}, not {}", where, shown_cell(actual), shown_cell(wanted)));
             const double off = std::abs(*a - *b);

@@ -1,7 +1,6 @@
 // The margin of an expectation over time, from the robustness of its condition in each sample.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
-#include <utility>
 
 #include "bindings/scenario/paired_statistics.hpp"
 
@@ -17,6 +17,7 @@ namespace {
 struct Side {
     std::string value;
     std::map<std::string, double> measured{};
+    std::set<std::string> failed{};  // without a value
 };
 
 struct Compared {
@@ -27,22 +28,32 @@ struct Compared {
 std::vector<Compared> compared(const std::vector<MeasuredRun>& runs) {
     std::vector<Compared> all;
     for (const MeasuredRun& run : runs) {
-        const auto is_key = [&](const auto& value) { return value.first == run.paired; };
-        const auto own = std::find_if(run.point.begin(), run.point.end(), is_key);
-        if (!run.counts || own == run.point.end()) continue;
-        const std::string common = text_of(without(run.point, run.paired)) + run.repetition;
+        if (!run.counts || run.paired.empty()) continue;
         for (const Measure& measure : run.measures) {
             const auto same = [&](const Compared& other) {
                 return std::tie(other.scenario, other.name, other.unit) ==
                        std::tie(run.scenario, measure.name, measure.unit);
             };
-            auto found = std::find_if(all.begin(), all.end(), same);
-            if (found == all.end())
-                found = all.insert(all.end(), {run.scenario, measure.name, measure.unit, run.paired});
+            if (std::none_of(all.begin(), all.end(), same))
+                all.push_back({run.scenario, measure.name, measure.unit, run.paired});
+        }
+    }
+    for (Compared& each : all) {
+        for (const MeasuredRun& run : runs) {
+            const auto is_key = [&](const auto& value) { return value.first == each.key; };
+            const auto own = std::find_if(run.point.begin(), run.point.end(), is_key);
+            if (run.scenario != each.scenario || own == run.point.end()) continue;
+            const std::string common = text_of(without(run.point, each.key)) + run.repetition;
             const auto is_value = [&](const Side& side) { return side.value == own->second.text; };
-            auto side = std::find_if(found->sides.begin(), found->sides.end(), is_value);
-            if (side == found->sides.end()) side = found->sides.insert(found->sides.end(), {own->second.text});
-            side->measured.emplace(common, measure.value);
+            auto side = std::find_if(each.sides.begin(), each.sides.end(), is_value);
+            if (side == each.sides.end()) side = each.sides.insert(each.sides.end(), {own->second.text});
+            const auto is_it = [&](const Measure& m) { return m.name == each.name && m.unit == each.unit; };
+            const auto measure = std::find_if(run.measures.begin(), run.measures.end(), is_it);
+            if (run.counts && measure != run.measures.end()) {
+                side->measured.emplace(common, measure->value);
+            } else if (!run.passed) {
+                side->failed.insert(common);
+            }
         }
     }
     return all;
@@ -64,6 +75,11 @@ std::vector<PairSummary> summarize_pairs(const std::vector<MeasuredRun>& runs) {
                 if (value < other->second) ++summary.less;
                 if (value > other->second) ++summary.more;
             }
+            for (const auto& [one, other] : {std::pair(&first, &*second), std::pair(&*second, &first)}) {
+                for (const std::string& common : one->failed)
+                    summary.left_out +=
+                        other->measured.contains(common) || (one == &first && other->failed.contains(common)) ? 1 : 0;
+            }
             std::sort(differences.begin(), differences.end());
             if (!differences.empty()) {
                 summary.lower_quartile = quantile(differences, 0.25);
@@ -82,6 +98,8 @@ std::string text_of(const PairSummary& summary) {
     std::string pairs = fmt::format(
         "{0}, {1}={2} minus {1}={3}: {4} pair{5}", title_of_measure(summary.name, summary.unit, summary.scenario),
         summary.key, summary.second, summary.first, differences.count, differences.count == 1 ? "" : "s");
+    if (summary.left_out > 0)
+        pairs += fmt::format(" ({} pair{} left out: a run failed)", summary.left_out, summary.left_out == 1 ? "" : "s");
     if (differences.count == 0) return pairs;
     return pairs + fmt::format(
                        ", min {:.6g}, quartiles {:.6g} and {:.6g}, median {:.6g} (95 % interval {:.6g} to {:.6g}), "

@@ -21,6 +21,7 @@ struct PairSummary {
     double lower_quartile = 0, upper_quartile = 0;
     std::pair<double, double> median_interval{};  ///< contains the median with a confidence of 95 %
     std::size_t less = 0, more = 0;               ///< number of pairs in which the second value is less, or more
+    std::size_t left_out = 0;                     ///< number of pairs of which a run failed before it had a value
 };
 
 /// For each measure of each paired scenario: the first value of the key compared with each other value, in the order of

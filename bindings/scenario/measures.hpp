@@ -14,7 +14,7 @@ namespace nezumi {
 
 /// The measures of one run.
 struct MeasuredRun {
-    std::string scenario;  ///< its name
+    std::string scenario;  ///< its name, and its file if other files have a scenario of that name
     std::string name;      ///< with the values of its sweep
     SweepPoint point;
     std::uint64_t seed = 0;

@@ -46,7 +46,7 @@ private:
 
     static Variable variable(const SyntaxNode& name) { return {name.variable, name.word->text}; }
 
-    // Records the place of each local variable, and the function of each variable. If a variable is assigned several
+    // Records the location of each local variable, and the function of each variable. If a variable is assigned several
     // functions, it counts as unknown.
     void note(const SyntaxNode& node) {
         if (node.is(Kind::name) && node.variable != nullptr) uses_[node.variable].push_back(&node);

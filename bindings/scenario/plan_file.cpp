@@ -32,17 +32,6 @@ concept MaybeConst = std::is_same_v<std::remove_const_t<T>, Plain>;
 
 }  // namespace
 
-template <class Archive, MaybeConst<Place> T>
-bool each_field(Archive& archive, T& place) {
-    return archive(place.file) && archive(place.line) && archive(place.column);
-}
-
-template <class Archive, MaybeConst<Error> T>
-bool each_field(Archive& archive, T& error) {
-    return archive(error.message) && archive(error.place) && archive(error.kind) &&
-           error.kind >= Error::Kind::ordinary && error.kind <= Error::Kind::out_of_time;
-}
-
 template <class Archive, MaybeConst<Scenario> T>
 bool each_field(Archive& archive, T& scenario) {
     return archive(scenario.name) && archive(scenario.place) && archive(scenario.paired);

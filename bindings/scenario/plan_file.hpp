@@ -15,7 +15,7 @@
 namespace nezumi {
 
 struct KeptPlan {
-    /// All runs of all parts. Scenarios have only their names, places and `paired`; values only their texts.
+    /// All runs of all parts. Scenarios have only their names, locations and `paired`; values only their texts.
     TestPlan plan;
     std::uint64_t made_with = 0;  ///< `fingerprint`
     std::uint64_t seed = 0;

@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "bindings/scenario/failure_folder.hpp"
 #include "bindings/scenario/margins.hpp"
+#include "bindings/scenario/noted_files.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi {
@@ -22,12 +25,17 @@ RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSes
     std::optional<Coverage> coverage;
     if (options.coverage) coverage.emplace(Project::of(file.path, options.installed).root());
     Coverage* const covered = coverage ? &*coverage : nullptr;
+    const NotedFiles files_of_project(options.project_files);
     auto read = ScenarioFile::read(file.path, {.installed = options.installed,
                                                .peer_words = options.peer_words,
                                                .seed = options.seed,
                                                .coverage = covered,
-                                               .project_files = options.project_files});
-    if (!read) return {.outcome = RunOutcome::could_not_run, .error = read.error()};
+                                               .project_files = &files_of_project});
+    const auto reads = [&files_of_project] {
+        const std::set<std::string>& all = files_of_project.looked_for();
+        return std::vector<std::string>(all.begin(), all.end());
+    };
+    if (!read) return {.outcome = RunOutcome::could_not_run, .error = read.error(), .reads = reads()};
     if (run.scenario >= (*read)->scenarios().size())
         return {.outcome = RunOutcome::could_not_run, .error = {"the file has changed meanwhile", {file.shown}}};
     ScenarioRun scenario(**read, run.scenario,
@@ -42,7 +50,11 @@ RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSes
                           .update_goldens = options.update_goldens,
                           .spectator = options.spectator,
                           .coverage = covered});
-    return scenario.run();
+    RunResult result = scenario.run();
+    // Also what failed to load, and what was missing: a save may mend it.
+    const std::vector<std::string> looked_for = reads();
+    result.reads.insert(result.reads.end(), looked_for.begin(), looked_for.end());
+    return result;
 }
 
 std::string command_for(const PlannedFile& file, const PlannedRun& run, const TestSessionOptions& options) {

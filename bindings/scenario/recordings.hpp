@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,8 +40,8 @@ public:
     virtual Expected<std::unique_ptr<RecordedWorld>> open(const std::filesystem::path& file,
                                                           const std::map<std::string, std::string>& ports,
                                                           LiveOptions options) const = 0;
-    /// What the behaviour writes otherwise than in the recorded run, a line each; nothing if it writes the same. Files
-    /// in `request` are paths.
+    /// What the behaviour writes otherwise than in the recorded run, one line for each difference; nothing if it writes
+    /// the same. Files in `request` are paths.
     virtual Expected<std::vector<std::string>> judge(const JudgeRequest& request) const = 0;
 };
 

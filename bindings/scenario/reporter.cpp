@@ -65,7 +65,7 @@ private:
     bool quiet_;
 };
 
-// The place of the failure: a file, and its line if known.
+// The location of the failure: a file, and its line if known.
 std::string place_text(const RunReport& report) {
     const Place& place = report.result.error.place;
     const std::string& file = place.file.empty() ? report.file : place.file;

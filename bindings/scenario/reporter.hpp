@@ -62,7 +62,7 @@ std::unique_ptr<Reporter> tap_reporter(WriteText write);
 /// A JUnit file of the whole session: a test suite for each file.
 std::string junit_text(const std::vector<RunReport>& reports, const SessionSummary& summary);
 
-/// The lines about a run that did not pass: place and reason, facts, files, and the command that repeats it.
+/// The lines about a run that did not pass: location and reason, facts, files, and the command that repeats it.
 std::vector<std::string> failure_lines(const RunReport& report);
 
 }  // namespace nezumi

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <set>
 #include <system_error>
+#include <tuple>
 
 #include "bindings/scenario/archive.hpp"
 #include "bindings/scenario/margins.hpp"
@@ -49,7 +50,9 @@ struct ReadFolders {
     fs::path own;             // the project's folder that contains the scenario, such as tests/; else its own folder
     bool with_below = false;  // not for the project's own folder, and not outside of a project
 
-    auto operator<=>(const ReadFolders&) const = default;
+    bool operator<(const ReadFolders& other) const {  // libc++ 13 compares paths in no other way
+        return std::tie(behaviors, own, with_below) < std::tie(other.behaviors, other.own, other.with_below);
+    }
 };
 
 ReadFolders folders_of(const fs::path& scenario, const std::vector<fs::path>& installed) {

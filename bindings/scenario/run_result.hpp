@@ -37,7 +37,7 @@ struct ConditionMargin {
     std::string unit{};              ///< "" if unknown
     std::string comparison{};        ///< the comparison that decided; "" if the margin is the time left
     double time = 0;                 ///< [s] simulated, when it was so near
-    std::optional<double> left{};    ///< [s] from the event, or the begin of the hold, to the deadline
+    std::optional<double> left{};    ///< [s] from the event, or the start of the hold, to the deadline
     std::string why{};               ///< the reason if there is no margin
 
     bool operator==(const ConditionMargin&) const = default;
@@ -67,7 +67,7 @@ struct RunResult {
     RunOutcome outcome = RunOutcome::passed;
     Error error{};                   ///< the failure, with the line of the scenario
     bool component_failed = false;   ///< it failed because a component went to ERROR
-    std::vector<std::string> facts;  ///< more about the failure, a line each: differences, times, values, a plot
+    std::vector<std::string> facts;  ///< more about the failure, one fact per line: differences, times, values, a plot
     std::vector<ConditionMargin> margins{};  ///< of its conditions, `always` and `never` first, in their order
     std::vector<std::string> printed;        ///< the output of the scenario, and warnings
     std::vector<Measure> measures{};         ///< in the order of `s:measure`, each name once

@@ -13,7 +13,6 @@
 #include "bindings/scenario/failure_folder.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
-#include "engine/live/live_text.hpp"
 #include "engine/ports/setting.hpp"
 #include "engine/project/writable_folder.hpp"
 #include "engine/robot/robot.hpp"

@@ -16,15 +16,21 @@
 namespace nezumi {
 // A value that the run was given by its name, or one from the run's seed.
 int ScenarioRun::Methods::any(ScenarioRun& run, lua_State* lua) {
-    if (lua_type(lua, 2) != LUA_TSTRING || !is_identifier(std::string(string_at(lua, 2))))
+    if (lua_type(lua, 2) != LUA_TSTRING)
         return raise(run, fmt::format("expected a name, as in s:any(\"gust\", {{ at = range(0, 10) }}), got {}",
                                       Arguments{lua}.kind(2)));
     const std::string name(string_at(lua, 2));
+    if (!is_identifier(name))
+        return raise(run,
+                     fmt::format("'{}' can't be the name of values: letters, digits and _, not beginning with a digit",
+                                 shown(name)));
     if (lua_type(lua, 3) != LUA_TTABLE)
         return raise(run, fmt::format("'{}': expected values, as in {{ at = range(0, 10) }}, got {}", name,
                                       Arguments{lua}.kind(3)));
     auto keys = read_sweep_keys(lua, 3, fmt::format("'{}'", name), condition_budget);
     if (!keys) return raise(run, keys.error().message);
+    if (keys->empty())
+        return raise(run, fmt::format("'{}': expected at least one value, as in {{ at = range(0, 10) }}", name));
     std::vector<std::pair<std::string, SweepValue>> values;
     for (SweepKey& key : *keys) {
         if (!is_identifier(key.name))

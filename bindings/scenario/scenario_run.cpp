@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
-#include <utility>
 
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/reload/lua_host.hpp"
@@ -161,25 +159,6 @@ std::string_view ScenarioRun::values() const {
     return name;
 }
 
-void ScenarioRun::note_reads() {
-    std::set<std::string> reads(file_.files().begin(), file_.files().end());
-    const auto note = [&](const FilesSeen& files) {
-        for (const auto& [path, seen] : files) {
-            if (seen.text) reads.insert(path.string());
-        }
-    };
-    for (std::size_t i = 0; i < worlds_.size(); ++i) {
-        const RunHistory& history = worlds_[i].history();
-        note(history.files());
-        for (const PastEvent& event : history.branches().front().own) {
-            if (const auto* act = std::get_if<std::shared_ptr<const PastAct>>(&event.what)) note((*act)->files);
-        }
-        // The description of a world that words made was read before it.
-        for (const std::string& file : std::as_const(worlds_[i]).spec().files) reads.insert(file);
-    }
-    result_.reads.insert(result_.reads.end(), reads.begin(), reads.end());
-}
-
 void ScenarioRun::finish() {
     const auto tell = [this](const Watched& watched) {
         result_.margins.push_back(watched.margin.result(watched.expectation, watched.condition->why()));
@@ -197,7 +176,7 @@ void ScenarioRun::finish() {
     result_.hash = worlds_.trace_hash();
     if (settings_.spectator != nullptr) settings_.spectator->ended(result_);
     if (settings_.coverage != nullptr) result_.coverage = settings_.coverage->take();
-    note_reads();
+    result_.reads.insert(result_.reads.end(), file_.files().begin(), file_.files().end());
     if (settings_.files == nullptr) return;
     RunFiles::Kept kept = settings_.files->finish(settings_.name);
     result_.files = std::move(kept.names);

@@ -4,7 +4,6 @@
 #include <deque>
 #include <functional>
 #include <lua.hpp>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -123,7 +122,6 @@ private:
     Expected<void> open();
     void take_outcome(const CallResult& called);
     void finish();
-    void note_reads();
     void print(std::string_view line);
     // The part of the run's name after the name of the scenario.
     std::string_view values() const;
@@ -169,7 +167,7 @@ private:
     std::vector<std::unique_ptr<Watched>> watches_;
     std::vector<std::unique_ptr<Watched>> waits_;
     std::set<std::pair<const RunningSystem*, std::string>> allowed_errors_;  // components that may go to ERROR
-    std::vector<PortAt> read_ports_;                                         // since the begin of the last sample
+    std::vector<PortAt> read_ports_;                                         // since the start of the last sample
     double asked_until_ = 0;  // [s] end time of the last s:run, which may be between two ticks
     std::size_t printed_bytes_ = 0;
     bool sampling_ = false;  // a condition is running

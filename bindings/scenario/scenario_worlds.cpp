@@ -125,6 +125,7 @@ LiveOptions ScenarioRun::world_options() {
     }
     if (covered_scripts_ != nullptr) options.scripts = covered_scripts_.get();
     options.watch = false;
+    options.files = &file_.project().files();
     options.print = [this](std::string_view line) { print(line); };
     options.build.log = [this](const LogLine& line) {
         if (settings_.spectator != nullptr) settings_.spectator->log(line);
@@ -174,7 +175,8 @@ Expected<void> ScenarioRun::build(Described& described) {
     return {};
 }
 
-// A journal begins with a system file, so the world is built from its text. Null if this is not possible.
+// Writes the system as text and builds the world from it, because a journal begins with a system file. Null if
+// impossible.
 std::unique_ptr<RunningSystem> ScenarioRun::load_from_text(const Described& described, const LiveOptions& options) {
     namespace fs = std::filesystem;
     if (!settings_.keep_journal || options.build.real_time) return nullptr;

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 namespace nezumi {
 namespace {
@@ -25,6 +26,23 @@ std::vector<SweepValue> choices_of(const DrawnValue& drawn) {
     for (const std::string& choice : drawn.choices) values.push_back(text_value(choice));
     return values;
 }
+
+// The number of all points; nothing if there is no end of them.
+std::optional<std::size_t> size_of(const Sweep& sweep) {
+    constexpr double most = 10'000;
+    double size = sweep.keys.empty() ? most : 1;
+    for (const SweepKey& key : sweep.keys) {
+        if (const auto* const range = std::get_if<SweepRange>(&key.values)) {
+            size *= range->step > 0 ? std::floor((range->hi - range->lo) / range->step + 1e-9) + 1 : most;
+        } else {
+            size *= static_cast<double>(std::get<std::vector<SweepValue>>(key.values).size());
+        }
+    }
+    return size < most ? std::optional(static_cast<std::size_t>(size)) : std::nullopt;
+}
+
+// After so many random points, each of so many has been drawn.
+std::size_t tries_of(const std::optional<std::size_t>& size) { return 20 * size.value_or(1); }
 
 }  // namespace
 
@@ -78,13 +96,19 @@ std::vector<SweepPoint> Search::next(std::size_t most) {
         chosen_.clear();
         for (std::size_t i = 0; i < std::min(most, ways.size()); ++i) points.push_back(point_of(ways[i]));
     }
+    // Does not repeat a point: its result would be the same.
+    const std::optional<std::size_t> size = size_of(sweep_);
+    std::vector<SweepPoint> once;
     for (SweepPoint& point : points) {
-        // Does not repeat a point: its result would be the same. A small space may have no new point, so tries are
-        // limited.
-        constexpr int most_tries = 20;
-        for (int i = 0; i < most_tries && !names_.insert(text_of(point)).second; ++i) point = random_point();
+        bool is_new = names_.insert(text_of(point)).second;
+        const bool has_new = !size || names_.size() < *size;
+        for (std::size_t i = 0; i < tries_of(size) && !is_new && has_new; ++i) {
+            point = random_point();
+            is_new = names_.insert(text_of(point)).second;
+        }
+        if (is_new || !size) once.push_back(std::move(point));
     }
-    return points;
+    return once;
 }
 
 // Corners: many failures are where values are least or greatest. With more than three values, a part of the corners in

@@ -39,6 +39,7 @@ public:
         bool has_failed = false;
         while (made < places_.size() && !has_failed) {
             const auto points = search.next(places_.size() - made);
+            if (points.empty()) break;
             std::vector<std::size_t> round;
             for (const SweepPoint& point : points) {
                 round.push_back(places_[made++]);

@@ -1,8 +1,6 @@
 // Results are kept by the process that made them, so that they survive the session.
 #include "bindings/scenario/session_runs.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
 #include <tuple>

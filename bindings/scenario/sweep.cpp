@@ -163,7 +163,7 @@ bool find_from(const Sweep& sweep, std::size_t at, std::string_view text, SweepP
     return false;
 }
 
-// The end of the value of `s:any` at the begin of a text: where ", name.field=" follows, or the text ends.
+// The end of the value of `s:any` at the start of a text: where ", name.field=" follows, or the text ends.
 std::size_t end_of_value(std::string_view text) {
     for (std::size_t comma = text.find(", "); comma != text.npos; comma = text.find(", ", comma + 1)) {
         const std::string_view rest = text.substr(comma + 2);

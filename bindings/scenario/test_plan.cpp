@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "bindings/scenario/noted_files.hpp"
 #include "bindings/scenario/scenario_run.hpp"
 #include "engine/base/find_files.hpp"
 #include "engine/ports/payload.hpp"
@@ -262,9 +263,14 @@ Expected<TestPlan> plan_tests(const PlanOptions& options) {
     std::vector<std::string_view> names;
     for (const fs::path& path : *paths) {
         PlannedFile planned{.path = path, .shown = path.string()};
-        auto file = ScenarioFile::read(
-            path, {.installed = options.installed, .peer_words = options.peer_words, .seed = options.seed},
-            &planned.errors);
+        const NotedFiles files(nullptr);
+        auto file = ScenarioFile::read(path,
+                                       {.installed = options.installed,
+                                        .peer_words = options.peer_words,
+                                        .seed = options.seed,
+                                        .project_files = &files},
+                                       &planned.errors);
+        planned.looked_for.assign(files.looked_for().begin(), files.looked_for().end());
         if (file) {
             planned.shown = (*file)->shown();
             planned.scenarios = (*file)->scenarios();

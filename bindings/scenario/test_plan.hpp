@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,8 +49,9 @@ struct PlannedFile {
     std::filesystem::path path;
     std::string shown;
     std::vector<Scenario> scenarios{};
-    std::vector<Error> errors{};  ///< why it could not be read; then it has no scenarios
-    bool has_own_stem = true;     ///< no other file of the plan has this name in another folder
+    std::vector<Error> errors{};            ///< why it could not be read; then it has no scenarios
+    std::vector<std::string> looked_for{};  ///< paths of modules that it read or looked for
+    bool has_own_stem = true;               ///< no other file of the plan has this name in another folder
 };
 
 struct TestPlan {
@@ -67,7 +67,7 @@ struct PlanOptions {
     std::vector<std::filesystem::path> installed;
     PeerWords peer_words{};            ///< as in `LiveOptions`
     std::optional<SeedRange> seeds{};  ///< each combination is run with each, instead of the scenario's seeds
-    std::size_t search = 0;            ///< of scenarios with a range or `s:any`, a search chooses so many runs
+    std::size_t search = 0;            ///< number of runs that a search chooses for a scenario with a range or `s:any`
     std::string paired;                ///< of all scenarios whose sweep has a list of this name; "": as they say
 };
 

@@ -204,14 +204,27 @@ private:
         }
     }
 
+    // The name of a scenario, and its file if another file has a scenario of that name.
+    std::string own_name(const PlannedRun& run) const {
+        const std::string& name = runs_.scenario_of(run).name;
+        for (std::size_t file = 0; file < plan_.files.size(); ++file) {
+            const std::vector<Scenario>& others = plan_.files[file].scenarios;
+            const auto called_so = [&](const Scenario& other) { return other.name == name; };
+            if (file != run.file && std::any_of(others.begin(), others.end(), called_so))
+                return fmt::format("{} ({})", name, plan_.files[run.file].shown);
+        }
+        return name;
+    }
+
     // The runs as they were planned; the simplest failure of a random sweep is an additional run.
     void measure() {
         for (const std::size_t index : told_) {
             const PlannedRun& run = runs_.run_of(index);
             const RunResult result = agree(runs_.results[index], runs_.scenario_of(run).place);
-            end_.coverage.add(runs_.scenario_of(run).name, result.coverage);
+            const std::string scenario = own_name(run);
+            end_.coverage.add(scenario, result.coverage);
             end_.measured.push_back(
-                {.scenario = runs_.scenario_of(run).name,
+                {.scenario = scenario,
                  .name = run.name,
                  .point = run.point,
                  .seed = run.seed,

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "bindings/scenario/expectation.hpp"
-#include "engine/ports/payload.hpp"
 
 namespace nezumi {
 namespace {

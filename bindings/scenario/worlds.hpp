@@ -22,7 +22,7 @@ public:
     /// Adds a world; its time begins now.
     RunningSystem& add(std::unique_ptr<RunningSystem> world);
 
-    /// The same with a recorded run.
+    /// Adds a recorded run as a world.
     RunningSystem& add(std::unique_ptr<RecordedWorld> recording);
 
     /// Lets somebody look on; null: nobody does.

@@ -11,7 +11,6 @@
 #include <charconv>
 #include <chrono>
 #include <cstring>
-#include <optional>
 #include <string_view>
 #include <utility>
 

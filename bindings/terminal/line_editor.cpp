@@ -18,7 +18,6 @@
 #include <cstring>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "bindings/console/put_text.hpp"
 #include "bindings/terminal/text_layout.hpp"

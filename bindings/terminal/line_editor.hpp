@@ -44,7 +44,7 @@ public:
     Outcome read(const std::string& so_far, std::string& input);
     /// Writes whole lines; the edited input is redrawn below them.
     void print(std::string_view lines);
-    /// The same for a drawing that changes: it replaces the previous one if nothing else was written since and the
+    /// Writes a drawing that changes: it replaces the previous one if nothing else was written since and the
     /// terminal allows it.
     void print_in_place(std::string_view lines);
     /// Sets the prompt of the present input and the following ones.

@@ -12,7 +12,6 @@
 #include <optional>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "bindings/terminal/input_history.hpp"
 #include "bindings/terminal/line_editor.hpp"

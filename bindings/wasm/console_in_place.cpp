@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "bindings/console/transport.hpp"
-#include "bindings/web/console_relay.hpp"
+#include "bindings/web/console_socket.hpp"
 
 namespace nezumi {
 namespace {
@@ -76,27 +76,12 @@ Listener::~Listener() = default;
 
 namespace nezumi::web {
 
-Expected<void> ConsoleRelay::send(ClientId client, const std::string& line, const Actor& who) {
-    auto found = consoles_of_.find(client);
-    if (found == consoles_of_.end()) {
-        auto socket = consoles_.connect(ConsoleServer::Use::prompt, who);
-        if (!socket) return Unexpected(socket.error());
-        found = consoles_of_.emplace(client, Console{.socket = std::move(*socket)}).first;
-    }
-    connections()[found->second.socket.get()].requests += line;
-    return {};
+Expected<bool> send_line(const Descriptor& socket, const std::string& line) {
+    connections()[socket.get()].requests += line;
+    return true;
 }
 
-void ConsoleRelay::serve() {
-    for (auto& [client, console] : consoles_of_) {
-        console.reader.feed(take_lines(connections()[console.socket.get()].events));
-        while (auto line = console.reader.next()) {
-            if (*line) tell_(client, **line);
-        }
-    }
-}
-
-void ConsoleRelay::add_files(std::vector<int>& /*files*/) const {}
+std::string take_some(const Descriptor& socket) { return take_lines(connections()[socket.get()].events); }
 
 }  // namespace nezumi::web
 

@@ -1,6 +1,5 @@
 // The program of the web build: what a worker calls for a page, and `run FILE` for comparing hashes in node.
 #include <emscripten.h>
-#include <fmt/format.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -12,33 +11,23 @@
 
 #include "bindings/embed/simulation.hpp"
 #include "bindings/wasm/page_run.hpp"
-#include "engine/base/visible.hpp"
+#include "bindings/wasm/to_page.hpp"
 
 using namespace nezumi;
 
 namespace {
-
-constexpr const char* installed_files = "/share/nezumi";
-
-// clang-format off
-EM_JS(void, send_to_page, (const char* bytes, int size, int is_binary), {
-    const sent = HEAPU8.slice(bytes, bytes + size);
-    Module["send"](is_binary ? sent.buffer : new TextDecoder().decode(sent));
-})
-// clang-format on
 
 std::unique_ptr<web::PageRun>& page_run() {
     static std::unique_ptr<web::PageRun> the;
     return the;
 }
 
-int refuse(const Error& error) {
-    std::fprintf(stderr, "%s\n", visible(describe(error)).c_str());
-    return 2;
-}
-
 void send(const web::Outgoing& message) {
-    send_to_page(message.bytes.data(), static_cast<int>(message.bytes.size()), message.binary ? 1 : 0);
+    if (message.binary) {
+        send_bytes(message.bytes);
+    } else {
+        send_text(message.bytes);
+    }
 }
 
 int take(Expected<std::unique_ptr<web::PageRun>> run) {
@@ -73,7 +62,7 @@ EMSCRIPTEN_KEEPALIVE int nezumi_open(const char* file) {
     return take(web::PageRun::open(file, {installed_files}, send));
 }
 
-/// The same for the run of a journal.
+/// Opens the run of a journal. Returns 0, or 2 with the reason on standard error.
 EMSCRIPTEN_KEEPALIVE int nezumi_open_run(const char* journal) {
     page_run().reset();
     return take(web::PageRun::open_run(journal, {installed_files}, send));
@@ -84,7 +73,7 @@ EMSCRIPTEN_KEEPALIVE void nezumi_receive(const char* text) {
     if (page_run()) page_run()->receive(text);
 }
 
-/// Goes on for about so many seconds. Returns the time until more is due [s]; negative: the run has ended.
+/// Runs for about `seconds`. Returns the time until the next tick is due [s]; negative: the run has ended.
 EMSCRIPTEN_KEEPALIVE double nezumi_go_on(double seconds) { return page_run() ? page_run()->go_on(seconds) : -1; }
 
 }  // extern "C"

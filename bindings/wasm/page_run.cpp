@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "bindings/cli/files/page_editor.hpp"
 #include "bindings/embed/simulation.hpp"
 #include "bindings/wasm/in_place.hpp"
 #include "engine/base/whole_file.hpp"
@@ -54,7 +55,6 @@ private:
 PageRun::PageRun(Send send) : send_(std::move(send)) {}
 
 PageRun::~PageRun() {
-    tick_in_place_by({});
     served_.reset();
     server_.reset();
     consoles_.reset();
@@ -81,13 +81,14 @@ Expected<void> PageRun::serve() {
     live_->remember_run();
     loop_ = std::make_unique<RunLoop>(*live_, RunLoop::Options{.problems = &problems_});
     consoles_ = std::make_unique<ConsoleServer>(*live_, *loop_);
-    auto server = WebServer::open(*live_, *loop_, *consoles_, {.sockets = {.relay = 0}, .version = NEZUMI_VERSION});
+    auto server = WebServer::open(
+        *live_, *loop_, *consoles_,
+        {.sockets = {.relay = 0}, .version = NEZUMI_VERSION, .editor = cli::editor_of(live_->project())});
     if (!server) return Unexpected(server.error());
     server_ = std::move(*server);
     served_ = std::make_unique<Served>(*consoles_, *server_);
     loop_->add(*served_);
     loop_->after_tick([this] { consoles_->after_tick(); });
-    tick_in_place_by([this] { return tick_for_console(); });
     live_->activate();
     return {};
 }
@@ -139,14 +140,6 @@ double PageRun::go_on(double seconds) {
     const double wait = loop_->go_on(seconds);
     send_all();
     return wait;
-}
-
-bool PageRun::tick_for_console() {
-    if (loop_->is_paused()) return false;
-    loop_->tick();
-    server_->serve(Clock::now(), 0);  // the page sees it, while the command keeps its messages waiting
-    send_all();
-    return true;
 }
 
 }  // namespace nezumi::web

@@ -51,7 +51,6 @@ private:
     LiveOptions options(std::vector<std::filesystem::path> installed);
     Expected<void> serve();
     void send_all();
-    bool tick_for_console();
 
     Send send_;
     Problems problems_;

@@ -1,4 +1,4 @@
-// A page has no signals: the limits of calls are looked at by a hook after so many instructions (watchdog.cpp).
+// A page has no signals: the limits of calls are checked by a hook after a number of instructions (watchdog.cpp).
 #include "bindings/lua/sandbox/lua_text.hpp"
 #include "bindings/lua/sandbox/thread_timer.hpp"
 

@@ -1,12 +1,9 @@
-// Combines the rooms of a simulated system without cameras.
-#include <fmt/format.h>
+// Simulated systems without cameras, and without what is written in YAML.
+#include "bindings/embed/simulation.hpp"
 
 #include <utility>
 
-#include "bindings/embed/simulation.hpp"
-#include "bindings/lua/reload/lua_host.hpp"
-#include "engine/devices/joystick.hpp"
-#include "engine/devices/wired_device.hpp"
+#include "bindings/embed/without_vision.hpp"
 #include "engine/world/occupancy_map.hpp"
 #include "engine/world/ros_calibration.hpp"
 #include "sim/world.hpp"
@@ -14,26 +11,13 @@
 namespace nezumi {
 namespace {
 
-Expected<std::unique_ptr<Component>> refuse(const ComponentEntry& entry, System& /*system*/) {
-    return failure(fmt::format("component '{}': nezumi in a page has no cameras and no vision, and so no {}",
-                               entry.name, entry.type),
-                   entry.place);
-}
-
 Unexpected no_yaml(const std::string& file) { return failure("nezumi in a page reads no YAML", {file}); }
 
 }  // namespace
 
 LiveOptions simulated_systems(std::vector<std::filesystem::path> installed) {
-    LiveOptions live{.scripts = &lua_scripts(),
-                     .installed = std::move(installed),
-                     .world = sim::make_world,
-                     .components = {{"Camera", {{"sim", refuse}}},
-                                    {"ColorDetector", {{"sim", refuse}}},
-                                    {"Joystick", {{"sim", make_joystick}}},
-                                    {"LineDetector", {{"sim", refuse}}},
-                                    {"MarkerDetector", {{"sim", refuse}}}}};
-    add_simulated_devices(live.components);
+    LiveOptions live = systems_without_vision(std::move(installed), "nezumi in a page");
+    live.world = sim::make_world;
     return live;
 }
 

@@ -5,19 +5,10 @@
 
 #include "bindings/console/worker.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
-#include "bindings/wasm/in_place.hpp"
 
 namespace nezumi {
-namespace {
 
-web::TickInPlace& tick() {
-    static web::TickInPlace the;
-    return the;
-}
-
-}  // namespace
-
-void web::tick_in_place_by(TickInPlace by) { tick() = std::move(by); }
+const bool Worker::has_thread = false;
 
 Bell::Bell() = default;
 void Bell::ring() const {}
@@ -41,14 +32,18 @@ void Worker::serve(Clock::time_point /*until*/, const std::function<bool()>& /*t
     if (!job_) return;
     end_calls_when(stop_);
     std::exchange(job_, nullptr)();
-    running_ = false;
+    running_ = job_ != nullptr;
 }
+
+void Worker::start_again(std::function<void()> job) { job_ = std::move(job); }
 
 void Worker::serve_posts() {}
 
 void Worker::revoke() {
     revoked_ = true;
     stop_ = true;
+    if (job_) running_ = false;  // it waits, and does not go on
+    job_ = nullptr;
 }
 
 void Worker::close(std::function<void()> last) {
@@ -66,12 +61,9 @@ void Worker::post(std::size_t /*bytes*/, std::function<void()> work) {
 }
 
 bool Worker::perform(const Work& work) {
-    constexpr std::chrono::seconds patience{20};
     const CallPause pause;
-    // A command that waits for ticks gets them; one that computes a past moment is asked again.
-    for (auto end = Clock::now() + patience; !revoked_ && Clock::now() < end;) {
-        if (work()) return true;
-        if (tick() && tick()()) end = Clock::now() + patience;
+    while (!revoked_) {
+        if (work()) return true;  // else it computes a past moment, piece by piece
     }
     return false;
 }

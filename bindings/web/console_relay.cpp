@@ -1,11 +1,9 @@
-// Non-blocking sockets: a console that accepts no more data is overloaded.
+// A console that accepts no more data is overloaded.
 #include "bindings/web/console_relay.hpp"
 
-#include <sys/socket.h>
-
-#include <array>
-#include <cerrno>
 #include <utility>
+
+#include "bindings/web/console_socket.hpp"
 
 namespace nezumi::web {
 
@@ -16,20 +14,17 @@ Expected<void> ConsoleRelay::send(ClientId client, const std::string& line, cons
         if (!socket) return Unexpected(socket.error());
         found = consoles_of_.emplace(client, Console{.socket = std::move(*socket)}).first;
     }
+    const auto sent = send_line(found->second.socket, line);
+    if (sent && !*sent) return failure("the console is overloaded: try again");
+    if (sent) return {};
     // A partly sent line would corrupt the next one, so the console is closed.
-    const ssize_t sent = ::send(found->second.socket.get(), line.data(), line.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
-    if (sent == static_cast<ssize_t>(line.size())) return {};
-    if (sent < 0 && (errno == EAGAIN || errno == EINTR)) return failure("the console is overloaded: try again");
     consoles_of_.erase(found);
-    return failure("console buffer full; session restarted");
+    return Unexpected(sent.error());
 }
 
 void ConsoleRelay::serve() {
-    std::array<char, 65536> piece{};
     for (auto& [client, console] : consoles_of_) {
-        const ssize_t got = recv(console.socket.get(), piece.data(), piece.size(), MSG_DONTWAIT);
-        if (got <= 0) continue;
-        console.reader.feed({piece.data(), static_cast<std::size_t>(got)});
+        console.reader.feed(take_some(console.socket));
         while (auto line = console.reader.next()) {
             if (*line) tell_(client, **line);
         }

@@ -21,7 +21,7 @@ public:
     /// Sends a browser the message that it does not drive a port, or no longer, with the reason.
     using Tell = std::function<void(ClientId, const std::string& port, const std::string& why)>;
 
-    /// `live` must outlive it.
+    /// `live` must outlive this object.
     Drives(RunningSystem& live, Tell tell) : live_(live), tell_(std::move(tell)) {}
 
     /// Begins, continues or ends a drive. Fails if it can't begin. Call it between two ticks.

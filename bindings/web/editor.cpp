@@ -65,7 +65,7 @@ Json read_version(const EditedFiles& files, const EditMessage& message) {
 // What `nezumi check` says.
 Json check_edited(const std::string& program, const std::string& shown, const std::string& text,
                   const std::atomic<bool>& gives_up) {
-    if (program.empty()) return refused_edit({"this program can't check files: use `nezumi run`"});
+    if (program.empty()) return refused_edit({"files can be checked only in the page of `nezumi run`"});
     const UnnamedFile input(text);
     const UnnamedFile errors;
     const auto end = run_program({.words = {"nice", "-n", "10", program, "check", "-", "--json", "--name", shown},

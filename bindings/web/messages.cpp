@@ -125,13 +125,8 @@ std::string value_in_words(const Json& value) {
 }
 
 // "set parameter controller, speed_x, 0.5" of SetParameter and its fields.
-std::string act_in_words(std::string_view name, const Json& fields) {
-    std::string text;
-    for (const char each : name) {
-        const bool begins = each >= 'A' && each <= 'Z';
-        if (begins && !text.empty()) text += ' ';
-        text += begins ? static_cast<char>(each - 'A' + 'a') : each;
-    }
+std::string shown_act(std::string_view name, const Json& fields) {
+    std::string text = act_in_words(name);
     const char* between = " ";
     for (const auto& [field, value] : fields.items()) {
         if (value.is_null() || value == false) continue;
@@ -152,7 +147,7 @@ ActMessage read_act(Fields& fields, const PartReader& parts) {
         fields.refuse(act.error().message);
         return {};
     }
-    return {.act = std::move(*act), .shown = cut(act_in_words(name, *given))};
+    return {.act = std::move(*act), .shown = cut(shown_act(name, *given))};
 }
 
 TimeMessage read_time(Fields& fields) {
@@ -293,7 +288,7 @@ PeerMessage read_peer(Fields& fields, const Json& json, const PartReader& parts)
         const bool is_plain = single.is_integer() || single.is_floating() || single.kind == Type::Kind::boolean ||
                               single.kind == Type::Kind::text;
         if (!is_plain) {
-            fields.wrong("value", "a number, a text, a truth value, or a list of one kind of them");
+            fields.wrong("value", "a number, a text, a boolean, or a list of one kind of them");
             return {};
         }
         message.request.values.emplace(given.parameter, given.value);

@@ -16,7 +16,7 @@ struct RelayFrame {
     enum class Kind : std::uint8_t {
         // from the program that has the browsers:
         opened,   ///< it has connected
-        viewer,   ///< the same, and may only look
+        viewer,   ///< it has connected, and may only look
         message,  ///< it has sent `bytes`
         ready,    ///< it can take one more message
         closed,   ///< it has gone

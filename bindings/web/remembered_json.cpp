@@ -38,7 +38,7 @@ void add_acts(std::vector<Mark>& marks, const RunHistory& history, std::size_t b
         const auto* past = std::get_if<std::shared_ptr<const PastAct>>(&event.what);
         if (past == nullptr || event.when.start != start) continue;
         const double at = static_cast<double>(event.when.tick) / rate;
-        std::string text = fmt::format("{} by {}", name_of((*past)->act), to_text((*past)->who));
+        std::string text = fmt::format("{} by {}", act_in_words(name_of((*past)->act)), to_text((*past)->who));
         const bool is_more = text == last && at - last_at < together;
         last_at = at;
         if (is_more) continue;

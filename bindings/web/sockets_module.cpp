@@ -20,7 +20,7 @@
 
 #include "bindings/web/sockets.hpp"
 #include "bindings/web/unadmitted.hpp"
-#include "engine/base/descriptors.hpp"
+#include "engine/base/descriptor.hpp"
 #include "engine/base/mutex.hpp"
 #include "engine/base/thread.hpp"
 

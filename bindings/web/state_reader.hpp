@@ -15,7 +15,7 @@ namespace nezumi::web {
 
 class StateReader {
 public:
-    /// Both must outlive it.
+    /// `live` and `clock` must outlive this object.
     StateReader(const RunningSystem& live, const ClockControl& clock) : live_(live), clock_(clock) {}
 
     /// Adds changes to a state that was not used yet, or begins a new one.

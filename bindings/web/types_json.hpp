@@ -11,8 +11,8 @@ namespace nezumi::web {
 /// with fields in CDR order. A message type consists of its time stamp and its data.
 nlohmann::ordered_json types_to_json();
 
-/// The same for the message types of the system's ports that files define. An array is "array<TYPE,N>", an enumeration
-/// "enum<CHOICE,...>".
+/// The message types of the system's ports that files define, with their structures. An array is "array<TYPE,N>", an
+/// enumeration "enum<CHOICE,...>".
 nlohmann::ordered_json defined_types_to_json(const System& system);
 
 }  // namespace nezumi::web

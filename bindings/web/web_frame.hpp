@@ -84,7 +84,7 @@ struct WebLeaf {
     bool operator==(const WebLeaf&) const = default;
 
     static constexpr std::tuple fields{Field{"name", &WebLeaf::name, "", "as in pose.position.x"},
-                                       Field{"value", &WebLeaf::value, "", "a truth value is 0 or 1"}};
+                                       Field{"value", &WebLeaf::value, "", "a boolean is 0 or 1"}};
 };
 struct WebMember {
     std::string name;

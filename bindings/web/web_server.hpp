@@ -34,7 +34,7 @@ struct WebOptions {
     PeerSource peers{};            ///< optional
     EditorOptions editor{};
     bool only_shows = false;                ///< browsers may change nothing but the pace of time
-    std::vector<std::string> conditions{};  ///< of a failed scenario that is looked at, a line each
+    std::vector<std::string> conditions{};  ///< of a failed scenario that is looked at, one line for each
 };
 
 /// Must be called from the ticking thread.

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <istream>
 
+#include "engine/base/number_in.hpp"
 #include "engine/base/trimmed.hpp"
 
 namespace nezumi {
@@ -40,14 +40,6 @@ bool split(std::string_view row, std::vector<std::string_view>& fields) {
     }
 }
 
-std::optional<double> to_number(std::string_view text) {
-    if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
-    double value = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-    return value;
-}
-
 std::string list_of(const std::vector<CsvColumn>& columns) {
     std::string list;
     for (const CsvColumn& column : columns) list += (list.empty() ? "" : ",") + std::string(column.name);
@@ -58,7 +50,7 @@ std::string list_of(const std::vector<CsvColumn>& columns) {
 Expected<std::vector<std::size_t>> read_header(const std::vector<std::string>& fields,
                                                const std::vector<CsvColumn>& columns, const Place& place) {
     const std::string expected = "expected a header row " + list_of(columns);
-    if (to_number(fields.front()))
+    if (signed_finite_in(fields.front()))
         return failure(fmt::format("{}, got the numbers '{}, ...'", expected, shown(fields.front())), place);
     if (fields.size() == 1 && fields.front().find_first_of(";\t") != std::string::npos) {
         return failure(expected + ", got columns that are not separated by commas", place);
@@ -75,7 +67,7 @@ Expected<std::vector<std::size_t>> read_header(const std::vector<std::string>& f
         }
         const auto index = static_cast<std::size_t>(found - names.begin());
         if (std::find(order.begin(), order.end(), index) != order.end()) {
-            return failure(fmt::format("column '{}' is there twice", field), place);
+            return failure(fmt::format("column '{}' occurs twice", field), place);
         }
         order.push_back(index);
     }
@@ -90,7 +82,7 @@ Expected<std::vector<std::size_t>> read_header(const std::vector<std::string>& f
 }  // namespace
 
 Expected<double> csv_number(const std::string& field, const CsvColumn& column, const Place& place) {
-    const auto value = to_number(field);
+    const auto value = signed_finite_in(field);
     const bool allowed = value && (column.range == CsvColumn::Range::any || *value > 0 ||
                                    (*value == 0 && column.range == CsvColumn::Range::not_negative));
     if (!allowed) {

@@ -14,7 +14,7 @@ namespace nezumi {
 
 /// A text as a field in quotes; inner quotes are doubled.
 std::string csv_quoted(std::string_view text);
-/// The same, with quotes only if they are necessary.
+/// A text as a field, with quotes only if they are necessary.
 std::string csv_field(std::string_view text);
 /// Joins fields to a row without a line end.
 template <class Text>
@@ -26,7 +26,7 @@ std::string csv_row(const std::vector<Text>& fields) {
 /// The fields of a row with their quotes and blanks; commas within quotes do not separate. Nothing if a quote is not
 /// closed.
 std::optional<std::vector<std::string_view>> split_csv_row(std::string_view row);
-/// The same for any row. A field with an open quote, which includes the rest of the row, is omitted.
+/// Splits any row. A field with an open quote, which includes the rest of the row, is omitted.
 std::vector<std::string_view> closed_csv_fields(std::string_view row);
 /// The text of such a field, without its quotes and the blanks around it.
 std::string csv_text(std::string_view field);

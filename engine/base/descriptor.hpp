@@ -1,8 +1,10 @@
-// A file descriptor that is closed automatically.
+// File descriptors: one that is closed automatically, and how many servers leave for others.
 #pragma once
 
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace nezumi {
@@ -33,5 +35,17 @@ public:
 private:
     int file_ = -1;
 };
+
+/// Number of descriptors that servers leave for robots, recordings and other files, and for these and consoles; at most
+/// an eighth and a quarter of the limit of the process.
+inline constexpr rlim_t for_files = 32, for_files_and_consoles = 96;
+
+/// Whether `count` more can be opened after this one, which has the lowest free number.
+inline bool leaves_free(int descriptor, rlim_t count) {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return true;
+    const rlim_t part = count > for_files ? 4 : 8;
+    return static_cast<rlim_t>(descriptor) + std::min(count, limit.rlim_cur / part) < limit.rlim_cur;
+}
 
 }  // namespace nezumi

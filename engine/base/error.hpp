@@ -1,16 +1,20 @@
-// An error of the outside world: a message in one plain sentence, with its place.
+// An error of the outside world: a message in one plain sentence, with its location.
 #pragma once
 
+#include <functional>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace nezumi {
 
-/// A place in a file that a person wrote. All parts are optional: an empty file means "no file", 0 means "not known".
+/// A location in a file that a person wrote. All parts are optional: an empty file means "no file", 0 means "not
+/// known".
 struct Place {
     std::string file;  ///< as it is shown to the person, usually the path that they gave
     int line = 0;      ///< from 1
@@ -61,5 +65,20 @@ std::string_view nearest(std::string_view name, const std::vector<std::string_vi
 
 /// " (did you mean 'near'?)" for the nearest candidate, or an empty string if none is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates);
+/// The same for any list of texts.
+template <class Texts>
+std::string did_you_mean(std::string_view name, const Texts& texts) {
+    return did_you_mean(name, std::vector<std::string_view>(std::begin(texts), std::end(texts)));
+}
+/// The same for things with names: `did_you_mean("tsak", tasks, &Task::name)`.
+template <class Things, class Name>
+std::string did_you_mean(std::string_view name, const Things& things, Name name_of) {
+    std::vector<std::string_view> candidates;
+    for (const auto& thing : things) {
+        static_assert(!std::is_same_v<decltype(std::invoke(name_of, thing)), std::string>, "it would end too early");
+        candidates.emplace_back(std::invoke(name_of, thing));
+    }
+    return did_you_mean(name, candidates);
+}
 
 }  // namespace nezumi

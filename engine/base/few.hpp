@@ -1,7 +1,6 @@
 // A list that usually has one element, which needs no memory of its own.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>

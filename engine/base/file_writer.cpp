@@ -102,7 +102,7 @@ int FileWriter::write(std::string_view text) const {
     return 0;
 }
 
-// The same at `kept_`; what was behind it goes.
+// Writes a text at the position `kept_` and removes everything behind it.
 int FileWriter::write_over(std::string_view text) const {
     const auto at = static_cast<off_t>(kept_);
     if (lseek(file_, at, SEEK_SET) < 0) return errno;

@@ -25,18 +25,18 @@ public:
 
     /// Writes this after all earlier texts, without waiting. After an error nothing is written.
     void put(std::string text);
-    /// The same for a text of about so many bytes that takes long to make; the writer's thread makes it.
+    /// Writes a text of about `bytes` that takes long to make; the writer's thread makes it.
     void put(std::size_t bytes, std::function<std::string()> make);
-    /// The same, but the text replaces everything since the last text that came this way. The file must be on a disk.
+    /// Writes a text that replaces everything since the last text of `put_over`. The file must be on a disk.
     void put_over(std::size_t bytes, std::function<std::string()> make);
     /// Whether more than half of `most_waiting` waits. Then callers that can wait should do so.
     bool is_behind() const { return waiting_bytes_ > most_waiting_ / 2; }
     /// The error that ended the writing (an errno); 0 if there is none. ENOBUFS: too much waited; ECANCELED: it was
     /// given up.
     int problem() const;
-    /// The begin of the last piece that was written completely [bytes].
+    /// The start of the last piece that was written completely [bytes].
     std::uint64_t last_whole_piece() const;
-    /// [bytes] from the begin of the file that pieces fill which were written completely.
+    /// The number of bytes at the start of the file that were written completely.
     std::uint64_t whole() const;
     /// Drops everything that is not written yet, so that `close` returns soon. Can be called from any thread.
     void give_up() { given_up_ = true; }
@@ -66,7 +66,7 @@ private:
     const std::size_t most_waiting_;
     int file_;
     std::uint64_t written_ = 0;           // [bytes] of complete pieces
-    std::uint64_t last_whole_piece_ = 0;  // its begin
+    std::uint64_t last_whole_piece_ = 0;  // its start
     std::uint64_t kept_ = 0;              // [bytes] up to the end of the last piece that went over others
     int problem_ = 0;
     bool ends_ = false;

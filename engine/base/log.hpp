@@ -18,6 +18,7 @@ struct LogLine {
     std::string component;  ///< its name, or "" for the system itself
     std::string text;
     int start = 1;  ///< number of starts of the system: 1 at first, one more with each restart
+    bool operator==(const LogLine&) const = default;
 };
 
 /// A function that receives log lines. Called from the ticking thread.

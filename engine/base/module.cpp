@@ -4,10 +4,8 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <cstdlib>
 #include <system_error>
-
-#include "engine/base/own_program.hpp"
 
 namespace nezumi {
 namespace {
@@ -17,6 +15,14 @@ std::filesystem::path path_of(const Module& module) {
 }
 
 }  // namespace
+
+std::filesystem::path own_program() {
+    // Where a script starts this program by a loader of its own, the kernel knows the loader only (.ci/portable).
+    if (const char* script = std::getenv("NEZUMI_PROGRAM")) return script;
+    std::error_code none;
+    // A link of the kernel, which a confined program may read too.
+    return std::filesystem::read_symlink("/proc/self/exe", none);
+}
 
 bool is_built_with(const Module& module) {
     std::error_code none;

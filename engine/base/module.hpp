@@ -1,12 +1,16 @@
 // Parts of the program that are loaded at their first use, because their libraries would slow down every start.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
 #include "engine/base/error.hpp"
 
 namespace nezumi {
+
+/// This program's own file; what belongs to it is beside its folder, in ../share and ../lib. Empty if it is unknown.
+std::filesystem::path own_program();
 
 /// A function of a module: a shared library in the program's library folder.
 struct Module {

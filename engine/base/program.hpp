@@ -17,7 +17,7 @@ bool can_run(const std::string& program);
 /// signal if its reader is gone.
 class UnnamedFile {
 public:
-    /// Contains this text, and is read from its begin.
+    /// Contains this text, and is read from its start.
     explicit UnnamedFile(std::string_view text = {});
     ~UnnamedFile();
     UnnamedFile(const UnnamedFile&) = delete;
@@ -25,7 +25,7 @@ public:
 
     /// -1 if it could not be made.
     int file() const { return file_; }
-    /// The next reader starts at the begin.
+    /// The next reader reads from the start.
     void rewind() const;
     /// The whole content.
     std::string text() const;

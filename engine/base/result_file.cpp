@@ -12,7 +12,6 @@
 #include <cstring>
 #include <filesystem>
 #include <utility>
-#include <vector>
 
 #include "engine/base/csv.hpp"
 #include "engine/base/whole_file.hpp"

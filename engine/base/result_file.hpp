@@ -34,7 +34,7 @@ public:
     /// There is no new file: the older one gets its name back.
     void discard();
     /// Keeps what could be written, up to its last complete row, with `note` as a line after it if there is room.
-    /// `from` is the begin of a row some bytes before the end [bytes].
+    /// `from` is the start of a row some bytes before the end [bytes].
     void cut_to_rows(std::uint64_t from, std::string_view note);
     /// Keeps the first bytes.
     void cut_to(std::uint64_t bytes);

@@ -10,8 +10,8 @@ namespace nezumi {
 /// Unicode that break lines or change the direction of writing as "\u202e".
 std::string visible(std::string_view text);
 
-/// The same for a message in a log: further lines begin with blanks and a bar, so that they can't be taken for a line
-/// of the log.
+/// Text for a message in a log: like `visible`, but further lines begin with blanks and a bar, so that they can't be
+/// taken for a line of the log.
 std::string visible_message(std::string_view text);
 
 }  // namespace nezumi

@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <string>
 
 #include "engine/base/descriptor.hpp"
 #include "engine/base/staged_file.hpp"

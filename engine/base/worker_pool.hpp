@@ -38,7 +38,7 @@ private:
     Mutex mutex_;
     std::condition_variable wake_;
     std::condition_variable done_;
-    // Of the latest round; written before `round_` is increased.
+    // The work of the latest round; written before `round_` is increased.
     const Work* work_ = nullptr;
     std::size_t count_ = 0;
     std::atomic<std::size_t> round_ = 0;

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
+#include "engine/base/number_in.hpp"
 
 namespace nezumi {
 
@@ -32,12 +31,7 @@ std::string yaml_text(const YAML::Node& value) {
 
 std::optional<double> yaml_number(const YAML::Node& value) {
     if (!value.IsDefined() || !value.IsScalar()) return std::nullopt;
-    std::string_view text = value.Scalar();
-    if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
-    double number = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool is_number = problem == std::errc() && end == text.data() + text.size() && std::isfinite(number);
-    return is_number ? std::optional(number) : std::nullopt;
+    return signed_finite_in(value.Scalar());
 }
 
 std::optional<std::vector<double>> yaml_numbers(const YAML::Node& value) {

@@ -1,4 +1,4 @@
-// Reads YAML of other programs: values by their keys, with their places.
+// Reads YAML of other programs: values by their keys, with their locations.
 #pragma once
 
 #include <yaml-cpp/yaml.h>
@@ -18,7 +18,7 @@ Expected<YAML::Node> read_yaml(std::string_view text, const std::string& file);
 /// The value of a key; an undefined node if there is none.
 YAML::Node yaml_field(const YAML::Node& mapping, const std::string& key);
 
-/// The place of a value.
+/// The location of a value.
 Place yaml_place(const YAML::Node& value, const std::string& file);
 
 /// A value as it is written.
@@ -30,7 +30,7 @@ std::optional<double> yaml_number(const YAML::Node& value);
 /// The elements of a list, if they are finite numbers.
 std::optional<std::vector<double>> yaml_numbers(const YAML::Node& value);
 
-/// The truth value: 0, 1, or a word of YAML for it, in upper or lower case.
+/// The boolean: 0, 1, or a word of YAML for it, in upper or lower case.
 std::optional<bool> yaml_boolean(const YAML::Node& value);
 
 }  // namespace nezumi

@@ -125,7 +125,7 @@ public:
     const Port* find_port(std::string_view name) const;
     Port* find_port(std::string_view name) { return const_cast<Port*>(std::as_const(*this).find_port(name)); }
 
-    /// Visits the numbers, truth values and texts of a member that is neither port nor parameter, such as a script's
+    /// Visits the numbers, booleans and texts of a member that is neither port nor parameter, such as a script's
     /// "state". Returns whether it has such a member.
     virtual bool visit_member(std::string_view /*member*/, const LeafVisitor& /*visit*/) const { return false; }
 
@@ -257,7 +257,7 @@ private:
     double failed_at_ = 0;
 
 public:
-    /// Its place in the system file.
+    /// Its location in the system file.
     Place place;
     /// Parameter sets of the system file.
     std::map<std::string, ParameterValues, std::less<>> sets;

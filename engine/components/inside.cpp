@@ -33,7 +33,9 @@ Value add_frames(const ErrorFrames& frames, PlainData& data) {
     PlainData::Table list;
     for (const ErrorFrames::Frame& frame : frames.all) {
         PlainData::Table locals;
-        for (const ErrorFrames::Variable& each : frame.locals) locals.push_back({each.name, each.value});
+        for (const ErrorFrames::Variable& each : frame.locals) {
+            if (!each.value.is_nothing()) locals.push_back({each.name, each.value});
+        }
         PlainData::Table fields{{"file", frame.file}, {"line", std::int64_t{frame.line}}};
         fields.push_back({"locals", data.add(std::move(locals))});
         if (!frame.name.empty()) fields.push_back({"name", frame.name});

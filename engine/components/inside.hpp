@@ -30,13 +30,13 @@ struct TaskStatus {
 /// A value that it shows.
 struct Probe {
     std::string name;
-    PlainData value;  ///< one number, truth value or text, or a flat table of these
+    PlainData value;  ///< one number, boolean or text, or a flat table of these
     double tm = 0;    ///< [s] time when it was set
 };
 
 /// The lines that one execution has run.
 struct TracedLines {
-    /// Of a variable.
+    /// The value of a variable.
     struct Value {
         std::string name;
         std::string text;
@@ -60,7 +60,7 @@ struct ErrorFrames {
     struct Variable {
         std::string name;
         std::string text;  ///< as people see it
-        Value value;       ///< a number, a truth value, or a text; of a table the text that people see
+        Value value;       ///< a number, a boolean, or a text; for a table the text that people see
     };
     struct Frame {
         std::string file;                ///< its name in messages

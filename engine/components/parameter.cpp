@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/base/lua_text.hpp"
 #include "engine/components/parameter_fields.hpp"
@@ -223,9 +222,8 @@ const Parameters::Parameter* Parameters::find(std::string_view name) const {
 
 Expected<std::size_t> Parameters::index_of(std::string_view name) const {
     if (const Parameter* parameter = find(name)) return static_cast<std::size_t>(parameter - all_.data());
-    std::vector<std::string_view> names;
-    for (const Parameter& parameter : all_) names.push_back(parameter.spec.name);
-    return failure(fmt::format("unknown parameter '{}'{}", shown(name), did_you_mean(name, names)));
+    const auto name_of = [](const Parameter& parameter) -> std::string_view { return parameter.spec.name; };
+    return failure(fmt::format("unknown parameter '{}'{}", shown(name), did_you_mean(name, all_, name_of)));
 }
 
 Expected<void> Parameters::set(std::string_view name, const Value& value) {

@@ -17,7 +17,7 @@ namespace nezumi {
 /// Values by parameter name, as in a system file or a parameter set. Sorted, so that messages are the same each time.
 using ParameterValues = std::map<std::string, Value, std::less<>>;
 
-/// The declaration of a parameter. Its type is the type of the default: truth value, integer (`std::int64_t`), number
+/// The declaration of a parameter. Its type is the type of the default: boolean, integer (`std::int64_t`), number
 /// (`double`), text, or an array of one of these.
 struct ParameterSpec {
     std::string name;
@@ -75,19 +75,20 @@ public:
 
     /// Takes over every value that was set in an earlier version of the component and still fits.
     void adopt(const Parameters& earlier);
-    /// The same, only for values that were set from outside.
+    /// Like `adopt`, only for values that were set from outside.
     void adopt_from_outside(const Parameters& earlier);
-    /// The same for one parameter.
+    /// Takes over the value of one parameter.
     void adopt(const Parameters& earlier, std::string_view name);
     /// Another version of the component begins: marks all values as not set from outside.
     void begin_version();
+
+    /// The place of a parameter in `all`. The error names the nearest parameter.
+    Expected<std::size_t> index_of(std::string_view name) const;
 
     /// Grows with every change of a value, for caches.
     std::uint64_t version() const { return version_; }
 
 private:
-    Expected<std::size_t> index_of(std::string_view name) const;
-
     struct Staged {
         std::size_t index;
         Value value;

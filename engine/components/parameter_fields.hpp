@@ -39,7 +39,7 @@ struct Describe<ParameterSpec> {
                 &ParameterSpec::widget,
                 "",
                 "how it is shown for a person to change: a slider needs both bounds, radio needs choices; a checkbox "
-                "shows a truth value, or an array as a part of its choices; an ordered list shows an array of its "
+                "shows a boolean, or an array as a part of its choices; an ordered list shows an array of its "
                 "choices",
                 {.choices = widgets}},
         Setting{"unit", &ParameterSpec::unit, "", "for example \"m/s\""},

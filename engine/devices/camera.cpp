@@ -50,7 +50,7 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
     declare({.name = "width", .initial = Integer{640}, .min = least_picture, .max = largest_picture, .unit = "px"});
     declare({.name = "height", .initial = Integer{480}, .min = least_picture, .max = largest_picture, .unit = "px"});
     declare(
-        {.name = "frame_rate", .initial = 30.0, .min = 0.01, .max = 1000, .unit = "Hz", .doc = "pictures a second"});
+        {.name = "frame_rate", .initial = 30.0, .min = 0.01, .max = 1000, .unit = "Hz", .doc = "pictures per second"});
     declare({.name = "format",
              .initial = std::string("rgb8"),
              .doc = "how a pixel is stored",
@@ -219,17 +219,15 @@ void Camera::publish_intrinsics() {
 
 Expected<std::unique_ptr<Component>> make_camera(const ComponentEntry& entry, System& system, Camera::Open open) {
     if (!entry.on.empty() && system.find_robot(entry.on) == nullptr) {
-        std::vector<std::string_view> names;
-        for (const Robot* robot : system.robots()) names.push_back(robot->name());
         return failure(fmt::format("component '{}': on: there is no robot '{}' before it{}", entry.name, entry.on,
-                                   did_you_mean(entry.on, names)),
+                                   did_you_mean(entry.on, system.robots(), &Robot::name)),
                        entry.place);
     }
     auto camera = std::make_unique<Camera>(entry.name, CameraMount{.robot = entry.on, .at = entry.at, .yaw = entry.yaw},
                                            system.settings().seed, std::move(open), !system.settings().real_time);
     camera->set_tick_rate(system.settings().rate);
     camera->rate = entry.rate;
-    // Invalid parameter values are reported with their place later, when they are set.
+    // Invalid parameter values are reported with their location later, when they are set.
     if (camera->parameters().set_all(entry.config)) {
         if (auto ok = camera->check(); !ok)
             return failure(fmt::format("component '{}': {}", entry.name, ok.error().message), entry.place);

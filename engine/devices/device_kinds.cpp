@@ -161,7 +161,7 @@ std::span<const DeviceKind> device_kinds() {
                    with_safe({text("path", "the device, such as /dev/ttyACM0"),
                               text("vendor", "instead of `path`: the USB vendor's number, such as \"2341\""),
                               text("serial_number", "with `vendor`: the device's own serial number"),
-                              whole("baud", 115200, 50, 4000000, "Bd", "bits a second"),
+                              whole("baud", 115200, 50, 4000000, "Bd", "bits per second"),
                               text("ends", "the end of each line, such as \"\\n\": ports are TimedString then"),
                               text("terminator", "instead of `ends`: the last bytes of each frame"),
                               whole("length", 0, 0, 1024, "", "instead of `ends`: bytes of each frame"),

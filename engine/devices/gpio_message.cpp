@@ -4,30 +4,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "engine/base/error.hpp"
+#include "engine/base/number_in.hpp"
 
 namespace nezumi {
 namespace {
-
-// The whole text as a number.
-template <class T>
-bool read_number(std::string_view text, T& number) {
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, number);
-    return error == std::errc() && rest == end;
-}
 
 tl::expected<GpioLevel, std::string> read_level(std::string_view word, const GpioOutputs& outputs) {
     constexpr std::string_view pwm = "pwm";
     GpioLevel level{.is_pwm = word.starts_with(pwm)};
     const std::size_t equals = std::min(word.find('='), word.size());
     const std::string_view name = word.substr(level.is_pwm ? pwm.size() : 0, equals - (level.is_pwm ? pwm.size() : 0));
-    const std::string_view value = word.substr(std::min(equals + 1, word.size()));
-    if (!read_number(name, level.number) || !read_number(value, level.value))
+    const auto number = number_in<std::int64_t>(name);
+    const auto value = number_in<double>(word.substr(std::min(equals + 1, word.size())));
+    if (!number || !value)
         return tl::unexpected(
             fmt::format("'{}': expected LINE=LEVEL, such as 23=1, or pwmCHANNEL=DUTY, such as pwm0=0.25", shown(word)));
+    level.number = *number;
+    level.value = *value;
     const auto& known = level.is_pwm ? outputs.pwm_channels : outputs.lines;
     if (std::find(known.begin(), known.end(), level.number) == known.end())
         return tl::unexpected(fmt::format("'{}': {} is none of {} ({})", shown(word), level.number,

@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "engine/base/schedule.hpp"
 

@@ -60,9 +60,9 @@ public:
 };
 
 /// Its out-port `out` publishes what the device sends; what arrives at `in` is sent to the device. Both are
-/// TimedString, if its kind has texts, or, a line each, if the parameter `ends` is given; else TimedOctetSeq. In
-/// simulation `wire_out` has what would be sent, and what arrives at `wire_in` counts as sent by the device: for a
-/// behaviour that stands for it.
+/// TimedString, if its kind has texts, or, one message for each line, if the parameter `ends` is given; else
+/// TimedOctetSeq. In simulation `wire_out` has what would be sent, and what arrives at `wire_in` counts as sent by the
+/// device: for a behaviour that stands for it.
 ///
 /// It sends only while it is open: it is ACTIVE, so are all components that write to `in`, nothing is stopped or
 /// paused, and the motors of the robot that it is on have power. When it closes, and when a component that writes to

@@ -24,10 +24,10 @@ struct AskedSystem {
 Expected<PlainData> answer_question(const AskedSystem& asked, const Question& question, bool writable,
                                     const Actor& who);
 
-/// What `Question::What::look` is answered.
+/// The answer to `Question::What::look`.
 struct NodeSnapshot {
     TreeNode::Kind kind{};
-    PlainSnapshot value{};  ///< one value, or nothing: of values, parameters, truths, and all parameters
+    PlainSnapshot value{};  ///< one value for nodes that have values (values, parameters, truth, `config`); else empty
 };
 Expected<NodeSnapshot> read_snapshot(PlainData data);
 

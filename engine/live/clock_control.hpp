@@ -34,7 +34,7 @@ public:
     virtual void resume() = 0;
     virtual bool is_paused() const = 0;
 
-    /// Lets so many ticks pass, at `speed`, and then pauses. `pause` and `resume` end it early; another `advance`
+    /// Lets `ticks` ticks pass, at `speed`, and then pauses. `pause` and `resume` end it early; another `advance`
     /// replaces it.
     virtual void advance(std::int64_t ticks) = 0;
     /// Ticks of `advance` are left.

@@ -3,11 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string_view>
-#include <utility>
 
-#include "engine/live/live_text.hpp"
 #include "engine/robot/robot.hpp"
 #include "engine/tree/member.hpp"
 #include "engine/values/value_text.hpp"

@@ -21,7 +21,7 @@ struct Explanation {
     struct OfRobot {
         std::string robot;
         Velocity2D asked;     ///< the commanded velocity
-        Velocity2D limited;   ///< the same within its limits
+        Velocity2D limited;   ///< the commanded velocity within its limits
         double speed = 0;     ///< [m/s] its limit of speed
         double yaw_rate = 0;  ///< [rad/s] its limit of turning
         bool wheels_told = false;

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "engine/live/running_system.hpp"
 #include "engine/time/recorded_files.hpp"

@@ -1,7 +1,6 @@
 // Stores the latest warnings and errors of a run.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <vector>
@@ -15,9 +14,10 @@ public:
     /// Maximum number of lines.
     static constexpr std::size_t most_lines = 100;
 
-    /// Stores a line if it is a warning or an error.
+    /// Stores a line if it is a warning or an error, and new: a past that is repeated logs its lines again.
     void take(const LogLine& line) {
         if (line.level != LogLevel::warn && line.level != LogLevel::error) return;
+        if (std::find(lines_.begin(), lines_.end(), line) != lines_.end()) return;
         if (lines_.size() == most_lines) lines_.pop_front();
         lines_.push_back(line);
     }

@@ -13,7 +13,8 @@ namespace nezumi {
 /// If the model of a real robot has a start button, nothing moves before it has been pressed.
 class StartButtons {
 public:
-    /// Pauses `loop` if there is a button to wait for, and reports it. Both must outlive this object.
+    /// Pauses `loop` if there is a button to wait for, and reports it. `loop` and the objects that `say` uses must
+    /// outlive this object.
     StartButtons(RunLoop& loop, std::function<void(std::string)> say);
 
 private:
@@ -27,7 +28,7 @@ private:
 /// If the model of a real robot has a shutdown button, a long press ends the run, and then the computer is shut down.
 class ShutdownButtons {
 public:
-    /// Both must outlive this.
+    /// `loop` and the objects that `say` uses must outlive this object.
     ShutdownButtons(RunLoop& loop, std::function<void(std::string)> say);
 
     static constexpr double long_press = 3;  ///< [s]

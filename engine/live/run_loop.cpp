@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
-#include <utility>
 
 namespace nezumi {
 namespace {

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/base/visible.hpp"
 #include "engine/live/past_run.hpp"
 #include "engine/live/running.hpp"
 #include "engine/live/running_system.hpp"
@@ -22,6 +21,12 @@ Expected<std::unique_ptr<PastRun>> RunningSystem::begin_seek(const Seek& where) 
         if (auto ok = check_peers(); !ok) return Unexpected(ok.error());
     }
     if (file_.empty()) return failure("a system without a file can't go back in time");
+    if (history_.is_cut()) {
+        return failure(
+            fmt::format("the past is not kept any more: the messages that were injected, written and held "
+                        "from outside need more than {} MB; a journal (--journal) has them",
+                        RunHistory::most_bytes >> 20));
+    }
     history_.reach(when(), system().now().seconds);
     const auto branch = where.branch.empty() ? std::optional(history_.current()) : history_.find(where.branch);
     if (!branch) return failure(fmt::format("there is no branch '{}': branches() lists them", shown(where.branch)));

@@ -3,10 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 #include "engine/live/answer_question.hpp"
 #include "engine/live/prepare.hpp"
 #include "engine/live/running.hpp"
@@ -161,7 +157,7 @@ void RunningSystem::tick() {
     tell_out_of_time(time);
     if (remembered_ && !ended_) remembered_->note(history_.current(), when(), generation_, system());
     if (ended_) {
-        // What follows the end is not what followed this moment.
+        // Ticks after the end differ from those that followed this moment.
     } else if (is_past()) {
         repeat_known(false);
     } else if (running_->system->now().tick % ticks_between_hashes == 0) {

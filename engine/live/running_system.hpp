@@ -91,7 +91,7 @@ public:
     /// Delivers a message to an existing port, like the act `Write` or `Inject` for its path, but without searching the
     /// port.
     Expected<ActResult> deliver(const Port& port, const Act& act, const Actor& who);
-    // The same in two phases, for callers with a thread that may wait: no tick waits for files or scripts.
+    // `act` in two phases, for callers with a thread that may wait: no tick waits for files or scripts.
     /// Between two ticks: returns a function that prepares a Reload, Add or Restart beside the ticks. `found` are the
     /// files that the caller has already read. A Reload without files and component reloads all files that have
     /// changed.
@@ -140,7 +140,7 @@ public:
     void set_at_rest(bool at_rest);
     /// Calls `Robot::halt` for each: real robots stop at the next tick, without a braking ramp.
     void halt();
-    /// Sets the observer of all further acts. It must outlive this object or be removed with null.
+    /// Sets the observer of all further acts. The observer must outlive this object or be removed with null.
     void observe_acts(ActObserver* observer) { act_observer_ = observer; }
     /// Calls that must run out of time in a replay, by start and tick.
     struct Foreseen {
@@ -201,7 +201,7 @@ private:
     void end_holds();
     void take_foreseen();
     void tell_out_of_time(const ActTime& time);
-    // Continues with the system that has computed the past.
+    // Replaces the running system by the one in `past`, which was replayed to the wanted time.
     Expected<ActResult> take(PastRun& past);
     bool has_peers() const { return !options_.is_replay && away_ == nullptr && !spec().peers.empty(); }
     Expected<void> check_peers() const;

@@ -46,7 +46,7 @@ public:
 
     /// All files of the behaviours, including modules.
     virtual std::vector<ScriptFile> loaded_files() const = 0;
-    /// The same, with the files that a refused version required.
+    /// The loaded files, and the files that a refused version required.
     virtual std::vector<ScriptFile> files() const = 0;
 };
 
@@ -90,7 +90,8 @@ public:
     /// line.
     virtual Expected<SystemSpec> read_system(const std::filesystem::path& file, const Project& project,
                                              const SystemFileOptions& options) const = 0;
-    /// The same from a text; `shown` is the file's name in errors, and names are first searched in its folder.
+    /// Reads a system file from a text; `shown` is the file's name in errors, and names are first searched in its
+    /// folder.
     virtual Expected<SystemSpec> read_system_text(std::string_view text, const std::string& shown,
                                                   const Project& project, const SystemFileOptions& options) const = 0;
     /// A text that is read as the same system; `title` becomes its first line, a comment.
@@ -112,7 +113,7 @@ const ScriptHost& no_scripts();
 /// Reads parts of a system that an act contains as text.
 struct PartReader {
     Project project;            ///< finds the files of entries
-    const ScriptHost* scripts;  ///< must outlive it
+    const ScriptHost* scripts;  ///< must outlive this object
     /// The message types of its ports that files define.
     std::vector<const MessageType*> types{};
 

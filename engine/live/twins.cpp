@@ -8,8 +8,6 @@
 #include <variant>
 #include <vector>
 
-#include "engine/system/build_system.hpp"
-
 namespace nezumi {
 
 Expected<void> add_twins(SystemSpec& spec) {

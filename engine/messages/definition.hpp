@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,7 +26,7 @@ struct FieldDefinition {
     std::string unit{};
     std::string doc{};
     Numbers numbers = Numbers::finite;
-    /// The default: a truth value, a number, a text or a choice. Nothing: the zero value.
+    /// The default: a boolean, a number, a text or a choice. Nothing: the zero value.
     Value initial{};
     Place place{};
 };

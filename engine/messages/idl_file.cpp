@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <optional>
 #include <set>
@@ -115,7 +114,7 @@ private:
         if (word != refused.end()) fail(fmt::format("'{}' is not supported: {}", word->word, word->instead));
     }
 
-    // Of two files of one name the first is read, as include guards have it: a project may have its own copy of an
+    // If two files have one name, the first is read, as include guards do it: a project may have its own copy of an
     // installed file, and include other installed ones.
     static std::string file_name(const SourceText& source) { return source.path.substr(source.path.rfind('/') + 1); }
 

@@ -18,7 +18,7 @@ struct IdlToken {
 
 class IdlLexer {
 public:
-    /// `source` must outlive it.
+    /// `source` must outlive this object.
     explicit IdlLexer(const SourceText& source) : text_(source.text) {}
 
     IdlToken next();

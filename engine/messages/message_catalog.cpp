@@ -185,13 +185,11 @@ Expected<const MessageType*> MessageCatalog::define(const MessageDefinition& def
         for (std::size_t i = 0; i < fields.size(); ++i) {
             const FieldDefinition& field = definition.fields[i];
             const ValuePlace value = ValuePlace(initial).field(payload.fields[i]);
-            if (field.initial.is_nothing()) continue;
-            std::string problem = set_default(value, field.initial);
-            if (problem.empty()) {
-                problem = explain_misfit(field.limits, value.view());
-                if (!problem.empty()) problem.insert(0, "has a default out of its range: ");
-            }
-            if (!problem.empty()) return refuse(field, problem);
+            const bool has_default = !field.initial.is_nothing();
+            if (std::string problem = has_default ? set_default(value, field.initial) : ""; !problem.empty())
+                return refuse(field, problem);
+            if (const std::string misfit = explain_misfit(field.limits, value.view()); !misfit.empty())
+                return refuse(field, (has_default ? "has a default out of its range: " : "needs a default: ") + misfit);
         }
         set_initial(payload, std::move(initial));
     }

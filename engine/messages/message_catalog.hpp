@@ -25,10 +25,10 @@ public:
     /// The catalog of this process. Its results depend only on the definitions.
     static MessageCatalog& shared();
 
-    /// Returns the payload of a message that a field names. The error has no place.
+    /// Returns the payload of a message that a field names. The error has no location.
     using Payloads = std::function<Expected<const Type*>(const FieldDefinition& field)>;
 
-    /// Returns the message type of a definition. An error has the place of the wrong field.
+    /// Returns the message type of a definition. An error has the location of the wrong field.
     Expected<const MessageType*> define(const MessageDefinition& definition, const Payloads& payloads);
 
     /// The most recently defined type with this name; null if there is none.

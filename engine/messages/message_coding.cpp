@@ -1,8 +1,6 @@
 // The stamp is two numbers of 32 bits, as OpenRTM has it and as hosts exchange it.
 #include "engine/messages/message_coding.hpp"
 
-#include <fmt/format.h>
-
 #include <bit>
 #include <utility>
 

@@ -29,6 +29,13 @@ std::string folded(std::string_view name) {
     return text;
 }
 
+// The name of a file without `ending`; nothing for other files. Every port of every behaviour asks this of all files
+// beside it, so no path is made.
+std::optional<std::string_view> stem_of(std::string_view file, std::string_view ending) {
+    if (!file.ends_with(ending)) return std::nullopt;
+    return file.substr(0, file.size() - ending.size());
+}
+
 // A name in two parts: the package, or "", and the rest.
 struct TypeName {
     std::string package, name;
@@ -80,7 +87,7 @@ class MessageFiles::Search {
 public:
     Search(const MessageFiles& files, std::vector<SourceText>& read) : files_(files), read_(read) {}
 
-    // The place of a type's definition: a file, and in IDL the structure.
+    // The location of a type's definition: a file, and in IDL the structure.
     struct Definition {
         fs::path path;
         std::string package;
@@ -242,13 +249,13 @@ private:
 
     // A file that would redefine a built-in type, beside the file at `from` or among the messages.
     std::optional<Definition> redefinition_of(std::string_view built_in, const fs::path& from) {
+        const std::string folded_name = folded(built_in);
         const std::vector<fs::path> folders = project().places(FileKind::message, from);
         for (std::size_t i = 0; i < folders.size(); ++i) {
             for (const std::string& entry : project().files().names_in(folders[i])) {
-                const fs::path path = folders[i] / entry;
-                const bool is_lua = path.extension() == ".lua" && folded(path.stem().string()) == folded(built_in) &&
-                                    (i > 0 || is_message(path));
-                if (is_lua || (path.extension() == ".msg" && path.stem() == built_in)) return Definition{path, "", ""};
+                const auto stem = stem_of(entry, ".lua");
+                const bool is_lua = stem && folded(*stem) == folded_name && (i > 0 || is_message(folders[i] / entry));
+                if (is_lua || stem_of(entry, ".msg") == built_in) return Definition{folders[i] / entry, "", ""};
             }
         }
         return std::nullopt;

@@ -36,7 +36,8 @@ class MessageFiles {
 public:
     MessageFiles(Project project, LuaMessageReader read_lua);
 
-    /// The error has the nearest name. It has a place if a file is wrong, and no place if the type does not exist.
+    /// The error has the nearest name. It has a location if a file is wrong, and no location if the type does not
+    /// exist.
     Expected<FoundMessage> find(std::string_view name, const std::filesystem::path& from,
                                 std::vector<SourceText>* read = nullptr) const;
     /// The names of all types defined by files, sorted, as the file `from` can use them.

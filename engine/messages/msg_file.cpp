@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <filesystem>
 #include <utility>
 
+#include "engine/base/number_in.hpp"
 #include "engine/base/trimmed.hpp"
 #include "engine/messages/plain_value.hpp"
 
@@ -31,7 +31,7 @@ std::string_view kind_of_ros(std::string_view name) {
     return kind.empty() ? find_in(foreign_kinds()) : kind;
 }
 
-// Takes letters, digits and these from the begin of a text.
+// Takes letters, digits and these from the start of a text.
 std::string_view take_word(std::string_view& text, std::string_view more = "_") {
     std::size_t size = 0;
     while (size < text.size() && (std::isalnum(static_cast<unsigned char>(text[size])) != 0 ||
@@ -158,9 +158,9 @@ private:
 
     Expected<void> read_length(std::string_view& text, std::size_t& length) {
         const std::string_view digits = take_word(text);
-        const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), length);
-        if (digits.empty() || read.ec != std::errc() || read.ptr != digits.data() + digits.size())
-            return wrong(fmt::format("expected a length (a whole number), got '{}'", shown(digits)));
+        const auto read = number_in<std::size_t>(digits);
+        if (!read) return wrong(fmt::format("expected a length (a whole number), got '{}'", shown(digits)));
+        length = *read;
         return {};
     }
 

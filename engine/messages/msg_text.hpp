@@ -12,7 +12,7 @@ namespace nezumi {
 /// "my_msgs/msg/Obstacle"; else the structure's own.
 std::string_view ros_name(const Type& type);
 
-/// The same with the package `nezumi_msgs` if it has none: "nezumi_msgs/msg/Point2D".
+/// `ros_name`, with the package `nezumi_msgs` if it has none: "nezumi_msgs/msg/Point2D".
 std::string full_ros_name(const Type& type);
 
 /// The definition of a structure as its .msg file, then those of all structures in it, as MCAP wants them

@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstdint>
-#include <string>
 
+#include "engine/base/number_in.hpp"
 #include "engine/base/trimmed.hpp"
 #include "engine/messages/definition.hpp"
 
@@ -18,13 +17,11 @@ Expected<Value> whole_value(std::string_view text, std::string_view given) {
     if (negative || text.starts_with('+')) text.remove_prefix(1);
     const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
     if (hexadecimal) text.remove_prefix(2);
-    std::uint64_t size = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), size, hexadecimal ? 16 : 10);
+    const auto size = number_in<std::uint64_t>(text, hexadecimal ? 16 : 10);
     constexpr auto most = std::uint64_t{1} << 63;
-    if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size() ||
-        size > (negative ? most : most - 1))
+    if (!size || *size > (negative ? most : most - 1))
         return failure(fmt::format("expected an integer below 2^63, got '{}'", shown(given)));
-    return Value(negative ? static_cast<std::int64_t>(0 - size) : static_cast<std::int64_t>(size));
+    return Value(static_cast<std::int64_t>(negative ? 0 - *size : *size));
 }
 
 }  // namespace
@@ -49,11 +46,9 @@ Expected<Value> plain_value(std::string_view text, std::string_view kind) {
             return Value(std::int64_t{static_cast<unsigned char>(text[1])});
         return whole_value(text, text);
     }
-    double number = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size())
-        return failure(fmt::format("expected a number, got '{}'", shown(text)));
-    return Value(number);
+    const auto number = number_in<double>(text);
+    if (!number) return failure(fmt::format("expected a number, got '{}'", shown(text)));
+    return Value(*number);
 }
 
 FieldComment parse_comment(std::string_view comment) {

@@ -9,7 +9,7 @@
 
 namespace nezumi {
 
-/// A truth value, a number or a text for a field of this kind ("boolean", "double", ...). Numbers may be hexadecimal;
+/// A boolean, a number or a text for a field of this kind ("boolean", "double", ...). Numbers may be hexadecimal;
 /// texts may be quoted.
 Expected<Value> plain_value(std::string_view text, std::string_view kind);
 

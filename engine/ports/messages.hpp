@@ -1,7 +1,6 @@
 // The message types of ports, with OpenRTM-aist's names, each declared once.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -246,13 +245,13 @@ struct CompiledMessage {
 
 /// All compiled message types. Files define others (engine/messages).
 inline constexpr std::tuple compiled_messages{
-    CompiledMessage<bool>{"TimedBoolean", "one truth value"},
+    CompiledMessage<bool>{"TimedBoolean", "one boolean"},
     CompiledMessage<std::int16_t>{"TimedShort", "one 16-bit integer"},
     CompiledMessage<std::int32_t>{"TimedLong", "one 32-bit integer"},
     CompiledMessage<float>{"TimedFloat", "one 32-bit number"},
     CompiledMessage<double>{"TimedDouble", "one 64-bit number"},
     CompiledMessage<std::string>{"TimedString", "one text"},
-    CompiledMessage<std::vector<bool>>{"TimedBooleanSeq", "a sequence of truth values"},
+    CompiledMessage<std::vector<bool>>{"TimedBooleanSeq", "a sequence of booleans"},
     CompiledMessage<std::vector<std::int16_t>>{"TimedShortSeq", "a sequence of 16-bit integers"},
     CompiledMessage<std::vector<std::int32_t>>{"TimedLongSeq", "a sequence of 32-bit integers"},
     CompiledMessage<std::vector<float>>{"TimedFloatSeq", "a sequence of 32-bit numbers"},

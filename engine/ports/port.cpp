@@ -101,9 +101,7 @@ Expected<const MessageType*> find_message_type(std::string_view name) {
     for (const MessageType& each : compiled_message_types()) {
         if (each.name == name) return &each;
     }
-    const auto all = compiled_message_names();
-    const std::vector<std::string_view> names(all.begin(), all.end());
-    return failure("unknown type '" + shown(name) + "'" + did_you_mean(name, names) +
+    return failure("unknown type '" + shown(name) + "'" + did_you_mean(name, compiled_message_names()) +
                    "; `nezumi types` lists them all");
 }
 

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,7 +31,7 @@ struct Rule {
     std::int64_t min = 0;                  ///< of a whole number, inclusive
     std::int64_t max = 0;                  ///< of a whole number, inclusive
     bool level = false;                    ///< of a place: its z may be left out
-    std::array<std::string_view, 2> words{};      ///< of a truth value: the words for false and true in files
+    std::array<std::string_view, 2> words{};      ///< of a boolean: the words for false and true in files
     std::span<const std::string_view> choices{};  ///< of a text: the only allowed ones
     unsigned of = 0;              ///< the kinds of the structure that have this field, as bits; 0: all of them
     bool selects = false;         ///< this field, a choice, determines the kind of the structure
@@ -231,7 +230,7 @@ const Type& detail::written_type_of() {
 /// Whether a type is a structure whose fields have rules.
 inline bool is_record(const Type& type) { return !type.fields.empty() && type.fields.front().rule != nullptr; }
 
-/// "{ vx =, vy =, va = }": all fields of such a structure, or only those of these kinds, as bits.
+/// The fields of a structure: "{ vx =, vy =, va = }". `kinds` is a bit mask of kinds of fields; 0 selects all.
 std::string usage_of(const Type& record, unsigned kinds = 0);
 template <Recorded T>
 std::string usage_of(unsigned kinds = 0) {

@@ -1,8 +1,6 @@
 // Compares part by part, so a misspelt folder does not hide a misspelt file.
 #include "engine/project/near_path.hpp"
 
-#include <vector>
-
 #include "engine/base/error.hpp"
 #include "engine/project/project_files.hpp"
 

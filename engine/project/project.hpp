@@ -45,7 +45,7 @@ public:
     const std::vector<std::filesystem::path>& installed() const { return installed_; }
 
     /// The path of the file `name`: beside the file `named_in`, then in `behaviors/`, then among the installed files;
-    /// never that file itself. The error has the nearest name and all places that were searched, and no place. Files
+    /// never that file itself. The error has the nearest name and all places that were searched, and no location. Files
     /// for which `passes_over` returns true are ignored.
     Expected<std::filesystem::path> find(
         FileKind kind, std::string_view name, const std::filesystem::path& named_in,
@@ -60,7 +60,7 @@ public:
         return folders(kind, (working_ / named_in).lexically_normal());
     }
 
-    /// The whole of a file; its place in errors is the path as `shown` shows it.
+    /// The whole of a file; its location in errors is the path as `shown` shows it.
     Expected<std::string> read(const std::filesystem::path& path) const;
     /// The text of a script, with the name `shown` in messages.
     Expected<SourceText> read_source(const std::string& path) const;

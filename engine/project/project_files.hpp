@@ -46,7 +46,7 @@ const ProjectFiles& disk();
 /// The files that an act reads: each is read once, and does not change afterwards. For one thread at a time.
 class FileSnapshot final : public ProjectFiles {
 public:
-    /// `files` must outlive it. Results in `found` stay as they were.
+    /// `files` must outlive this object. Results in `found` stay as they were.
     explicit FileSnapshot(const ProjectFiles& files, FilesSeen found = {})
         : files_(files), working_folder_(files.working_folder()), found_(std::move(found)) {}
     std::filesystem::path working_folder() const override { return working_folder_; }

@@ -27,9 +27,9 @@ struct GivenTable {
 class FieldSource {
 public:
     virtual ~FieldSource() = default;
-    /// The place of a field of the table argument of `word`, called at `call`. If the text does not contain the field
-    /// (because a program made it), the place of the outer field; if it contains none, `call`. Of several calls in the
-    /// line, the only one whose text fits `given`; `call` if this is ambiguous.
+    /// The location of a field of the table argument of `word`, called at `call`. If the text does not contain the
+    /// field (because a program made it), the location of the outer field; if it contains none, `call`. Of several
+    /// calls in the line, the only one whose text fits `given`; `call` if this is ambiguous.
     virtual Place find(std::string_view word, const Place& call, const FieldPath& path,
                        const GivenTable& given) const = 0;
 

@@ -1,7 +1,6 @@
 // Strict reading of tables that a person wrote: each field is read by name, and every other field is an error.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,7 +27,7 @@ public:
           call_(std::move(call)),
           source_(source),
           noun_(std::move(noun)) {}
-    /// For the options of a call from Lua; the caller adds the place to the error.
+    /// For the options of a call from Lua; the caller adds the location to the error.
     static FieldCheck of_options(std::string what) { return {std::move(what), "", {}, nullptr, "option"}; }
 
     /// The arguments of the call, which distinguish it from other calls in its line. The table is not copied.
@@ -40,9 +39,9 @@ public:
     void missing(const FieldPath& path, std::string_view expected);
     /// "robot 'mouse': field 'set': TEXT".
     void explain(const FieldPath& path, std::string_view text);
-    /// "robot 'mouse': TEXT", at the place of the field.
+    /// "robot 'mouse': TEXT", at the location of the field.
     void wrong_at(const FieldPath& path, std::string_view text);
-    /// An error with its own text and place.
+    /// An error with its own text and location.
     void wrong(Error error);
 
     bool ok() const { return gravity_ == 0; }

@@ -57,7 +57,7 @@ std::string to_lua(const Value& value);
 /// A number, whole or not; nothing for anything else.
 std::optional<double> number_of(const Value& value);
 
-/// The value as a parameter: a truth value, a number, a text, or an array of one of these. The error names its type.
+/// The value as a parameter: a boolean, a number, a text, or an array of one of these. The error names its type.
 Expected<Value> to_parameter(const Value& value);
 
 }  // namespace nezumi

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <type_traits>
-
 #include "engine/records/record_shape.hpp"
 
 namespace nezumi {

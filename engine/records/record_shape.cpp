@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <span>
 
 #include "engine/records/write_record.hpp"
 

@@ -1,4 +1,4 @@
-// A call of a function in a Lua description file, with its place for error messages.
+// A call of a function in a Lua description file, with its location for error messages.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace nezumi {
 
-/// The place of a call. File names are searched beside `place.file`.
+/// The location of a call. File names are searched beside `place.file`.
 struct WordCall {
     std::string word;
     Place place;
-    const FieldSource* source = nullptr;  ///< the text of that file, for places within the call; may be null
+    const FieldSource* source = nullptr;  ///< the text of that file, for locations within the call; may be null
 };
 
 /// The check of the table of a call. Messages begin with "WORD 'NAME'", or with "WORD" if the call has no name.

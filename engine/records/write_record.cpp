@@ -1,4 +1,4 @@
-// One writer for all structures, by the table of their type.
+// Writes any structure, by the field table of its type.
 #include "engine/records/write_record.hpp"
 
 #include <fmt/format.h>

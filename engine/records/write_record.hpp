@@ -13,7 +13,7 @@ std::string setting_text(const ValueView& value, const Rule& rule = {});
 /// The fields of `value` that differ from `from`, and the required fields: a reader that begins with `from` then has
 /// `value`. Fields that are read by hand are omitted. "{}" if there are none.
 std::string write_record(const ValueView& value, const ValueView& from);
-/// The same, compared with the defaults of the structure.
+/// The fields of `value` that differ from the defaults of the structure, and the required fields.
 template <Recorded T>
 std::string write_record(const T& value) {
     return write_record({record_of<T>(), &value}, Value(record_of<T>()));

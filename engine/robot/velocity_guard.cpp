@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/ports/payload.hpp"
-
 namespace nezumi {
 namespace {
 

@@ -158,5 +158,11 @@ struct ActResult {
 
 /// "SetParameter", "Restart", ...
 std::string_view name_of(const Act& act);
+/// "set parameter" of "SetParameter", for messages.
+std::string act_in_words(std::string_view name);
+
+/// Whether an act changes a parameter, the state or a task of this component, or calls its command. Acts on ports and
+/// on files are not about one component.
+bool is_about(const Act& act, std::string_view component);
 
 }  // namespace nezumi

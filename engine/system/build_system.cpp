@@ -1,4 +1,4 @@
-// Entries become components, in order, each error with the place of its line.
+// Entries become components, in order, each error with the location of its line.
 #include "engine/system/build_system.hpp"
 
 #include <fmt/format.h>
@@ -104,7 +104,7 @@ Expected<Component*> add_robot(System& system, const RobotEntry& entry, const Sy
     return added;
 }
 
-// Sets these values, all or none. `path` is the table that they come from: an error has the place of its field.
+// Sets these values, all or none. `path` is the table that they come from: an error has the location of its field.
 template <class AnEntry>
 Expected<void> set_values(Parameters& parameters, const ParameterValues& values, const AnEntry& entry,
                           const std::string& path, const std::string& what) {
@@ -200,7 +200,8 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
                                                             .seed = seed,
                                                             .threads = options.threads,
                                                             .out_of_time_is_fatal = options.out_of_time_is_fatal,
-                                                            .real_time = options.real_time},
+                                                            .real_time = options.real_time,
+                                                            .clock = options.clock},
                                            options.log);
     if (makers.world) {
         auto world = makers.world(spec.arena, {.step = spec.physics_step, .seed = seed},
@@ -216,7 +217,7 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
         system->take_rig(std::move(*rig));
     }
     // The bodies come first, to lie side by side in memory: each physics step visits all of them, and a thousand robots
-    // with their scripts' states in between cost a third more. What is wrong with one is told in the order of the file.
+    // with their scripts' states in between cost a third more. Errors are reported in the order of the file.
     std::vector<Body> bodies;
     for (const RobotEntry* robot : entries_of<RobotEntry>(spec))
         bodies.push_back(add_body(*system, as_run(*robot, spec, makers), spec, makers));

@@ -51,7 +51,8 @@ struct BuildOptions {
     bool seed_wins = false;  ///< the seed replaces the one of the file
     int threads = 1;
     bool out_of_time_is_fatal = false;
-    bool real_time = false;   ///< as in `System::Settings`: for systems with a real robot
+    bool real_time = false;                             ///< as in `System::Settings`: for systems with a real robot
+    std::function<double()> clock = monotonic_seconds;  ///< [s] for `real_time`
     bool keep_going = false;  ///< a behaviour that can't be made is omitted with its connections, and logged
     LogSink log;
 };
@@ -60,7 +61,7 @@ struct BuildOptions {
 MakerContext context_of(const SystemSpec& spec, const BuildOptions& options);
 
 /// Builds the world, every entry in order and the connections, and sets parameters. Nothing is activated. `spec` must
-/// outlive the system. Errors have the place of the wrong line.
+/// outlive the system. Errors have the location of the wrong line.
 Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Makers& makers,
                                                const BuildOptions& options);
 

@@ -30,7 +30,7 @@ public:
     /// Starts again from now, as after a pause.
     void restart(Clock::time_point now = Clock::now());
 
-    /// Of all ticks so far.
+    /// The lateness of all ticks so far.
     const Lateness& lateness() const { return lateness_; }
 
 private:

@@ -1,4 +1,4 @@
-// Ports of peers are told apart by the words before their names.
+// The word before a port's name shows which kind of peer it belongs to.
 #include "engine/system/peer_word.hpp"
 
 #include <algorithm>

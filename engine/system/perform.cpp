@@ -110,7 +110,7 @@ void tell_robots_elsewhere(const System& system) {
         if (!commands_robots(system, static_cast<const OutPortBase&>(**from))) continue;
         const std::string& missing = (*to)->note();
         if (missing.empty()) {
-            system.log(LogLevel::warn, fmt::format("emergency stop: {} is sent zero until rearm()", each.to));
+            system.log(LogLevel::warn, fmt::format("emergency stop: {} gets speed 0 until rearm()", each.to));
         } else {
             system.log(LogLevel::warn,
                        fmt::format("the emergency stop does not reach {}: {}: stop it there", each.to, missing));
@@ -129,7 +129,7 @@ Expected<SeenRobot> seen_robot(const System& system, const Component& component)
         if (const auto id = system.rig()->find(name)) return SeenRobot{robot, system.rig()->world.get(), *id};
         return failure(fmt::format("{}{}: run this in simulation, or give --rig {}=SOCKET", name, not_seen, name));
     }
-    if (robot->is_real()) return failure(fmt::format("{} is a real robot: this works in simulation", name));
+    if (robot->is_real()) return failure(fmt::format("{} is a real robot: this works only in simulation", name));
     if (system.world() == nullptr) return failure("there is no simulated world");
     return SeenRobot{robot, system.world(), robot->id()};
 }

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <variant>
-
 #include "engine/robot/robot.hpp"
 
 namespace nezumi {

@@ -28,7 +28,7 @@ struct Question {
     std::string host;
     std::string component;
     What what = What::look;
-    /// Of the set, the parameter, the command or the port; else the path below the component: "config.speed_x".
+    /// The name of the set, parameter, command or port; else the path below the component: "config.speed_x".
     std::string name{};
     PlainData values{};  ///< the parameter's, the command's arguments, how many seconds, or the other port
 };

@@ -9,8 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/system/build_system.hpp"
-
 namespace nezumi {
 namespace {
 

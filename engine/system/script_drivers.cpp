@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/base/names.hpp"
 #include "engine/robot/scripted_body.hpp"
 #include "engine/system/system.hpp"
 

@@ -156,9 +156,8 @@ const Robot* System::find_robot(std::string_view name) const {
 
 Expected<Component*> System::component_named(std::string_view name) const {
     if (Component* found = find_component(name)) return found;
-    std::vector<std::string_view> names;
-    for (const auto& component : components_) names.push_back(component->name());
-    return failure(fmt::format("there is no component '{}'{}", shown(name), did_you_mean(name, names)));
+    const auto name_of = [](const auto& component) -> std::string_view { return component->name(); };
+    return failure(fmt::format("there is no component '{}'{}", shown(name), did_you_mean(name, components_, name_of)));
 }
 
 Expected<std::pair<Component*, std::string>> System::split(std::string_view port_path) const {

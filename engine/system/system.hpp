@@ -87,7 +87,7 @@ public:
     ConstView<Component> components() const { return ConstView(components_); }
     const std::vector<Robot*>& robots() { return robots_; }
     std::span<const Robot* const> robots() const { return robots_; }
-    /// The connections between ports of this system, as in a system file but without places.
+    /// The connections between ports of this system, as in a system file but without locations.
     std::vector<ConnectionSpec> connections() const;
     /// The connections with a port of another program, in the order of the requests. They are made elsewhere, while
     /// that program is there.
@@ -112,7 +112,7 @@ public:
     Expected<void> disconnect(std::string_view from, std::string_view to);
     /// "name.port" of the ports at the other ends.
     std::vector<std::string> peers(const Port& port) const { return wiring_.peers(port); }
-    /// The same with those of other programs, "WORD:NAME.port".
+    /// Like `peers(port)`, and also the ports of other programs, "WORD:NAME.port".
     std::vector<std::string> peers(const Component& component, const Port& port) const;
     /// A connection that has been dropped.
     struct Dropped {

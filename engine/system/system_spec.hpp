@@ -48,7 +48,7 @@ struct RobotEntry {
     bool is_real() const { return !backend.empty() && backend != simulated; }
 };
 
-/// The places of the fields of a table, by path: "config.speed_x".
+/// The locations of the fields of a table, by path: "config.speed_x".
 using FieldPlaces = std::map<std::string, Place, std::less<>>;
 
 /// `behavior NAME { script, config, sets, set, rate, active }`.
@@ -85,7 +85,7 @@ struct ComponentEntry {
 
 using Entry = std::variant<RobotEntry, BehaviorEntry, ComponentEntry>;
 
-/// The name of any entry, and its place.
+/// The name of any entry, and its location.
 const std::string& name_of(const Entry& entry);
 const Place& place_of(const Entry& entry);
 

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
+
+#include "engine/values/walk.hpp"
 
 namespace nezumi {
 
@@ -11,6 +14,35 @@ bool is_of_history(const Act& act, bool succeeded) {
     return succeeded || std::holds_alternative<Command>(act) || std::holds_alternative<Activate>(act) ||
            std::holds_alternative<Deactivate>(act) || std::holds_alternative<Reset>(act);
 }
+
+namespace {
+
+// The message that an act gives to a port; null for other acts.
+const Value* message_in(const Act& act) {
+    return std::visit(
+        []<class T>(const T& its) -> const Value* {
+            if constexpr (std::is_same_v<T, Inject> || std::is_same_v<T, Write> || std::is_same_v<T, Hold>) {
+                return &its.value;
+            } else {
+                return nullptr;
+            }
+        },
+        act);
+}
+
+const PastAct* act_in(const PastEvent& event) {
+    const auto* const act = std::get_if<std::shared_ptr<const PastAct>>(&event.what);
+    return act != nullptr ? act->get() : nullptr;
+}
+
+// Keeps that there was an act, without its message.
+void drop_message(PastEvent& event) {
+    const PastAct* const act = act_in(event);
+    if (act != nullptr && message_in(act->act) != nullptr)
+        event.what = std::make_shared<const PastAct>(PastAct{.act = Rearm{}, .who = act->who});
+}
+
+}  // namespace
 
 void RunHistory::begin(FilesSeen files) {
     *this = RunHistory();
@@ -25,6 +57,13 @@ void RunHistory::add(PastEvent event) {
                              .left = event.when});
         current_ = branches_.size() - 1;
     }
+    if (const PastAct* const act = act_in(event); act != nullptr && !is_cut()) {
+        if (const Value* const message = message_in(act->act)) bytes_ += heap_bytes(*message);
+        if (is_cut()) {
+            for (Branch& each : branches_) std::for_each(each.own.begin(), each.own.end(), drop_message);
+        }
+    }
+    if (is_cut()) drop_message(event);
     Branch& branch = branches_[current_];
     branch.end = event.when;
     branch.own.push_back(std::move(event));
@@ -66,6 +105,16 @@ RunHistory RunHistory::course(std::size_t branch) const {
 std::optional<std::size_t> RunHistory::find(std::string_view name) const {
     for (std::size_t index = 0; index < branches_.size(); ++index) {
         if (branches_[index].name == name) return index;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::int64_t> RunHistory::end_of_start(int start) const {
+    for (std::size_t index = 0; index < branches_[current_].size(); ++index) {
+        const PastEvent& each = event(current_, index);
+        const PastAct* const act = act_in(each);
+        if (each.when.start == start && act != nullptr && std::holds_alternative<Restart>(act->act))
+            return each.when.tick;
     }
     return std::nullopt;
 }

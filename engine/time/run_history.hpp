@@ -76,8 +76,14 @@ public:
     /// The files of the start.
     const FilesSeen& files() const { return files_; }
 
+    /// [bytes] of the messages that acts gave to ports. They are kept, because every later tick needs them; when they
+    /// are more, none is kept and the run can't go back any more. Pictures need so much, other messages don't.
+    static constexpr std::size_t most_bytes = std::size_t{256} << 20;
+
     /// Adds a present event. If the present is a past moment whose future is known, a new branch starts here.
     void add(PastEvent event);
+    /// Whether messages were dropped, so that no past can be computed any more.
+    bool is_cut() const { return bytes_ > most_bytes; }
     /// Sets how far the present has come.
     void reach(const ActTime& now, double seconds);
     /// Leaves the present for a moment of a branch at which its first `events` have happened.
@@ -100,12 +106,15 @@ public:
     const std::vector<Branch>& branches() const { return branches_; }
     std::size_t current() const { return current_; }
     std::optional<std::size_t> find(std::string_view name) const;
+    /// The tick at which `restart()` ended a start of the present branch; nothing if it did not.
+    std::optional<std::int64_t> end_of_start(int start) const;
 
 private:
     FilesSeen files_;
     std::vector<Branch> branches_{{.name = "main"}};
     std::size_t current_ = 0;
     std::size_t position_ = 0;  // number of events of the current branch that have happened
+    std::size_t bytes_ = 0;     // of messages
 };
 
 }  // namespace nezumi

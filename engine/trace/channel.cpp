@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <vector>
 
 #include "engine/ports/payload.hpp"
 #include "engine/trace/series.hpp"
@@ -16,7 +14,7 @@ namespace nezumi {
 namespace {
 
 constexpr std::uint64_t no_version = ~std::uint64_t{0};
-// Whether nodes of this kind have numbers, truth values or texts; for plain data, only those of scripts.
+// Whether nodes of this kind have numbers, booleans or texts; for plain data, only those of scripts.
 bool is_carried(const TreeNode& node) {
     switch (node.kind()) {
         case TreeNode::Kind::port:
@@ -187,17 +185,24 @@ void Channel::append_to(Series& series, double seconds) const {
     const std::size_t messages_now = exists() && holds() && series.size() == 0 ? 1 : fresh_;
     if (messages_now == 0) return;
     std::array<double, Series::most_values> values;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled below
-    std::size_t count = 0;
+    const auto of_text = [&](const std::string& text) { return static_cast<double>(series.place_of(text)); };
     const auto is_text = [](const ValueView& leaf) { return leaf.type->kind == Type::Kind::text; };
-    const auto number_of = [&](const ValueView& leaf) {
-        if (is_text(leaf)) return static_cast<double>(series.place_of(leaf.as<std::string>()));
-        return visit_number(leaf, [](const auto& number) { return static_cast<double>(number); });
-    };
-    const auto add = [&](std::size_t message, double at) {
+    for (std::size_t i = 0; i < messages_now; ++i) {
+        std::size_t count = 0;
+        double at = seconds;
+        if (is_port() && part_.empty()) {
+            const MessageView message = node_->port()->message(i);
+            count = leaf_numbers(message.data, values, of_text);
+            at = message.tm;
+        } else {
+            visit(i, [&](const LeafPath&, const ValueView& leaf) {
+                count += leaf_numbers(leaf, std::span(values).subspan(count), of_text);
+            });
+        }
         if (count > series.labels().size()) {
             std::vector<std::string> labels;
             std::vector<bool> are_texts;
-            visit(message, [&](const LeafPath& path, const ValueView& leaf) {
+            visit(i, [&](const LeafPath& path, const ValueView& leaf) {
                 if (labels.size() == values.size()) return;
                 labels.push_back(path.text());
                 are_texts.push_back(is_text(leaf));
@@ -205,13 +210,6 @@ void Channel::append_to(Series& series, double seconds) const {
             series.set_labels(std::move(labels), std::move(are_texts));
         }
         series.add(at, {values.data(), count});
-        count = 0;
-    };
-    for (std::size_t i = 0; i < messages_now; ++i) {
-        visit(i, [&](const LeafPath&, const ValueView& leaf) {
-            if (count < values.size()) values[count++] = number_of(leaf);
-        });
-        add(i, is_port() && part_.empty() ? node_->port()->message(i).tm : seconds);
     }
 }
 

@@ -53,7 +53,7 @@ public:
     std::size_t fresh() const { return fresh_; }
     /// Number of ticks with new messages, for readers that do not read in every tick.
     std::uint64_t turn() const { return turn_; }
-    /// Visits the numbers, truth values and texts of one of these messages; 0 is the oldest.
+    /// Visits the numbers, booleans and texts of one of these messages; 0 is the oldest.
     void visit(std::size_t message, const LeafVisitor& visit) const;
     /// One of these messages, if it is a port; it stays valid until the next tick.
     MessageView message(std::size_t message) const { return node_->port()->message(message); }
@@ -64,9 +64,9 @@ public:
 
     /// Call this after the layout of the system has changed.
     void resolve(const System& system);
-    /// Takes the messages of a tick: until the next tick they can be visited.
+    /// Copies the messages of this tick. They can be visited until the next tick.
     void latch(std::int64_t tick);
-    /// Adds the numbers, truth values and texts of these messages; `seconds` is the time stamp for values without one.
+    /// Adds the numbers, booleans and texts of these messages; `seconds` is the time stamp for values without one.
     /// An empty series gets the present value.
     void append_to(Series& series, double seconds) const;
     bool is_port() const { return kind_ == Kind::out_port || kind_ == Kind::in_port; }

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <utility>
 
-#include "engine/base/names.hpp"
 #include "engine/base/visible.hpp"
 
 namespace nezumi {

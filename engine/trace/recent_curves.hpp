@@ -23,7 +23,7 @@ struct RecentCurves {
 /// remembered from now on.
 Expected<RecentCurves> recent_curves(Trace& trace, std::string_view name, double seconds, double now);
 
-/// The same as plain data; long curves are shortened to what a drawing can show.
+/// Converts curves to plain data; long curves are shortened to what a drawing can show.
 PlainData to_plain(const RecentCurves& recent);
 /// Reads the result of `to_plain`: its points, without the names of whole and part.
 Expected<RecentCurves> read_curves(const PlainData& data);

@@ -56,7 +56,7 @@ void Series::add(double seconds, std::span<const double> values) {
         rows_.resize(place + stride());
     } else {
         place = first_ * stride();
-        first_ = (first_ + 1) % most_samples_;
+        if (++first_ == most_samples_) first_ = 0;
     }
     rows_[place] = seconds;
     const auto rest = std::copy(values.begin(), values.end(), rows_.begin() + static_cast<std::ptrdiff_t>(place) + 1);

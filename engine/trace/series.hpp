@@ -26,7 +26,7 @@ public:
     std::size_t size() const { return size_; }
     /// [s] time stamp of a sample; 0 is the oldest.
     double seconds(std::size_t sample) const { return row(sample)[0]; }
-    /// The value of a sample for a label: 0 and 1 for truth values, the index in `texts` for a text, NaN if the sample
+    /// The value of a sample for a label: 0 and 1 for booleans, the index in `texts` for a text, NaN if the sample
     /// has fewer values.
     double value(std::size_t sample, std::size_t label) const { return row(sample)[label + 1]; }
 

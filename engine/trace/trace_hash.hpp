@@ -7,9 +7,8 @@
 
 namespace nezumi {
 
-/// Hashes every message of every port: port, tick and value. Compares runs on one machine only, because the last bits
-/// of sines differ between processors. The order of ports does not matter, so a system file may name its behaviours in
-/// another order.
+/// Hashes every message of every port: port, tick and value. The order of ports does not matter, so a system file may
+/// name its behaviours in another order.
 class TraceHash final : public PortObserver {
 public:
     void latched(const System& system) override;

@@ -13,7 +13,7 @@
 
 namespace nezumi {
 
-/// A column for each number, truth value (0 or 1) and text (in CSV quotes) of each channel, named as in the console. A
+/// A column for each number, boolean (0 or 1) and text (in CSV quotes) of each channel, named as in the console. A
 /// cell contains the latest value; it is empty before the first one, and if a list is shorter than its maximum length.
 /// Pixels are omitted.
 class TraceTable {
@@ -26,7 +26,7 @@ public:
     /// Call this after a tick: calls `add` with the cells of its row, by their ids. A tick with several messages of a
     /// channel has as many rows: each has the next message of every channel, or the last one if there are fewer.
     void read(const std::function<void(const std::vector<std::string>& cells)>& add);
-    /// The same for a table of selected ticks: one row with the latest value of each channel.
+    /// Like `read`, for a table of selected ticks: one row with the latest value of each channel.
     void read_latest(const std::function<void(const std::vector<std::string>& cells)>& add);
     /// The ids of the columns in the order of the channels and their values. An id never changes.
     std::vector<std::size_t> order() const;

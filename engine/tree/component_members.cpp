@@ -1,11 +1,11 @@
 // The table of all members of components.
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "engine/ports/setting.hpp"
 #include "engine/system/act_fields.hpp"
 #include "engine/tree/read_member.hpp"
+#include "engine/world/robot_fields.hpp"
 
 namespace nezumi {
 namespace {
@@ -44,24 +44,6 @@ std::vector<std::string> names_of(std::span<const CommandDeclaration> commands) 
     for (const CommandDeclaration& command : commands) names.push_back(command.name);
     return names;
 }
-
-// The limits of a robot for display.
-struct SeenLimits {
-    double speed = 0;
-    double yaw_rate = 0;
-    double acceleration = 0;
-    double yaw_acceleration = 0;
-
-    static constexpr std::tuple fields{
-        Field{"speed", &SeenLimits::speed, "m/s", "along x, both ways"},
-        Field{"yaw_rate", &SeenLimits::yaw_rate, "rad/s", "both ways"},
-        Field{"acceleration", &SeenLimits::acceleration, "m/s^2", "along x"},
-        Field{"yaw_acceleration", &SeenLimits::yaw_acceleration, "rad/s^2", "of the yaw rate"},
-    };
-    static SeenLimits of(const Limits& limits) {
-        return {limits.speed, limits.yaw_rate, limits.acceleration, limits.yaw_acceleration};
-    }
-};
 
 const std::vector<MemberInfo>& all_members() {
     static const std::vector<MemberInfo> members{
@@ -133,7 +115,9 @@ const std::vector<MemberInfo>& all_members() {
          .yields = true,
          .doc = "the highest speeds and accelerations that it obeys",
          .instead = "set them in the system file",
-         .value = of_robot<[](const Robot& robot) { return SeenLimits::of(robot.guard().limits()); }>},
+         .value = of_robot<[](const Robot& robot) {
+             return Value(ValueView(record_of<Limits>(), &robot.guard().limits()));
+         }>},
         {.name = "name",
          .type = "string",
          .doc = "its name",
@@ -158,7 +142,7 @@ const std::vector<MemberInfo>& all_members() {
         {.name = "rate",
          .type = "number",
          .yields = true,
-         .doc = "executions a second [Hz]",
+         .doc = "executions per second [Hz]",
          .value = of_node<[](const TreeNode& node) {
              const double rate = node.component()->rate;
              return rate == 0 ? node.system().settings().rate : rate;

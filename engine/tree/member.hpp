@@ -38,7 +38,7 @@ const MemberInfo* find_member(std::span<const MemberInfo> members, std::string_v
 
 /// Names that ports, parameters and commands of scripts can't have: members of components that do not yield. Sorted.
 const std::vector<std::string_view>& names_taken_by_components();
-/// The same for the ports of robots.
+/// Names that ports of robots can't have. Sorted.
 const std::vector<std::string_view>& names_taken_by_robots();
 
 /// [s] age of the port's message at the next tick; infinity before any.

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstring>
@@ -261,7 +260,7 @@ std::size_t CdrReader::read_length(std::size_t element_size) {
 bool CdrReader::read_truth() {
     const std::uint8_t* byte = take(1, 1);
     if (byte == nullptr || *byte <= 1) return byte != nullptr && *byte == 1;
-    fail(at_ - 1, fmt::format("expected a truth value (0 or 1), got {}", *byte));
+    fail(at_ - 1, fmt::format("expected a boolean (0 or 1), got {}", *byte));
     return false;
 }
 

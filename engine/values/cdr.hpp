@@ -1,7 +1,7 @@
 // Messages and described structures as plain CDR, the wire format of CORBA and DDS (OMG CORBA 3.4 part 2, 9.3; XTypes
 // 1.3, 7.4.1).
 //
-// A number is aligned to its size, counted from the start of the stream. A truth value is one byte, a text its length
+// A number is aligned to its size, counted from the start of the stream. A boolean is one byte, a text its length
 // (with the final 0), its bytes and a 0, a sequence its length and its elements, an array its elements, a structure its
 // fields in order, a choice of an enumeration its place in 4 bytes, a value of any type its type's place among
 // `plain_types` in one byte and itself. What is written is a function of the value alone: padding is 0.

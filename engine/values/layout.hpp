@@ -17,7 +17,7 @@ public:
     Types(const Types&) = delete;
     Types& operator=(const Types&) = delete;
 
-    /// A sequence of any length. For numbers, truth values and texts it has the layout of a `std::vector`.
+    /// A sequence of any length. For numbers, booleans and texts it has the layout of a `std::vector`.
     const Type& sequence_of(const Type& element);
     /// An array of `length` (1 or more) elements in consecutive memory.
     const Type& array_of(const Type& element, std::size_t length);

@@ -1,4 +1,4 @@
-// Plain data of scripts, independent of any script: numbers, strings, truth values and tables of them, with their
+// Plain data of scripts, independent of any script: numbers, strings, booleans and tables of them, with their
 // shape.
 #pragma once
 

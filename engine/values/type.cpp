@@ -1,8 +1,6 @@
 // The parts of a type's table that do not depend on its C++ type.
 #include "engine/values/type.hpp"
 
-#include <limits>
-
 namespace nezumi {
 
 std::pair<std::int64_t, std::int64_t> Type::integer_range() const {

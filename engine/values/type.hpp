@@ -107,7 +107,7 @@ struct Type {
     struct Elements {
         std::size_t (*count)(const void* value) = nullptr;
         void (*resize)(const Type& type, void* value, std::size_t count) = nullptr;
-        /// The address of the first element; the others follow it. Null if truth values are stored as single bits.
+        /// The address of the first element; the others follow it. Null if booleans are stored as single bits.
         const void* (*first)(const void* value) = nullptr;
         bool (*bit)(const void* value, std::size_t index) = nullptr;
         void (*set_bit)(void* value, std::size_t index, bool bit) = nullptr;
@@ -153,7 +153,7 @@ struct Type {
     bool is_number() const { return kind >= Kind::int8 && kind <= Kind::float64; }
     bool is_integer() const { return kind >= Kind::int8 && kind <= Kind::uint64; }
     bool is_floating() const { return kind == Kind::float32 || kind == Kind::float64; }
-    /// A number, truth value, choice or nothing: a few bytes without references to others.
+    /// A number, boolean, choice or nothing: a few bytes without references to others.
     bool is_scalar() const { return kind < Kind::text; }
     /// Whether the type has no parts.
     bool is_single() const { return kind < Kind::structure; }

@@ -40,7 +40,7 @@ struct ValueView {
     }
     /// For an array, a sequence or an optional: the number of elements.
     std::size_t count() const { return type->elements.count != nullptr ? type->elements.count(at) : type->length; }
-    /// The address of the first element; the others follow it. Null if truth values are stored as single bits.
+    /// The address of the first element; the others follow it. Null if booleans are stored as single bits.
     const void* first() const {
         if (type->kind == Type::Kind::array) return at;
         return type->elements.first != nullptr ? type->elements.first(at) : nullptr;
@@ -62,7 +62,7 @@ struct ValuePlace {
     T& as() const {
         return *static_cast<T*>(at);
     }
-    /// Of an enumeration.
+    /// Sets the choice of an enumeration.
     void set_choice(std::size_t place) const { std::memcpy(at, &place, type->size); }
     ValuePlace field(const Type::Field& field) const {
         return {*field.type, static_cast<std::byte*>(at) + field.offset};
@@ -90,11 +90,14 @@ decltype(auto) with_element(const ValueView& all, std::size_t index, const Visit
 template <class Visit>
 void for_each_element(const ValueView& all, const Visit& visit) {
     const std::size_t count = all.count();
+    const Type& type = *all.type->element;
+    const auto* at = static_cast<const std::byte*>(all.first());
     for (std::size_t i = 0; i < count; ++i) {
-        if (!with_element(all, i, visit)) return;
+        const bool goes_on = at == nullptr ? with_element(all, i, visit) : visit(ValueView(type, at + i * type.size));
+        if (!goes_on) return;
     }
 }
-/// The same with elements that `visit` may change.
+/// Calls `visit` with elements that it may change.
 template <class Visit>
 void for_each_element(const ValuePlace& all, const Visit& visit) {
     const std::size_t count = all.count();
@@ -121,7 +124,7 @@ void for_each_entry(const ValueView& map, const Visit& visit) {
     });
 }
 
-/// Calls `visit(number)` with a truth value or a number; `Any` is a `ValueView` or a `ValuePlace`.
+/// Calls `visit(number)` with a boolean or a number; `Any` is a `ValueView` or a `ValuePlace`.
 template <class Any, class Visit>
 decltype(auto) visit_number(const Any& value, const Visit& visit) {
     switch (value.type->kind) {

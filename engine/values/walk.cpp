@@ -60,6 +60,36 @@ void visit_leaves(const ValueView& value, const LeafVisitor& visit, const LeafPa
     }
 }
 
+std::size_t leaf_numbers(const ValueView& value, std::span<double> numbers,
+                         const std::function<double(const std::string& text)>& of_text) {
+    if (numbers.empty()) return 0;
+    std::size_t count = 0;
+    const auto add = [&](const ValueView& part) {
+        count += leaf_numbers(part, numbers.subspan(count), of_text);
+        return count < numbers.size();
+    };
+    switch (value.type->kind) {
+        case Type::Kind::structure:
+            for (const Type::Field& field : value.type->fields) add(value.field(field));
+            return count;
+        case Type::Kind::array:
+        case Type::Kind::sequence:
+        case Type::Kind::optional: for_each_element(value, add); return count;
+        case Type::Kind::map:
+            for_each_entry(value, [&](const std::string&, const ValueView& element) { add(element); });
+            return count;
+        case Type::Kind::enumeration: numbers[0] = of_text(value.type->choices[value.choice()]); return 1;
+        case Type::Kind::text: numbers[0] = of_text(value.as<std::string>()); return 1;
+        case Type::Kind::any: return leaf_numbers(value.as<Value>(), numbers, of_text);
+        case Type::Kind::nothing:
+        case Type::Kind::octets:
+        case Type::Kind::other: return 0;
+        default:
+            numbers[0] = visit_number(value, [](const auto& number) { return static_cast<double>(number); });
+            return 1;
+    }
+}
+
 namespace {
 
 std::vector<std::pair<std::string_view, ValueView>> entries_of(const ValueView& map) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -33,12 +34,17 @@ private:
     std::size_t index_ = 0;
 };
 
-/// A function for a number, truth value or text.
+/// A function for a number, boolean or text.
 using LeafVisitor = std::function<void(const LeafPath& path, const ValueView& leaf)>;
 
-/// Calls `visit(path, leaf)` for every number, truth value and text in a value, in order: the values that can be
+/// Calls `visit(path, leaf)` for every number, boolean and text in a value, in order: the values that can be
 /// columns of a table. Excludes `Octets`.
 void visit_leaves(const ValueView& value, const LeafVisitor& visit, const LeafPath& path = {});
+
+/// Writes the leaves that `visit_leaves` visits as numbers, in order, until `numbers` is full: 0 and 1 for booleans,
+/// and what `of_text` returns for texts. Returns how many.
+std::size_t leaf_numbers(const ValueView& value, std::span<double> numbers,
+                         const std::function<double(const std::string& text)>& of_text);
 
 /// Whether two values are equal: the same type and the same elements.
 bool is_equal(const ValueView& a, const ValueView& b);

@@ -44,7 +44,7 @@ Expected<Format> format_of(const CameraImage& image) {
         if (image.format.empty() ? image.bpp != format.bits : image.format != format.name) continue;
         if (image.bpp != format.bits) {
             return failure(
-                fmt::format("format '{}' has {} bits a pixel, got bpp = {}", format.name, format.bits, image.bpp));
+                fmt::format("format '{}' has {} bits per pixel, got bpp = {}", format.name, format.bits, image.bpp));
         }
         if (image.format.empty() && image.bpp != 8 && image.bpp != 24) break;
         return format;

@@ -24,7 +24,7 @@ struct ColorImage {
 
 /// The grey values (ITU-R BT.601) of a picture in the format "gray8", or in one of ROS: "mono8", "mono16", "rgb8",
 /// "bgr8", "8UC3" (as "bgr8"), "rgba8", "bgra8", "yuv422_yuy2", "yuv422", or compressed as "jpeg" or "png", which
-/// OpenCV decodes; without a format 8 bits a pixel are grey and 24 red, green, blue. An error says what does not fit:
+/// OpenCV decodes; without a format 8 bits per pixel are grey and 24 red, green, blue. An error says what does not fit:
 /// no pixels, an unknown format, bits that are not the format's, or a number of bytes that is not width * height * bpp
 /// / 8. `memory` is used for the pixels: give an earlier picture's.
 Expected<GrayImage> to_gray(const CameraImage& image, Octets memory = {});

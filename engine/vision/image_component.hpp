@@ -9,7 +9,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 #include "engine/components/component.hpp"
 #include "engine/components/delayed_task.hpp"

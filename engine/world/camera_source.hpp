@@ -23,7 +23,7 @@ struct CameraSettings {
     double frame_rate = 30;
     double field_of_view = 0;                       ///< [rad] horizontal
     double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;  ///< distortion, as in `CameraIntrinsics`
-    double k4 = 0, k5 = 0, k6 = 0;                  ///< the same
+    double k4 = 0, k5 = 0, k6 = 0;                  ///< more of the distortion
     bool color = true;                              ///< "rgb8", else "gray8"
     double noise = 0;                               ///< standard deviation of a pixel's value, 0 to 255
     double blur = 0;                                ///< [px] standard deviation of a Gaussian

@@ -1,9 +1,7 @@
 // A maze is a lattice: posts at even lines and columns, walls between them, cells where both are odd.
 #include "engine/world/maze.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <random>
 
 namespace nezumi {

@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "engine/base/visible.hpp"
+#include "engine/base/number_in.hpp"
 
 namespace nezumi {
 namespace {
@@ -51,19 +50,12 @@ std::vector<std::string_view> words_of(std::string_view line) {
     return words;
 }
 
-std::optional<int> whole(std::string_view word) {
-    int value = 0;
-    const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (problem != std::errc() || end != word.data() + word.size()) return std::nullopt;
-    return value;
-}
-
 std::optional<std::array<int, 6>> numbers_of(std::string_view line) {
     const auto words = words_of(line);
     std::array<int, 6> numbers{};
     if (words.size() != numbers.size()) return std::nullopt;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const auto number = whole(words[i]);
+        const auto number = number_in<int>(words[i]);
         if (!number) return std::nullopt;
         numbers[i] = *number;
     }
@@ -100,7 +92,7 @@ Expected<Maze> read_bytes(std::string_view content, const std::string& file) {
                                    content.size()),
                        {file, 0});
     }
-    // Columns come first; files with rows first are told by walls that fit only so.
+    // Columns come first; a file with rows first is recognized by walls that fit only in this order.
     std::string problem;
     for (const bool rows_first : {false, true}) {
         CellWalls walls;

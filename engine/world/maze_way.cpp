@@ -2,10 +2,8 @@
 #include "engine/world/maze_way.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <queue>
-#include <tuple>
 
 namespace nezumi {
 namespace {

@@ -15,7 +15,7 @@ namespace nezumi {
 struct OccupancyFacts {
     enum class Mode {
         trinary,  ///< pixels darker than the threshold are occupied
-        scale,    ///< the same; pixels between the two thresholds of the file are not occupied
+        scale,    ///< as `trinary`; pixels between the two thresholds of the file are not occupied
         raw,      ///< a pixel's value, 0 to 100, is its occupancy in percent; larger values are unknown
     };
 

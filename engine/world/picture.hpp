@@ -29,7 +29,7 @@ struct JpegPicture {
 using PictureReader = std::function<Expected<Picture>(const std::string& file)>;
 
 /// The picture in the content of a file, in any format of OpenCV; loads a module for this. Transparent parts are white.
-/// The error has the reason, without a place.
+/// The error has the reason, without a location.
 Expected<Picture> decode_picture(std::string_view bytes);
 /// Pixels row by row from the top left, each one grey value (`channels` 1) or red, green and blue (3), as JPEG.
 Expected<JpegPicture> encode_jpeg(int width, int height, int channels, const Octets& pixels);

@@ -291,7 +291,7 @@ struct Describe<PortSpec> {
         Setting{"rate",
                 &PortSpec::rate,
                 "Hz",
-                "messages a second; 0: one each tick",
+                "messages per second; 0: one each tick",
                 {.range = NumberRange::not_negative, .of = out_only}},
         Setting{"quantity",
                 &PortSpec::quantity,

@@ -1,13 +1,11 @@
 // The description of a robot model: geometry, wheels, limits, sensors, actuators and ports, from a robot file.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numbers>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "engine/base/error.hpp"

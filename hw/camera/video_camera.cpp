@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <utility>
 
 #include "hw/device/clock.hpp"
 #include "hw/device/node.hpp"
@@ -26,17 +24,9 @@ constexpr double oldest_frame = 1;  // [s] an older frame must have its time fro
 constexpr double early = 0.2;       // part of a period by which a frame may come early
 
 std::string with_advice(const NodeError& error) {
-    switch (error.code) {
-        case EACCES:
-        case EPERM:
-            return describe(error) +
-                   ": this user has no permission to use it. Try: sudo adduser $USER video, and log in again";
-        case ENOENT:
-        case ENODEV:
-        case ENXIO: return describe(error) + ": it is unplugged: plug it in again";
-        case EBUSY: return describe(error) + ": another program uses it: fuser -v " + error.path + " says which";
-        default: return describe(error) + ": unplug it and plug it in again, and look at what dmesg says";
-    }
+    if (error.code == EBUSY)
+        return describe(error) + ": another program uses it: fuser -v " + error.path + " says which";
+    return with_usb_advice(error, "video");
 }
 
 // A node opened to ask for its capabilities.

@@ -1,6 +1,8 @@
 // Reads and writes device files.
 #include "hw/device/node.hpp"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -11,6 +13,16 @@ std::string describe(const NodeError& error) {
     std::string reason = std::generic_category().message(error.code);
     if (!reason.empty()) reason.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(reason.front())));
     return error.path + ": " + reason;
+}
+
+std::string with_usb_advice(const NodeError& error, std::string_view group) {
+    std::string advice = ": unplug it and plug it in again, and look at what dmesg says";
+    if (error.code == EACCES || error.code == EPERM)
+        advice =
+            fmt::format(": this user has no permission to use it. Try: sudo adduser $USER {}, and log in again", group);
+    if (error.code == ENOENT || error.code == ENODEV || error.code == ENXIO)
+        advice = ": it is unplugged: plug it in again";
+    return describe(error) + advice;
 }
 
 tl::unexpected<NodeError> Node::failed(int code) {

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <optional>
-#include <system_error>
 #include <utility>
+
+#include "engine/base/number_in.hpp"
 
 namespace nezumi::hw {
 namespace {
@@ -17,10 +17,7 @@ namespace {
 std::optional<int> number_of(std::string_view node, std::string_view name) {
     if (!node.starts_with(name)) return std::nullopt;
     node.remove_prefix(name.size());
-    int number = 0;
-    const auto [end, error] = std::from_chars(node.data(), node.data() + node.size(), number);
-    if (error != std::errc{} || end != node.data() + node.size()) return std::nullopt;
-    return number;
+    return number_in<int>(node);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ public:
     }
     /// The system's time of a sample with the stamp `tm`; never later than now.
     double system_time(const Time& now, double tm) const { return std::min(now.seconds, exact_time(tm)); }
-    /// The same, also later than now; so differences are those of the samples.
+    /// The system's time of a sample, also later than now; so differences are those of the samples.
     double exact_time(double tm) const { return tm - offset_; }
 
 private:

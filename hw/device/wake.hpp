@@ -1,8 +1,6 @@
 // Wakes a thread that waits, also for files.
 #pragma once
 
-#include <span>
-
 namespace nezumi::hw {
 
 class Wake {

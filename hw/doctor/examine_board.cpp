@@ -1,7 +1,6 @@
 // Reads a Raspberry Pi's name from its device tree, and low voltage from a flag of its firmware.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <sstream>

@@ -52,7 +52,7 @@ void examine_sound(const MachineRoots& roots, Findings& findings) {
         if (dash != line.npos && name != line.npos) names.push_back(line.substr(name + 3));
     }
     if (names.empty()) {
-        findings.push_back({"sound", note, "no sound card is there", "plug in a loudspeaker if a robot must speak"});
+        findings.push_back({"sound", note, "no sound card was found", "plug in a loudspeaker if a robot must speak"});
         return;
     }
     const std::string folder = roots.devices.dev + "/snd";

@@ -62,7 +62,7 @@ private:
         if (!version.empty()) return say("driver", good, "rtmouse " + version);
         if (!names_in(module).empty()) return say("driver", good, "rtmouse, version unknown");
         if (opening_fails_with(node("rtmotoren0"), writes) != ENOENT)
-            return say("driver", note, module + " is not there, but its nodes are");
+            return say("driver", note, module + " does not exist, but the driver's nodes do");
         say("driver", wrong, "rtmouse is not loaded",
             "sudo modprobe rtmouse; if there is no such module, build it: "
             "https://github.com/rt-net/RaspberryPiMouse");

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -16,6 +15,8 @@
 #include <system_error>
 
 #include <fmt/format.h>
+
+#include "engine/base/number_in.hpp"
 
 namespace nezumi::hw {
 
@@ -92,9 +93,9 @@ std::vector<Holder> holders_of(const std::vector<std::string>& files, const std:
     std::vector<Holder> holders;
     std::map<int, int> parents;  // by process
     for (const std::string& name : names_in(proc)) {
-        Holder holder;
-        const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), holder.process);
-        if (error != std::errc{} || end != name.data() + name.size() || holder.process == getpid()) continue;
+        const auto process = number_in<int>(name);
+        if (!process || *process == getpid()) continue;
+        Holder holder{.process = *process};
         const std::string folder = fmt::format("{}/{}", proc, name);
         std::vector<bool> is_open(files.size());
         for (const std::string& file : names_in(folder + "/fd")) {

@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <utility>
 
-#include "hw/ev3/device_class.hpp"
+#include "hw/device/node.hpp"
 
 namespace nezumi::hw {
 namespace {

@@ -4,10 +4,9 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <charconv>
-#include <system_error>
 
 #include "engine/base/error.hpp"
+#include "engine/base/number_in.hpp"
 
 namespace nezumi::hw {
 namespace {
@@ -71,9 +70,7 @@ tl::expected<long long, std::string> read_whole_number(Node& node) {
     const auto text = node.read();
     if (!text) return tl::unexpected(with_ev3_advice(text.error()));
     const std::string_view digits = without_newline(*text);
-    long long value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error == std::errc{} && end == digits.data() + digits.size()) return value;
+    if (const auto value = number_in<long long>(digits)) return *value;
     return tl::unexpected(
         fmt::format("{}: expected a number, got '{}': is it the node of another driver?", node.path(), shown(digits)));
 }

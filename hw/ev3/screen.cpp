@@ -88,7 +88,7 @@ double BrickScreen::run() {
     if (!picture) return idle;
     const std::string frame = paint_screen(*picture, format());
     if (frame.empty()) {
-        health_.lost(fmt::format("a picture of {} bits a pixel is not shown: expected 8, 24 or 32", picture->bpp));
+        health_.lost(fmt::format("a picture of {} bits per pixel is not shown: expected 8, 24 or 32", picture->bpp));
         return idle;
     }
     // A frame buffer continues after the last write, so it is opened for each picture.

@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "hw/device/node.hpp"
 #include "hw/device/sampler.hpp"

@@ -30,17 +30,8 @@ bool is_gamepad(libevdev* device) {
 }
 
 std::string with_advice(const NodeError& error) {
-    switch (error.code) {
-        case EACCES:
-        case EPERM:
-            return describe(error) +
-                   ": this user has no permission to use it. Try: sudo adduser $USER input, and log in again";
-        case ENOENT:
-        case ENODEV:
-        case ENXIO: return describe(error) + ": it is unplugged: plug it in again";
-        case EISDIR: return describe(error) + " and no device: is --dev-root right?";
-        default: return describe(error) + ": unplug it and plug it in again, and look at what dmesg says";
-    }
+    if (error.code == EISDIR) return describe(error) + " and no device: is --dev-root right?";
+    return with_usb_advice(error, "input");
 }
 
 }  // namespace

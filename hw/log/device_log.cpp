@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <charconv>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <utility>
+
+#include "engine/base/number_in.hpp"
 
 namespace nezumi::hw {
 namespace {
@@ -59,10 +58,8 @@ int error_number(std::string_view name) {
     for (int error = 1; error < most; ++error) {
         if (const char* its = strerrorname_np(error); its != nullptr && name == its) return error;
     }
-    int number = 0;
-    const auto [end, problem] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
-    const bool is_whole = problem == std::errc{} && end == name.data() + name.size();
-    return is_whole && number > 0 && number < most && error_name(number) == name ? number : 0;
+    const int number = number_in<int>(name.substr(1)).value_or(0);
+    return number > 0 && number < most && error_name(number) == name ? number : 0;
 }
 
 // Splits a line into words.
@@ -104,12 +101,10 @@ private:
         if (kind == 'n') text += '\n';
         if (kind == '"' || kind == '\\') text += kind;
         if (kind == 'n' || kind == '"' || kind == '\\') return true;
-        unsigned char byte = 0;
         if (kind != 'x' || at + 2 >= rest_.size()) return false;
-        const char* begin = rest_.data() + at + 1;
-        const auto [end, problem] = std::from_chars(begin, begin + 2, byte, 16);
-        if (problem != std::errc{} || end != begin + 2) return false;
-        text += static_cast<char>(byte);
+        const auto byte = number_in<unsigned char>(rest_.substr(at + 1, 2), 16);
+        if (!byte) return false;
+        text += static_cast<char>(*byte);
         at += 2;
         return true;
     }
@@ -117,17 +112,9 @@ private:
     std::string_view rest_;
 };
 
-template <class Number>
-std::optional<Number> number(std::string_view word) {
-    Number value{};
-    const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (word.empty() || problem != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-    return value;
-}
-
 // A time [s] from 0 to `longest_run`.
 std::optional<double> seconds(std::string_view word) {
-    const auto value = number<double>(word);
+    const auto value = number_in<double>(word);
     return value && *value >= 0 && *value <= longest_run ? value : std::nullopt;
 }
 
@@ -190,7 +177,7 @@ private:
             case Kind::open_read:
             case Kind::open_write: return rest == "ok" ? call_ : wrong(expected[0], rest);
             case Kind::write: {
-                const auto bytes = number<std::size_t>(rest);
+                const auto bytes = number_in<std::size_t>(rest);
                 if (!bytes) return wrong(expected[1], rest);
                 call_.bytes = *bytes;
                 return call_;
@@ -260,8 +247,9 @@ Expected<DeviceLog> read_device_log(std::string_view text, const std::string& fi
         const auto wrong = [&](std::string why) { return failure(std::move(why), {.file = file, .line = number}); };
         if (++number == 1) {
             if (line != header)
-                return wrong(fmt::format("is not a device log of nezumi run --device-log: expected '{}', got '{}'",
-                                         header, shown(line)));
+                return wrong(
+                    fmt::format("is not a device log (written by nezumi run --device-log): expected '{}', got '{}'",
+                                header, shown(line)));
             continue;
         }
         if (const auto blank = line.find(' '); line.substr(blank + 1) == "start" || line.substr(blank + 1) == "end") {

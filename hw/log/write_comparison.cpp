@@ -4,24 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "engine/base/error.hpp"
+#include "engine/base/number_in.hpp"
 
 namespace nezumi::hw {
 namespace {
 
 using Write = WriteComparison::Write;
-
-std::optional<double> number(const std::string& text) {
-    double value = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (problem != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-    return value;
-}
 
 // The first write after `tm`.
 auto after(const std::vector<Write>& writes, double tm) {
@@ -33,11 +26,11 @@ bool is_like(const Write& write, const std::vector<Write>& other) {
     const auto to = after(other, write.tm + WriteComparison::window);
     if (from != other.begin()) --from;  // the value at the start of the window
     if (std::any_of(from, to, [&](const Write& each) { return each.text == write.text; })) return true;
-    const auto wanted = number(write.text);
+    const auto wanted = finite_in(write.text);
     if (!wanted) return false;
     std::optional<double> smallest, largest;
     for (auto each = from; each != to; ++each) {
-        const auto value = number(each->text);
+        const auto value = finite_in(each->text);
         if (!value) continue;
         smallest = std::min(smallest.value_or(*value), *value);
         largest = std::max(largest.value_or(*value), *value);

@@ -26,7 +26,7 @@ public:
     WriteComparison(std::string file, Writes logged, double start, double end)
         : file_(std::move(file)), start_(start), end_(end), logged_(std::move(logged)) {}
 
-    /// Records a write. Times must not go back, over all files.
+    /// Records a write. `tm` must not be smaller than in any earlier call, for any file.
     void wrote(const std::string& path, double tm, std::string text);
     /// The clock was set: all earlier writes are moved later by `seconds`.
     void move_written(double seconds);

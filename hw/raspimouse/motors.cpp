@@ -1,8 +1,6 @@
 // Every command needs the guard's beat: if the control loop or a node hangs, the guard stops the motors.
 #include "hw/raspimouse/motors.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <utility>
 
@@ -15,7 +13,7 @@ namespace nezumi::hw {
 namespace {
 
 constexpr double idle = 1;          // [s] between checks while there is nothing to do
-constexpr double attention = 0.05;  // [s] the same while the motors have power
+constexpr double attention = 0.05;  // [s] between checks while the motors have power
 
 }  // namespace
 
@@ -174,7 +172,8 @@ double Motors::run() {
     has_to_stop(now, state_.power);
     if (guard_.trouble() && !health_.is_lost()) reopen(with_advice(*guard_.trouble()));
     if (const int losses = commanded_->driver_losses; std::exchange(driver_losses_, losses) != losses)
-        reopen("the driver's nodes have gone: it was loaded again, or unloaded. The robot stands until they are back");
+        reopen(
+            "the driver's nodes have gone: the driver was reloaded or unloaded. The robot stands until they are back");
     if (health_.is_lost()) {
         if (now < retry_at_) return retry_at_ - now;
         retry_at_ = now + retry_period;

@@ -13,8 +13,8 @@
 #include "hw/device/node.hpp"
 #include "hw/device/worker.hpp"
 #include "hw/guard/guard_watch.hpp"
-#include "hw/raspimouse/commanded_pulses.hpp"
 #include "hw/raspimouse/motor_plan.hpp"
+#include "hw/raspimouse/pulse_counter.hpp"
 #include "hw/raspimouse/step_rate.hpp"
 
 namespace nezumi::hw {

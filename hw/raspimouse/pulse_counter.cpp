@@ -1,6 +1,7 @@
 // Accepts a reading that fits the commands; others only if they are repeated.
 #include "hw/raspimouse/pulse_counter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,7 +17,7 @@ double sum(const PulseTotals& totals) { return totals.forward + totals.backward;
 // The pulses counted between two readings.
 int counted(std::uint16_t earlier, std::uint16_t later) { return static_cast<std::uint16_t>(later - earlier); }
 
-// The largest plausible count for so many commanded pulses: times are known to a few milliseconds, and a slow rate
+// The largest plausible count for `commanded` pulses: times are known to a few milliseconds, and a slow rate
 // holds until its period ends.
 double most(double commanded) { return commanded * 1.25 + 24; }
 
@@ -24,6 +25,24 @@ double most(double commanded) { return commanded * 1.25 + 24; }
 constexpr double silent_pulses = 64;
 
 }  // namespace
+
+PulseTotals CommandedPulses::sum(double now) const {
+    PulseTotals totals = before_;
+    (rate_ > 0 ? totals.forward : totals.backward) += std::abs(rate_) * std::max(0.0, now - since_);
+    return totals;
+}
+
+void CommandedPulses::set_rate(int rate, double now) {
+    const std::lock_guard lock(mutex_);
+    before_ = sum(now);
+    rate_ = rate;
+    since_ = now;
+}
+
+PulseTotals CommandedPulses::until(double now) const {
+    const std::lock_guard lock(mutex_);
+    return sum(now);
+}
 
 bool PulseCounter::agree(const Mark& earlier, const Mark& later) {
     return counted(earlier.reading, later.reading) <= most(sum(between(earlier.commanded, later.commanded)));

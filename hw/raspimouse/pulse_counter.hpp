@@ -1,11 +1,34 @@
-// Computes the travel of a wheel from its counter.
+// Computes the travel of a wheel from its counter, which should have the pulses that were commanded.
 #pragma once
 
 #include <cstdint>
 
-#include "hw/raspimouse/commanded_pulses.hpp"
+#include "engine/base/mutex.hpp"
 
 namespace nezumi::hw {
+
+/// Pulses since the start, by direction; both only increase.
+struct PulseTotals {
+    double forward = 0;
+    double backward = 0;
+};
+
+/// The pulses commanded to a motor: the sum of rates over time. Any thread may use it.
+class CommandedPulses {
+public:
+    /// Sets the rate [pulses/s] from `now` [s] on.
+    void set_rate(int rate, double now);
+    /// The pulses up to `now` [s].
+    PulseTotals until(double now) const;
+
+private:
+    PulseTotals sum(double now) const;
+
+    mutable Mutex mutex_;
+    PulseTotals before_;
+    int rate_ = 0;
+    double since_ = 0;
+};
 
 /// The counter counts the motor's pulses modulo 65536 without direction. The direction comes from the commands, in
 /// proportion. The count follows the commands, so a very different number is an error: a torn byte (off by 256), a 0

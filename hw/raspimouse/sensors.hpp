@@ -4,7 +4,6 @@
 #include <array>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "hw/device/node.hpp"
 #include "hw/device/sampler.hpp"

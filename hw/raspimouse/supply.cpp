@@ -1,10 +1,7 @@
 // Finds the Pi's voltage monitor by its name, because its number has no meaning.
 #include "hw/raspimouse/supply.hpp"
 
-#include <string>
-
 #include "hw/raspimouse/advice.hpp"
-#include "hw/raspimouse/codec.hpp"
 
 namespace nezumi::hw {
 

@@ -12,7 +12,6 @@
 #include <optional>
 #include <sstream>
 #include <utility>
-#include <variant>
 
 #include "engine/system/build_system.hpp"
 

@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-#include <utility>
-
 #include "engine/base/program.hpp"
 #include "engine/world/tone.hpp"
 #include "hw/device/sampler.hpp"

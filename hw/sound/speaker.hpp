@@ -31,7 +31,7 @@ public:
     void play(const Sound& sound);
     /// Ends the present sound and drops the waiting ones. Any thread may call it.
     void silence();
-    /// The same, and no further sound is played.
+    /// Silences the speaker for ever: no further sound is played.
     void silence_for_good();
     std::vector<std::string> take_faults();
 

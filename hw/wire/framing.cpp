@@ -1,8 +1,6 @@
 // Messages by their ends, their length, or COBS.
 #include "hw/wire/framing.hpp"
 
-#include <utility>
-
 namespace nezumi::hw {
 
 std::string encode_cobs(std::string_view message) {
@@ -57,16 +55,11 @@ std::vector<std::string> Framer::take(std::string_view bytes) {
                 continue;  // a second zero
             } else if (auto decoded = decode_cobs(message)) {
                 messages.push_back(std::move(*decoded));
-            } else {
-                was_broken_ = true;
             }
         }
     }
     rest_ = std::string(left);
-    if (rest_.size() > longest) {
-        rest_.clear();
-        was_broken_ = true;
-    }
+    if (rest_.size() > longest) rest_.clear();
     return messages;
 }
 

@@ -25,7 +25,7 @@ class Framer {
 public:
     explicit Framer(Framing framing) : framing_(std::move(framing)) {}
 
-    /// The messages that are complete with these bytes.
+    /// The messages that are complete with these bytes. Broken ones, and those longer than `longest`, are dropped.
     std::vector<std::string> take(std::string_view bytes);
     /// Forgets an incomplete message.
     void clear() { rest_.clear(); }
@@ -33,15 +33,12 @@ public:
     std::optional<std::string> encode(std::string_view message) const;
     /// What ends a torn message.
     std::string end() const { return framing_.cobs ? std::string(1, '\0') : framing_.end; }
-    /// Whether messages were dropped since the last call: broken, or longer than `longest`.
-    bool takes_broken() { return std::exchange(was_broken_, false); }
 
     static constexpr std::size_t longest = 4096;  ///< [bytes] of a received message
 
 private:
     Framing framing_;
     std::string rest_;
-    bool was_broken_ = false;
 };
 
 }  // namespace nezumi::hw

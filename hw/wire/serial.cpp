@@ -10,15 +10,45 @@
 #include <fstream>
 #include <vector>
 
+#include "engine/base/descriptor.hpp"
+#include "hw/device/clock.hpp"
 #include "hw/device/numbered_nodes.hpp"
 #include "hw/wire/framing.hpp"
-#include "hw/wire/stream_wire.hpp"
+#include "hw/wire/wire_driver.hpp"
 #include "hw/wire/wire_node.hpp"
 
 namespace nezumi::hw {
 namespace {
 
 namespace fs = std::filesystem;
+
+// The reading side of a stream of bytes that is cut into messages. Reads until nothing is left.
+class StreamWire final : public OpenWire {
+public:
+    StreamWire(Descriptor file, const Framing& framing) : file_(std::move(file)), framer_(framing) {}
+
+    tl::expected<double, int> read(std::vector<Arrived>& arrived) override {
+        char buffer[4096];
+        for (;;) {
+            const ssize_t length = ::read(file_.get(), buffer, sizeof buffer);
+            if (length < 0 && errno == EINTR) continue;
+            if (length < 0 && errno == EAGAIN) return quiet;
+            // A terminal whose other end is gone gives EIO.
+            if (length <= 0) return tl::unexpected(length == 0 || errno == EIO ? 0 : errno);
+            const double now = clock_seconds();
+            for (std::string& message : framer_.take({buffer, static_cast<std::size_t>(length)}))
+                arrived.push_back({now, std::move(message)});
+        }
+    }
+    int watched_file() const override { return file_.get(); }
+    WriteTarget target() const override { return {.by = WriteBy::stream, .file = file_.get()}; }
+
+private:
+    static constexpr double quiet = 0.5;  // [s] between looks at a device that sends nothing
+
+    Descriptor file_;
+    Framer framer_;
+};
 
 const NodeKind serial_line{.subsystem = "",  // pseudo-terminals have none: isatty tells
                            .what = "serial line",
@@ -81,7 +111,7 @@ public:
         const auto speed = static_cast<unsigned>(value_of<std::int64_t>(parameters_, "baud"));
         if (const int error = set_up(node->file.get(), speed); error != 0)
             return tl::unexpected(with_advice(*path, error, serial_line));
-        return stream_wire(std::move(node->file), framing_);
+        return std::make_unique<StreamWire>(std::move(node->file), framing_);
     }
     Expected<Lease> lease() const override {
         const std::string node = path_of(parameters_, roots_).value_or("");

@@ -1,7 +1,6 @@
 // Devices on SPI.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "hw/device/clock.hpp"

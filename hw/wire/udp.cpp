@@ -9,7 +9,6 @@
 #include <cstring>
 
 #include "engine/base/descriptor.hpp"
-#include "engine/base/names.hpp"
 #include "hw/device/clock.hpp"
 #include "hw/wire/wire_driver.hpp"
 

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cstring>
 #include <deque>
-#include <optional>
 #include <utility>
 
 #include "engine/base/mutex.hpp"
@@ -16,7 +15,6 @@
 #include "hw/device/tick_clock.hpp"
 #include "hw/device/worker.hpp"
 #include "hw/wire/device_writer.hpp"
-#include "hw/wire/wire_driver.hpp"
 
 namespace nezumi::hw {
 namespace {

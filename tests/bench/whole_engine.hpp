@@ -7,6 +7,7 @@
 
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/script/behavior_maker.hpp"
+#include "engine/project/project_files.hpp"
 #include "engine/system/build_system.hpp"
 #include "engine/trace/trace_hash.hpp"
 #include "sim/world.hpp"
@@ -41,7 +42,8 @@ struct WholeEngine {
     /// `text` is that of a system file in `behaviors/systems`.
     explicit WholeEngine(const std::string& text, int threads = 1) {
         const std::string file = NEZUMI_SOURCE_ROOT "/behaviors/systems/benchmark.lua";
-        const Project project = Project::of(file, {NEZUMI_SOURCE_ROOT});
+        const FileSnapshot files(disk());
+        const Project project = Project::of(file, {NEZUMI_SOURCE_ROOT}, files);
         read_seconds = time_of([&] { spec = must(read_system_text(text, file, project, {.seconds = 60})); });
         const BehaviorSettings settings{.project = project, .budget = headless_budget, .chunks = &chunks};
         Makers makers;

@@ -179,11 +179,11 @@
 
 ---@class OutPort
 
----An in-port of TimedBoolean: one truth value.
+---An in-port of TimedBoolean: one boolean.
 ---@class TimedBoolean.In : InPort
 ---@field read fun(self: TimedBoolean.In): boolean
 
----An out-port of TimedBoolean: one truth value.
+---An out-port of TimedBoolean: one boolean.
 ---@class TimedBoolean.Out : OutPort
 ---@field write fun(self: TimedBoolean.Out, value: boolean)
 
@@ -263,11 +263,11 @@
 ---@class (exact) TimedString.OutOptions
 ---@field safe? string written when the component stops
 
----An in-port of TimedBooleanSeq: a sequence of truth values.
+---An in-port of TimedBooleanSeq: a sequence of booleans.
 ---@class TimedBooleanSeq.In : InPort
 ---@field read fun(self: TimedBooleanSeq.In): boolean[]
 
----An out-port of TimedBooleanSeq: a sequence of truth values.
+---An out-port of TimedBooleanSeq: a sequence of booleans.
 ---@class TimedBooleanSeq.Out : OutPort
 ---@field write fun(self: TimedBooleanSeq.Out, value: boolean[])
 
@@ -511,7 +511,7 @@ function output(name, type, doc, options) end
 ---@field min? number smallest value; of each element of an array (of numbers, arrays of numbers)
 ---@field max? number largest value; of each element of an array (of numbers, arrays of numbers)
 ---@field step? number of the widget only (of numbers, arrays of numbers)
----@field widget? "slider"|"spin"|"radio"|"checkbox"|"ordered_list"|"text" how it is shown for a person to change: a slider needs both bounds, radio needs choices; a checkbox shows a truth value, or an array as a part of its choices; an ordered list shows an array of its choices
+---@field widget? "slider"|"spin"|"radio"|"checkbox"|"ordered_list"|"text" how it is shown for a person to change: a slider needs both bounds, radio needs choices; a checkbox shows a boolean, or an array as a part of its choices; an ordered list shows an array of its choices
 ---@field unit? string for example "m/s"
 ---@field doc? string what it means
 ---@field choices? ParameterValue[] the values that may be chosen; without: all within the bounds
@@ -622,13 +622,13 @@ function output(name, type, doc, options) end
 ---@field config? table<string, ParameterValue> values of its parameters
 ---@field sets? table<string, table<string, ParameterValue>> values of parameters that are chosen together, by the set's name
 ---@field set? string the parameter set in use; omitted parameters have the values of `config`
----@field rate? number [Hz] executions a second, at most the tick's
+---@field rate? number [Hz] executions per second, at most the tick's
 ---@field active? boolean whether it is activated at the start
 
 ---@class (exact) ComponentFields
 ---@field type string a native component's type, for example "Camera"
 ---@field config? table<string, ParameterValue> values of its parameters
----@field rate? number [Hz] executions a second, at most the tick's
+---@field rate? number [Hz] executions per second, at most the tick's
 ---@field on? string the robot that carries it
 ---@field at? number[] [m] on that robot, from the middle of the wheels' axis on the floor
 ---@field yaw? number [rad] on that robot, counter-clockwise
@@ -665,9 +665,9 @@ function output(name, type, doc, options) end
 
 ---@class (exact) RtmFields
 ---@field nameserver? string|string[] "HOST:PORT" of the CORBA name service, or of several
----@field export? string|string[] the components that appear there
+---@field export? string|string[] the components that appear as RTCs
 ---@field interface? string this computer's address, at which others reach them; by default only this computer reaches them
----@field rename? table<string, ParameterValue> what a port is called there, by `"name.port"`
+---@field rename? table<string, ParameterValue> what RTCs call a port, by `"name.port"`
 ---@field manager? boolean tools such as RTSystemEditor may add and remove behaviours, and end the run
 
 ---@class (exact) BodyFields
@@ -733,7 +733,7 @@ function output(name, type, doc, options) end
 ---@field from? string|string[] a sensor, a list of them, `"velocity"` (measured at the wheels) or `"odometry"` (of out-port)
 ---@field to? string|string[] `"drive"`, `"odometry"` (sets it) or an actuator (of in-port)
 ---@field doc? string documentation for editors and the console
----@field rate? number [Hz] messages a second; 0: one each tick (of out-port)
+---@field rate? number [Hz] messages per second; 0: one each tick (of out-port)
 ---@field quantity? "value"|"distance"|"rate"|"acceleration" `"distance"`: metres instead of a range sensor's value; `"rate"`: of a gyro instead of its angle, of an imu its three rates; `"acceleration"`: of an imu its three accelerations (of out-port)
 ---@field queue? integer how many unread messages are kept; 0: the latest (of in-port)
 ---@field silence? "hold"|"off" after 0.5 s without a message: the actuator holds or goes off (of in-port)
@@ -1055,7 +1055,7 @@ function robot_model(fields) end
 ---@field path? string the device, such as /dev/ttyACM0
 ---@field vendor? string instead of `path`: the USB vendor's number, such as "2341"
 ---@field serial_number? string with `vendor`: the device's own serial number
----@field baud? integer [Bd] bits a second
+---@field baud? integer [Bd] bits per second
 ---@field ends? string the end of each line, such as "\n": ports are TimedString then
 ---@field terminator? string instead of `ends`: the last bytes of each frame
 ---@field length? integer instead of `ends`: bytes of each frame
@@ -1167,7 +1167,7 @@ function gpio(fields) end
 ---@field ports table<string, Port> its ports by name
 ---@field press fun(self: Component, sensor: string, pressed?: boolean) of robots: presses a button or touch sensor; with false releases it
 ---@field probes table<string, ProbeView> the values of `probe` calls in its script: value, tm and age
----@field rate number executions a second [Hz]
+---@field rate number executions per second [Hz]
 ---@field reset fun(self: Component): string takes it out of ERROR; gives the status that follows
 ---@field said string[] of robots: the last 100 texts sent to its speaker
 ---@field set string? the named set of parameters in use, or nil

@@ -96,7 +96,7 @@ scenario("the robot of a system stops short of its wall as well, whatever it is 
   s:eventually("stops", { within = 30 }, function() return math.abs(world.mouse.truth.velocity.vx) < 0.01 end)
 end)
 
-scenario("what no robot has is refused, with what it may be", function(s)
+scenario("an unknown field of a robot is refused, and the error lists the possible ones", function(s)
   local function refused(options, text)
     local loaded, message = pcall(s.load, s, "systems/stop_at_wall.lua", options)
     s:check(not loaded and message:find(text, 1, true), tostring(message))

@@ -31,7 +31,7 @@ scenario("a mean of angles is one across the seam, and none where they cancel ou
   s:check(angles.mean { 0, math.pi } == nil)
 end)
 
-scenario("what is no angle is refused", function(s)
+scenario("a value that is not an angle is refused", function(s)
   equal(s, said(function() angles.wrap("1") end), "angles.wrap: angle expected a finite number, got string")
   equal(s, said(function() angles.wrap(0 / 0) end):gsub("-nan", "nan"), "angles.wrap: angle expected a finite number, got nan")
   equal(s, said(function() angles.difference(1) end), "angles.difference: to expected a finite number, got nothing")
@@ -80,7 +80,7 @@ scenario("the derivative of a PID controller can be smoothed, and the loop settl
   s:near(x, 1, 1e-3, "in spite of a constant force")
 end)
 
-scenario("what a PID controller remembers is plain data in the table it is given", function(s)
+scenario("the memory of a PID controller is plain data in the given table", function(s)
   local memory = {}
   local one = pid({ ki = 1 }, memory)
   one:update(1, 0, 0.5)
@@ -88,7 +88,7 @@ scenario("what a PID controller remembers is plain data in the table it is given
   s:near(pid({ ki = 1 }, memory):update(1, 0, 0.5), 1, 1e-12)
 end)
 
-scenario("what a PID controller is not made of is refused", function(s)
+scenario("wrong options and arguments of a PID controller are refused", function(s)
   equal(s, said(function() pid { kpp = 1 } end), "pid has no 'kpp': it has kp, ki, kd, min, max, angle, derivative_time")
   equal(s, said(function() pid() end), "pid expected a table, got nothing")
   equal(s, said(function() pid { kp = "1" } end), "pid: kp expected a finite number, got string")
@@ -141,13 +141,13 @@ scenario("a hysteresis changes beyond its thresholds only, a bounce changes noth
   for i, value in ipairs(input) do s:check(debounce:update(value, 0.01) == expected[i], "at step " .. i) end
 end)
 
-scenario("what filters remember outlives them", function(s)
+scenario("the memory of a filter outlives the filter", function(s)
   local memory = {}
   filters.moving_average({ count = 2 }, memory):update(4)
   s:near(filters.moving_average({ count = 2 }, memory):update(6), 5, 1e-12)
 end)
 
-scenario("what no filter is made of is refused", function(s)
+scenario("wrong options and arguments of a filter are refused", function(s)
   equal(s, said(function() filters.low_pass { time = 0 } end), "low_pass: time expected a number above 0, got 0")
   equal(s, said(function() filters.low_pass { tau = 1 } end), "low_pass has no 'tau': it has time")
   equal(s, said(function() filters.median { count = 2.5 } end), "median: count expected a whole number from 1 to 1000, got 2.5")

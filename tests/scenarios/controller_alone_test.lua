@@ -42,7 +42,7 @@ scenario("a held value is fed every tick, until it is released", function(s)
   s:near(controller.out.value.vx, 0.2, 0)
 end)
 
-scenario("what is no value of the port is refused, and changes nothing", function(s)
+scenario("a value that does not fit the port is refused, and changes nothing", function(s)
   local controller = alone(s)
   for _, wrong in ipairs { { "near" }, { 30.5 }, { 40000 }, { true } } do
     local ok, message = pcall(s.inject, s, "controller.in", wrong)

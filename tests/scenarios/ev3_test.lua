@@ -114,7 +114,7 @@ scenario("the medium motor turns the ultrasonic sensor, in its time", { timeout 
   s:near(ev3.ultrasonic.value.geometry.pose.orientation.y, 0, 1e-9, "faster, if asked to")
 end)
 
-scenario("a gyro tells its rate and a dark room is told from a lit one", { timeout = 30 }, function(s)
+scenario("a gyro measures its rate, and a light sensor distinguishes a dark room from a lit one", { timeout = 30 }, function(s)
   local ev3 = alone(s)
   s:disturb("ev3", { va = 0.5 })
   s:run(1)

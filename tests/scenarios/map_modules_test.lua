@@ -49,7 +49,7 @@ scenario("poses in space turn by yaw, then pitch, then roll", function(s)
   s:near(poses.transform(poses.space(0, 0, 0, math.pi / 2, 0, 0), { x = 0, y = 1, z = 0 }).z, 1, 1e-12, "left side up")
 end)
 
-scenario("what is composed in space moves points as its parts do, one after the other", function(s)
+scenario("a pose composed in space moves points as its parts do, one after the other", function(s)
   local point = { x = 0.3, y = -0.2, z = 0.7 }
   for _, a in ipairs(in_space) do
     for _, b in ipairs(in_space) do
@@ -67,7 +67,7 @@ scenario("what is composed in space moves points as its parts do, one after the 
   end
 end)
 
-scenario("what is no pose is refused", function(s)
+scenario("a value that is not a pose is refused", function(s)
   local a_pose = " expected a pose: { position = { x, y }, heading }, or position with z and orientation = { r, p, y }"
   equal(s, said(function() poses.inverse { x = 1, y = 2, heading = 0 } end), "poses.inverse" .. a_pose)
   equal(s, said(function() poses.transform(nil, {}) end), "poses.transform" .. a_pose)
@@ -144,14 +144,14 @@ scenario("evidence is bounded, so that the world may change", function(s)
   map:set(5, 5, true)
 end)
 
-scenario("what a grid knows outlives it", function(s)
+scenario("the memory of a grid outlives the grid", function(s)
   local memory = {}
   grid({ columns = 2, rows = 1, cell = 1 }, memory):set(1.5, 0.5, true)
   equal(s, grid({ columns = 2, rows = 1, cell = 1 }, memory):text(), " #")
   equal(s, grid({ columns = 3, rows = 1, cell = 1 }, memory):text(), "   ")
 end)
 
-scenario("what no grid is made of is refused", function(s)
+scenario("wrong options of a grid are refused", function(s)
   equal(s, said(function() grid { columns = 3, rows = 3 } end), "grid: cell expected a number above 0, got nothing")
   equal(s, said(function() grid { columns = 0, rows = 3, cell = 1 } end), "grid: columns expected a whole number from 1 to 250000, got 0")
   equal(s, said(function() grid { columns = 501, rows = 500, cell = 1 } end),
@@ -279,7 +279,7 @@ scenario("the point to steer for lies ahead on the way", function(s)
   s:check(only.x == 4 and only.y == 5)
 end)
 
-scenario("what is no way and no place is refused", function(s)
+scenario("a value that is not a path or a point is refused", function(s)
   local map = drawn("...")
   equal(s, said(function() path.find(map, { 1, 2 }, { x = 1, y = 1 }) end), "path.find: from expected a point: { x, y }")
   equal(s, said(function() path.find(map, { x = 1, y = 1 }, { x = 1, y = 1 }, { margin = 1 }) end),

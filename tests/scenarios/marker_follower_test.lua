@@ -122,7 +122,7 @@ scenario("a detector tells all markers in sight, the nearest first", { timeout =
   s:check(#s.detector.markers.value == 0, "none")
 end)
 
-scenario("a slip in a marker's name or pose is told", { timeout = 10 }, function(s)
+scenario("an error in a marker's name or pose is reported", { timeout = 10 }, function(s)
   s:load "systems/follow_marker.lua"
   local function told(name, pose, expected)
     local ok, message = pcall(function() s:teleport(name, pose) end)

@@ -84,7 +84,7 @@ scenario("a matrix is shown as its rows, and is a table when it is asked to be",
   near(s, matrix(rows), { { 4, 1 }, { 2.5, 3 } })
 end)
 
-scenario("what has no inverse is an error", function(s)
+scenario("the inverse of a singular matrix is an error", function(s)
   local singular = matrix { { 1, 2 }, { 2, 4 } }
   equal(s, said(function() singular:inverse() end), "inverse: the matrix is singular")
   equal(s, said(function() singular:solve(matrix { { 1 }, { 1 } }) end), "solve: the matrix is singular")
@@ -108,7 +108,7 @@ scenario("sizes that do not fit are an error", function(s)
   equal(s, said(function() return a * a[1] end), "matrix * expected a matrix or a number, got row of a matrix")
 end)
 
-scenario("what is no matrix is refused", function(s)
+scenario("a value that is not a matrix is refused", function(s)
   equal(s, said(function() matrix() end), "matrix expected a table of rows, got nil")
   equal(s, said(function() matrix {} end), "matrix: expected 1 to 64 rows, got 0")
   equal(s, said(function() matrix { {} } end), "matrix: expected 1 to 64 columns, got 0")
@@ -123,7 +123,7 @@ scenario("what is no matrix is refused", function(s)
   equal(s, said(function() matrix.identity(2.5) end), "matrix.identity expected a number of rows from 1 to 64")
 end)
 
-scenario("what is not in a matrix is refused", function(s)
+scenario("a row or column outside of a matrix is refused", function(s)
   local m = matrix { { 1, 2 }, { 3, 4 } }
   equal(s, said(function() return m[3] end), "row 3 of a matrix of 2 x 2")
   equal(s, said(function() return m[1][0] end), "column 0 of a matrix of 2 x 2")
@@ -137,7 +137,7 @@ scenario("what is not in a matrix is refused", function(s)
   s:check(not pcall(setmetatable, m, {}) and not pcall(function() matrix.new = 1 end))
 end)
 
-scenario("what would not be finite is refused", function(s)
+scenario("a result that is not finite is refused", function(s)
   local large = matrix { { 1e308 } }
   equal(s, said(function() return large + large end), "+: the result is not finite")
   equal(s, said(function() return large * 10 end), "*: the result is not finite")

@@ -44,7 +44,7 @@ scenario("flood fill learns the maze and takes the shortest way", badly_set_down
   s:check(s:now() - begun < 15, "it drives no other way")
 end)
 
-scenario("what the mouse has found out outlives a reload", { timeout = 60 }, function(s)
+scenario("the walls that the mouse has found outlive a reload", { timeout = 60 }, function(s)
   local world = s:load "systems/flood_fill.lua"
   s:never("touches anything", function() return world.mouse.collided end)
   s:run(10)
@@ -82,7 +82,7 @@ scenario("a mouse takes the shortest way in a contest's maze, also on diagonals,
   if p.solver == "diagonal" then s:check(solver.state.time < 15, "the diagonals are short") end
 end)
 
-scenario("a maze whose goal can't be reached is told", { timeout = 60 }, function(s)
+scenario("a maze whose goal can't be reached is reported", { timeout = 60 }, function(s)
   local closed = s:maze { rows = { "o---o---o---o", "|       | G |", "o   o   o---o", "| S |       |", "o---o---o---o" } }
   s:arena { closed }
   s:robot "mouse" { model = "raspimouse", pose = closed.pose }

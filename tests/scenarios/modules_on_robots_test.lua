@@ -64,7 +64,7 @@ scenario("a reload in the middle keeps what filters and controllers remember", {
   s:run(5)
 end)
 
-scenario("the mouse drives where it is told", { timeout = 60, sweep = { x = { 0.5, -0.4 }, y = { 0.3, -0.2 } } }, function(s, p)
+scenario("the mouse drives to the given point", { timeout = 60, sweep = { x = { 0.5, -0.4 }, y = { 0.3, -0.2 } } }, function(s, p)
   local world = s:load "systems/go_to_goal.lua"
   s:run(0.1)
   s:check(world.driver.state.mode.current == "rest")

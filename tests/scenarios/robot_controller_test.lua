@@ -100,7 +100,7 @@ scenario("deactivation writes zero once, and then nothing", function(s)
   s:near(controller.out.tm, stamp, 0)
 end)
 
-scenario("what was seen before an activation is forgotten", function(s)
+scenario("sensor values from before an activation are forgotten", function(s)
   local controller = controller_alone(s, { speed_x = 0.2 })
   see(s, 4095, 0, 0, 0)
   s:near(controller.out.value.vx, 0, 0)

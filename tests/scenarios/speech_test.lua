@@ -11,7 +11,7 @@ scenario("sends on what was said, once each", function(s)
   s:check(s.speech.out.age > 0.45, "said once")
 end)
 
-scenario("whatever signs a text has, it arrives as it is", function(s)
+scenario("a text arrives unchanged, with any characters", function(s)
   local world = s:load "systems/speech.lua"
   local odd = { [[it's "quoted"]], "$(reboot); `reboot` | & > /tmp/x", "two\nlines\r\n", "-w /etc/passwd", "日本語", "a\0b" }
   for _, text in ipairs(odd) do
@@ -32,7 +32,7 @@ scenario("several texts of one moment are all said, in order", function(s)
   s:check(table.concat(world.ev3.said, "|") == "one|beep|tone,880,100")
 end)
 
-scenario("what is no text costs its command and no more", function(s)
+scenario("a value that is not a text fails its command and nothing else", function(s)
   local world = s:load "systems/speech.lua"
   for _, wrong in ipairs { 5, true, {} } do
     local ok = pcall(function() world.speech:say(wrong) end)

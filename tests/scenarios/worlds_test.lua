@@ -11,7 +11,7 @@ scenario("two worlds of one file are alike, tick by tick", function(s)
   s:check(one.mouse.truth.pose.position.x > 0.3, "they drove")
 end)
 
-scenario("what happens in one world does not touch the other", function(s)
+scenario("events in one world do not change the other", function(s)
   local one = s:load "systems/stop_at_wall.lua"
   local two = s:load "systems/stop_at_wall.lua"
   one.controller.config.speed_x = 0.0

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "engine/base/thread_sanitizer.hpp"
+#include "engine/base/sanitizers.hpp"
 
 namespace nezumi {
 

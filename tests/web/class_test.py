@@ -280,7 +280,7 @@ class Lessons(ClassCase):
         self.join(room, "Taro")
         page = self.page
         page.view("scenarios")
-        page.until("document.querySelectorAll('.scenario').length === 2", "they are listed", 30)
+        page.until("document.querySelector('.scenario') !== null", "they are listed", 30)
         page.press("Run all")
         page.until("document.querySelector('.scenario.failed') !== null && !document.querySelector('.scenario.runs')", "one has failed", 90)
         own = room.processes()

@@ -342,6 +342,31 @@ class Running(EditorCase):
         page.until("document.querySelector('.clock').textContent !== %r" % before, "time passes")
         self.assertEqual(page.errors(), [])
 
+    def test_breakpoints_follow_their_lines_and_end_with_unwatch(self):
+        self.begin()
+        page = self.page
+        self.put(6, 1, F9)
+        page.until("document.querySelector('.late').textContent === 'paused'", "time is paused")
+        self.put(4, 1, "\n\n")
+        self.save()
+        self.told("version 2 runs (guide)")
+        page.until("document.querySelector('.console .output').textContent.includes('guide.lua:8')", "the engine has the new line")
+        self.put(8, 1, F9)
+        page.until("document.querySelector('.break-sign') === null", "the breakpoint is gone")
+        page.press("Run")
+        before = page.text(".clock")
+        page.until("document.querySelector('.clock').textContent !== %r" % before, "time passes")
+        self.put(8, 1, F9)
+        page.until("document.querySelector('.break-sign') !== null", "it is there again")
+        self.put(5, 1, F9)
+        self.told("no execution runs line 5")
+        page.view("world")
+        page.find(".console textarea").send_keys("unwatch()\n")
+        page.until("[...document.querySelectorAll('.console .asked')].some((each) => each.textContent === 'unwatch()')", "it was asked")
+        page.view("editor")
+        page.until("document.querySelector('.break-sign') === null", "the breakpoint is gone")
+        self.assertEqual(page.errors(), [])
+
 
 class Access(EditorCase):
     CONTRAST = """

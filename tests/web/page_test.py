@@ -345,7 +345,7 @@ behavior "teller" { script = "teller" }
         number.clear()
         number.send_keys("0.15\n")
         page.until("document.querySelector('.mark.act')", "the change is marked")
-        self.assertIn("SetParameter by browser", page.js("return document.querySelector('.mark.act').title"))
+        self.assertIn("set parameter by browser", page.js("return document.querySelector('.mark.act').title"))
         page.until(clock + " > 3", "some time has passed")
         self.go_to(0.5)
         page.until("document.querySelector('.stage-box canvas').dataset.ways === 'true'", "what follows is drawn")

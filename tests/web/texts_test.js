@@ -29,7 +29,7 @@ async function read(name) {
   sources.set(name, text);
   await Promise.all([...text.matchAll(/"\.\/([a-z_]+\.js)"/g)].map((found) => read(found[1])));
 }
-for (const first of ["main.js", "class.js", "join.js", "playground.js"]) await read(first);
+for (const first of ["main.js", "class.js", "join.js", "playground.js", "light_run.js"]) await read(first);
 if (sources.size < 50) wrong.push(`only ${sources.size} modules were found`);
 
 const LITERAL = /"(?:[^"\\\n]|\\.)*"|`(?:[^`\\$]|\\.|\$(?!\{)|\$\{[^{}]*\})*`/g;

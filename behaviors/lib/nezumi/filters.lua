@@ -146,7 +146,7 @@ local debounce = kind(function(self, value, dt)
   return memory.value
 end)
 
---- A truth value that changes only once its input has been another for `time` [s]. `update(value, dt)`.
+--- A boolean that changes only once its input has been another for `time` [s]. `update(value, dt)`.
 ---@param options { time: number }
 ---@param memory table?
 ---@return nezumi.Filter

@@ -5,7 +5,6 @@
 
 #include <cstdio>
 #include <system_error>
-#include <utility>
 
 #include "bindings/cli/base/status.hpp"
 #include "bindings/console/put_text.hpp"
@@ -14,7 +13,7 @@
 #include "bindings/dds/ros/ros_word.hpp"
 #include "bindings/embed/simulation.hpp"
 #include "bindings/openrtm/rtm_word.hpp"
-#include "engine/base/own_program.hpp"
+#include "engine/base/module.hpp"
 #include "engine/base/visible.hpp"
 #include "hw/drivers.hpp"
 
@@ -53,7 +52,7 @@ Expected<void> need_simulation(std::initializer_list<std::pair<std::string_view,
 }
 
 std::string refusal(const Error& error) {
-    // The place comes first in the line, so that editors can jump to it.
+    // The location comes first in the line, so that editors can jump to it.
     if (error.place.file.empty()) return visible("nezumi: " + error.message) + "\n";
     return visible(describe(error)) + "\n";
 }

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -12,7 +11,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -28,9 +26,11 @@
 #include "bindings/web/classroom/check_work.hpp"
 #include "bindings/web/classroom/classroom.hpp"
 #include "bindings/web/qr_code.hpp"
-#include "engine/base/own_program.hpp"
+#include "engine/base/module.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/devices/wired_device.hpp"
+#include "engine/project/near_path.hpp"
 #include "engine/project/project.hpp"
 
 namespace nezumi::cli {
@@ -54,9 +54,9 @@ Expected<web::SharedOptions> shared_of(const ClassWords& words, const std::optio
     const auto file = find_system_file(words.shared);
     if (!file) return Unexpected(file.error());
     shared.file = *file;
-    if (!hardware) return shared;
     const auto system = read_system_file(*file, Project::of(*file, installed_folders()), {.peer_words = peer_words()});
     if (!system) return Unexpected(system.error());
+    if (!hardware) return shared;
     // A pupil's copy of a driver would stand between the robot's limits and its motors.
     const auto has_script = [](const auto& model) { return !model.second.hardware.script.empty(); };
     const auto is_wire = [](const ComponentEntry* entry) { return find_device_kind(entry->type) != nullptr; };
@@ -81,6 +81,8 @@ int run_class(const ClassWords& words) {
     const auto read = read_run_options(of_run);
     if (!read) return refuse(read.error());
     std::error_code problem;
+    if (!words.collect.empty() && !std::filesystem::is_directory(words.folder, problem))
+        return refuse(Error{"there is no such folder of a class" + did_you_mean_path(words.folder), {words.folder}});
     std::filesystem::create_directories(words.folder, problem);
     const std::filesystem::path folder = std::filesystem::canonical(words.folder, problem);
     if (problem) return refuse({"can't be made: " + problem.message(), {words.folder}});
@@ -98,12 +100,10 @@ int run_class(const ClassWords& words) {
     if (!sockets) return refuse(sockets.error());
     options.sockets = std::move(sockets->options);
     if (!words.quota.empty()) {
-        std::uintmax_t megabytes = 0;
-        const char* const last = words.quota.data() + words.quota.size();
-        const auto [rest, wrong] = std::from_chars(words.quota.data(), last, megabytes);
-        if (wrong != std::errc() || rest != last || megabytes < 1 || megabytes > 1000)
+        const auto megabytes = number_in<std::uintmax_t>(words.quota);
+        if (!megabytes || *megabytes < 1 || *megabytes > 1000)
             return refuse("--quota must be a whole number of megabytes from 1 to 1000, not " + visible(words.quota));
-        options.quota.bytes = megabytes << 20U;
+        options.quota.bytes = *megabytes << 20U;
     }
     auto shared = shared_of(words, read->hardware);
     if (!shared) return refuse(shared.error());

@@ -1,6 +1,7 @@
 // `nezumi compare`: the first tick in which two runs differ.
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -33,13 +34,15 @@ Expected<LoadedRun> load(const std::string& file) {
     return LoadedRun{std::move(*replay), std::move(*system)};
 }
 
+std::uint64_t seed_of(const LoadedRun& run) { return run.replay->seed_of(run.system->spec()); }
+
 void show(const RunDifference& found, const std::string& first, const std::string& second) {
     const auto text_of = [](const ActTime& when) {
         return fmt::format("tick {}{}", when.tick, when.start == 1 ? "" : fmt::format(" of start {}", when.start));
     };
     fmt::print("first difference: {}, {:g} s\n", text_of(found.when), found.seconds);
     if (text_of(found.when) != text_of(found.second_when))
-        fmt::print("  {} is at {} then\n", visible(second), text_of(found.second_when));
+        fmt::print("  at that time, run {} is at {}\n", visible(second), text_of(found.second_when));
     for (const DifferingValue& value : found.values) {
         fmt::print("  {}: {} and {}{}\n", value.name, value.first, value.second,
                    value.by ? fmt::format(", a difference of {:g}", *value.by) : "");
@@ -88,6 +91,8 @@ int compare(const CompareWords& words) {
     if (!b) return refuse(b.error());
     const auto compared = compare_runs(*a->replay, *a->system, *b->replay, *b->system);
     if (!compared) return refuse(compared.error());
+    if (const auto seeds = std::pair(seed_of(*a), seed_of(*b)); seeds.first != seeds.second)
+        fmt::print("different seeds: {} and {}\n", seeds.first, seeds.second);
     for (const std::string& file : compared->files) fmt::print("different files: {}\n", visible(file));
     if (compared->difference) {
         show(*compared->difference, first, second);
@@ -114,15 +119,16 @@ SubCommand compare_command() {
     auto words = std::make_shared<CompareWords>();
     return {
         .name = "compare",
-        .help = "Compare two runs: the first tick that differs, and what differed there",
-        .options = {{"FIRST", &words->first, "a journal that `nezumi run --journal` wrote", "", {}, FileUse::source},
-                    {"SECOND", &words->second, "the journal of the other run", "", {}, FileUse::source},
-                    {"--plot",
-                     &words->plot,
-                     "draw both runs, with the first fields that differ",
-                     "FILE.png|svg",
-                     {},
-                     FileUse::result}},
+        .help = "Compare two runs: the first tick that differs, and the differing values",
+        .options =
+            {{"FIRST", &words->first, "a journal or a recording of `nezumi run`", "", {}, FileUse::source},
+             {"SECOND", &words->second, "the journal or the recording of the other run", "", {}, FileUse::source},
+             {"--plot",
+              &words->plot,
+              "draw both runs, with the first fields that differ",
+              "FILE.png|svg",
+              {},
+              FileUse::result}},
         .run = [words] { return compare(*words); },
         .footer =
             "Both runs are repeated, and every message is compared. Where the first one differs, the executed lines "

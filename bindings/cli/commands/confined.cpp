@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -13,7 +14,7 @@
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/web/classroom/confinement.hpp"
-#include "engine/base/own_program.hpp"
+#include "engine/base/module.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -35,7 +36,10 @@ int run_confined(const ConfinedOptions& options) {
     const std::filesystem::path folder = std::filesystem::canonical(options.folder, none);
     if (none || !std::filesystem::is_directory(folder, none))
         return refuse(fmt::format("confined: there is no folder {}", shown(options.folder)));
-    // What programs write besides results goes into the folder, too.
+    // In a class, pupils name files from their project, and messages name them so.
+    if (std::find(options.words.begin(), options.words.end(), "--page-on-input") != options.words.end())
+        std::filesystem::current_path(folder, none);
+    // Other files that programs write go into the folder, too.
     for (const char* name : {"HOME", "TMPDIR", "XDG_RUNTIME_DIR", "XDG_STATE_HOME"})
         setenv(name, (folder / ".nezumi").c_str(), 1);
     if (auto ok = web::confine({.work = folder,

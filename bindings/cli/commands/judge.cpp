@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -20,6 +19,7 @@
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/cli/files/judged_run.hpp"
 #include "bindings/cli/files/run_plot.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/base/visible.hpp"
 
 namespace nezumi::cli {
@@ -95,9 +95,8 @@ int run_judge(const JudgeWords& words) {
     if (auto ok = need_simulation({{"judge", true}}); !ok) return refuse(ok.error());
     double tolerance = usual_tolerance;
     if (!words.tolerance.empty()) {
-        const char* const end = words.tolerance.data() + words.tolerance.size();
-        const auto [rest, problem] = std::from_chars(words.tolerance.data(), end, tolerance);
-        if (problem != std::errc() || rest != end || !(tolerance >= 0))
+        tolerance = number_in<double>(words.tolerance).value_or(-1);
+        if (!(tolerance >= 0))
             return refuse(fmt::format("--tolerance: expected a number from 0 on, got '{}'", shown(words.tolerance)));
     }
     if (words.behavior.empty()) return refuse("--behavior is missing: give --behavior FILE");

@@ -8,7 +8,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/commands/commands.hpp"

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -14,6 +13,7 @@
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/console/put_text.hpp"
 #include "bindings/draw/marker_sheet.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/world/arena_fields.hpp"
 #include "sim/picture.hpp"
@@ -33,13 +33,12 @@ struct MarkerOptions {
 Expected<std::vector<int>> read_ids(const std::vector<std::string>& words) {
     std::vector<int> ids;
     for (const std::string& word : words) {
-        int id = -1;
-        const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), id);
-        if (problem != std::errc() || end != word.data() + word.size() || id < 0 || id > last_tag) {
+        const auto id = number_in<int>(word);
+        if (!id || *id < 0 || *id > last_tag) {
             return failure(
                 fmt::format("marker: expected a whole number from 0 to {}, got '{}'", last_tag, shown(word)));
         }
-        ids.push_back(id);
+        ids.push_back(*id);
     }
     return ids;
 }
@@ -58,8 +57,8 @@ int write_markers(const MarkerOptions& options) {
     }
     // In whole millimetres, in spite of rounding.
     if (const double largest = std::floor(draw::largest_marker(*paper) * 1000 + 1e-6) / 1000; options.size > largest) {
-        return refuse(fmt::format("marker: {} m does not fit on {}: its largest is {:.3f} m", options.size, paper->name,
-                                  largest));
+        return refuse(fmt::format("marker: {} m does not fit on {}: the largest marker on it is {:.3f} m", options.size,
+                                  paper->name, largest));
     }
     if (options.file.empty() && isatty(STDOUT_FILENO) != 0)
         return refuse("marker: a PDF can't be shown on a terminal: write `> tag.pdf`, or `-o tag.pdf`");

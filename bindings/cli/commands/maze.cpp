@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,8 +13,6 @@
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/console/put_text.hpp"
-#include "engine/base/names.hpp"
-#include "engine/base/visible.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/world/maze_file.hpp"
 #include "engine/world/maze_way.hpp"
@@ -31,9 +28,8 @@ struct MazeOptions {
 Expected<MazeFormat> format_named(std::string_view name) {
     const auto found = std::find(maze_formats.begin(), maze_formats.end(), name);
     if (found != maze_formats.end()) return static_cast<MazeFormat>(found - maze_formats.begin());
-    std::vector<std::string_view> names(maze_formats.begin(), maze_formats.end());
-    return failure(fmt::format("maze: there is no format '{}'{}; known are {}", shown(name), did_you_mean(name, names),
-                               fmt::join(names, ", ")));
+    return failure(fmt::format("maze: there is no format '{}'{}; known are {}", shown(name),
+                               did_you_mean(name, maze_formats), fmt::join(maze_formats, ", ")));
 }
 
 // From cell to cell: "N3 E2 S1".

@@ -13,7 +13,7 @@
 #include "bindings/cli/base/python_program.hpp"
 #include "bindings/cli/base/version.hpp"
 #include "bindings/cli/commands/commands.hpp"
-#include "engine/base/own_program.hpp"
+#include "engine/base/module.hpp"
 
 namespace nezumi::cli {
 namespace {

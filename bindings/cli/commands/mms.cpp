@@ -14,7 +14,7 @@
 #include "bindings/cli/base/python_program.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/cli/files/named_files.hpp"
-#include "engine/base/own_program.hpp"
+#include "engine/base/module.hpp"
 #include "engine/world/arena_fields.hpp"
 
 namespace nezumi::cli {
@@ -79,7 +79,7 @@ SubCommand mms_command() {
     auto options = std::make_shared<MmsOptions>();
     return {
         .name = "mms",
-        .help = "Run a solver that was written for the simulator mms, with a mouse that has to drive",
+        .help = "Run a maze solver written for the simulator mms; the simulated mouse drives with real motion",
         .options =
             {{"PROGRAM", &options->solver, "the solver with its options, after --"},
              {"--maze", &options->maze, "a drawing, a .maz or a .num file", "FILE", {}, FileUse::source},

@@ -107,7 +107,7 @@ SubCommand network_command() {
                            "this user's hosts are listed without it."},
                 {.name = "secret",
                  .help = "Write a new secret into a file, for hosts that are to trust each other",
-                 .options = {{"FILE", file.get(), "that is not there yet"}},
+                 .options = {{"FILE", file.get(), "a file that does not exist yet"}},
                  .run = [file] { return write_secret(*file); }}}};
 }
 

@@ -101,10 +101,10 @@ std::string name_shown(const std::string& name) {
 // Explains which file was kept on the robot, and what to do.
 std::string explain_kept(const push::FileChange& change) {
     switch (change.what) {
-        case What::kept_edited: return "it was edited there; copy it here or remove it there, then push again";
+        case What::kept_edited: return "it was edited on the robot; copy it here or remove it there, then push again";
         case What::kept_own:
-            return "it was not pushed there; copy it here, or rename or remove it there, then push again";
-        default: return "it was edited there and is no longer in the project: it now belongs to the robot";
+            return "it did not come from a push; copy it here, or rename or remove it on the robot, then push again";
+        default: return "it was edited on the robot and is no longer in the project: push no longer manages it";
     }
 }
 
@@ -172,12 +172,13 @@ Expected<int> push_project(const PushOptions& options) {
 SubCommand push_command() {
     auto options = std::make_shared<PushOptions>();
     return {.name = "push",
-            .help = "Copy this project to a robot by ssh; a system that runs there reloads it",
+            .help = "Copy this project to a robot by ssh; a system that runs on the robot reloads it",
             .options = {{"HOST", &options->host, "the address for ssh, for example pi@mouse"},
-                        {"--run", &options->run, "then run this system file of the project there, with --hw", "FILE"},
-                        {"--to", &options->folder, "the folder there (default: the project's name, in the home folder)",
-                         "DIR"},
-                        {"--dry-run", &options->dry_run, "only show the changes that would be made there"},
+                        {"--run", &options->run, "then run this system file of the project on the robot, with --hw",
+                         "FILE"},
+                        {"--to", &options->folder,
+                         "the folder on the robot (default: the project's name, in the home folder)", "DIR"},
+                        {"--dry-run", &options->dry_run, "only show the changes that would be made on the robot"},
                         {"--ssh-config", &options->config, "for ssh -F", "FILE"}},
             .run =
                 [options] {
@@ -187,7 +188,8 @@ SubCommand push_command() {
             .footer =
                 "Both computers need the same version of nezumi. The project is copied completely or not at all. Only "
                 "files from an earlier push are replaced or removed: files that the robot has written stay, and a file "
-                "that was edited there is kept and reported.\nExit status: 0 the project was copied (with --run: that "
+                "that was edited on the robot is kept and reported.\nExit status: 0 the project was copied (with "
+                "--run: that "
                 "of the run), 1 it was copied except for files that were kept, 2 it was not copied."};
 }
 

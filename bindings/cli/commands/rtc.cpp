@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -73,7 +72,7 @@ struct RestoreOptions {
     std::string file;     ///< none is a behaviour's
     std::string profile;  ///< of a system
     std::vector<std::string> nameservers;
-    double wait = 10;  ///< [s] for components that are not there yet
+    double wait = 10;  ///< [s] for components that are not running yet
 };
 
 int restore(RestoreOptions given) {
@@ -137,7 +136,7 @@ SubCommand rtc_command() {
                          .check = not_empty},
                         {.name = "--wait",
                          .value = &given->wait,
-                         .help = "how long it waits for RTCs that are not there yet (default 10)",
+                         .help = "how long it waits for RTCs that are not running yet (default 10)",
                          .form = "SECONDS",
                          .check = number_from(0, longest_restoration)}},
             .run = [given] { return run_rtc(*given); },

@@ -1,68 +1,112 @@
-// `nezumi share`: a past run as one HTML file, with the engine in it.
+// `nezumi share`: a past run as one HTML file, with the engine in it or with what was recorded.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "bindings/cli/base/environment.hpp"
-#include "bindings/cli/base/json_text.hpp"
 #include "bindings/cli/base/version.hpp"
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/cli/files/run_file.hpp"
+#include "bindings/journal/base64.hpp"
 #include "bindings/journal/replay.hpp"
+#include "bindings/record/gzip.hpp"
+#include "bindings/web/light_run.hpp"
 #include "engine/base/whole_file.hpp"
+#include "engine/live/run_loop.hpp"
 
 namespace nezumi::cli {
 namespace {
 
 constexpr std::size_t largest_page = std::size_t{1} << 24;  // [bytes] without the run
+constexpr std::size_t largest_light_page = 800'000;         // [bytes] with it
 constexpr std::string_view place_of_run = "<!-- the run -->";
 
 struct ShareOptions {
     std::string run, output;
+    bool light = false;
 };
 
-// The page as .ci/web makes it, beside the program or among its sources.
-Expected<std::string> read_page() {
+// A page as .ci/web makes it, beside the program or among its sources: what is before the run, and after it.
+Expected<std::pair<std::string, std::string>> read_page(const char* name) {
     std::error_code none;
     for (const std::filesystem::path& folder : installed_folders()) {
-        for (const char* const within : {"web/run.html", "build/web/run.html"}) {
-            const std::filesystem::path file = folder / within;
-            if (std::filesystem::is_regular_file(file, none)) return read_whole(file, file.string(), largest_page);
+        for (const char* const within : {"web", "build/web/site"}) {
+            const std::filesystem::path file = folder / within / name;
+            if (!std::filesystem::is_regular_file(file, none)) continue;
+            const auto page = read_whole(file, file.string(), largest_page);
+            if (!page) return Unexpected(page.error());
+            const std::size_t place = page->find(place_of_run);
+            if (place == std::string::npos)
+                return failure("share: the engine for web pages is of another version: build it by .ci/web");
+            return std::pair(page->substr(0, place), page->substr(place + place_of_run.size()));
         }
     }
     return failure("share: the engine for web pages is not installed: build it by .ci/web");
 }
 
-// A text of JSON within a page: no part of it may look like the end of its element.
-std::string json_in_page(const std::string& text) {
-    std::string safe;
-    for (const char each : json_text(text)) {
-        if (each == '<') {
-            safe += "\\u003c";
-        } else {
-            safe += each;
-        }
+std::string packed(std::string_view run) {
+    return fmt::format("<script id=\"run\" type=\"text/plain\">{}</script>", to_base64(record::gzipped(run)));
+}
+
+// The run with as many frames as fit.
+Expected<std::string> fitting(web::LightRun& run, const std::string& file, std::size_t most) {
+    // A number takes at least a letter: what certainly does not fit is not packed.
+    for (std::size_t step = 1 + run.numbers() / most; step < run.frames() + 2;) {
+        std::string text = packed(run.text(version(), step));
+        if (text.size() <= most) return text;
+        step = std::max(step + 1, step * text.size() / most);
     }
-    return safe;
+    return failure(
+        fmt::format("share: {} does not fit into {} KB: leave --light away", file, largest_light_page / 1000));
+}
+
+// Repeats the run, and notes it.
+Expected<std::string> light(const std::string& journal, const std::string& file, std::size_t most) {
+    const auto replay = Replay::of_text(journal, file, version());
+    if (!replay) return Unexpected(replay.error());
+    web::LightRun* notes = nullptr;
+    LiveOptions options = simulated_systems();
+    options.build.log = [&notes](const LogLine& line) {
+        if (notes != nullptr) notes->log(line);
+    };
+    const auto live = (*replay)->load(std::move(options));
+    if (!live) return Unexpected(live.error());
+    (*live)->remember_run();
+    const RunLoop loop(**live, {});
+    web::LightRun run(**live, loop);
+    notes = &run;
+    (*live)->activate();
+    for (;;) {
+        const auto more = (*replay)->before_tick(**live);
+        if (!more) return Unexpected(more.error());
+        run.note();
+        if (!*more) break;
+        (*live)->tick();
+    }
+    notes = nullptr;
+    return fitting(run, file, most);
 }
 
 Expected<void> share(const ShareOptions& options) {
+    if (auto ok = need_simulation({{"--light", options.light}}); !ok) return ok;
     const auto journal = read_run(options.run);
     if (!journal) return Unexpected(journal.error());
     if (auto known = Replay::of_text(*journal, options.run, version()); !known) return Unexpected(known.error());
-    auto page = read_page();
+    const auto page = read_page(options.light ? "light_run.html" : "run.html");
     if (!page) return Unexpected(page.error());
-    const std::size_t place = page->find(place_of_run);
-    if (place == std::string::npos)
-        return failure("share: the engine for web pages is of another version: build it by .ci/web");
-    page->replace(place, place_of_run.size(),
-                  fmt::format("<script id=\"run\" type=\"application/json\">{}</script>", json_in_page(*journal)));
-    return write_whole(options.output, *page);
+    const auto& [before, after] = *page;
+    if (!options.light) return write_whole(options.output, before + packed(*journal) + after);
+    const std::size_t own = before.size() + after.size();
+    const auto run = light(*journal, options.run, largest_light_page - std::min(own, largest_light_page));
+    if (!run) return Unexpected(run.error());
+    return write_whole(options.output, before + *run + after);
 }
 
 }  // namespace
@@ -70,19 +114,22 @@ Expected<void> share(const ShareOptions& options) {
 SubCommand share_command() {
     auto options = std::make_shared<ShareOptions>();
     options->output = "run.html";
-    return {.name = "share",
-            .help = "Write a past run as one HTML file that plays it anywhere, with the engine in it",
-            .options = {{"RUN", &options->run, "a journal, or a recording in MCAP", "", {}, FileUse::source},
-                        {"-o,--output", &options->output, "the file to write", "PAGE.html", {}, FileUse::result}},
-            .run =
-                [options] {
-                    const auto done = share(*options);
-                    return done ? exit_done : refuse(done.error());
-                },
-            .footer =
-                "A browser opens the file without a server and without a network. It is paused at the end of the run: "
-                "the time\n"
-                "line goes to any moment of it, and a change starts a branch. It contains the files of the run."};
+    return {
+        .name = "share",
+        .help = "Write a past run as one HTML file that plays it anywhere",
+        .options = {{"RUN", &options->run, "a journal, or a recording in MCAP", "", {}, FileUse::source},
+                    {"-o,--output", &options->output, "the file to write", "PAGE.html", {}, FileUse::result},
+                    {"--light", &options->light, "without the engine: less than 800 KB, to look at and not to change"}},
+        .run =
+            [options] {
+                const auto done = share(*options);
+                return done ? exit_done : refuse(done.error());
+            },
+        .footer =
+            "A browser opens the file without a server and without a network. It has the engine in it and is paused "
+            "at the\nend of the run: the time line goes to any moment of it, and a change starts a branch. It "
+            "contains the files of\nthe run; one with --light has where everything was and the values of ports "
+            "instead."};
 }
 
 }  // namespace nezumi::cli

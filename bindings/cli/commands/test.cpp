@@ -45,7 +45,7 @@ SubCommand test_command() {
               "K/N"},
              {"--resume", &options->resume, "resume: runs with results in -o DIR from the same files are not repeated"},
              {"--merge", &options->merge,
-              "PATHS are folders with the results of parts: report all of them as one session"},
+              "merge the results of parts (--shard) into one report; PATHS are the folders of the parts"},
              {"--watch", &options->watch,
               "after each save, run the scenarios that have read the file, those that failed first, until Ctrl-C"},
              {"--open", &options->open,

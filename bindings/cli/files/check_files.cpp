@@ -1,8 +1,6 @@
 // Gives each file to the reader that would load it.
 #include "bindings/cli/files/check_files.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <functional>
 #include <set>
@@ -10,7 +8,6 @@
 #include <utility>
 
 #include "bindings/cli/files/named_files.hpp"
-#include "bindings/cli/files/system_error.hpp"
 #include "bindings/dds/network_maker.hpp"
 #include "bindings/learning/environment_file.hpp"
 #include "bindings/lua/files/calibration_file.hpp"
@@ -56,7 +53,7 @@ ScriptContext context_of(const std::string& component, const Project& project) {
     return context;
 }
 
-// True if an entry, or one of its values, is at this place.
+// True if an entry, or one of its values, is at this location.
 bool stands_at(const Entry& entry, const Place& place) {
     if (place_of(entry) == place) return true;
     return std::visit(
@@ -72,7 +69,7 @@ bool stands_at(const Entry& entry, const Place& place) {
 }
 
 // Removes from a system the entry of an error, and all that needs it, so that a further build finds further errors.
-// Returns false if nothing is at this place.
+// Returns false if nothing is at this location.
 bool leave_out(SystemSpec& spec, const Project& project, const Place& place) {
     if (std::erase_if(spec.connections, [&](const ConnectionSpec& c) { return c.place == place; }) > 0) return true;
     const auto peers = spec.peers;  // each may remove its own

@@ -12,13 +12,13 @@
 
 namespace nezumi::cli {
 
-/// Returns all errors of a Lua file in order of their places; empty if it would load. A system is also built, so that
-/// its ports, parameters and scripts are checked, but never started. An error without a line means that the file can't
-/// be read.
+/// Returns all errors of a Lua file in order of their locations; empty if it would load. A system is also built, so
+/// that its ports, parameters and scripts are checked, but never started. An error without a line means that the file
+/// can't be read.
 std::vector<Error> check_file(const std::filesystem::path& file, const LiveOptions& options);
 
-/// The same for a text that is not in a file yet. `file` is its future path, used in errors, for searching names, and,
-/// if its words are not enough, for its kind.
+/// Returns all errors of a text that is not in a file yet. `file` is its future path, used in errors, for searching
+/// names, and, if its words are not enough, for its kind.
 std::vector<Error> check_text(const std::string& text, const std::filesystem::path& file, const LiveOptions& options);
 
 /// Finds the Lua files given by a person: files as they are or by `find_lua_files`, and for folders all files within

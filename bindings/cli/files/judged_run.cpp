@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <optional>
 #include <utility>
 
 #include "bindings/cli/base/environment.hpp"
@@ -40,13 +39,38 @@ Expected<TopicsOfPorts> topics_in(const std::map<std::string, std::string>& map,
     return topics;
 }
 
-// The behaviours of a run with this file, by their names.
-std::vector<std::string> users_of(const RunningSystem& live, const fs::path& behavior) {
-    std::vector<std::string> names;
-    for (const BehaviorEntry* each : entries_of<BehaviorEntry>(live.spec())) {
-        if (fs::path(each->path).filename() == behavior.filename()) names.push_back(each->name);
+// The component of a recorded system whose behaviour has this file.
+Expected<std::string> user_of(const SystemSpec& spec, const fs::path& behavior) {
+    std::vector<std::string> users;
+    for (const BehaviorEntry* each : entries_of<BehaviorEntry>(spec)) {
+        if (fs::path(each->path).filename() == behavior.filename()) users.push_back(each->name);
     }
-    return names;
+    if (users.size() == 1) return users.front();
+    return failure(fmt::format("--component: {} in the recorded system {} {}: give --component NAME",
+                               users.empty() ? "no behaviour" : "several behaviours",
+                               users.empty() ? "has the file" : "have the file", behavior.filename().string()));
+}
+
+// The drive without messages, from what a recording of nezumi says of the run. Nothing if the ports of `--map` are
+// those of another component: the recording has only messages for it.
+Expected<std::optional<RecordedDrive>> drive_without_messages(Replay& record, std::string component,
+                                                              const JudgeRequest& request, const fs::path& behavior) {
+    const auto spec = record.spec(simulated_systems());
+    if (!spec) return Unexpected(spec.error());
+    if (!request.map.empty() && find_entry<BehaviorEntry>(*spec, component) == nullptr) return std::nullopt;
+    if (component.empty()) {
+        auto user = user_of(*spec, behavior);
+        if (!user) return Unexpected(user.error());
+        component = std::move(*user);
+    }
+    const auto entry = recorded_behavior(*spec, component);
+    if (!entry) return Unexpected(entry.error());
+    auto acts = record.acts_on(component);
+    if (!acts) return Unexpected(acts.error());
+    RecordedDrive drive{
+        .entry = **entry, .rate = spec->rate, .physics_step = spec->physics_step, .seed = record.seed_of(*spec)};
+    drive.acts = std::move(*acts);
+    return drive;
 }
 
 }  // namespace
@@ -60,13 +84,9 @@ Expected<JudgedRun> JudgedRun::from_journal(const std::string& text, const Judge
     if (!live) return Unexpected(live.error());
     std::string component = request.component;
     if (component.empty()) {
-        const std::vector<std::string> users = users_of(**live, behavior);
-        if (users.size() != 1) {
-            return failure(fmt::format("--component: {} in the recorded system {} {}: give --component NAME",
-                                       users.empty() ? "no behaviour" : "several behaviours",
-                                       users.empty() ? "has the file" : "have the file", behavior.filename().string()));
-        }
-        component = users.front();
+        auto user = user_of((*live)->spec(), behavior);
+        if (!user) return Unexpected(user.error());
+        component = std::move(*user);
     }
     auto drive = drive_of(**replay, **live, component);
     if (!drive) return Unexpected(drive.error());
@@ -84,9 +104,19 @@ Expected<JudgedRun> JudgedRun::from_topics(const record::McapFile& recording, co
     std::string component = request.component;
     const auto topics = topics_in(request.map, component);
     if (!topics) return Unexpected(topics.error());
-    if (component.empty()) component = behavior.stem().string();
     JudgedRun run;
     run.behavior_ = behavior;
+    const auto journal = record::journal_of(recording, request.run);
+    const auto record = journal ? Replay::of_record(*journal, request.run, version()) : Unexpected(journal.error());
+    bool is_own = false;
+    if (record) {
+        auto drive = drive_without_messages(**record, component, request, behavior);
+        if (!drive) return Unexpected(drive.error());
+        is_own = drive->has_value();
+        if (is_own) run.drive_ = std::move(**drive);
+    }
+    if (is_own) component = run.drive_.entry.name;
+    if (component.empty()) component = behavior.stem().string();
     run.drive_.entry.name = component;
     run.drive_.entry.script = run.drive_.entry.path = behavior.string();
     SystemSpec alone;
@@ -96,15 +126,20 @@ Expected<JudgedRun> JudgedRun::from_topics(const record::McapFile& recording, co
     auto live = RunningSystem::make(std::move(alone), Project::of(behavior, installed_folders()), std::move(options));
     if (!live) return Unexpected(live.error());
     const Component& its = *std::as_const(**live).system().find(component);
-    if (auto read = read_drive(run.drive_, recording, request.run, its, *topics); !read)
+    const double rate = run.drive_.rate;
+    const TopicReader reader = is_own && (*record)->is_of_hardware()
+                                   ? TopicReader::of_same_ticks(recording, request.run, rate, (*record)->end_tick())
+                                   : TopicReader(recording, request.run, rate);
+    if (auto read = read_drive(run.drive_, recording, reader, request.run, its, *topics); !read)
         return Unexpected(read.error());
+    if (!is_own) read_parameters(run.drive_, recording, reader, its);
     return run;
 }
 
 Expected<JudgedRun> JudgedRun::read(const JudgeRequest& request) {
-    const auto files = find_lua_files(request.behavior);
-    if (!files) return Unexpected(files.error());
-    const fs::path behavior = files->front();
+    const auto found = find_behavior_file(request.behavior);
+    if (!found) return Unexpected(found.error());
+    const fs::path& behavior = *found;
     auto bytes = read_whole(request.run, request.run, Replay::largest);
     if (!bytes) return Unexpected(bytes.error());
     if (!record::is_mcap(*bytes)) {

@@ -1,8 +1,10 @@
-// Determines the kind of a Lua file from its words and its place.
+// Determines the kind of a Lua file from its words and its folder.
 #pragma once
 
 #include <filesystem>
 #include <string_view>
+
+#include "engine/base/error.hpp"
 
 namespace nezumi::cli {
 
@@ -22,6 +24,9 @@ enum class LuaKind {
 /// Decides by the file's name, then by the words in its text, then by its folder. A text that is not Lua gets an
 /// arbitrary kind: it is wrong as any kind.
 LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text);
+
+/// Returns the error of a system file, with an explanation if an unknown global belongs to another kind of file.
+Error explain_system_error(Error error);
 
 /// As `nezumi list` names these files: "systems", "robots", "behaviors", "messages", "modules", "scenarios",
 /// "environments"; "" for other kinds.

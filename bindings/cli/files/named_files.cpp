@@ -30,7 +30,7 @@ Expected<fs::path> find_file(const std::string& given, std::initializer_list<Fil
         if (given.empty() || fs::path(given).is_absolute()) break;
         auto found = project.find(kind, given, "here");
         if (found) return fs::path(project.shown(*found));
-        // Of several kinds, the error with a similar name is more helpful.
+        // If several kinds were searched, the error with a similar name is more helpful.
         if (!first || (has_near_name(found.error()) && !has_near_name(*first))) first = found.error();
     }
     if (first && has_near_name(*first) && !fs::path(given).has_parent_path()) return Unexpected(*first);
@@ -41,6 +41,8 @@ Expected<fs::path> find_file(const std::string& given, std::initializer_list<Fil
 }  // namespace
 
 Expected<fs::path> find_system_file(const std::string& given) { return find_file(given, {FileKind::system}); }
+
+Expected<fs::path> find_behavior_file(const std::string& given) { return find_file(given, {FileKind::script}); }
 
 Expected<std::vector<fs::path>> find_lua_files(const std::string& given) {
     auto found = find_file(given, {FileKind::script, FileKind::system, FileKind::model, FileKind::module});

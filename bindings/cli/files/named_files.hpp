@@ -13,7 +13,10 @@ namespace nezumi::cli {
 /// project of the working directory. An unknown path or name is an error with the most similar one.
 Expected<std::filesystem::path> find_system_file(const std::string& given);
 
-/// The same for a Lua file of any kind: a behaviour, a system, a robot, a module, or else all scenario files of this
+/// Finds a behaviour in this way.
+Expected<std::filesystem::path> find_behavior_file(const std::string& given);
+
+/// Finds a Lua file of any kind: a behaviour, a system, a robot, a module, or else all scenario files of this
 /// name.
 Expected<std::vector<std::filesystem::path>> find_lua_files(const std::string& given);
 

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -51,7 +51,8 @@ std::optional<Value> value_in(const record::NamedValues& named, const ParameterS
     return array_in(named, spec);
 }
 
-// Sets the parameters to recorded numbers and texts. An empty array is not in a recording.
+}  // namespace
+
 void read_parameters(RecordedDrive& drive, const McapFile& recording, const TopicReader& reader,
                      const Component& behavior) {
     const MessageCoding coding = coding_of_structure(type_of<record::NamedValues>());
@@ -69,12 +70,10 @@ void read_parameters(RecordedDrive& drive, const McapFile& recording, const Topi
     }
 }
 
-}  // namespace
-
-Expected<void> read_drive(RecordedDrive& drive, const McapFile& recording, const std::string& name,
-                          const Component& behavior, const TopicsOfPorts& topics) {
-    const TopicReader reader(recording, name, drive.rate);
-    drive.ticks = reader.ticks();
+Expected<void> read_drive(RecordedDrive& drive, const McapFile& recording, const TopicReader& reader,
+                          const std::string& name, const Component& behavior, const TopicsOfPorts& topics) {
+    drive.times = reader.times();
+    drive.ticks = drive.times.empty() ? reader.ticks() : static_cast<std::int64_t>(drive.times.size());
     const auto read = [&](const Port& port, auto& ports) -> Expected<void> {
         const auto said = topics.find(port.name());
         const std::string topic =
@@ -92,6 +91,16 @@ Expected<void> read_drive(RecordedDrive& drive, const McapFile& recording, const
         if (*exists) ports.emplace(port.name(), std::move(kept));
         return {};
     };
+    for (const auto& [port, topic] : topics) {
+        const auto has_name = [name = port](const Port* each) { return each->name() == name; };
+        const auto ports = ports_of(behavior);
+        if (std::any_of(ports.begin(), ports.end(), has_name)) continue;
+        std::vector<std::string_view> names;
+        names.reserve(ports.size());
+        for (const Port* each : ports) names.push_back(each->name());
+        return failure(fmt::format("--map: {} has no port '{}'{}; it has {}", behavior.name(), shown(port),
+                                   did_you_mean(port, names), fmt::join(names, ", ")));
+    }
     for (const auto& port : behavior.in_ports()) {
         if (auto done = read(*port, drive.arrived); !done) return done;
         if (!drive.arrived.contains(port->name())) {
@@ -110,7 +119,6 @@ Expected<void> read_drive(RecordedDrive& drive, const McapFile& recording, const
                                    behavior.name(), topics_of(recording)),
                        {name});
     }
-    read_parameters(drive, recording, reader, behavior);
     return {};
 }
 

@@ -1,10 +1,10 @@
-// What a component got and wrote, from the topics of a recording whose run can't be repeated: of real robots, or of
-// another program.
+// Messages that a component got and wrote, from the topics of a recording.
 #pragma once
 
 #include <map>
 #include <string>
 
+#include "bindings/cli/files/recorded_topics.hpp"
 #include "bindings/journal/drive.hpp"
 #include "bindings/record/mcap_reader.hpp"
 #include "engine/base/error.hpp"
@@ -16,10 +16,13 @@ namespace nezumi::cli {
 using TopicsOfPorts = std::map<std::string, std::string, std::less<>>;
 
 /// Fills `drive` (whose entry and rate are set) with the messages of the ports of `behavior`, from the topics of
-/// `topics`, else from "/COMPONENT/PORT". Times are counted from the first message; a message arrives in the first tick
-/// after it. The parameters are those of the topic "/COMPONENT/config". `name` is the file's name. An error if a topic
-/// of `topics` does not exist, if no in-port is recorded, or if a topic has another type than its port.
-Expected<void> read_drive(RecordedDrive& drive, const record::McapFile& recording, const std::string& name,
-                          const Component& behavior, const TopicsOfPorts& topics);
+/// `topics`, else from "/COMPONENT/PORT". `name` is the file's name. An error if a port or a topic of `topics` does not
+/// exist, if no in-port is recorded, or if a topic has another type than its port.
+Expected<void> read_drive(RecordedDrive& drive, const record::McapFile& recording, const TopicReader& reader,
+                          const std::string& name, const Component& behavior, const TopicsOfPorts& topics);
+
+/// Sets the parameters to those of the topic "/COMPONENT/config". An empty array is not in a recording.
+void read_parameters(RecordedDrive& drive, const record::McapFile& recording, const TopicReader& reader,
+                     const Component& behavior);
 
 }  // namespace nezumi::cli

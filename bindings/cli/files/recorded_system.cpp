@@ -1,13 +1,10 @@
 // A recording with a journal is a replay. Otherwise each component is a device that plays its messages.
 #include "bindings/cli/files/recorded_system.hpp"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "bindings/cli/base/version.hpp"
 #include "bindings/record/recorded_run.hpp"
-#include "engine/base/visible.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi::cli {

@@ -30,7 +30,7 @@ public:
 
     RunningSystem& live() { return *live_; }
     const RunningSystem& live() const { return *live_; }
-    /// The same, to run it elsewhere; this object must outlive it.
+    /// Gives the system away, to run it elsewhere. This object must outlive the system.
     std::unique_ptr<RunningSystem> take() { return std::move(live_); }
     /// Performs what happened before the next tick. Returns false at the end of the recording. An error if the repeated
     /// run differs from the recorded one.

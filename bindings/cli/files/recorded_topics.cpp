@@ -15,6 +15,7 @@
 #include "engine/base/names.hpp"
 #include "engine/messages/message_coding.hpp"
 #include "engine/ports/port_base.hpp"
+#include "engine/system/pacer.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -51,6 +52,11 @@ std::string name_of_part(std::string_view part) {
     std::string name;
     for (const char c : part) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
     if (name.empty() || std::isdigit(static_cast<unsigned char>(name.front())) != 0) name.insert(0, "_");
+    return name;
+}
+
+std::string name_of_component(std::string_view part) {
+    const std::string name = name_of_part(part);
     return is_reserved_name(name) ? name + "_" : name;
 }
 
@@ -58,7 +64,7 @@ std::pair<std::string, std::string> port_of_topic(std::string_view topic) {
     while (topic.starts_with('/')) topic.remove_prefix(1);
     const std::size_t slash = topic.find('/');
     if (slash == std::string_view::npos) return {"topics", name_of_part(topic)};
-    return {name_of_part(topic.substr(0, slash)), name_of_part(topic.substr(slash + 1))};
+    return {name_of_component(topic.substr(0, slash)), name_of_part(topic.substr(slash + 1))};
 }
 
 Expected<std::pair<std::string, std::string>> port_called(const std::string& path) {
@@ -66,7 +72,7 @@ Expected<std::pair<std::string, std::string>> port_called(const std::string& pat
     const std::string component = path.substr(0, dot);
     const std::string port = dot == path.npos ? "" : path.substr(dot + 1);
     if (!is_identifier(component) || !is_identifier(port) || is_reserved_name(component))
-        return failure(fmt::format("expected a port as in robot.scan, got '{}'", shown(path)));
+        return failure(fmt::format("expected COMPONENT.PORT as in robot.scan, got '{}'", shown(path)));
     return std::pair(component, port);
 }
 
@@ -88,7 +94,36 @@ TopicReader::TopicReader(const McapFile& recording, const std::string& name, dou
     if (!recording.messages.empty()) begin_ = recording.messages.front().log_time;
 }
 
+TopicReader TopicReader::of_same_ticks(const McapFile& recording, const std::string& name, double rate,
+                                       std::optional<std::int64_t> end) {
+    TopicReader reader(recording, name, rate);
+    reader.begin_ = 0;
+    const auto is_of_port = [&](const RecordedMessage& message) {
+        return recording.channels.at(message.channel).metadata.contains(std::string(record::port_entry));
+    };
+    for (const RecordedMessage& message : recording.messages) {
+        if (is_of_port(message)) reader.ticks_.emplace(message.log_time, 0);
+    }
+    // As `System::tick` counts, which leaves out ticks after a stall.
+    std::int64_t next = 0;
+    for (auto& [log_time, tick] : reader.ticks_) {
+        const std::int64_t due = std::llround(record::to_seconds(log_time) * rate);
+        tick = due - next > Pacer::longest_burst ? due : next;
+        next = tick + 1;
+    }
+    std::erase_if(reader.ticks_, [&](const auto& each) { return end && each.second >= *end; });
+    return reader;
+}
+
+std::vector<double> TopicReader::times() const {
+    std::vector<double> times;
+    for (const auto& [log_time, tick] : ticks_) times.push_back(record::to_seconds(log_time));
+    return times;
+}
+
 std::int64_t TopicReader::tick_of(std::uint64_t log_time) const {
+    if (const auto next = ticks_.lower_bound(log_time); next != ticks_.end()) return next->second;
+    if (!ticks_.empty()) return ticks_.rbegin()->second + 1;
     return static_cast<std::int64_t>(std::ceil(record::to_seconds(log_time - begin_) * rate_ - rounding));
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,15 +20,22 @@ std::span<const std::uint8_t> bytes_of(const record::RecordedMessage& message);
 /// The names of all topics, sorted and separated by commas; "none".
 std::string topics_of(const record::McapFile& recording);
 
-/// Times are counted from the first message; a message arrives in the first tick after its log time.
+/// Reads topics as messages at ticks. Times are counted from the first message, and a message arrives in the first tick
+/// after its log time.
 class TopicReader {
 public:
     /// `name` is that of the file, for errors; `rate` [Hz] that of the tick. The arguments must outlive the reader.
     TopicReader(const record::McapFile& recording, const std::string& name, double rate);
+    /// For a run of nezumi on hardware at this `rate`, whose ticks came when the clock let them: each tick in which
+    /// something was recorded is a tick again, up to the tick `end`, and times are counted from the start of the run.
+    static TopicReader of_same_ticks(const record::McapFile& recording, const std::string& name, double rate,
+                                     std::optional<std::int64_t> end);
 
     std::int64_t tick_of(std::uint64_t log_time) const;
     /// The number of ticks up to the last message.
     std::int64_t ticks() const;
+    /// [s] of the ticks in which something was recorded, since the start of the run; empty unless `of_same_ticks`.
+    std::vector<double> times() const;
     /// Adds the messages of a topic to `kept`, whose type is set. Returns whether the topic exists. `what` is the port
     /// for errors: "input 'rays'". An error if the topic has another type.
     Expected<bool> read(const std::string& topic, const std::string& what, DrivePort& kept) const;
@@ -36,7 +44,8 @@ private:
     const record::McapFile& recording_;
     const std::string& name_;
     double rate_;
-    std::uint64_t begin_ = 0;  // [ns]
+    std::uint64_t begin_ = 0;                      // [ns]
+    std::map<std::uint64_t, std::int64_t> ticks_;  // of `of_same_ticks`, by log time
 };
 
 /// The ports of a recording by component and port.

@@ -6,10 +6,8 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "engine/base/trimmed.hpp"
-#include "engine/base/visible.hpp"
 #include "engine/messages/message_catalog.hpp"
 #include "engine/messages/msg_file.hpp"
 

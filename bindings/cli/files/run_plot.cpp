@@ -5,7 +5,6 @@
 
 #include "bindings/cli/files/output_files.hpp"
 #include "bindings/draw/plot.hpp"
-#include "engine/base/visible.hpp"
 
 namespace nezumi::cli {
 

@@ -24,7 +24,7 @@ struct RunPlot {
     std::optional<double> differ_at;  ///< [s] first difference
 };
 
-/// Draws it to a file that ends in .png or .svg; prints a line instead if no field has numbers.
+/// Draws the runs to a file that ends in .png or .svg; prints a line instead if no field has numbers.
 Expected<void> draw_runs(const RunPlot& runs, const std::string& file);
 
 /// Fails if the value of --plot is not the name of a picture that can be written; "" is none.

@@ -5,12 +5,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cmath>
 #include <cstdio>
 #include <sstream>
 
 #include "bindings/console/put_text.hpp"
-#include "engine/base/visible.hpp"
 
 namespace nezumi::cli {
 

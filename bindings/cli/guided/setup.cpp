@@ -8,7 +8,6 @@
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/console/put_text.hpp"
-#include "bindings/lua/files/calibration_file.hpp"
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "engine/base/visible.hpp"

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cmath>
 #include <iterator>
 #include <optional>
 
 #include "bindings/lua/syntax/lexer.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/base/trimmed.hpp"
 #include "engine/system/system_spec.hpp"
 
@@ -39,9 +38,7 @@ bool is_number(std::string_view text) {
     if (text.starts_with('-')) text.remove_prefix(1);
     if (text.empty() || (std::isdigit(static_cast<unsigned char>(text.front())) == 0 && text.front() != '.'))
         return false;
-    double value = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return problem == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+    return finite_in(text).has_value();
 }
 
 // True if the whole text is one Lua string.
@@ -101,9 +98,9 @@ Expected<std::string> new_file_name(std::string_view what_it_is, const std::stri
     std::replace_if(
         near.begin(), near.end(), [](char c) { return !is_word(c); }, '_');
     near = to_snake(near);
-    const bool helps = is_identifier(near) && near.size() <= 60;
+    const bool helps = is_identifier(near) && near.find_first_not_of('_') != near.npos && near.size() <= 60;
     return failure(what + ": letters, digits and _, not beginning with a digit" +
-                   (helps ? fmt::format(" (did you mean '{}'?)", near) : ""));
+                   (helps ? fmt::format(" (did you mean '{}'?)", near) : ", for example line_follower"));
 }
 
 Expected<void> take_new_name(std::string_view option, const std::string& name, std::vector<std::string>& taken) {

@@ -8,13 +8,15 @@
 #include <utility>
 
 #include "bindings/cli/base/environment.hpp"
+#include "bindings/cli/new/files.hpp"
+#include "bindings/console/session.hpp"
 #include "bindings/lua/script/behavior_maker.hpp"
 #include "bindings/lua/script/check_script.hpp"
 
 namespace nezumi::cli {
 namespace {
 
-// Adds them to `ports`. `find` finds their types, as the file of this name in `behaviors` would.
+// Adds the ports of an option to `ports`. `find` finds their types, as the file of this name in `behaviors` would.
 Expected<void> read_ports(std::string_view option, const std::vector<std::string>& given,
                           std::vector<std::string>& taken, std::vector<NewPort>& ports, const MessageFinder& find,
                           const std::string& behavior) {
@@ -49,7 +51,7 @@ Expected<void> read_callbacks(const std::vector<std::string>& given, std::vector
     return {};
 }
 
-// What the command line says takes the place of what was there.
+// A value of the command line replaces the earlier one.
 void take_over(std::string& text, const std::string& given) {
     if (!given.empty()) text = given;
 }
@@ -93,6 +95,25 @@ Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted) {
     const auto errors = check_behavior({file, file, texts.behavior}, {.component = parts.name, .find_message = find});
     if (!errors.empty()) return failure(errors.front().message);
     return texts;
+}
+
+Expected<std::vector<std::string>> write_new_behavior(const std::filesystem::path& root,
+                                                      const BehaviorRequest& request) {
+    const auto texts = write_behavior({.name = request.name,
+                                       .inputs = request.inputs,
+                                       .outputs = request.outputs,
+                                       .parameters = request.parameters,
+                                       .callbacks = request.callbacks,
+                                       .doc = request.doc});
+    if (!texts) return Unexpected(texts.error());
+    std::error_code none;
+    const bool has_scenarios = std::filesystem::is_directory(root / "tests/scenarios", none);
+    const std::filesystem::path behavior = std::filesystem::path("behaviors") / (texts->name + ".lua");
+    const std::filesystem::path scenario =
+        std::filesystem::path(has_scenarios ? "tests/scenarios" : "tests") / (texts->name + "_test.lua");
+    const auto written = write_new_files({{root / behavior, texts->behavior}, {root / scenario, texts->scenario}});
+    if (!written) return Unexpected(written.error());
+    return std::vector<std::string>{behavior.string(), scenario.string()};
 }
 
 }  // namespace nezumi::cli

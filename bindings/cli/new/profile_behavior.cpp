@@ -159,7 +159,7 @@ private:
         const auto add = [&](const char* name, const std::string& value) {
             text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, value);
         };
-        // Of an integer, bounds are written as integers.
+        // The bounds of an integer are written as integers.
         const auto number = [&](double value) {
             const bool is_whole =
                 spec.initial.type().single().is_integer() && std::abs(value) < 1e15 && value == std::floor(value);

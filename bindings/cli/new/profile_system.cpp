@@ -10,6 +10,7 @@
 
 #include "bindings/cli/new/arguments.hpp"
 #include "bindings/cli/new/behavior_text.hpp"
+#include "bindings/openrtm/restore_system.hpp"
 #include "bindings/openrtm/rtc_profiles.hpp"
 #include "bindings/openrtm/rtm_spec.hpp"
 #include "engine/base/lua_text.hpp"
@@ -46,7 +47,7 @@ public:
         }
         std::string exported;
         for (const std::string& name : exported_) exported += (exported.empty() ? "" : ", ") + lua_quoted(name);
-        if (!exported.empty()) exported = fmt::format("\nrtm {{ export = {{ {} }} }}\n", exported);
+        if (!exported.empty()) exported = fmt::format("\nrtm {{ {}export = {{ {} }} }}\n", nameserver_text(), exported);
         return text + "\n" + behaviors_ + exported + (connections_.empty() ? "" : "\n") + connections_;
     }
 
@@ -55,6 +56,19 @@ private:
         std::string name;  // here
         std::unique_ptr<Script> script;
     };
+
+    // The name services of the profile's components, if they are not the usual one.
+    std::string nameserver_text() {
+        const auto servers = openrtm::nameservers_of(profile_);
+        if (!servers) {
+            remarks_.push_back(servers.error().message);
+            return "";
+        }
+        if (*servers == openrtm::RtmSpec{}.nameservers) return "";
+        std::string all;
+        for (const std::string& server : *servers) all += (all.empty() ? "" : ", ") + lua_quoted(server);
+        return fmt::format("nameserver = {{ {} }}, ", all);
+    }
 
     void write_component(const ProfiledComponent& component) {
         const auto script = new_file_name("behaviour", component.type);

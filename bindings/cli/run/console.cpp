@@ -9,7 +9,7 @@
 #include <ctime>
 #include <utility>
 
-#include "bindings/cli/new/author.hpp"
+#include "bindings/cli/new/behavior.hpp"
 #include "bindings/console/client.hpp"
 #include "bindings/console/put_text.hpp"
 #include "bindings/draw/picture.hpp"

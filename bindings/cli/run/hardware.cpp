@@ -102,7 +102,7 @@ Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& 
     }
     if (!any) return failure(fmt::format("--hw: {} has no robot that could be real", spec.file));
     if (spec.rate < slowest_hardware_rate)
-        return failure(fmt::format("--hw: {} ticks a second are too few to drive a real robot: expected {} or more",
+        return failure(fmt::format("--hw: {} ticks per second are too few to drive a real robot: expected {} or more",
                                    spec.rate, slowest_hardware_rate),
                        spec.rate_place);
     return {};

@@ -26,7 +26,7 @@ public:
     Expected<std::unique_ptr<RunningSystem>> load(const RunOptions& options, LiveOptions live, JournalSink recording);
     /// Messages to show before the run starts.
     const std::vector<std::string>& notes() const { return notes_; }
-    /// The conditions of a failed scenario that is opened, a line each.
+    /// The conditions of a failed scenario that is opened, one line for each.
     const std::vector<std::string>& conditions() const { return conditions_; }
     /// Performs a replay that is opened, up to its end; then this run is no replay any more. Gives up when `end` is not
     /// 0.
@@ -43,7 +43,7 @@ public:
     const std::optional<Error>& error() const { return error_; }
     /// Writes the last line, or makes the last comparison of a replay.
     Expected<void> finish(bool of_given_length, std::uint64_t hash);
-    /// The same for a run that ended with an error.
+    /// Like `finish`, for a run that ended with an error.
     void give_up(const std::string& why);
     /// See `Journal::is_behind` and its `give_up`.
     bool is_behind() const { return journal_ && journal_->is_behind(); }

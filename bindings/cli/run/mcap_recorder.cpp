@@ -234,7 +234,7 @@ void McapRecorder::flush() {
             batch->batch.messages.push_back({number, piece.log_time, piece.log_time, as_text(text)});
         }
         out->add(batch->batch);
-        // What can't be written over gets whole chunks only.
+        // An output that can't be overwritten gets whole chunks only.
         return is_whole ? out->whole_chunk() : is_on_disk ? out->small_chunk() : std::string();
     };
     is_whole&& is_on_disk ? writer_.put_over(bytes, pack) : writer_.put(bytes, pack);

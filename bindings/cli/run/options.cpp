@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <string_view>
 
 #include "bindings/cli/files/output_files.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/live/run_loop.hpp"
 
 namespace nezumi::cli {
@@ -19,14 +19,6 @@ namespace {
 constexpr double longest = 1e9;  // [s], some thirty years
 constexpr int most_threads = 256;
 constexpr double longest_history = 10'000;  // [min] a week
-
-template <class T>
-std::optional<T> number(std::string_view word) {
-    T value{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-    return value;
-}
 
 Unexpected wrong(std::string_view option, std::string_view expected, std::string_view got) {
     return failure(fmt::format("{}: expected {}, got '{}'", option, expected, shown(got)));
@@ -48,7 +40,7 @@ Expected<std::vector<std::string>> split(std::string_view option, std::string_vi
     }
 }
 
-// What real robots need, and what can't be had with them.
+// Checks the options that real robots need, and those that are impossible with them.
 Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
     if (words.hw.text.empty()) {
         for (const auto& [option, given] : {std::pair{"--dev-root", words.dev_root},
@@ -101,7 +93,7 @@ Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
         return wrong("--listen", "the IPv4 address at which others reach this computer, as in 192.168.1.20",
                      words.listen);
     if (!words.port.empty()) {
-        const auto port = number<int>(words.port);
+        const auto port = number_in<int>(words.port);
         if (!port || *port < 1 || *port > 65535) return wrong("--port", "a whole number from 1 to 65535", words.port);
         web.port = *port;
     }
@@ -177,14 +169,14 @@ std::vector<Option> run_options(RunWords& words) {
         {"--every", &words.every, "with --record: only one tick of N (default 1)", "N"},
         {"--journal",
          &words.journal,
-         "write every act on the running system, with its tick",
+         "write a journal to OUT: each act (change of the running system) with its tick",
          "OUT",
          {},
          FileUse::result},
         {"--replay",
          &words.replay,
-         "repeat the run of a journal, headless and as fast as possible unless --speed is given; it ends at the same "
-         "time and in the same way. No other file is read",
+         "repeat the run of a journal, headless and as fast as possible unless --speed is given. It ends at the same "
+         "time and for the same reason. No other file is read",
          "OUT",
          {},
          FileUse::source},
@@ -241,29 +233,29 @@ Expected<RunOptions> read_run_options(const RunWords& typed) {
     if (words.speed == "max" || (words.speed.empty() && (words.batch || repeats))) {
         options.speed = as_fast_as_possible;
     } else if (!words.speed.empty()) {
-        const auto speed = number<double>(words.speed);
+        const auto speed = number_in<double>(words.speed);
         if (!speed || !std::isfinite(*speed) || !check_speed(*speed))
             return wrong("--speed", fmt::format("a factor from {} to {:.0f}, or max", slowest_speed, fastest_speed),
                          words.speed);
         options.speed = *speed;
     }
     if (!words.duration.empty()) {
-        const auto duration = number<double>(words.duration);
+        const auto duration = number_in<double>(words.duration);
         if (!duration || !(*duration >= 0 && *duration <= longest))
             return wrong("--duration", fmt::format("seconds from 0 to {:.0f}", longest), words.duration);
         options.duration = *duration;
     }
     if (!words.seed.empty()) {
-        options.seed = number<std::uint64_t>(words.seed);
+        options.seed = number_in<std::uint64_t>(words.seed);
         if (!options.seed) return wrong("--seed", "a whole number from 0 to 2^64 - 1", words.seed);
     }
     if (!words.history.empty()) {
-        options.history = number<double>(words.history);
+        options.history = number_in<double>(words.history);
         if (!options.history || !(*options.history >= 1 && *options.history <= longest_history))
             return wrong("--history", fmt::format("minutes from 1 to {:.0f}", longest_history), words.history);
     }
     if (!words.threads.empty()) {
-        const auto threads = number<int>(words.threads);
+        const auto threads = number_in<int>(words.threads);
         if (!threads || *threads < 1 || *threads > most_threads)
             return wrong("--threads", fmt::format("a whole number from 1 to {}", most_threads), words.threads);
         options.threads = *threads;
@@ -283,7 +275,7 @@ Expected<RunOptions> read_run_options(const RunWords& typed) {
     options.record = words.record;
     if (!words.every.empty()) {
         if (words.record.empty()) return failure("--every needs --record: give --record FILE.csv as well");
-        const auto every = number<std::int64_t>(words.every);
+        const auto every = number_in<std::int64_t>(words.every);
         if (!every || *every < 1 || *every > 1'000'000)
             return wrong("--every", "a whole number from 1 to 1000000", words.every);
         options.every = *every;

@@ -70,7 +70,7 @@ struct RunOptions {
     std::string profile;               ///< "" for none; ends in .svg or .json
     std::string record;                ///< "" for none
     std::vector<std::string> ports;    ///< "name.port"; empty: every out-port
-    std::int64_t every = 1;            ///< one tick of so many is recorded
+    std::int64_t every = 1;            ///< every N-th tick is recorded
     std::string journal;               ///< "" for none
     std::string replay;                ///< "" for none
     bool opens_replay = false;         ///< the replay comes first, as fast as possible; then the run is paused
@@ -83,7 +83,7 @@ struct RunOptions {
 /// Where the page is served; none: nowhere.
 Expected<std::optional<Web>> read_web(const RunWords& words, bool headless);
 
-/// The same as values, or what is wrong with the first word that is.
+/// Converts the words to values. The error is that of the first wrong word.
 Expected<RunOptions> read_run_options(const RunWords& words);
 
 }  // namespace nezumi::cli

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <fstream>
 #include <thread>
 #include <utility>
@@ -122,7 +121,7 @@ void Recorder::begin_layout() {
     width_ = table_.width();
     if (layouts_.size() > 1) return;
     buffer_ += layouts_.back().header + "\n";
-    // What can't be read again keeps the columns it began with.
+    // An output that can't be read again keeps its first columns.
     if (file_.path().empty()) table_.fix_columns();
 }
 

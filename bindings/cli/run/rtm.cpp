@@ -9,7 +9,6 @@
 #include <cstring>
 #include <utility>
 
-#include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/files/system_words.hpp"
 #include "bindings/openrtm/rtm_word.hpp"
 #include "engine/project/script_source.hpp"

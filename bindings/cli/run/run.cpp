@@ -21,9 +21,9 @@
 #include "bindings/cli/base/status.hpp"
 #include "bindings/cli/base/stop_signals.hpp"
 #include "bindings/cli/base/version.hpp"
+#include "bindings/cli/files/lua_kind.hpp"
 #include "bindings/cli/files/named_files.hpp"
 #include "bindings/cli/files/output_files.hpp"
-#include "bindings/cli/files/system_error.hpp"
 #include "bindings/cli/run/console.hpp"
 #include "bindings/cli/run/devices.hpp"
 #include "bindings/cli/run/hardware.hpp"
@@ -98,7 +98,7 @@ public:
     }
 
     ~Run() {
-        // What may not end does so here, while signals are still watched.
+        // Ends here everything that may hang, while signals are still watched.
         doing_ = "devices and components of other programs";
         rtm_.reset();
         web_.reset();
@@ -341,7 +341,7 @@ private:
         return line > 0 || loop_->interrupted();
     }
 
-    // What the run writes to takes less than comes.
+    // The outputs of the run are slower than the run.
     bool is_behind() const {
         return screen_.is_behind() || journal_.is_behind() || results_.is_behind() ||
                (options_.batch && console_ && console_->is_behind());
@@ -366,7 +366,7 @@ private:
     }
 
     Expected<int> finish(const std::string& how) {
-        // What --batch says is the same each time, and how long it took is not.
+        // The output of --batch is the same each time, but the duration is not.
         if (!options_.batch) screen_.say(how);
         if (!costs_.empty()) screen_.say(costs_);
         int status = (!console_ || console_->all_well()) && !tell_cut_off() ? exit_done : exit_failed;

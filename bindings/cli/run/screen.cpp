@@ -5,7 +5,6 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <string_view>
 #include <utility>
 
 #include "engine/base/thread.hpp"

@@ -12,7 +12,7 @@ namespace nezumi::cli {
 
 class StatusLine final : public Attendant {
 public:
-    /// Both must outlive it.
+    /// `loop` and `screen` must outlive this object.
     StatusLine(const RunLoop& loop, Screen& screen) : loop_(loop), screen_(screen) {}
 
     bool serve(Pacer::Clock::time_point until) override;

@@ -10,25 +10,15 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <string>
-#include <system_error>
 #include <utility>
-#include <vector>
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/base/version.hpp"
-#include "bindings/cli/files/lua_kind.hpp"
-#include "bindings/lua/files/message_file.hpp"
-#include "bindings/lua/files/system_lua.hpp"
-#include "bindings/lua/sandbox/stdlib.hpp"
-#include "bindings/lua/script/script_globals.hpp"
-#include "bindings/lua/stubs/annotations.hpp"
-#include "bindings/scenario/scenario_fields.hpp"
+#include "bindings/cli/files/page_editor.hpp"
 #include "bindings/terminal/input_history.hpp"
 #include "bindings/web/certificate.hpp"
 #include "bindings/web/qr_code.hpp"
-#include "engine/base/own_program.hpp"
-#include "engine/messages/message_files.hpp"
+#include "engine/base/module.hpp"
 #include "engine/vision/checked_image.hpp"
 
 namespace nezumi::cli {
@@ -56,41 +46,6 @@ void show_in_browser(const std::filesystem::path& file) {
         _exit(1);
     }
     waitpid(child, nullptr, 0);
-}
-
-// The global names that each kind of file may use.
-std::map<std::string, std::vector<std::string>> names_of_files() {
-    std::map<std::string, std::vector<std::string>> names;
-    const auto add = [&](LuaKind kind, const auto& words) {
-        std::vector<std::string>& all = names[std::string(kind_name(kind))];
-        if (all.empty()) {
-            const KnownGlobals& library = sandbox_globals();
-            all.assign(library.readable.begin(), library.readable.end());
-        }
-        all.insert(all.end(), words.begin(), words.end());
-    };
-    add(LuaKind::behavior, script_globals());
-    add(LuaKind::behavior, hook_names());
-    add(LuaKind::module, std::vector<std::string>{"require"});
-    add(LuaKind::system, system_word_names(peer_words()));
-    add(LuaKind::robot, std::vector<std::string>{"robot_model"});
-    add(LuaKind::scenario, std::vector<std::string>{"scenario", "range"});
-    add(LuaKind::environment, std::vector<std::string>{"environment", "require"});
-    return names;
-}
-
-// What the editor of the page needs of the other commands.
-web::EditorOptions editor_of(const Project& project) {
-    return {.program = own_program(),
-            .kind = [](const std::filesystem::path& file,
-                       const std::string& text) { return std::string(kind_name(kind_of_file(file, text))); },
-            .words =
-                [project] {
-                    const MessageFiles messages(project, read_message_file);
-                    return web::EditorWords{.annotations = annotations(scenario_records(), peer_words(),
-                                                                       messages.all(project.root() / "here")),
-                                            .names = names_of_files()};
-                }};
 }
 
 std::string host_name() {
@@ -147,6 +102,7 @@ Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& consol
                             .editor = editor_of(loop.live().project()),
                             .only_shows = web.only_shows,
                             .conditions = std::move(conditions)};
+    options.editor.program = own_program();
     auto sockets = sockets_of(web);
     if (!sockets) return Unexpected(sockets.error());
     options.sockets = std::move(sockets->options);

@@ -11,7 +11,6 @@
 #include <type_traits>
 
 #include "bindings/cli/base/environment.hpp"
-#include "bindings/cli/base/status.hpp"
 #include "bindings/cli/shell/command_checks.hpp"
 #include "engine/base/error.hpp"
 

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <system_error>
+#include "engine/base/number_in.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -13,11 +12,12 @@ template <class Number>
 bool read_two(std::string_view text, std::string_view between, Number& first, Number& second) {
     const auto at = text.find(between);
     if (at == std::string_view::npos) return false;
-    const auto read = [](std::string_view part, Number& number) {
-        const auto [end, problem] = std::from_chars(part.data(), part.data() + part.size(), number);
-        return problem == std::errc() && end == part.data() + part.size();
-    };
-    return read(text.substr(0, at), first) && read(text.substr(at + between.size()), second);
+    const auto one = number_in<Number>(text.substr(0, at));
+    const auto other = number_in<Number>(text.substr(at + between.size()));
+    if (!one || !other) return false;
+    first = *one;
+    second = *other;
+    return true;
 }
 
 }  // namespace

@@ -22,7 +22,9 @@ public:
 
     RunningSystem& live() override { return recorded_->live(); }
     Expected<bool> before_tick() override {
-        if (changed_by_) return failure(fmt::format("{} can't change what has been recorded", *changed_by_), {name_});
+        if (changed_by_)
+            return failure(fmt::format("a recording can't be changed, but the scenario did this: {}", *changed_by_),
+                           {name_});
         return recorded_->before_tick(recorded_->live());
     }
     double length() const override {
@@ -31,7 +33,7 @@ public:
 
 private:
     void acted(const ActTime&, std::shared_ptr<const PastAct> act, const Expected<ActResult>&) override {
-        if (act->who.kind == Actor::Kind::scenario && !changed_by_) changed_by_ = name_of(act->act);
+        if (act->who.kind == Actor::Kind::scenario && !changed_by_) changed_by_ = act_in_words(name_of(act->act));
     }
     void ran_out_of_time(const ActTime&, const std::string&, const Component::OutOfTime&) override {}
 
@@ -45,7 +47,7 @@ public:
     Expected<std::unique_ptr<RecordedWorld>> open(const std::filesystem::path& file,
                                                   const std::map<std::string, std::string>& ports,
                                                   LiveOptions options) const override {
-        // What a repeated run logged and printed then is no news.
+        // The log and prints of a repeated run are known already.
         options.build.log = {};
         options.print = {};
         auto recorded = RecordedSystem::open(file, ports, std::move(options));

@@ -5,15 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <set>
-#include <system_error>
 #include <tuple>
 
 #include "bindings/scenario/failure_folder.hpp"
+#include "engine/base/number_in.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -31,19 +30,12 @@ struct Sample {
     double value;
 };
 
-std::optional<double> to_number(const std::string& text) {
-    double number = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
-    return number;
-}
-
 // Where values are drawn: as they are, or in the middle of one of some equal ranges if there are too many.
 class Places {
 public:
     explicit Places(const std::vector<Sample>& samples) {
         std::set<double> values;
-        for (const Sample& sample : samples) values.insert(*to_number(sample.text));
+        for (const Sample& sample : samples) values.insert(*finite_in(sample.text));
         low_ = *values.begin();
         if (values.size() > most_groups) size_ = (*values.rbegin() - low_) / static_cast<double>(ranges);
     }
@@ -64,15 +56,15 @@ std::vector<std::string> different(const std::vector<Sample>& samples, std::stri
     for (const Sample& sample : samples) {
         if (std::find(found.begin(), found.end(), sample.*text) == found.end()) found.push_back(sample.*text);
     }
-    const auto is_number = [](const std::string& each) { return to_number(each).has_value(); };
+    const auto is_number = [](const std::string& each) { return finite_in(each).has_value(); };
     if (std::all_of(found.begin(), found.end(), is_number))
         std::stable_sort(found.begin(), found.end(),
-                         [](const auto& a, const auto& b) { return *to_number(a) < *to_number(b); });
+                         [](const auto& a, const auto& b) { return *finite_in(a) < *finite_in(b); });
     return found;
 }
 
 void add_series(SweepPlot& plot, const std::vector<Sample>& samples) {
-    const auto is_number = [](const Sample& each) { return to_number(each.text).has_value(); };
+    const auto is_number = [](const Sample& each) { return finite_in(each.text).has_value(); };
     plot.is_numeric = std::all_of(samples.begin(), samples.end(), is_number);
     if (!plot.is_numeric) plot.labels = different(samples, &Sample::text);
     const auto places = plot.is_numeric ? std::optional(Places(samples)) : std::nullopt;
@@ -82,7 +74,7 @@ void add_series(SweepPlot& plot, const std::vector<Sample>& samples) {
         for (const Sample& sample : samples) {
             if (sample.by != by) continue;
             const double at = plot.is_numeric
-                                  ? *to_number(sample.text)
+                                  ? *finite_in(sample.text)
                                   : static_cast<double>(std::find(plot.labels.begin(), plot.labels.end(), sample.text) -
                                                         plot.labels.begin());
             series.points.push_back({at, sample.value});
@@ -97,7 +89,7 @@ void add_series(SweepPlot& plot, const std::vector<Sample>& samples) {
     }
 }
 
-// Of a measure over a parameter; nothing if all values are equal.
+// The plot of a measure over a parameter; nothing if all values are equal.
 std::optional<SweepPlot> plot_of(const std::string& scenario, const std::string& measure, const std::string& unit,
                                  const std::string& parameter, const std::string& by,
                                  const std::vector<Sample>& samples) {

@@ -1,4 +1,4 @@
-// What was asked for is checked before anything runs, and written when all have run.
+// The requested outputs are checked before anything runs, and written when all have run.
 #include "bindings/cli/test/test.hpp"
 
 #include <fmt/format.h>
@@ -9,16 +9,14 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <optional>
 #include <sstream>
-#include <string>
 #include <system_error>
 #include <thread>
-#include <vector>
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/base/status.hpp"
 #include "bindings/cli/base/version.hpp"
+#include "bindings/cli/files/named_files.hpp"
 #include "bindings/cli/files/output_files.hpp"
 #include "bindings/cli/run/hardware.hpp"
 #include "bindings/cli/run/options.hpp"
@@ -125,11 +123,13 @@ int list(const TestPlan& plan, const Shard& shard) {
 
 // Shows the changes of a behaviour that no scenario notices.
 int mutate_file(const TestOptions& command, TestPlan plan, TestSessionOptions& options) {
+    const auto files = find_lua_files(command.mutate);
+    if (!files) return refuse(files.error());
     // Runs that a search would choose depend on the results of others.
     std::erase_if(plan.runs, [](const PlannedRun& run) { return run.searched; });
     SweepProgress progress(write_error, isatty(STDERR_FILENO) == 1);
     options.progress = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
-    const auto report = mutate(plan, command.mutate, options);
+    const auto report = mutate(plan, files->front(), options);
     progress.clear();
     if (!report) return refuse(report.error());
     if (report->interrupted) return refuse("interrupted: not all changes were tried");
@@ -137,41 +137,35 @@ int mutate_file(const TestOptions& command, TestPlan plan, TestSessionOptions& o
     return report->noticed() == report->tried.size() ? exit_done : exit_failed;
 }
 
+// What a session that is watched or shown can't be or write.
+GivenOptions ways_and_results(const TestOptions& command) {
+    return {{"--list", command.list},
+            {"--merge", command.merge},
+            {"--open", command.open},
+            {"--hw", command.hw},
+            {"--shard", !command.shard.empty()},
+            {"--resume", command.resume},
+            {"--update-goldens", command.update_goldens},
+            {"--junit", !command.junit.empty()},
+            {"--measures", !command.measures.empty()},
+            {"--margins", !command.margins.empty()},
+            {"--plots", !command.plots.empty()},
+            {"--coverage", !command.coverage.empty()},
+            {"--mutate", !command.mutate.empty()}};
+}
+
 // Whether the options go together.
 Expected<void> check_options(const TestOptions& command) {
     if (command.watch) {
-        auto ok = refuse_given({{"--list", command.list},
-                                {"--merge", command.merge},
-                                {"--open", command.open},
-                                {"--hw", command.hw},
-                                {"--shard", !command.shard.empty()},
-                                {"--resume", command.resume},
-                                {"--update-goldens", command.update_goldens},
-                                {"--junit", !command.junit.empty()},
-                                {"--measures", !command.measures.empty()},
-                                {"--margins", !command.margins.empty()},
-                                {"--plots", !command.plots.empty()}},
-                               "--watch runs again and again, and only what a save touches");
+        auto ok = refuse_given(ways_and_results(command), "--watch runs again and again, and only what a save touches");
         if (!ok) return ok;
     }
     if (command.show) {
-        auto ok = refuse_given({{"--list", command.list},
-                                {"--merge", command.merge},
-                                {"--watch", command.watch},
-                                {"--open", command.open},
-                                {"--hw", command.hw},
-                                {"--shard", !command.shard.empty()},
-                                {"--resume", command.resume},
-                                {"--repeat", command.repeat.has_value()},
-                                {"--search", command.search.has_value()},
-                                {"--update-goldens", command.update_goldens},
-                                {"--mutate", !command.mutate.empty()},
-                                {"--junit", !command.junit.empty()},
-                                {"--measures", !command.measures.empty()},
-                                {"--margins", !command.margins.empty()},
-                                {"--plots", !command.plots.empty()},
-                                {"--coverage", !command.coverage.empty()}},
-                               "--show only shows one run");
+        GivenOptions given = ways_and_results(command);
+        given.insert(given.end(), {{"--watch", command.watch},
+                                   {"--repeat", command.repeat.has_value()},
+                                   {"--search", command.search.has_value()}});
+        auto ok = refuse_given(given, "--show only shows one run");
         if (!ok) return ok;
     } else {
         for (const auto& [option, given] :
@@ -202,7 +196,9 @@ Expected<void> check_options(const TestOptions& command) {
                            {"--margins", !command.margins.empty()},
                            {"--plots", !command.plots.empty()},
                            {"--coverage", !command.coverage.empty()},
-                           {"--tap", command.tap}},
+                           {"--tap", command.tap},
+                           {"--list", command.list},
+                           {"--open", command.open}},
                           "--mutate shows only changes that no scenario notices");
     }
     if (ok && command.hw)
@@ -261,7 +257,7 @@ Expected<void> enter_project(TestOptions& command) {
 }
 
 // Tells what the session came to, and writes what was asked for.
-int finish(const TestOptions& command, const SessionEnd& end) {
+int finish(const TestOptions& command, SessionEnd end) {
     if (!command.junit.empty()) {
         if (auto ok = write_whole(command.junit, junit_text(end.reports, end.summary)); !ok) return refuse(ok.error());
     }
@@ -281,6 +277,8 @@ int finish(const TestOptions& command, const SessionEnd& end) {
     if (!command.coverage.empty()) {
         if (end.coverage.empty() && command.merge)
             return refuse("--coverage: the parts have no coverage: make them with --coverage too");
+        // What some of the scenarios do not load may be the business of others.
+        if (command.filter.empty() && (command.paths.empty() || command.merge)) add_unloaded_files(end.coverage);
         if (auto ok = write_coverage(end.coverage, command.coverage); !ok) return refuse(ok.error());
         // TAP allows only comments between its lines.
         fmt::print("{}{}\n", command.tap ? "# " : "", end.coverage.summary());
@@ -359,7 +357,7 @@ int test(TestOptions command) {
         };
         if (command.watch) {
             const bool has_colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
-            return watch_tests(make_plan, options, [&] {
+            return watch_tests(paths, make_plan, options, [&] {
                 return command.tap ? tap_reporter(write_out) : console_reporter(write_out, has_colour, command.quiet);
             });
         }
@@ -399,9 +397,9 @@ int test(TestOptions command) {
         write_out(text);
     };
     const auto reporter = command.tap ? tap_reporter(write) : console_reporter(write, colour, command.quiet);
-    const auto end = session(*reporter);
+    auto end = session(*reporter);
     progress.clear();
-    return end ? finish(command, *end) : refuse(end.error());
+    return end ? finish(command, std::move(*end)) : refuse(end.error());
 }
 
 }  // namespace nezumi::cli

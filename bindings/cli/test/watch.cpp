@@ -1,8 +1,6 @@
 // Looks at the times of files, because runs are made by processes, and a thread that watches would be lost in them.
 #include "bindings/cli/test/watch.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -14,7 +12,6 @@
 #include <system_error>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "bindings/cli/base/environment.hpp"
 #include "bindings/cli/base/status.hpp"
@@ -27,6 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::milliseconds period{30};
+constexpr int periods_of_folders = 10;  // folders are read less often than times of files
 
 // A scenario file may require the other Lua files of its folder.
 std::set<std::string> files_beside(const fs::path& scenario) {
@@ -76,14 +74,21 @@ public:
         return end;
     }
 
-    // Looks at the times of all files that runs have read, and of the scenario files.
+    // Looks at the times of all files that runs have read or looked for, and of the scenario files.
     void look(const TestPlan& plan) {
         times_.clear();
         const auto add = [&](const std::string& file) { times_.emplace(file, time_of(file)); };
-        for (const PlannedFile& file : plan.files) add(file.path.string());
+        for (const PlannedFile& file : plan.files) {
+            for (const std::string& beside : files_beside(file.path)) add(beside);
+            for (const std::string& module : file.looked_for) add(module);
+        }
         for (const auto& [key, known] : runs_) {
             for (const std::string& file : known.reads) add(file);
         }
+    }
+    // Looks again at the same files.
+    void look_again() {
+        for (auto& [file, time] : times_) time = time_of(file);
     }
 
     // The files that were saved since. A file that is gone is about to be written again.
@@ -93,6 +98,19 @@ public:
             const auto now = time_of(file);
             if (now && now != time) files.insert(file);
         }
+        return files;
+    }
+
+    // Scenario files that were not there when this was called last.
+    std::set<std::string> added(const std::vector<fs::path>& paths) {
+        const auto found = find_scenario_files(paths);
+        if (!found) return {};
+        std::set<std::string> files, present;
+        for (const fs::path& file : *found) {
+            present.insert(file.string());
+            if (!scenarios_.contains(file.string())) files.insert(file.string());
+        }
+        scenarios_ = std::move(present);
         return files;
     }
 
@@ -115,20 +133,23 @@ private:
     const TestSessionOptions& options_;
     std::map<std::string, Known> runs_;
     std::map<std::string, std::optional<std::pair<fs::file_time_type, std::uintmax_t>>> times_;
+    std::set<std::string> scenarios_;
 };
 
 }  // namespace
 
-int watch_tests(const std::function<Expected<TestPlan>()>& make_plan, const TestSessionOptions& options,
-                const std::function<std::unique_ptr<Reporter>()>& make_reporter) {
+int watch_tests(const std::vector<fs::path>& paths, const std::function<Expected<TestPlan>()>& make_plan,
+                const TestSessionOptions& options, const std::function<std::unique_ptr<Reporter>()>& make_reporter) {
     Watch watch(options);
     std::set<std::string> saved;
     int status = exit_done;
     for (;;) {
+        watch.added(paths);  // before they are read
         auto plan = make_plan();
         if (!plan && saved.empty()) return refuse(plan.error());
         if (!plan) {
             static_cast<void>(refuse(plan.error()));
+            watch.look_again();
         } else {
             const TestPlan whole = *plan;
             TestPlan touched = watch.touched(std::move(*plan), saved);
@@ -145,9 +166,11 @@ int watch_tests(const std::function<Expected<TestPlan>()>& make_plan, const Test
             if (!saved.empty()) continue;
         }
         const StopSignals signals;
-        while (saved = watch.saved(), saved.empty()) {
+        for (int periods = 1; saved = watch.saved(), saved.empty(); ++periods) {
             if (signals.received() != 0) return status;
             std::this_thread::sleep_for(period);
+            if (periods % periods_of_folders != 0) continue;
+            if (saved = watch.added(paths); !saved.empty()) break;
         }
     }
 }

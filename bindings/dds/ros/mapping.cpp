@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -323,17 +322,6 @@ dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes) 
                      : mapping.sensor_data ? sensor_depth
                                            : usual_depth,
             .user_data = fmt::format("typehash={};", type_hash(*mapping.definition))};
-}
-
-std::string mapping_table() {
-    std::string text = "| port | topic | ways | frame | QoS |\n|---|---|---|---|---|\n";
-    for (const Mapping& each : mappings()) {
-        text += fmt::format("| {} | `{}` | {} | {} | {} |\n", each.port_type->name, each.type,
-                            each.subscribe != nullptr ? "both" : "to ROS",
-                            each.frame.empty() ? "" : fmt::format("`{}`", each.frame),
-                            each.sensor_data ? "best effort" : "reliable");
-    }
-    return text;
 }
 
 }  // namespace nezumi::ros

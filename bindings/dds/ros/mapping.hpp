@@ -51,11 +51,11 @@ struct Mapping {
         publish{};
     /// None if this type can't be received.
     std::function<std::unique_ptr<Subscription>(std::unique_ptr<dds::Reader> reader)> subscribe{};
-    /// Of recordings. Its messages can't be read if this type can't be received.
+    /// The encoding for recordings. A message can be read from a recording only if `subscribe` is set.
     std::function<MessageCoding(const std::string& frame)> coding{};
 };
 
-/// Of the compiled message types. The first mapping of a port's type is its default.
+/// The mappings of the compiled message types. The first mapping of a port's type is its default.
 std::span<const Mapping> mappings();
 
 /// The mapping of a port's type to a type of ROS, or to the default for "". A type that a file defines has the name in
@@ -68,8 +68,5 @@ std::optional<MessageCoding> find_coding(const MessageType& port_type, std::stri
 
 /// The DDS topic of "/cmd_vel", with its quality of service.
 dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes);
-
-/// The documentation's table.
-std::string mapping_table();
 
 }  // namespace nezumi::ros

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +23,7 @@ struct RosNodeSettings {
 
 class RosNode final : public Device {
 public:
-    /// Adds the node "ros/NAME" with its topics to a complete system, and connects it. An error has the place of the
+    /// Adds the node "ros/NAME" with its topics to a complete system, and connects it. An error has the location of the
     /// topic. Nothing is sent before the first tick.
     static Expected<RosNode*> add(System& system, const RosSpec& spec, DdsTransport& transport,
                                   RosNodeSettings settings);

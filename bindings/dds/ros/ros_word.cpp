@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <map>
 #include <utility>
@@ -12,6 +10,7 @@
 #include "bindings/dds/network_word.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
+#include "engine/base/number_in.hpp"
 #include "engine/records/write_record.hpp"
 
 namespace nezumi::dds {
@@ -77,14 +76,12 @@ void read_topics(Fields& fields, std::string_view name, std::vector<RosTopic>& o
 void use_environment(FieldCheck& check, std::int64_t& domain) {
     const char* said = std::getenv("ROS_DOMAIN_ID");
     if (said == nullptr || *said == '\0') return;
-    const std::string_view text = said;
-    std::int64_t number = -1;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (problem == std::errc() && end == text.data() + text.size() && number >= 0 && number <= last_domain) {
-        domain = number;
+    const auto number = number_in<std::int64_t>(said);
+    if (number && *number >= 0 && *number <= last_domain) {
+        domain = *number;
     } else {
         check.wrong_at(
-            {}, fmt::format("the environment's ROS_DOMAIN_ID: expected 0 to {}, got '{}'", last_domain, shown(text)));
+            {}, fmt::format("the environment's ROS_DOMAIN_ID: expected 0 to {}, got '{}'", last_domain, shown(said)));
     }
 }
 

@@ -1,7 +1,6 @@
 // Boxes, walls, cylinders, markers, the floor and its lines in a system file.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>

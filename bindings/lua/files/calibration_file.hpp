@@ -33,7 +33,7 @@ struct CalibrationUse {
 /// is needed. Errors are those of the file, or say that it belongs to another robot.
 Expected<void> use_calibration(SystemSpec& spec, RobotEntry& robot, const Project& project, const CalibrationUse& use);
 
-/// The same for each robot of the system with `calibrated = true`, which needs a calibration.
+/// Applies the calibration of each robot of the system with `calibrated = true`, which needs one.
 Expected<void> use_asked_calibrations(SystemSpec& spec, const Project& project);
 
 }  // namespace nezumi

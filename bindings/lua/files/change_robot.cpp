@@ -10,7 +10,6 @@
 #include "bindings/lua/files/calibration_file.hpp"
 #include "bindings/lua/files/merge_value.hpp"
 #include "bindings/lua/files/robot_file.hpp"
-#include "engine/base/names.hpp"
 
 namespace nezumi {
 
@@ -25,9 +24,8 @@ Expected<void> change_robot(SystemSpec& spec, const std::string& robot, const Va
                             const Project& project) {
     auto* entry = find_entry<RobotEntry>(spec, robot);
     if (entry == nullptr) {
-        std::vector<std::string_view> names;
-        for (const RobotEntry* each : entries_of<RobotEntry>(spec)) names.push_back(each->name);
-        return failure(fmt::format("there is no robot '{}'{}", shown(robot), did_you_mean(robot, names)));
+        return failure(fmt::format("there is no robot '{}'{}", shown(robot),
+                                   did_you_mean(robot, entries_of<RobotEntry>(spec), &RobotEntry::name)));
     }
     if (const FileTable* table = changes.get_if<FileTable>(); table != nullptr && table->find("base") != nullptr)
         check.unknown({"base"}, ": it is for robot files");

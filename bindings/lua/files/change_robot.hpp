@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "bindings/lua/files/file_value.hpp"
 #include "engine/project/project.hpp"
 #include "engine/records/fields.hpp"
 #include "engine/system/system_spec.hpp"

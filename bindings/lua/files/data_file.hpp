@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <lua.hpp>
 #include <map>
@@ -51,7 +50,7 @@ public:
     DataFile(const DataFile&) = delete;
     DataFile& operator=(const DataFile&) = delete;
 
-    /// `project` must outlive it.
+    /// `project` must outlive this object.
     static Expected<std::unique_ptr<DataFile>> create(const Project& project, DataFileOptions options);
 
     /// Runs a text with these globals and `require`, beside the sandbox's library. `shown` is its name in messages.
@@ -61,8 +60,8 @@ public:
     /// All mistakes of a run that failed: one error for each unknown global, otherwise the first error.
     const std::vector<Error>& errors() const { return errors_; }
 
-    /// Stores the first error of one of these functions, with its place, and returns it for raising it in Lua. The run
-    /// has failed, even if the file catches the Lua error.
+    /// Stores the first error of one of these functions, with its location, and returns it for raising it in Lua. The
+    /// run has failed, even if the file catches the Lua error.
     Error fail(Error error);
 
     /// The text of a file that was run or required; null for other files.
@@ -71,7 +70,7 @@ public:
     const std::vector<std::string>& files() const { return files_; }
     lua_State* lua() const { return state_->lua(); }
     const Budget& budget() const { return options_.budget; }
-    /// The error for a Lua error, with the name of the file if Lua knows no place.
+    /// The error for a Lua error, with the name of the file if Lua knows no location.
     Error to_error(const CallError& error) const;
 
 private:
@@ -87,7 +86,7 @@ private:
     DataFileOptions options_;
     KnownGlobals known_;
     std::string shown_;
-    std::optional<Error> error_;  // of a function, or of a file that can't be compiled
+    std::optional<Error> error_;  // an error in a function, or in a file that can't be compiled
     std::vector<Error> errors_;
     std::map<std::string, FileSource> sources_;
     std::vector<std::string> files_;

@@ -1,13 +1,13 @@
-// Visits the table arguments of calls, and stores the place of each field.
+// Visits the table arguments of calls, and stores the location of each field.
 #include "bindings/lua/files/file_source.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <utility>
 
-#include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/syntax/syntax_tree.hpp"
+#include "engine/base/number_in.hpp"
+#include "engine/records/file_table.hpp"
 
 namespace nezumi {
 namespace {
@@ -22,14 +22,12 @@ std::optional<Value> value_of(const Token& token) {
         if (token.text.front() == '[' || token.text.find('\\') != std::string_view::npos) return std::nullopt;
         return Value{std::string(token.inside())};
     }
-    double number = 0;
-    const char* const end = token.text.data() + token.text.size();
-    const auto read = std::from_chars(token.text.data(), end, number);
-    if (token.kind != Token::Kind::number || read.ec != std::errc() || read.ptr != end) return std::nullopt;
-    return Value{number};
+    const auto number = number_in<double>(token.text);
+    if (token.kind != Token::Kind::number || !number) return std::nullopt;
+    return Value{*number};
 }
 
-// The same for an expression: a literal, or a number with a minus sign.
+// The value of an expression: a literal, or a number with a minus sign.
 std::optional<Value> value_of(const SyntaxNode& expression) {
     if (expression.is(Kind::literal)) return value_of(*expression.first);
     if (!expression.is(Kind::unary) || !expression.word->is("-") || !expression.child->is(Kind::literal))

@@ -12,7 +12,7 @@ namespace nezumi {
 
 class FileSource final : public FieldSource {
 public:
-    /// A text with syntax errors gives fewer places, never an error.
+    /// A text with syntax errors gives fewer locations, never an error.
     FileSource(std::string_view text, std::string shown);
     ~FileSource() override;
     FileSource(FileSource&&) noexcept;

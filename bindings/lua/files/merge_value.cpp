@@ -7,8 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/base/names.hpp"
-
 namespace nezumi {
 namespace {
 
@@ -57,9 +55,7 @@ void erase(FileTable& table, std::string_view name) {
 }
 
 std::string nearest(std::string_view name, const FileTable& table) {
-    std::vector<std::string_view> names;
-    for (const FileField& field : table.fields) names.push_back(field.name);
-    return did_you_mean(name, names);
+    return did_you_mean(name, table.fields, &FileField::name);
 }
 
 // `check` is null for combining two changes; then `false` is kept.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -20,6 +19,20 @@
 
 namespace nezumi {
 namespace {
+
+// Whether a text is names between this begin and this end, with `between` before the last one and slashes elsewhere.
+bool is_type_name(std::string_view text, std::string_view begin, std::string_view between, std::string_view end) {
+    if (!text.starts_with(begin) || !text.ends_with(end) || text.size() < begin.size() + end.size()) return false;
+    text = text.substr(begin.size(), text.size() - begin.size() - end.size());
+    const std::size_t last = text.rfind(between);
+    if (last == text.npos || !is_identifier(text.substr(last + between.size()))) return false;
+    text = text.substr(0, last);
+    for (std::size_t slash = text.find('/'); slash != text.npos; slash = text.find('/')) {
+        if (!is_identifier(text.substr(0, slash))) return false;
+        text.remove_prefix(slash + 1);
+    }
+    return is_identifier(text);
+}
 
 // Letters, digits and underscores: a keyword may be a field's name, of others' messages too.
 bool is_field_name(std::string_view name) { return is_identifier(name) || is_keyword(name); }
@@ -97,6 +110,12 @@ private:
         Fields all(check, *value);
         all.text("ros", made.ros);
         all.text("rtm", made.rtm);
+        if (!made.ros.empty() && !is_type_name(made.ros, "", "/msg/", ""))
+            check.wrong_at({"ros"}, fmt::format("ros: expected a type of ROS 2 as \"my_msgs/msg/{}\", got '{}'", name_,
+                                                shown(made.ros)));
+        if (!made.rtm.empty() && !is_type_name(made.rtm, "IDL:", "/", ":1.0"))
+            check.wrong_at({"rtm"}, fmt::format("rtm: expected a type of OpenRTM as \"IDL:My/{}:1.0\", got '{}'", name_,
+                                                shown(made.rtm)));
         std::size_t index = 0;
         for (const Value& each : all.elements()) {
             read_field({check, each, {fmt::format("[{}]", ++index)}}, made);
@@ -155,7 +174,7 @@ private:
         return "";
     }
 
-    // Of a number its bounds; of what has a length the largest.
+    // Reads the bounds of a number, or the largest length of a field that has a length.
     static void read_bounds(Fields& fields, FieldDefinition& field) {
         const bool has_length =
             field.kind == "string" || field.kind == "bytes" || (!field.shape.empty() && field.shape.back() == 0);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <lua.hpp>
-#include <string>
 
 #include "bindings/lua/files/file_value.hpp"
 #include "engine/records/read_record.hpp"

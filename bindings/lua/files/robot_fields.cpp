@@ -244,7 +244,8 @@ void read_hardware(Fields hardware, RobotSpec& robot, const RobotFileHelp& help)
     find("device_model", spec.device_model, spec.device_model_file);
 }
 
-// The robot itself knows which type a port can have. Each port is checked separately, so that each error has its place.
+// The robot itself knows which type a port can have. Each port is checked separately, so that each error has its
+// location.
 void check_ports(FieldCheck& check, const RobotSpec& spec) {
     RobotSpec one = spec;
     for (SensorSpec& sensor : one.sensors) sensor.response = {};

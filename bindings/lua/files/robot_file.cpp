@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "bindings/lua/files/data_file.hpp"
-#include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/files/find_script.hpp"
 #include "bindings/lua/files/merge_value.hpp"
 #include "bindings/lua/files/robot_fields.hpp"

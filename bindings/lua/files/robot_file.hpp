@@ -18,7 +18,7 @@ namespace nezumi {
 /// functions are called again when their inputs change.
 class RobotFile {
 public:
-    /// `project` must outlive it. Errors have file and line.
+    /// `project` must outlive this object. Errors have file and line.
     static Expected<std::unique_ptr<RobotFile>> read(const std::filesystem::path& path, const Project& project);
     ~RobotFile();
     RobotFile(const RobotFile&) = delete;
@@ -47,11 +47,11 @@ private:
 Expected<RobotSpec> read_robot_file(const std::filesystem::path& path, const Project& project,
                                     std::vector<std::string>* files = nullptr);
 
-/// The same from a text; `shown` is the file's name in errors, and tables are searched in its folder.
+/// Reads a robot file from a text; `shown` is the file's name in errors, and tables are searched in its folder.
 Expected<RobotSpec> read_robot_text(std::string_view text, const std::string& shown, const Project& project,
                                     std::vector<std::string>* files = nullptr);
 
-/// The same for a robot of a system: `changes` is the text of a table with the fields that differ from its model, or
+/// Reads the robot of a system: `changes` is the text of a table with the fields that differ from its model, or
 /// "".
 Expected<RobotSpec> read_changed_robot(const std::filesystem::path& model, const std::string& changes,
                                        const Project& project, std::vector<std::string>* files = nullptr);

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "bindings/lua/files/file_value.hpp"
 #include "engine/project/project.hpp"
 #include "engine/system/system_spec.hpp"
 
@@ -13,7 +12,7 @@ namespace nezumi {
 /// names the nearest parameter, or the limit that the value exceeds.
 Expected<Value> field_of_parameter(const RobotSpec& robot, const std::string& parameter, const Value& value);
 
-/// Sets the initial value of a parameter of the robot with this name. An error has the place `place`.
+/// Sets the initial value of a parameter of the robot with this name. An error has the location `place`.
 Expected<void> set_robot_parameter(SystemSpec& spec, const std::string& robot, const std::string& parameter,
                                    const Value& value, const Place& place, const Project& project);
 

@@ -1,15 +1,10 @@
-// A value has the same effect as in the system file; its place is the option.
+// A value has the same effect as in the system file, but its errors name the option as the location.
 #include "bindings/lua/files/start_values.hpp"
 
 #include <fmt/format.h>
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <optional>
-#include <string_view>
-#include <system_error>
 #include <type_traits>
 #include <variant>
 
@@ -17,17 +12,10 @@
 #include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/files/robot_parameters.hpp"
 #include "bindings/lua/files/system_file.hpp"
+#include "engine/base/number_in.hpp"
 
 namespace nezumi {
 namespace {
-
-template <class T>
-std::optional<T> number(std::string_view word) {
-    T value{};
-    const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (problem != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-    return value;
-}
 
 // The value of a text in quotes or of a table, evaluated by Lua.
 Expected<Value> read_lua(const std::string& text, const Project& project, const std::string& shown) {
@@ -147,8 +135,8 @@ Expected<void> take_file(const std::string& file, SystemSpec& spec, const Projec
 
 Expected<Value> read_option_value(const std::string& text, const Project& project, const std::string& shown) {
     if (text == "true" || text == "false") return text == "true";
-    if (const auto whole = number<std::int64_t>(text)) return *whole;
-    if (const auto real = number<double>(text); real && std::isfinite(*real)) return *real;
+    if (const auto whole = number_in<std::int64_t>(text)) return *whole;
+    if (const auto real = finite_in(text)) return *real;
     if (text.starts_with('{') || text.starts_with('"') || text.starts_with('\'')) return read_lua(text, project, shown);
     return text;
 }

@@ -17,7 +17,7 @@ namespace nezumi {
 Expected<SystemSpec> read_system_file(const std::filesystem::path& path, const Project& project,
                                       const SystemFileOptions& options = {});
 
-/// The same from a text; `shown` is the file's name in errors, and names are first searched in its folder.
+/// Reads a system file from a text; `shown` is the file's name in errors, and names are first searched in its folder.
 Expected<SystemSpec> read_system_text(std::string_view text, const std::string& shown, const Project& project,
                                       const SystemFileOptions& options = {});
 

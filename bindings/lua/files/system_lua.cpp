@@ -10,7 +10,6 @@
 
 #include "bindings/lua/files/data_file.hpp"
 #include "bindings/lua/files/file_value.hpp"
-#include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "engine/system/peer_word.hpp"
 

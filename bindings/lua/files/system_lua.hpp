@@ -50,7 +50,7 @@ struct WordHost {
     SystemWords* words = nullptr;
     /// The functions' words, by their numbers. Those that describe peers must be among the words of `words`.
     std::vector<SystemWord> all = system_words();
-    /// The text of a file, for places within a call; may be empty, and may return null.
+    /// The text of a file, for locations within a call; may be empty, and may return null.
     std::function<const FieldSource*(const std::string& shown)> source{};
     /// Gets the error of a word, and returns the error to raise in Lua. Empty: raises the error itself.
     std::function<Error(Error error)> fail{};
@@ -60,7 +60,7 @@ struct WordHost {
     /// "name.port" of an argument that is a port object; nothing for other values. An error if words can't use this
     /// port. Raises no Lua error. Empty: there are no port objects.
     std::function<Expected<std::optional<std::string>>(lua_State* lua, int index)> port_path{};
-    /// The place of the last call.
+    /// The location of the last call.
     Place called{};
     /// The number of calls.
     std::size_t calls = 0;

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <string>
 #include <vector>
 
 #include "engine/base/lua_text.hpp"

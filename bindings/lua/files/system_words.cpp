@@ -24,21 +24,13 @@ std::string_view kind_of(const Entry& entry) {
     return kinds[entry.index()];
 }
 
-// The places of the values of `config` and of the sets, by path.
+// The locations of the values of `config` and of the sets, by path.
 void note_places(FieldPlaces& places, const FieldCheck& check, const FieldPath& table, const ParameterValues& values) {
     for (const auto& [name, value] : values) {
         FieldPath path = table;
         path.push_back(name);
         places.emplace(to_text(path), check.place_of(path));
     }
-}
-
-template <class Sets>
-std::vector<std::string_view> names_of(const Sets& sets) {
-    std::vector<std::string_view> names;
-    names.reserve(sets.size());
-    for (const auto& [name, values] : sets) names.push_back(name);
-    return names;
 }
 
 // "name.port" or "host/name.port", all identifiers; the name of a port may be a keyword of Lua ("in").
@@ -157,8 +149,9 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
                       "to use \"default\" is to have no set in use: choose another name");
     }
     if (!entry.set.empty() && !entry.sets.contains(entry.set)) {
-        check.explain(fields.path_of("set"), fmt::format("there is no set '{}' in 'sets'{}", entry.set,
-                                                         did_you_mean(entry.set, names_of(entry.sets))));
+        check.explain(fields.path_of("set"),
+                      fmt::format("there is no set '{}' in 'sets'{}", entry.set,
+                                  did_you_mean(entry.set, entry.sets, &decltype(entry.sets)::value_type::first)));
     }
     if (check.ok()) {
         if (const auto script = find_file(call, FileKind::script, entry.script)) {
@@ -244,7 +237,7 @@ Expected<void> SystemWords::seed(const WordCall& call, const Value& value) {
 Expected<void> SystemWords::rate(const WordCall& call, const Value& hertz) {
     const auto value = number_of(hertz);
     if (!value || !std::isfinite(*value) || *value <= 0) {
-        return failure(fmt::format("rate: expected a positive number of ticks a second, got {}",
+        return failure(fmt::format("rate: expected a positive number of ticks per second, got {}",
                                    value ? text_of(*value) : nezumi::kind_of(hertz)),
                        call.place);
     }

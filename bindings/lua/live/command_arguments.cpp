@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/values/plain_data.hpp"
 #include "engine/values/walk.hpp"
 

@@ -4,7 +4,6 @@
 #include "bindings/lua/live/command_arguments.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
-#include "bindings/lua/sandbox/call.hpp"
 #include "engine/tree/member.hpp"
 
 namespace nezumi {

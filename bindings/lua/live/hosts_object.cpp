@@ -41,12 +41,10 @@ std::vector<OfferedPort> ports_of(const System& system, std::string_view path) {
 Expected<Host> find_host(const System& system, std::string_view name) {
     if (system.network() == nullptr) return failure("this system is on no network: its file needs the word network");
     const std::vector<Host> all = hosts_of(system);
-    std::vector<std::string_view> names;
     for (const Host& host : all) {
         if (host.name == name) return host;
-        names.push_back(host.name);
     }
-    return failure(fmt::format("there is no host '{}'{}", shown(name), did_you_mean(name, names)));
+    return failure(fmt::format("there is no host '{}'{}", shown(name), did_you_mean(name, all, &Host::name)));
 }
 
 Expected<void> check_offered(const System& system, std::string_view path) {
@@ -54,12 +52,11 @@ Expected<void> check_offered(const System& system, std::string_view path) {
     if (!host) return Unexpected(host.error());
     if (!host->here) return failure(fmt::format("host '{}' is offline", host->name));
     const std::string_view port = without_host(path);
-    std::vector<std::string_view> names;
     for (const OfferedPort& each : host->ports) {
         if (each.name == port) return {};
-        names.push_back(each.name);
     }
-    return failure(fmt::format("host {} has no port {}{}", host->name, shown(port), did_you_mean(port, names)));
+    return failure(fmt::format("host {} has no port {}{}", host->name, shown(port),
+                               did_you_mean(port, host->ports, &OfferedPort::name)));
 }
 
 namespace {

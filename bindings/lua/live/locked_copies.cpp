@@ -161,7 +161,8 @@ void lock_tree(lua_State* L, int owner, int key) {
     lua_replace(L, table);
 }
 
-// The same for tables that may be shared or contain themselves. Works breadth first, because a user decides the depth.
+// Locks a table whose inner tables may be shared or contain themselves. Works breadth first, because a user decides the
+// depth.
 void lock_deeply(lua_State* L) {
     luaL_checkstack(L, 10, nullptr);
     const int root = lua_gettop(L);

@@ -1,7 +1,6 @@
 // Shared by the files of the objects: the userdata of an object, and the conversion of a C++ result to a Lua value.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <lua.hpp>
@@ -147,7 +146,7 @@ int answer_beside(lua_State* L, Objects& objects, Find&& find, Tables tables = T
     return failed ? raise_kept(L) : push_answer(L, objects, tables);
 }
 
-/// The same for a function that makes exactly one visit and reads only names and numbers from Lua.
+/// Like `answer_beside`, for a function that makes exactly one visit and reads only names and numbers from Lua.
 template <class Body>
 int answer(lua_State* L, Objects& objects, Body&& body) {
     return answer_beside(L, objects, [&] { return ObjectAccess::visit(objects, body); });

@@ -1,10 +1,7 @@
 // Userdata that refer by name, their metatables, and the conversion of answers to Lua values.
 #include "bindings/lua/live/objects.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cassert>
 #include <cstring>
 #include <new>
 

@@ -13,7 +13,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "bindings/lua/sandbox/state.hpp"
 #include "engine/base/error.hpp"
@@ -64,7 +63,8 @@ public:
     /// The object of a whole system: `world.controller`.
     void push_system(lua_State* L, RunningSystem& live);
     void push_component(lua_State* L, RunningSystem& live, std::string_view name);
-    /// The same for a system that may not be made yet: `place` is null until then, and its address must not change.
+    /// Pushes a component of a system that may not be made yet: `place` is null until then, and its address must not
+    /// change.
     void push_component(lua_State* L, RunningSystem* const& place, std::string_view name);
     void push_port(lua_State* L, RunningSystem& live, std::string_view component, std::string_view port);
 

@@ -4,10 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/values/bridge.hpp"

@@ -4,7 +4,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <cmath>
 
 #include "bindings/lua/modules/matrix_object.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"

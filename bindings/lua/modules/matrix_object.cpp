@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <new>
-#include <string>
 #include <string_view>
 #include <vector>
 

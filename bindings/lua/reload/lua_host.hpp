@@ -10,7 +10,7 @@ namespace nezumi {
 
 /// For `LiveOptions::scripts`.
 const ScriptHost& lua_scripts();
-/// The same; notes which lines of scripts run. `coverage` must outlive the systems.
+/// Scripts that note in `coverage` which of their lines run. `coverage` must outlive the systems.
 std::unique_ptr<ScriptHost> covered_scripts(Coverage& coverage);
 
 }  // namespace nezumi

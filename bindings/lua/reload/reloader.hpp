@@ -13,7 +13,7 @@ namespace nezumi {
 
 class Reloader final : public Reloads {
 public:
-    /// Both must outlive it. `chunks` gets the code of all versions.
+    /// `system` and `chunks` must outlive this object. `chunks` gets the code of all versions.
     Reloader(System& system, ChunkCache& chunks) : system_(system), chunks_(chunks) {}
 
     Loader loader() const override;

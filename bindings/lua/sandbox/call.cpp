@@ -1,4 +1,4 @@
-// Converts a Lua error to a message with its place.
+// Converts a Lua error to a message with its location.
 #include "bindings/lua/sandbox/call.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ constexpr std::size_t longest_message = 2000;  // [bytes]
 constexpr int searched_levels = 100;
 constexpr int deep_recursion = 20'000;  // number of nested calls
 
-// The length of "file:line: " at the begin of `message`, where Lua has shortened `file`.
+// The length of "file:line: " at the start of `message`, where Lua has shortened `file`.
 std::size_t prefix_length(const char* message, const char* file, int& line) {
     const std::size_t name = std::strlen(file);
     if (std::strncmp(message, file, name) != 0 || message[name] != ':') return 0;
@@ -35,8 +35,8 @@ std::size_t prefix_length(const char* message, const char* file, int& line) {
     return end + 2;
 }
 
-// The place that the message names, if it is a place of a running function or of one that was closed; otherwise the
-// innermost line of Lua.
+// The location that the message names, if it is a location of a running function or of one that was closed; otherwise
+// the innermost line of Lua.
 void find_error_place(lua_State* lua, CallRecord& call) {
     call.error_place.line = 0;
     call.error_prefix = 0;
@@ -73,7 +73,7 @@ int last_level(lua_State* lua) {
     return there;
 }
 
-// Whether a stack frame is a Lua function; if so, returns its place.
+// Whether a stack frame is a Lua function; if so, returns its location.
 bool is_lua(lua_State* lua, lua_Debug& activation, CallRecord::ScriptPlace& place) {
     if (lua_getinfo(lua, "Sl", &activation) == 0 || activation.currentline <= 0) return false;
     place.set(activation);
@@ -128,8 +128,7 @@ void note_error(lua_State* lua, CallRecord& call) {
     lua_Debug activation;
     call.is_deep_recursion = lua_getstack(lua, deep_recursion, &activation) != 0;
     find_error_place(lua, call);
-    // For an endless recursion nothing is stored, because it has no other facts and its stack has no room.
-    call.error_frames = call.is_deep_recursion ? nullptr : frames_of(lua);
+    call.error_frames = frames_of(lua, call.is_deep_recursion);
     find_caller(lua, call.error_place, call.error_caller);
     call.tail_caller.line = 0;
     if (call.error_caller.line == 0) find_tail_caller(lua, call);
@@ -153,7 +152,7 @@ std::string describe_value(lua_State* lua, std::size_t prefix) {
             std::size_t length = 0;
             const char* text = lua_tolstring(lua, -1, &length);
             if (prefix <= length) {
-                // If an error was raised several times, its message begins with several places.
+                // If an error was raised several times, its message begins with several locations.
                 const std::string_view place(text, prefix);
                 do {
                     text += prefix, length -= prefix;
@@ -235,7 +234,7 @@ CallError take_error(lua_State* from, lua_State* thread, int status, bool is_mem
     }
     CallError error;
     if (call.expired != 0) {
-        // The time may have ended while an error was handled, whose place is known.
+        // The time may have ended while an error was handled, whose location is known.
         if (call.expiry_place.line == 0) call.expiry_place = call.error_place;
         if (call.expiry_place.line == 0) find_place(thread, call.expiry_place);
         error = {{"ran for more than " + shown_number(call.budget_seconds) + " s: is there an endless loop?",
@@ -244,7 +243,7 @@ CallError take_error(lua_State* from, lua_State* thread, int status, bool is_mem
     } else if (status == LUA_ERRMEM || call.slice_status == LUA_ERRMEM) {
         error = error_of_memory(state, is_memory_refused, call);
     } else {
-        // If the error could not be handled, it is not the message whose place was found.
+        // If the error could not be handled, it is not the message whose location was found.
         error = {{describe_value(thread, status == LUA_ERRERR ? 0 : call.error_prefix), to_place(call.error_place)},
                  false};
         if (call.error_caller.line != 0 && lua_type(thread, -1) == LUA_TSTRING)
@@ -307,6 +306,7 @@ CallResult protected_call(lua_State* lua, int arguments, int results, Budget bud
     lua_State* const thread = state.take_thread(lua, arguments + 2);
     if (thread == nullptr) return refuse("not enough memory");
     CallRecord call(thread, budget);
+    forget_inner_error();
     if (call.outer == nullptr) {
         if (_setjmp(call.escape) != 0) {
             finish_escape(call);

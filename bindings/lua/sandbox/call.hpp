@@ -40,10 +40,10 @@ CallResult protect(lua_State* lua, Budget budget, Body&& body) {
     return protected_call(lua, 1, LUA_MULTRET, budget);
 }
 
-/// Stores the place of the error on top of a coroutine that has failed, because the error is raised again elsewhere.
+/// Stores the location of the error on top of a coroutine that has failed, because the error is raised again elsewhere.
 void note_slice_error(lua_State* coroutine, int status);
 
-/// Stores the origin of a coroutine before it is closed, because an error of closing has no place.
+/// Stores the origin of a coroutine before it is closed, because an error of closing has no location.
 void note_closed(lua_State* coroutine);
 
 }  // namespace nezumi

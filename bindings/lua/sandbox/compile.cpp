@@ -7,6 +7,7 @@
 #include <charconv>
 #include <utility>
 
+#include "bindings/lua/sandbox/bytecode.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "bindings/lua/syntax/other_languages.hpp"
 #include "engine/base/visible.hpp"
@@ -61,7 +62,7 @@ Error at_its_line(Error error) {
     return error;
 }
 
-// Separates "file:12: text" into place and text. Lua shortens a long name to its last bytes.
+// Separates "file:12: text" into location and text. Lua shortens a long name to its last bytes.
 Error place_of_syntax_error(std::string_view message, const std::string& file) {
     std::size_t at = std::min<std::size_t>(file.size(), LUA_IDSIZE - 1);
     int line = 0;
@@ -92,7 +93,7 @@ Expected<Chunk> compile(std::string_view source, const std::string& file) {
     const int status = lua_load(lua, SourceReader::read, &reader, chunk_name.c_str(), "t");
     if (status == LUA_ERRMEM) return failure("not enough memory to compile it", {file});
     if (status != LUA_OK && std::string_view(lua_tostring(lua, -1)) == "C stack overflow") {
-        // Lua does not tell the place. If the text is read byte by byte, it shows how far Lua came.
+        // Lua does not tell the location. If the text is read byte by byte, it shows how far Lua came.
         reader = {source, 1, deadline};
         lua_load(lua, SourceReader::read, &reader, chunk_name.c_str(), "t");
         const std::string_view seen = source.substr(0, source.size() - reader.rest.size());
@@ -107,6 +108,7 @@ Expected<Chunk> compile(std::string_view source, const std::string& file) {
     }
     Chunk chunk{file, {}};
     lua_dump(lua, append_bytecode, &chunk.bytecode, 0);
+    chunk.bytecode = with_division_lines(std::move(chunk.bytecode));
     return chunk;
 }
 

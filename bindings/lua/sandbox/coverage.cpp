@@ -1,4 +1,4 @@
-// The registry of each state has the table of marks under the address of its source.
+// The registry of each Lua state maps the address of a source to its table of coverage marks.
 #include "bindings/lua/sandbox/coverage.hpp"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "bindings/lua/sandbox/line_trace.hpp"
@@ -35,9 +34,9 @@ Value value_of(lua_State* lua) {
 
 void add_variable(std::vector<ErrorFrames::Variable>& variables, lua_State* lua, const char* name) {
     Value value = value_of(lua);
-    if (*name == '(' || *name == '\0' || value.is_nothing()) return;
+    if (*name == '(' || *name == '\0' || (value.is_nothing() && lua_type(lua, -1) != LUA_TNIL)) return;
     ErrorFrames::Variable variable{name, traced_text(lua), std::move(value)};
-    // Of two variables with one name, the inner one counts, which comes later.
+    // If two variables have one name, the inner one counts, which comes later.
     const auto same =
         std::find_if(variables.begin(), variables.end(), [&](const auto& each) { return each.name == variable.name; });
     if (same != variables.end()) {
@@ -49,11 +48,13 @@ void add_variable(std::vector<ErrorFrames::Variable>& variables, lua_State* lua,
 
 namespace {
 
-ErrorFrames::Frame frame_of(lua_State* lua, lua_Debug& activation) {
+ErrorFrames::Frame frame_of(lua_State* lua, lua_Debug& activation, bool with_locals) {
     const char* const file = *activation.source == '@' ? activation.source + 1 : activation.short_src;
     ErrorFrames::Frame frame{
         .file = file, .line = activation.currentline, .name = activation.name != nullptr ? activation.name : ""};
-    for (int i = 1; const char* name = lua_getlocal(lua, &activation, i); ++i) {
+    for (int i = 1; with_locals; ++i) {
+        const char* const name = lua_getlocal(lua, &activation, i);
+        if (name == nullptr) break;
         add_variable(frame.locals, lua, name);
         lua_pop(lua, 1);
     }
@@ -61,19 +62,48 @@ ErrorFrames::Frame frame_of(lua_State* lua, lua_Debug& activation) {
     return frame;
 }
 
-}  // namespace
+// The error that a coroutine raised and its caller raises again.
+struct InnerError {
+    const void* error = nullptr;  // only compared
+    std::shared_ptr<const ErrorFrames> frames{};
+};
 
-std::shared_ptr<const ErrorFrames> frames_of(lua_State* coroutine) {
-    if (lua_checkstack(coroutine, needed_slots) == 0) return nullptr;
+InnerError& inner_error() {
+    static thread_local InnerError the_error;
+    return the_error;
+}
+
+// Those of `coroutine`, after those of the inner error if it is `error`.
+std::shared_ptr<const ErrorFrames> frames_from(lua_State* coroutine, bool is_deep, const void* error) {
+    const bool with_locals = !is_deep && lua_checkstack(coroutine, needed_slots) != 0;
+    const auto most = static_cast<std::size_t>(is_deep ? most_deep_frames : most_frames);
     ErrorFrames frames;
+    if (const InnerError& inner = inner_error(); inner.frames != nullptr && inner.error == error)
+        frames = *inner.frames;
     lua_Debug activation;
-    for (int level = 0; level < searched_calls && frames.all.size() < static_cast<std::size_t>(most_frames) &&
-                        lua_getstack(coroutine, level, &activation) != 0;
+    for (int level = 0;
+         level < searched_calls && frames.all.size() < most && lua_getstack(coroutine, level, &activation) != 0;
          ++level) {
         if (lua_getinfo(coroutine, "nSl", &activation) != 0 && activation.currentline > 0)
-            frames.all.push_back(frame_of(coroutine, activation));
+            frames.all.push_back(frame_of(coroutine, activation, with_locals));
     }
     return frames.all.empty() ? nullptr : std::make_shared<const ErrorFrames>(std::move(frames));
 }
+
+}  // namespace
+
+std::shared_ptr<const ErrorFrames> frames_of(lua_State* coroutine, bool is_deep) {
+    return frames_from(coroutine, is_deep, lua_topointer(coroutine, -1));
+}
+
+void note_inner_error(lua_State* lua, lua_State* coroutine) {
+    constexpr int deep_recursion = 20'000;  // number of nested calls
+    lua_Debug activation;
+    const void* const error = lua_topointer(lua, -1);
+    auto frames = frames_from(coroutine, lua_getstack(coroutine, deep_recursion, &activation) != 0, error);
+    inner_error() = {error, std::move(frames)};
+}
+
+void forget_inner_error() { inner_error() = {}; }
 
 }  // namespace nezumi

@@ -1,5 +1,5 @@
 // The basic functions, without those that could catch the end of a time limit or break the sandbox.
-#include "bindings/lua/sandbox/hidden_metatable.hpp"
+#include "bindings/lua/sandbox/error_frames.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/library.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
@@ -15,6 +15,7 @@ namespace {
 int finish_protected(lua_State* lua, int status, lua_KContext below) {
     if (status == LUA_OK || status == LUA_YIELD) return lua_gettop(lua) - static_cast<int>(below);
     poll_budget(lua);  // a script can't catch the end of its time
+    forget_inner_error();
     lua_pushboolean(lua, 0);
     lua_pushvalue(lua, -2);
     return 2;

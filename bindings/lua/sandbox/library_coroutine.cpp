@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "bindings/lua/sandbox/call.hpp"
+#include "bindings/lua/sandbox/error_frames.hpp"
 #include "bindings/lua/sandbox/library.hpp"
 #include "bindings/lua/sandbox/slices.hpp"
 #include "bindings/lua/sandbox/state.hpp"
@@ -95,6 +96,7 @@ bool give_arguments(lua_State* lua, lua_State* coroutine, int count) {
 }
 
 int finish_resume(lua_State* lua, int results) {
+    if (results == failed) forget_inner_error();
     lua_pushboolean(lua, results == failed ? 0 : 1);
     lua_insert(lua, results == failed ? -2 : -(results + 1));
     return results == failed ? 2 : results + 1;
@@ -132,8 +134,9 @@ bool reset(lua_State* lua, lua_State* coroutine) {
 int finish_wrapped(lua_State* lua, lua_State* coroutine, int results) {
     if (results != failed) return results;
     const int status = lua_status(coroutine);
-    if (status != LUA_OK && status != LUA_YIELD && !is_poisoned(coroutine) && !reset(lua, coroutine)) {
-        lua_xmove(coroutine, lua, 1);
+    if (status != LUA_OK && status != LUA_YIELD && !is_poisoned(coroutine)) {
+        note_inner_error(lua, coroutine);
+        if (!reset(lua, coroutine)) lua_xmove(coroutine, lua, 1);
     }
     return lua_error(lua);
 }

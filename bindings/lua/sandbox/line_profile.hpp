@@ -12,7 +12,7 @@
 
 namespace nezumi {
 
-/// The time of lines by the functions that called them: a tree, as flame graphs draw it.
+/// A tree of call stacks with the time of each line, for flame graphs.
 class LineCosts {
 public:
     /// A function on the stack, or the line that it was executing.

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -18,6 +20,7 @@ namespace nezumi {
 namespace {
 
 constexpr int most_elements = 6;
+constexpr int most_sorted = 1000;  // fields of a table: more would take too long
 // Lines of installed modules are skipped, because the user has not written them.
 constexpr std::string_view installed_modules = "behaviors/lib/nezumi/";
 
@@ -45,6 +48,24 @@ std::string text_of_string(std::string_view text) { return "\"" + without_contro
 // The value on top of the stack as text; "" for values without a text, such as functions.
 std::string text_of(lua_State* lua, bool within = false);
 
+// The fields with names of the table on top of the stack, as texts without an empty one: by name, because the order in
+// memory depends on the run.
+std::map<std::string, std::string> named_fields(lua_State* lua, bool within) {
+    std::map<std::string, std::string> fields;
+    int count = 0;
+    lua_pushnil(lua);
+    while (lua_next(lua, -2) != 0) {
+        if (++count > most_sorted) {
+            lua_pop(lua, 2);
+            break;
+        }
+        std::string value = lua_type(lua, -2) == LUA_TSTRING ? text_of(lua, within) : "";
+        if (!value.empty()) fields.emplace(without_controls(lua_tostring(lua, -2)), std::move(value));
+        lua_pop(lua, 1);
+    }
+    return fields;
+}
+
 std::string text_of_table(lua_State* lua) {
     std::string text = "{";
     int count = 0;
@@ -58,18 +79,13 @@ std::string text_of_table(lua_State* lua) {
         lua_pop(lua, 1);
     }
     bool has_more = length > most_elements;
-    lua_pushnil(lua);
-    while (length == 0 && lua_next(lua, -2) != 0) {
-        if (count >= most_elements) {
-            has_more = true;
-            lua_pop(lua, 2);
-            break;
+    if (length == 0) {
+        for (const auto& [name, value] : named_fields(lua, true)) {
+            has_more = count >= most_elements;
+            if (has_more) break;
+            add(std::string(name).append(" = ").append(value));
         }
-        const std::string value = lua_type(lua, -2) == LUA_TSTRING ? text_of(lua, true) : "";
-        if (!value.empty()) add(without_controls(lua_tostring(lua, -2)) + " = " + value);
-        lua_pop(lua, 1);
     }
-    if (length != 0) lua_pop(lua, 1);  // the nil
     return text + (has_more ? ", ... }" : count > 0 ? " }" : "}");
 }
 
@@ -112,7 +128,7 @@ void put(std::vector<LineTrace::Value>& values, LineTrace::Value value) {
     }
 }
 
-// Of two variables with one name, the inner one counts, which comes later.
+// If two variables have one name, the inner one counts, which comes later.
 void add_value(std::vector<LineTrace::Value>& values, lua_State* lua, const char* name) {
     std::string text = text_of(lua);
     if (!text.empty()) put(values, {name, std::move(text)});
@@ -121,12 +137,10 @@ void add_value(std::vector<LineTrace::Value>& values, lua_State* lua, const char
 // The fields of the table on top of the stack: "state.count" and so on.
 void add_fields(std::vector<LineTrace::Value>& values, lua_State* lua, const char* name) {
     if (lua_type(lua, -1) != LUA_TTABLE) return;
-    lua_pushnil(lua);
-    for (int count = 0; lua_next(lua, -2) != 0; ++count) {
-        if (count >= LineTrace::most_fields) return lua_pop(lua, 2);
-        if (lua_type(lua, -2) == LUA_TSTRING)
-            add_value(values, lua, (std::string(name) + "." + without_controls(lua_tostring(lua, -2))).c_str());
-        lua_pop(lua, 1);
+    int count = 0;
+    for (auto& [field, text] : named_fields(lua, false)) {
+        if (count++ >= LineTrace::most_fields) return;
+        put(values, {std::string(name) + "." + field, std::move(text)});
     }
 }
 

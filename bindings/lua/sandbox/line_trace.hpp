@@ -20,7 +20,7 @@ public:
     static constexpr int deepest = 30;
     static constexpr std::size_t most_values = 48, longest_value = 60;
     static constexpr int most_fields = 12;
-    /// Loops with rounds of at most so many lines are shortened to the first two rounds and the last one.
+    /// Loops with rounds of at most this many lines are shortened to the first two rounds and the last one.
     static constexpr std::size_t longest_turn = 40;
 
     using Value = TracedLines::Value;

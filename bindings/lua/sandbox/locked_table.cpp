@@ -10,6 +10,8 @@ namespace {
 // Their addresses are keys that no script can have: for the table behind, in the metatable or in the copy; for the
 // owner and key of a copy; for the copies' metatable in the registry.
 constexpr char table_behind = 0, copy_owner = 0, copy_key = 0, copies_metatable = 0;
+// The same for the mark of a hidden metatable.
+constexpr char hidden_mark = 0;
 
 // Upvalues: the name of the table, and why it can't be changed.
 int refuse_write(lua_State* lua) {
@@ -103,6 +105,18 @@ bool push_behind_lock(lua_State* lua, int index) {
     if (type == LUA_TNIL) return false;
     lua_rawgetp(lua, index, &table_behind);
     return true;
+}
+
+void hide_metatable(lua_State* lua) {
+    lua_pushboolean(lua, 1);
+    lua_rawsetp(lua, -2, &hidden_mark);
+}
+
+bool has_hidden_metatable(lua_State* lua, int index) {
+    if (lua_getmetatable(lua, index) == 0) return false;
+    const bool hidden = lua_rawgetp(lua, -1, &hidden_mark) != LUA_TNIL;
+    lua_pop(lua, 2);
+    return hidden;
 }
 
 }  // namespace nezumi

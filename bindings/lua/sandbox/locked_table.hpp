@@ -1,4 +1,4 @@
-// Tables that a script can read but not change.
+// Tables that a script can read but not change, and metatables that it can't see.
 #pragma once
 
 #include <lua.hpp>
@@ -11,7 +11,7 @@ namespace nezumi {
 /// error (memory).
 void lock_table(lua_State* lua, const char* name, const char* why = "is read-only");
 
-/// The same for copies, which objects of the engine return often: making one takes a third of the work, but reading a
+/// Locks a copy, which objects of the engine return often: making one takes a third of the work, but reading a
 /// field takes a call. All copies of a state share one metatable. `refuse` is called for every assignment (table, key,
 /// value) and raises the error. `missing` is called for every read of a missing name (table, key, the table behind,
 /// nil); it raises an error or returns the nil. Call this once for each state.
@@ -25,5 +25,13 @@ bool push_origin(lua_State* lua, int index);
 /// Whether the value at `index` is a read-only table of either kind; if so, pushes the table behind it. Raises no error
 /// and runs no Lua.
 bool push_behind_lock(lua_State* lua, int index);
+
+/// Marks the metatable on top of the stack as hidden, because scripts could change it for all its tables:
+/// `getmetatable` returns nil, `setmetatable` replaces it, `ipairs` ignores its `__index`, and its tables count as
+/// plain data. May raise a Lua error (memory).
+void hide_metatable(lua_State* lua);
+
+/// Whether the value at `index` has such a metatable. Raises no error, and leaves the stack unchanged.
+bool has_hidden_metatable(lua_State* lua, int index);
 
 }  // namespace nezumi

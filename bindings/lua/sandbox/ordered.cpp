@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 #include <string_view>
 
 #include "bindings/lua/sandbox/locked_table.hpp"
@@ -49,7 +48,7 @@ Key read_key(lua_State* lua, int index) {
             key.kind = KeyKind::boolean;
             break;
         default:
-            // The same text for all such keys, because their order differs from run to run.
+            // All such keys give this text, because their order differs from run to run.
             luaL_error(lua,
                        "a table with a table or function as a key can't be traversed: use numbers, strings or booleans"
                        " as keys");

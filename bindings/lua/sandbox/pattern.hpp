@@ -21,7 +21,7 @@ public:
     static constexpr int captures_limit = 32;
     static constexpr int depth_limit = 200;
 
-    /// `steps` is counted down. The texts must outlive the matcher. A '^' at the begin must have been removed.
+    /// `steps` is counted down. The texts must outlive the matcher. A '^' at the start must have been removed.
     PatternMatcher(std::string_view subject, std::string_view pattern, std::int64_t& steps)
         : subject_(subject), pattern_(pattern), steps_(steps) {}
 

@@ -9,8 +9,8 @@ namespace nezumi {
 enum class SliceEnd : unsigned char { paused, returned, failed };
 
 /// Runs `coroutine` from its start (then its stack has only its function), or from where it paused. After `failed`, the
-/// error is on the stack of `lua`, to be raised there; its place is known. Return values of the coroutine are dropped.
-/// Raises an error at the end of the time. Call it within a protected call, on the coroutine of that call.
+/// error is on the stack of `lua`, to be raised there; its location is known. Return values of the coroutine are
+/// dropped. Raises an error at the end of the time. Call it within a protected call, on the coroutine of that call.
 SliceEnd run_slice(lua_State* lua, lua_State* coroutine);
 
 /// Whether the code in `lua` may pause now: it runs in a slice, and no C function that can't wait is in between.

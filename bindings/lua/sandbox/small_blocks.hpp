@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "bindings/lua/sandbox/address_sanitizer.hpp"
+#include "engine/base/sanitizers.hpp"
 
 namespace nezumi {
 

@@ -68,8 +68,8 @@ public:
     }
     std::string hint(const Error& error) const { return hint_ ? hint_(error) : std::string(); }
 
-    /// An empty coroutine for a call from `lua`, with room for so many values; null for lack of memory. If the call
-    /// fails, its stack is unchanged, so the place of any error can be found after Lua has returned.
+    /// An empty coroutine for a call from `lua`, with room for `values` values; null for lack of memory. If the call
+    /// fails, its stack is unchanged, so the location of any error can be found after Lua has returned.
     lua_State* take_thread(lua_State* lua, int values);
     /// Takes it back, empty or poisoned.
     void give_back_thread(lua_State* lua, lua_State* thread);

@@ -99,7 +99,7 @@ constexpr Library libraries[] = {
     {"table", [](lua_State* lua) { push_entries(lua, table()); }},         {"utf8", push_utf8},
 };
 
-// Adds it to the globals, without their metatable.
+// Adds the library to the globals, without their metatable.
 void open(lua_State* lua, const Library& library) {
     luaL_checkstack(lua, 10, nullptr);
     // Lua searches here for the name of a function that was called without a name.

@@ -33,7 +33,7 @@ Expected<std::unique_ptr<LuaState>> create_sandbox(StateOptions options = {}, Li
 
 /// The names that `open_sandbox` defines, sorted. A script may read but not assign them.
 const std::vector<std::string_view>& sandbox_names();
-/// The same with the fields of the libraries, and with replacements for missing names.
+/// The names of the sandbox with the fields of the libraries, and with replacements for missing names.
 const KnownGlobals& sandbox_globals();
 
 }  // namespace nezumi

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "engine/base/mutex.hpp"
+#include "engine/base/sanitizers.hpp"
 #include "engine/base/thread.hpp"
-#include "engine/base/thread_sanitizer.hpp"
 
 #if defined(NEZUMI_THREAD_SANITIZER)
 // ThreadSanitizer delays signals until the thread calls into libc, which an endless loop never does. This name is the

@@ -6,9 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
-#include <csetjmp>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
@@ -16,7 +14,7 @@
 #include "bindings/lua/sandbox/lua_text.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "bindings/lua/sandbox/thread_timer.hpp"
-#include "engine/base/thread_sanitizer.hpp"
+#include "engine/base/sanitizers.hpp"
 
 #if defined(NEZUMI_THREAD_SANITIZER)
 // ThreadSanitizer must see every jump, or its count of calls becomes wrong; Debian's Lua jumps with a function that it

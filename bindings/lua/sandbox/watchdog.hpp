@@ -34,7 +34,7 @@ public:
     CallRecord(const CallRecord&) = delete;
     CallRecord& operator=(const CallRecord&) = delete;
 
-    /// A place in a script, in plain memory, because it is written where no error may occur.
+    /// A location in a script, in plain memory, because it is written where no error may occur.
     struct ScriptPlace {
         int line = 0;    ///< 0: not known
         char file[256];  ///< set when `line` is
@@ -74,8 +74,8 @@ public:
     bool is_deep_recursion = false;                     ///< the error was raised within a deep recursion
     bool closes = false;           ///< a coroutine was closed that no longer exists when its error is handled
     ScriptPlace closed;            ///< the file of the function in which it began; set if `closes`
-    char closed_file[LUA_IDSIZE];  ///< the same, as Lua shortens it in messages
-    int slice_status = LUA_OK;     ///< the error of a failed slice, which is raised again and already has its place
+    char closed_file[LUA_IDSIZE];  ///< the name of that file, as Lua shortens it in messages
+    int slice_status = LUA_OK;     ///< the error of a failed slice, which is raised again and already has its location
 };
 
 /// The innermost call of this thread, or null. Constant-initialised, hence a plain load.
@@ -109,7 +109,7 @@ private:
 };
 
 /// While `flag` is set, calls of this thread end as if their time limits were reached, after a few milliseconds of CPU
-/// time. It must outlive them.
+/// time. `flag` must outlive the calls.
 void end_calls_when(const std::atomic<bool>& flag);
 
 /// Adds time that another thread used for the calls of this one [ns]. Ends them at their next step if the limit is

@@ -7,12 +7,12 @@
 
 namespace nezumi {
 
-/// All errors of this text in order of place: all that reading finds; if there are none, all wrong declarations; if
+/// All errors of this text in order of location: all that reading finds; if there are none, all wrong declarations; if
 /// there are none, the first error of loading; if there is none, all undeclared parameters that are used. Empty: it
 /// loads.
 std::vector<Error> check_behavior(const SourceText& source, const ScriptContext& context);
 
-/// The same for the text of a module, which is read but not run.
+/// All errors in the text of a module, which is read but not run.
 std::vector<Error> check_module(const SourceText& source);
 
 }  // namespace nezumi

@@ -15,7 +15,7 @@
 namespace nezumi {
 namespace {
 
-constexpr std::string_view expected = "expected a number, a truth value, a text or a flat table of them";
+constexpr std::string_view expected = "expected a number, a boolean, a text or a flat table of them";
 
 bool is_scalar(int type) { return type == LUA_TNUMBER || type == LUA_TBOOLEAN || type == LUA_TSTRING; }
 

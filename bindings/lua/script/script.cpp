@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
-#include <utility>
 
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/script_config.hpp"
@@ -91,7 +89,7 @@ Expected<void> Script::run_top_level(const SourceText& source) {
     }
     auto ran = protected_call(L, arguments, 0, context_.budget);
     if (!ran) {
-        // The error of a module has its own place, not the line that requires it.
+        // The error of a module has its own location, not the line that requires it.
         if (module_error_ && ran.error().message.find(module_error_->message) != std::string::npos)
             return Unexpected(*module_error_);
         return Unexpected(to_error(ran.error()));
@@ -168,7 +166,7 @@ Expected<const MessageType*> Script::find_message(std::string_view name) {
         if (std::find(modules_.begin(), modules_.end(), used) == modules_.end()) modules_.push_back(used);
     }
     if (found) return found->type;
-    // Errors in a message's file are reported at their own place.
+    // Errors in a message's file are reported at their own location.
     if (!found.error().place.file.empty() && !module_error_) module_error_ = found.error();
     return Unexpected(found.error());
 }
@@ -293,9 +291,8 @@ Expected<PlainData> Script::call_command(std::string_view name, const PlainData&
     const auto command =
         std::find_if(commands_.begin(), commands_.end(), [&](const auto& c) { return c.name == name; });
     if (command == commands_.end()) {
-        std::vector<std::string_view> names;
-        for (const CommandDeclaration& each : commands_) names.push_back(each.name);
-        return failure(fmt::format("unknown command '{}'{}", shown(name), did_you_mean(name, names)));
+        return failure(fmt::format("unknown command '{}'{}", shown(name),
+                                   did_you_mean(name, commands_, &CommandDeclaration::name)));
     }
     if (auto ok = begin_call(); !ok) return Unexpected(ok.error());
     lua_State* L = lua_->lua();

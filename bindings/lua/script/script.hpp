@@ -167,7 +167,7 @@ public:
     }
     std::vector<std::pair<LogLevel, std::string>> take_early_log() { return std::exchange(early_log_, {}); }
 
-    // Functions for the C functions that scripts call. Errors are texts without a place.
+    // Functions for the C functions that scripts call. Errors are texts without a location.
 
     enum class Phase { loading, bound, live };
     Phase phase() const { return phase_; }

@@ -1,4 +1,4 @@
-// Finds the place of a call in a script.
+// Finds the location of a call in a script.
 #include "bindings/lua/script/script_call.hpp"
 
 namespace nezumi {
@@ -21,7 +21,7 @@ bool keep_diagnostic(lua_State* L, Script& script, const Error& error) {
     constexpr std::size_t most = 1000;
     std::vector<Error>* diagnostics = script.context().diagnostics;
     if (diagnostics == nullptr || script.phase() != Script::Phase::loading || diagnostics->size() >= most) return false;
-    // Errors in a message's file have their own place.
+    // Errors in a message's file have their own location.
     diagnostics->push_back(error.place.file.empty() ? Error{error.message, caller(L)} : error);
     return true;
 }

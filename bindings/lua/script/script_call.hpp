@@ -2,7 +2,6 @@
 #pragma once
 
 #include <lua.hpp>
-#include <utility>
 
 #include "bindings/lua/script/script.hpp"
 #include "bindings/lua/values/bridge.hpp"
@@ -19,7 +18,7 @@ inline void set_function(lua_State* L, Script& script, const char* name, lua_CFu
     lua_setfield(L, -2, name);
 }
 
-/// The line of the script that called the running C function; no place if there is none.
+/// The line of the script that called the running C function; no location if there is none.
 Place caller(lua_State* L);
 
 /// A registry reference to the function at index 2, for a global with at most 3 arguments; LUA_NOREF if there is no

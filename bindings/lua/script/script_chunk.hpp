@@ -26,11 +26,11 @@ struct ParameterUse {
 /// A text as code.
 struct ScriptCode {
     Chunk chunk;
-    std::vector<ParameterUse> parameters;  ///< in order of place
+    std::vector<ParameterUse> parameters;  ///< in order of location
     Coverage::Source* covered = nullptr;   ///< gets the marks of the chunk, which its main function has as argument
 };
 
-/// Compiles a text, or returns all its mistakes in order of place.
+/// Compiles a text, or returns all its mistakes in order of location.
 tl::expected<ScriptCode, std::vector<Error>> compile_script(const SourceText& source, ScriptKind kind);
 
 /// Stores the newest code of every file. Several threads may use it.

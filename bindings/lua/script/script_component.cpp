@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "bindings/lua/sandbox/line_trace.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
 #include "bindings/lua/script/carry_over.hpp"
 #include "bindings/lua/script/line_texts.hpp"

@@ -159,7 +159,7 @@ private:
 
     /// The number of the next version.
     int next_version() const { return newest_ + 1; }
-    // One execution of so many is measured for a hint; a power of 2.
+    // One of this many executions is measured for a hint; a power of 2.
     static constexpr std::uint32_t measured_executions = 64;
 
     Expected<void> execute_once() {
@@ -191,7 +191,7 @@ private:
     std::vector<LineTrace::Hit> hits_{};
     mutable ExecutionProfile* profile_ = nullptr;
     std::uint32_t executions_ = 0;
-    int slow_executions_ = 0;  // one after the other, of those that were measured; -1: it was told
+    int slow_executions_ = 0;  // one after the other, of the measured ones; -1: this was reported
 };
 
 }  // namespace nezumi

@@ -27,12 +27,8 @@ void push_config_value(lua_State* L, const Parameters::Parameter& parameter) {
 int unknown_parameter(lua_State* L) {
     Script& script = script_of(L);
     push_text(L, 2);
-    return bridge(L, [&]() -> Expected<void> {
-        std::vector<std::string_view> names;
-        for (const auto& parameter : script.parameters().all()) names.push_back(parameter.spec.name);
-        const std::string_view name = string_at(L, -1);
-        return failure(fmt::format("unknown parameter '{}'{}", shown(name), did_you_mean(name, names)));
-    });
+    return bridge(
+        L, [&]() -> Expected<void> { return Unexpected(script.parameters().index_of(string_at(L, -1)).error()); });
 }
 
 int config_newindex(lua_State* L) {

@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/script/declaration_fields.hpp"

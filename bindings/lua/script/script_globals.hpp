@@ -10,8 +10,8 @@
 
 namespace nezumi {
 
-/// Adds them to the Lua state of a script, without `state`. Until `state` is set, a script that reads it gets an empty
-/// table and is marked (`Script::note_look_at_tick`). May raise a Lua error (memory).
+/// Adds the globals of a script to its Lua state, without `state`. Until `state` is set, a script that reads it gets an
+/// empty table and is marked (`Script::note_look_at_tick`). May raise a Lua error (memory).
 void install_globals(lua_State* L, Script& script);
 
 /// Sets `state` to a copy of this data, or to an empty table. May raise a Lua error (memory).

@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
 
-#include "bindings/lua/sandbox/hidden_metatable.hpp"
+#include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <iterator>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "bindings/lua/files/read_options.hpp"

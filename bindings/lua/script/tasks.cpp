@@ -59,9 +59,7 @@ Task* Tasks::find(std::string_view name) {
 
 Expected<Task*> Tasks::known(std::string_view name) {
     if (Task* task = find(name)) return task;
-    std::vector<std::string_view> names;
-    for (const Task& each : tasks_) names.push_back(each.name);
-    return failure(fmt::format("unknown task '{}'{}", shown(name), did_you_mean(name, names)));
+    return failure(fmt::format("unknown task '{}'{}", shown(name), did_you_mean(name, tasks_, &Task::name)));
 }
 
 void Tasks::start_all(double now) {

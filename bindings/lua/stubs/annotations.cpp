@@ -6,15 +6,14 @@
 #include <algorithm>
 #include <set>
 #include <string_view>
-#include <vector>
 
 #include "bindings/lua/script/declaration_fields.hpp"
-#include "bindings/lua/stubs/member_table.hpp"
 #include "bindings/lua/stubs/record_annotations.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/devices/wired_device.hpp"
 #include "engine/messages/message_fields.hpp"
 #include "engine/ports/payload.hpp"
+#include "engine/tree/member.hpp"
 #include "engine/world/robot_fields.hpp"
 
 namespace nezumi {
@@ -103,6 +102,11 @@ void add_word(std::string& text, std::string_view word, std::string_view suffix,
             message->name, suffix, class_name(message->name));
     }
     text += fmt::format("function {}(name, type, doc, options) end\n\n", word);
+}
+
+std::string annotation(const MemberInfo& member) {
+    return fmt::format("---@field {} {} {}{}\n", member.name, member.type, member.robot ? "of robots: " : "",
+                       member.doc);
 }
 
 // "integer", or "integer[]" of "array of integers".

@@ -64,7 +64,7 @@ std::string complaint(const SyntaxTree& tree, const GlobalUse& use, const KnownG
     return "unknown global " + quoted(name) + hint;
 }
 
-// The same for a field of a library: `math.flor`. Assignments have an error of their own.
+// The error for an unknown field of a library: `math.flor`. Assignments have an error of their own.
 std::optional<Error> field_complaint(const GlobalUse& use, const KnownGlobals& known) {
     const KnownLibrary* const library = find(known.libraries, use.name());
     const auto field = field_of(*use.node);

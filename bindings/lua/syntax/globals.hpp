@@ -18,7 +18,7 @@ struct GlobalUse {
     std::string_view name() const { return node->word->text; }
 };
 
-/// All uses, in order of place.
+/// All uses, in order of location.
 std::vector<GlobalUse> global_uses(const SyntaxTree& tree);
 
 /// A name that a person may expect, of a global or of a library's field ("math.atan2"), and its replacement.
@@ -42,7 +42,7 @@ struct KnownGlobals {
     std::vector<Instead> instead{};
 };
 
-/// One error for each unknown use, in order of place: a mistake with the nearest local, name or callback, an unknown
+/// One error for each unknown use, in order of location: a mistake with the nearest local, name or callback, an unknown
 /// `on_...`, an assignment to a word, a use of `_ENV`, an unknown field of a library. At most 1000.
 std::vector<Error> check_globals(const SyntaxTree& tree, const std::string& file, const KnownGlobals& known);
 

@@ -1,4 +1,4 @@
-// The tokens of a Lua source text, with their places.
+// The tokens of a Lua source text, with their locations.
 #pragma once
 
 #include <cstddef>

@@ -20,8 +20,8 @@ struct Mutation {
     std::string of(std::string_view source) const;
 };
 
-/// All changes, in order of place: a comparison reversed, `and` for `or`, `not` left out, a sign or an operator of
-/// arithmetic changed, a number or a truth value changed, a call left out whose result is not used. Declarations change
+/// All changes, in order of location: a comparison reversed, `and` for `or`, `not` left out, a sign or an operator of
+/// arithmetic changed, a number or a boolean changed, a call left out whose result is not used. Declarations change
 /// only in their defaults; log lines, prints and probes do not change. `source` is a text without its preamble; a wrong
 /// one has none.
 std::vector<Mutation> mutations_of(std::string_view source);

@@ -1,4 +1,4 @@
-// Explains syntax of other languages at the place of a syntax error.
+// Explains syntax of other languages at the location of a syntax error.
 #pragma once
 
 #include <string_view>

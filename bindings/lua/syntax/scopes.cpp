@@ -2,7 +2,6 @@
 #include "bindings/lua/syntax/scopes.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace nezumi {
 

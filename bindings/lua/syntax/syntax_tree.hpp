@@ -134,7 +134,7 @@ public:
     const std::deque<SyntaxNode>& nodes() const { return nodes_; }
     const std::deque<LocalName>& locals() const { return locals_; }
 
-    /// The place of the first syntax error; null if there is none. Lua's limits (200 local variables, levels of
+    /// The location of the first syntax error; null if there is none. Lua's limits (200 local variables, levels of
     /// nesting) are not checked.
     const Token* error() const { return error_; }
     /// Whether the error is that the text ends too early.
@@ -167,7 +167,7 @@ struct FieldName {
     const Token* place;
 };
 
-/// `b` of `a.b` and `a["b"]`, for the expression `a`; nothing if it is not such a part.
+/// The name `b` if `expression` is the `a` of `a.b` or `a["b"]`; nothing for any other expression.
 std::optional<FieldName> field_of(const SyntaxNode& expression);
 
 /// Whether the expression is the target of an assignment, or of `function a.b()`.

@@ -39,12 +39,12 @@ struct Arguments {
 inline void keep_error(lua_State* L, std::string text) { LuaState::of(L).kept_error = std::move(text); }
 /// Raises the kept text, with the line of the caller before it.
 int raise_kept(lua_State* L);
-/// Raises the stored text unchanged, because it already has a place.
+/// Raises the stored text unchanged, because it already has a location.
 int raise_kept_alone(lua_State* L);
 
 /// Runs `body()`, which returns an `Expected<void>`, or an `Expected<int>`: the number of its results on the stack. It
 /// must not push values that may raise errors (texts, tables). Returns this number or raises the error: at the error's
-/// own place if it has one, otherwise at the caller's line.
+/// own location if it has one, otherwise at the caller's line.
 template <class Body>
 int bridge(lua_State* L, Body&& body) {
     enum class End : unsigned char { well, error, error_with_place } end = End::well;

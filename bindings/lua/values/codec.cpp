@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 #include "engine/values/limits.hpp"

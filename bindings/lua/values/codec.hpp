@@ -47,7 +47,7 @@ Expected<Value> read_payload(lua_State* L, int index, const MessageType* type);
 /// it does not fit; then `read_payload` gives the error, and `out` is invalid.
 bool read_described(lua_State* L, int index, const ValuePlace& out);
 
-/// The truth value, number or text at `index`; nothing for any other value.
+/// The boolean, number or text at `index`; nothing for any other value.
 Value read_single(lua_State* L, int index);
 /// Reads the value at `index` as a parameter's value, or returns the error.
 Expected<Value> read_parameter(lua_State* L, int index);
@@ -208,7 +208,7 @@ bool read_value(lua_State* L, int index, T& out, Numbers numbers) {
     }
 }
 
-/// The same; also gives the error.
+/// Reads a value; stores the error in `why`.
 template <class T>
 bool read_value(lua_State* L, int index, T& out, Mismatch* why) {
     if (read_value(L, index, out)) return true;

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <unordered_map>
 
-#include "bindings/lua/sandbox/hidden_metatable.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "engine/base/names.hpp"

@@ -29,18 +29,18 @@ struct Dropped {
 Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std::vector<std::string>& names,
                                std::vector<Dropped>& dropped, const PlainLimit& limit = no_limit);
 
-/// The same as `take_plain` for the topmost value, which stays there. `dropped` may be null. If it is given, a matrix
-/// is not plain data either, because the copy replaces the original.
+/// Does what `take_plain` does for the topmost value, which stays there. `dropped` may be null. If it is given, a
+/// matrix is not plain data either, because the copy replaces the original.
 Expected<PlainSnapshot> snapshot_plain(lua_State* L, Budget budget, const PlainLimit& limit,
                                        const std::string& name = "", std::vector<Dropped>* dropped = nullptr);
 
-/// Visits the numbers, truth values and texts in the table that is the first value: "count", "list[2].deep". Tables
-/// that are too deep (such as those that contain themselves), and more than some thousand entries are omitted.
+/// Visits the numbers, booleans and texts of the first value, which must be a table: "count", "list[2].deep". Tables
+/// that are too deep (such as those that contain themselves) are omitted, and all entries after some thousand.
 void visit_plain(const PlainData& data, const LeafVisitor& visit);
 
 /// Pushes fresh copies of all values. May raise a Lua error: use it within a protected call.
 void push_plain(lua_State* L, const PlainData& data);
-/// The same. Each omitted table is replaced by an object that reports this when it is read.
+/// Pushes fresh copies, in which each omitted table is an object that reports this when it is read.
 void push_plain(lua_State* L, const PlainSnapshot& snapshot);
 
 }  // namespace nezumi

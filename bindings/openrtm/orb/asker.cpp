@@ -6,7 +6,6 @@
 #include <chrono>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "bindings/openrtm/orb/peer_calls.hpp"
 #include "bindings/openrtm/orb/rtc_object.hpp"
@@ -107,14 +106,14 @@ PeerAnswer Asker::answer(const PeerQuestion& question) {
         } catch (const CORBA::TIMEOUT&) {
             return {.problem = "'" + question.name + "' does not answer"};
         } catch (const CORBA::Exception&) {
-            return {.problem = "'" + question.name + "' is not there: its entry in the name service is stale"};
+            return {.problem = "'" + question.name + "' was not found: its entry in the name service is stale"};
         }
     } catch (const CORBA::Exception&) {
         return {.problem = "no name service answers at " + names_.addresses() + ": start one, as omniNames"};
     }
 }
 
-// Of ours the paths of its ports are known; its parameters are those of the system.
+// An RTC of this program has known paths of ports, and the parameters of the system.
 PeerSnapshot Asker::look_at_one(const NameService::Named& named, bool is_whole) {
     const RtcObject* ours = nullptr;
     PortableServer::ServantBase_var servant;

@@ -17,12 +17,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstring>
 #include <map>
 #include <optional>
-#include <string_view>
 
+#include "engine/base/number_in.hpp"
 #include "engine/base/thread.hpp"
 
 namespace nezumi::openrtm {
@@ -30,7 +29,8 @@ namespace {
 
 // Connections waiting for accept: they come on top of all limits.
 constexpr int longest_queue = 32;
-// The shortest time between two checks, and the longest while a connection is unused.
+// The shortest and the longest time between two checks. The listening socket wakes the thread for most connections,
+// but not for one that the ORB accepts before the thread has looked.
 constexpr std::chrono::milliseconds shortest_pause{1}, longest_pause{200};
 
 struct End {
@@ -81,10 +81,7 @@ template <class Visit>
 void for_each_file(DIR* files, const Visit& visit) {
     rewinddir(files);
     while (const dirent* entry = readdir(files)) {  // NOLINT(concurrency-mt-unsafe): of this stream alone
-        const std::string_view name = entry->d_name;
-        int file = -1;
-        const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), file);
-        if (error == std::errc{} && end == name.data() + name.size()) visit(file);
+        if (const auto file = number_in<int>(entry->d_name)) visit(*file);
     }
 }
 
@@ -113,18 +110,16 @@ ConnectionGate::~ConnectionGate() {
 }
 
 void ConnectionGate::run() {
-    bool waits = false;
     for (;;) {
         std::array<pollfd, 2> polled{{{bell_, POLLIN, 0}, {listener_, POLLIN, 0}}};
-        const int events = poll(polled.data(), polled.size(), waits ? static_cast<int>(longest_pause.count()) : -1);
+        const int events = poll(polled.data(), polled.size(), static_cast<int>(longest_pause.count()));
         if (events > 0 && polled[0].revents != 0) return;
-        waits = look();
+        look();
         std::this_thread::sleep_for(shortest_pause);  // gives the ORB time to accept
     }
 }
 
-// Returns true if the thread may wait without a new connection.
-bool ConnectionGate::look() {
+void ConnectionGate::look() {
     std::size_t all = 0;
     std::vector<Connection> open = connections(all);
     // The first ones to close come first.
@@ -145,7 +140,6 @@ bool ConnectionGate::look() {
         if (!each.was_used) --unused;
     }
     accept_others(all < limits_.most_in_a_burst);
-    return unused > 0 || !accepts_;
 }
 
 // The ORB's connections that are not closed by the peer; `all` counts those too.

@@ -42,7 +42,7 @@ private:
     };
 
     void run();
-    bool look();
+    void look();
     std::vector<Connection> connections(std::size_t& all);
     void end(const Connection& connection);
     void accept_others(bool accepts);

@@ -1,7 +1,6 @@
 // Connections between two ports of this system, as RTCs see them. The system itself makes them and carries their
 // messages.
 #include <algorithm>
-#include <utility>
 
 #include "bindings/openrtm/orb/port_object.hpp"
 #include "bindings/openrtm/orb/properties.hpp"

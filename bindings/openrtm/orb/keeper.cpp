@@ -2,7 +2,6 @@
 #include "bindings/openrtm/orb/keeper.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "bindings/openrtm/orb/call_deadline.hpp"
@@ -243,7 +242,7 @@ std::string Keeper::free_instance(const std::string& name, const std::string& ki
     return name + "0";
 }
 
-// Each name service is told for itself: one that is away does not matter to the others.
+// Each name service is informed separately: a missing one does not matter to the others.
 void Keeper::register_all() {
     for (NameServers::Server& server : names_.each()) {
         if (is_ending()) return;
@@ -314,14 +313,14 @@ bool Keeper::is_to_be_made(Link& link, PortObject& port) {
     return !is_over;
 }
 
-// What becomes of it next is reported, even if it is the same as before.
+// The next state of the link is reported, even if it is the same as before.
 void Keeper::lose(Link& link, bool is_over) {
     told_.erase(about(link.wanted));
     if (is_over) home_.site.ended(link.wanted);
     link = {.wanted = link.wanted, .is_ended = is_over};
 }
 
-// What is there and was not requested, RTCs or tools have made.
+// RTCs or tools have made the connections that exist and were not requested.
 void Keeper::look_for_joined() {
     std::erase_if(joined_, [](const Joined& each) { return Clock::now() - each.at > longest_request; });
     for (const Rtc& rtc : rtcs_) {

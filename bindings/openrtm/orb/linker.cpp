@@ -79,7 +79,7 @@ std::string link(NameServers& names, PortObject& ours, const RtcLink& wanted, RT
     } catch (const CORBA::TIMEOUT&) {
         return "the RTC does not answer";
     } catch (const CORBA::Exception&) {
-        return "its entry in the name service is stale: the RTC is not there";
+        return "its entry in the name service is stale: the RTC was not found";
     }
 }
 

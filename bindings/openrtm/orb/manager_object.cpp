@@ -5,7 +5,6 @@
 #include <chrono>
 #include <string_view>
 #include <thread>
-#include <utility>
 
 #include "bindings/openrtm/orb/properties.hpp"
 #include "bindings/openrtm/orb/servants.hpp"
@@ -13,7 +12,7 @@
 namespace nezumi::openrtm {
 namespace {
 
-// Of the text of a new component.
+// The longest text of a new component.
 constexpr std::size_t most_letters = 4096;
 // Names that are tried for a component: "controller", "controller_2", ...
 constexpr int most_names = 100;

@@ -16,7 +16,7 @@ namespace nezumi::openrtm {
 
 using Clock = std::chrono::steady_clock;
 
-/// Of velocities only the latest waits. A robot that was sent a velocity gets zero after `velocity_silence` without a
+/// Only the latest velocity waits. A robot that got a velocity gets zero after `velocity_silence` without a
 /// message, and before the connection ends.
 class MessageQueue {
 public:

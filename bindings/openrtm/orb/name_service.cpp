@@ -95,7 +95,7 @@ void NameService::rebind(const std::string& name, CORBA::Object_ptr object) {
     try {
         const CosNaming::NamingContext_var made = root()->bind_new_context(context);
     } catch (const CosNaming::NamingContext::AlreadyBound&) {
-        // The same entry as on every computer that has had an RTC.
+        // Every computer that has had an RTC has such an entry.
         root()->rebind(whole, object);
         return;
     }

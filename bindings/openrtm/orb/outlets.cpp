@@ -20,7 +20,7 @@ using Seconds = std::chrono::duration<double>;
 // next execution, so it is read after two periods. The waiting time [s]: default, minimum, maximum.
 constexpr double periods_to_read = 2;
 constexpr Seconds usual_time_to_read{0.3}, least_time_to_read{0.05}, most_time_to_read{1};
-// Before a peer with a full buffer is told again to stop.
+// The time until the stop is sent again to a peer with a full buffer.
 constexpr std::chrono::milliseconds retry_period{10};
 
 Clock::duration clock_time(Seconds seconds) { return std::chrono::duration_cast<Clock::duration>(seconds); }

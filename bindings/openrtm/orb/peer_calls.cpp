@@ -242,7 +242,7 @@ PeerAnswer connect_peers(const std::array<PeerPort, 2>& ends, const RtcRequest& 
     } catch (const CORBA::TIMEOUT&) {
         return {.problem = at + " does not answer"};
     } catch (const CORBA::Exception&) {
-        return {.problem = at + " is not there: its entry in the name service is stale"};
+        return {.problem = at + " was not found: its entry in the name service is stale"};
     }
 }
 

@@ -31,11 +31,11 @@ class PortObject final : public POA_RTC::PortService {
 public:
     /// Connections at once.
     static constexpr std::size_t most_connections = 32;
-    /// Of a connection's name and id.
+    /// The longest name and id of a connection.
     static constexpr std::size_t most_letters = 256;
     /// The longest time that the end of a connection waits for a robot to receive its stop.
     static constexpr std::chrono::seconds longest_settling{1};
-    /// Of a connection's ports and properties in CORBA's encoding.
+    /// The largest size of a connection's ports and properties in CORBA's encoding.
     static constexpr std::size_t most_bytes = std::size_t{64} << 10;
 
     PortObject(const Home& home, RtcPort port);

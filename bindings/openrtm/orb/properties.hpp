@@ -12,7 +12,7 @@ namespace nezumi::openrtm {
 std::string text_of(const SDOPackage::NVList& list, std::string_view name);
 std::string text_of(const CORBA::Any& value);
 void add_text(SDOPackage::NVList& list, std::string_view name, std::string_view text);
-/// Adds it, or replaces the one with this name.
+/// Adds a property, or replaces the one with this name.
 void set_text(SDOPackage::NVList& list, std::string_view name, std::string_view text);
 
 /// The type of a data port: "TimedLong" for "IDL:RTC/TimedLong:1.0" and for "TimedLong"; "" for any other port.

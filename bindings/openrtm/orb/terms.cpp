@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <string>
 #include <string_view>
 
 #include "bindings/openrtm/orb/properties.hpp"

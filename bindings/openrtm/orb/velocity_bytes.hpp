@@ -34,7 +34,7 @@ inline bool is_stamped(std::span<const std::uint8_t> message) {
 inline bool is_motion(std::span<const std::uint8_t> message) {
     return message.size() > stamp_bytes && !is_zero(message.subspan(stamp_bytes));
 }
-/// The same message with velocity zero.
+/// The message with velocity zero.
 inline Bytes stopped(Bytes message) {
     if (message.size() > stamp_bytes) std::fill(message.begin() + stamp_bytes, message.end(), std::uint8_t{0});
     return message;

@@ -133,7 +133,7 @@ Expected<void> collect_class(const fs::path& folder, const std::vector<Exercise>
         const auto copied = collect_work(*pupils, *pupil, to);
         auto checked = !copied ? Unexpected(copied.error())
                        : exercise == exercises.end()
-                           ? failure("the exercise is not there any more")
+                           ? failure("the exercise does not exist any more")
                            : check_work({.exercise = *exercise,
                                          .work = pupils->work_of(*pupil),
                                          .scratch = folder / "checks" / std::to_string(pupil->number),

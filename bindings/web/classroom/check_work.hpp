@@ -36,7 +36,7 @@ struct PupilResult {
     std::string name{}, exercise{}, problem{}, mark{}, comment{};
     std::vector<CheckedScenario> checked{};
 };
-/// Writes them into `folder`, which is made: results.csv and results.xml.
+/// Writes the results into `folder`, which is made: results.csv and results.xml.
 Expected<void> write_results(const std::filesystem::path& folder, const std::vector<PupilResult>& results);
 /// Copies a pupil's work into `folder`, with the pupil's number.
 Expected<void> collect_work(const Pupils& pupils, const Pupil& pupil, const std::filesystem::path& folder);

@@ -65,7 +65,7 @@ Expected<Classroom::Json> Classroom::join(Client& client, const Json& request) {
         seat->is_wanted = true;
         return Json{{"token", pupil->token}};
     }
-    if (!door_is_open_) return failure("the teacher lets no more pupils in");
+    if (!door_is_open_) return failure("the teacher has closed the class to new pupils");
     if (seats_.size() >= most_pupils) return failure("the class is full");
     while (!joins_.empty() && now - joins_.front() > std::chrono::minutes(1)) joins_.pop_front();
     if (joins_.size() >= most_joins) return failure("too many join at once: wait a minute");
@@ -171,7 +171,7 @@ Expected<void> Classroom::give_exercise(Seat& seat, const std::string& name) {
     const Exercise* exercise = exercise_called(name);
     if (exercise == nullptr) return failure("there is no exercise '" + name + "'");
     seat.pupil.exercise = name;
-    // What the pupil has changed of it before stays.
+    // Files that the pupil has changed before stay.
     if (auto ok = copy_files(exercise->start(), pupils_.work_of(seat.pupil), false); !ok) return ok;
     std::error_code problem;
     std::filesystem::create_directories(pupils_.work_of(seat.pupil) / "behaviors", problem);

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What the pupil sends who drives, besides what everybody may send who looks.
+// The requests of the pupil who drives, besides those that everybody may send who looks.
 constexpr std::array<std::string_view, 3> while_driving{"drive", "rearm", "explain"};
 constexpr std::array<std::string_view, 4> acts_of_driver{"SetParameter", "Use", "Reset", "Press"};
 

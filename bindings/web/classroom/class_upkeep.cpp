@@ -249,7 +249,7 @@ Classroom::Json Classroom::state_for_pupil(const Client& client) const {
     state["mark"] = seat.pupil.mark;
     state["comment"] = seat.pupil.comment;
     state["check"] = seat.check;
-    // Of hidden scenarios only how many pass.
+    // Hidden scenarios are only counted: how many pass.
     Json checked = Json::array();
     std::size_t hidden = 0, hidden_passed = 0;
     for (const CheckedScenario& each : seat.checked) {

@@ -199,7 +199,7 @@ Admission Classroom::lets_in(const HttpRequest& request) {
     }
     if (ClassSystem* system = system_at(number_at(role, pupil))) {
         system->is_wanted = true;
-        // What a browser sends before there is a process would be lost: it tries again.
+        // Messages of a browser before there is a process would be lost, so the browser tries again.
         if (!system->run || system->run->is_ending()) return {.refused = unavailable};
     } else if (role == Role::guest) {
         return {.refused = forbidden};

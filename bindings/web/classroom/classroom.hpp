@@ -78,7 +78,7 @@ public:
 
 private:
     using Json = nlohmann::ordered_json;
-    // Who only looks at a system, or is frozen, may still send these.
+    // A user who only looks at a system, or is frozen, may still send these.
     static constexpr std::array<std::string_view, 5> while_looking{"watch", "floor", "stop", "remembered", "systems"};
     using Clock = std::chrono::steady_clock;
     // A guest is a pupil at the shared system, a reader one at what they have opened in a page of its own.

@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The same numbers on all processors.
+// These numbers are equal on all processors.
 constexpr long create_ruleset = 444, add_rule = 445, restrict_self = 446;
 constexpr unsigned get_version = 1;
 constexpr int rule_of_path = 1;

@@ -16,8 +16,8 @@ constexpr std::size_t longest_error = 500;  // [bytes] shown
 // [bytes] that may wait for a process which does not read, as one that the kernel has stopped.
 constexpr std::size_t most_waiting = std::size_t{8} << 20;
 
-// A process that ends sooner than this after its start has failed; after so many of them the system file is taken for
-// the reason.
+// A process that ends sooner than this after its start has failed; after `most_failures` of them the system file is
+// taken for the reason.
 constexpr std::chrono::seconds short_run{5};
 constexpr int most_failures = 3;
 constexpr int could_not_run = 2;  // as exit status of `nezumi run`

@@ -51,7 +51,7 @@ private:
     std::vector<std::string> scripts_;
 };
 
-/// What it sends to stop all robots of a system.
+/// The message that stops all robots of a system.
 inline constexpr std::string_view stop_message = R"({"do":"stop"})";
 
 /// A system in a process of its own.
@@ -71,7 +71,7 @@ struct ClassSystem {
     ClassSystem();
     /// Queues a frame for the process, and sends what it takes now.
     void tell(const RelayFrame& frame);
-    /// The same with a message of the class itself.
+    /// Queues a message of the class itself for the process.
     void tell(std::string_view message);
     void flush();
     /// Notes why the process has ended, and when it may start again. Returns true if its system file can't run.

@@ -52,7 +52,7 @@ Expected<std::size_t> SharedSystem::take_behaviors(const fs::path& work) const {
     std::vector<std::pair<std::string, std::string>> fresh, replacing;
     const auto runs = [&](const std::string& name) {
         return std::any_of(view.scripts().begin(), view.scripts().end(),
-                           [&](const std::string& script) { return fs::absolute(script) == folder / name; });
+                           [&](const std::string& script) { return folder / script == folder / name; });
     };
     bool is_one_running = false;
     for (const std::string& name : files.names()) {

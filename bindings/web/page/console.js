@@ -79,6 +79,7 @@ export function make_console(parts) {
       running -= 1;
       drawing = null;
       show_running();
+      if (answer.ok) model.emit("console_line", text);
       answered(answer);
     });
   };

@@ -17,7 +17,13 @@ export function make_editor(parts) {
         const [{ load_editor_library }, { make_editor_view }] = await Promise.all([import("./editor_library.js"), import("./editor_view.js")]);
         const view = make_editor_view(parts, await load_editor_library());
         node.replaceChildren(...view.nodes);
-        view.begin();
+        if (parts.model.hello) view.begin();
+        else {
+          const off = parts.model.on("hello", () => {
+            off();
+            view.begin();
+          });
+        }
         return view;
       } catch (wrong) {
         console.warn(wrong);

@@ -5,39 +5,68 @@ import { T } from "./texts.js";
 export function make_breaks(editor, parts) {
   const { text } = editor;
   const { model, link } = parts;
-  const breaks = new Map();  // file: set of line handles
+  const breaks = new Map();  // file: Map of line handle to the place that the engine has
   let stopped = null;        // { doc, handle }
 
-  const lines_of = (file) => [...breaks.get(file) ?? []].filter((handle) => text.getLineNumber(handle) !== null || file !== editor.file);
+  const breaks_of = (file) => breaks.get(file) ?? breaks.set(file, new Map()).get(file);
   const quoted = (file) => JSON.stringify(file);
   const show = () => {
     text.clearGutter("gutter-breaks");
-    for (const handle of lines_of(editor.file)) {
+    if (!editor.file) return;
+    for (const handle of breaks_of(editor.file).keys()) {
       const line = text.getLineNumber(handle);
       if (line !== null) text.setGutterMarker(line, "gutter-breaks", el("span", { class: "break-sign", title: T.editor.break_here, text: "●" }));
     }
   };
-  const toggle = async (line) => {
-    if (!editor.file || !model.may_act) return;
-    const handle = text.getLineHandle(line);
-    const here = breaks.get(editor.file) ?? new Set();
-    breaks.set(editor.file, here);
-    const place = `${editor.shown_name}:${line + 1}`;
+  let latest = Promise.resolve();  // the change that is being made: each begins when the one before it has ended
+  const in_turn = (change) => (...given) => {
+    latest = latest.then(() => change(...given));
+    return latest;
+  };
+  const toggle = in_turn(async (handle) => {
+    const line = text.getLineNumber(handle);
+    if (line === null || !editor.file || !model.may_act) return;
+    const here = breaks_of(editor.file);
     const is_there = here.has(handle);
+    const place = is_there ? here.get(handle) : `${editor.shown_name}:${line + 1}`;
     const { ok, text: why } = await parts.run_line(is_there ? `unwatch(${quoted(place)})` : `break_at ${quoted(place)}`);
     if (!ok) return editor.say(why || T.link.no_answer, "bad");
     if (is_there) here.delete(handle);
-    else here.add(handle);
+    else here.set(handle, place);
     show();
     if (is_there) editor.say(T.editor.no_break(line + 1));
     else if (!stopped) editor.say(T.editor.break_at(line + 1));  // time may have paused there already
+  });
+  /// A file was saved: breakpoints of lines that have moved move in the engine too.
+  const saved = in_turn(async (file) => {
+    const shown = editor.files.get(file)?.shown ?? file;
+    const moved = [...breaks_of(file)].map(([handle, place]) => {
+      const line = text.getLineNumber(handle);
+      return { handle, place, now: line === null ? null : `${shown}:${line + 1}` };
+    }).filter(({ place, now }) => place !== now);
+    for (const { place } of moved) await parts.run_line(`unwatch(${quoted(place)})`);
+    for (const { handle, now } of moved) {
+      breaks_of(file).delete(handle);
+      if (now && (await parts.run_line(`break_at ${quoted(now)}`)).ok) breaks_of(file).set(handle, now);
+    }
+    show();
+  });
+  /// unwatch() at the console ends breakpoints as well.
+  const unwatched = (line) => {
+    const [, whole, place] = /\bunwatch\s*(?:(\(\s*\))|\(?\s*["']([^"']+)["'])/.exec(line) ?? [];
+    if (whole) breaks.clear();
+    for (const here of breaks.values()) {
+      for (const [handle, its] of here) if (its === place) here.delete(handle);
+    }
+    show();
   };
+  model.on("console_line", unwatched);
   const leave = () => {
     stopped?.doc.removeLineClass(stopped.handle, "background", "stopped-line");
     stopped = null;
   };
-  text.on("gutterClick", (_, line, gutter) => (gutter === "gutter-breaks" || gutter === "CodeMirror-linenumbers") && toggle(line));
-  text.addKeyMap({ F9: () => toggle(text.getCursor().line) });
+  text.on("gutterClick", (_, line, gutter) => (gutter === "gutter-breaks" || gutter === "CodeMirror-linenumbers") && toggle(text.getLineHandle(line)));
+  text.addKeyMap({ F9: () => toggle(text.getLineHandle(text.getCursor().line)) });
   model.on("console", async ({ event }) => {
     const found = event.is === "output" && /^(\S+):(\d+) ran at .*: time is paused$/m.exec(event.text);
     if (!found) return;
@@ -54,5 +83,5 @@ export function make_breaks(editor, parts) {
     breaks.clear();
     show();
   });
-  return { opened: show };
+  return { opened: show, saved };
 }

@@ -180,7 +180,9 @@ class Editor {
       this.#update();
       this.say(answer.text || T.editor.saved, answer.text ? "bad" : "");
       this.#parts.model.emit("file_saved", file);
-      this.#tell(await ends);
+      const end = await ends;
+      this.#tell(end);
+      if (end.version) this.breaks.saved(file);
     } else if (answer.changed) {
       this.#waits = null;
       this.say(answer.text, "bad");

@@ -3,13 +3,15 @@ import { Emitter } from "./emitter.js";
 
 const LONGEST_SILENCE = 8000;  // ms; the engine sends at least once a second
 
-/// Emits: open, message (text or ArrayBuffer), closed, lost ("ended"), saved (files by name), refused (why).
+/// Emits: open, message (text or ArrayBuffer), closed, lost ("ended"), saved (files by name), refused (why), module (the
+/// program, for others).
 export class EngineWorker extends Emitter {
   #make;
   #start;
   #worker = null;
   #heard = 0;
   #is_open = false;
+  helpers = null;  // `Helpers` that take some of the messages
 
   /// `make` gives a Worker, `start` what worker.js begins with.
   constructor(make, start) {
@@ -34,7 +36,7 @@ export class EngineWorker extends Emitter {
   }
 
   send(text) {
-    this.#worker.postMessage(text);
+    if (!this.helpers?.takes(text)) this.#worker.postMessage(text);
   }
 
   end() {
@@ -44,9 +46,10 @@ export class EngineWorker extends Emitter {
     this.emit("closed");
   }
 
-  #take({ message, saved, refused, opened, ended }) {
+  #take({ message, saved, refused, opened, ended, module }) {
     this.#heard = performance.now();
     if (message !== undefined) this.emit("message", message);
+    else if (module) this.emit("module", module);
     else if (saved) this.emit("saved", saved);
     else if (refused) this.emit("refused", refused);
     else if (opened) {

@@ -40,12 +40,16 @@ function make_kept(project, show_again) {
 const make_shipped = ({ name, text, runs }) => el("li", { class: runs ? "" : "off" },
   runs ? el("a", { href: `#run=${name}`, text: name }) : el("span", { text: name }), el("p", { text: runs ? text : W.no_cameras }));
 
-export async function show_gallery(shipped, told = "") {
+const make_example = ([name, { title }]) => el("li", {}, el("a", { href: `#example=${name}`, text: name }), el("p", { text: title }));
+
+export async function show_gallery(shipped, docs, told = "") {
   const kept = await list_projects();
   const problem = el("p", { role: "alert", class: "problem", text: told });
   document.title = `${W.title} · nezumi`;
   document.body.replaceChildren(el("main", { class: "gallery" },
     el("div", { class: "playground-bar" }, el("h1", { text: W.title }), make_language_button()), el("p", { text: W.about }), problem,
-    kept.length > 0 && el("h2", { text: W.kept }), el("ul", {}, ...kept.map((each) => make_kept(each, () => show_gallery(shipped)))), make_import(problem),
-    el("h2", { text: W.shipped }), el("ul", {}, ...shipped_systems(shipped).map(make_shipped))));
+    el("p", {}, el("a", { class: "guide-link", href: "#guide", text: W.guide.begin })),
+    kept.length > 0 && el("h2", { text: W.kept }), el("ul", {}, ...kept.map((each) => make_kept(each, () => show_gallery(shipped, docs)))), make_import(problem),
+    el("h2", { text: W.shipped }), el("ul", {}, ...shipped_systems(shipped).map(make_shipped)),
+    el("h2", { text: W.examples }), el("ul", {}, ...Object.entries(docs.examples).map(make_example))));
 }

@@ -136,7 +136,7 @@ export function make_header(parts) {
   link.on("open", () => say(T.link.open, true));
   link.on("lost", () => say(T.link.connecting, false));
   model.on("system", () => {
-    name.textContent = model.system.name;
+    name.textContent = model.system.name || T.scenarios.one;  // a world of a scenario may have no file
     name.title = model.system.file;
   });
   model.on("hello", () => {

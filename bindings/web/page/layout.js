@@ -43,8 +43,10 @@ function make_tabs(label, names, chosen, choose) {
 /// `views`: name to { node, shown?(whether) }. Emits `shown` with the name of a view when it comes into sight.
 export function make_layout(views) {
   const layout = new Emitter();
+  const present = (names) => names.filter((name) => views[name]);
   const chosen = { stage: "world", side: "drive", dock: "console", ...JSON.parse(localStorage.getItem("nezumi.views") ?? "{}") };
-  let current = chosen.current ?? "world";
+  for (const [group, names] of Object.entries(GROUPS)) if (!views[chosen[group]]) chosen[group] = present(names)[0];
+  let current = views[chosen.current] ? chosen.current : "world";
   const narrow = matchMedia("(max-width: 899px)");
   const group_of = (name) => Object.keys(GROUPS).find((group) => GROUPS[group].includes(name));
 
@@ -84,7 +86,8 @@ export function make_layout(views) {
     return tabs.node;
   };
   Object.assign(layout, { choose, is_shown, badge: (name, count) => all_tabs.forEach((tabs) => tabs.badge(name, count)) });
-  const groups = Object.entries(GROUPS).map(([group, names]) => {
+  const groups = Object.entries(GROUPS).map(([group, all]) => {
+    const names = present(all);
     const sections = names.map((name) => {
       Object.assign(views[name].node, { id: `view-${name}` });
       views[name].node.classList.add("view");
@@ -94,10 +97,10 @@ export function make_layout(views) {
     });
     return el("section", { class: `group ${group}` }, make(T.parts[group], names, () => chosen[group]), ...sections);
   });
-  const others = Object.keys(ICONS).filter((name) => !PHONE.includes(name));
+  const others = present(Object.keys(ICONS)).filter((name) => !PHONE.includes(name));
   more.append(el("summary", { class: "tab" }, el("span", { class: "icon", "aria-hidden": "true", text: "⋯" }), el("span", { text: T.parts.more })),
     make(T.parts.more, others, () => current));
-  const bottom = el("nav", { class: "bottom" }, make(T.parts.all, PHONE, () => current), more);
+  const bottom = el("nav", { class: "bottom" }, make(T.parts.all, present(PHONE), () => current), more);
   narrow.addEventListener("change", update);
   update();
   layout.node = el("main", { class: "dock-unused" }, ...groups, bottom);

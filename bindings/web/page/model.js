@@ -40,6 +40,7 @@ export class Model extends Emitter {
     this.#link = link;
     link.on("said", (said) => this.#take(said));
     link.on("frame", (kind, bytes) => [null, this.#take_frame, this.#take_picture, this.#take_floor][kind]?.call(this, bytes));
+    link.on("state", (state) => this.#take_state(state));
     link.on("open", () => this.#watch_again());
   }
 
@@ -211,16 +212,27 @@ export class Model extends Emitter {
   }
 
   #take_frame(bytes) {
-    const { robots, things, markers, rays, ports, members, ...frame } = this.#cdr.read(this.hello.frame, bytes);
+    const { ports, members, ...state } = this.#cdr.read(this.hello.frame, bytes);
+    this.#take_poses(state);
+    for (const each of ports) this.#take_port(each);
+    for (const each of members) this.#take_member(each, state.time);
+    this.emit("frame");
+  }
+
+  /// The same of a recorded run, with the values themselves by their names.
+  #take_state({ values, ...state }) {
+    this.#take_poses(state);
+    for (const [name, value] of values) this.#take_value(name, { value, tm: state.time }, 1);
+    this.emit("frame");
+  }
+
+  #take_poses({ robots, things, markers, rays, ...frame }) {
     this.frame = frame;
     const present = this.looked ? this.#present : this;
     for (const each of robots) present.robots[each.index] = each;
     for (const each of things) present.things[each.index] = each;
     for (const each of markers) this.markers[each.index] = each;
     this.#take_rays(rays);
-    for (const each of ports) this.#take_port(each);
-    for (const each of members) this.#take_member(each, frame.time);
-    this.emit("frame");
   }
 
   /// The rays of a robot arrive together and replace the old ones.
@@ -238,18 +250,18 @@ export class Model extends Emitter {
     const port = name && this.port(name);
     if (!port) return;
     try {
-      const message = to_message(this.#cdr.read(port.type, payload));
-      const before = this.values.get(name);
-      this.values.set(name, { ...message, at: performance.now(), count: (before?.count ?? 0) + count });
-      this.emit("port", name);
+      this.#take_value(name, to_message(this.#cdr.read(port.type, payload)), count);
     } catch (wrong) {
       console.warn(name, wrong.message);  // of an earlier watch list
     }
   }
 
   #take_member({ name, leaves }, tm) {
-    const count = (this.values.get(name)?.count ?? 0) + 1;
-    this.values.set(name, { value: Object.fromEntries(leaves.map((each) => [each.name, each.value])), tm, at: performance.now(), count });
+    this.#take_value(name, { value: Object.fromEntries(leaves.map((each) => [each.name, each.value])), tm }, 1);
+  }
+
+  #take_value(name, message, count) {
+    this.values.set(name, { ...message, at: performance.now(), count: (this.values.get(name)?.count ?? 0) + count });
     this.emit("port", name);
   }
 

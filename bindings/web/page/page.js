@@ -49,7 +49,7 @@ export async function make_page(link) {
     document.body.classList.toggle("real", model.hello.real);
   });
   model.on("system", () => {
-    document.title = `${model.system.name} · nezumi`;
+    document.title = `${model.system.name || T.scenarios.one} · nezumi`;
   });
   model.on("class", async (state) => (await import("./class_bar.js")).show_class(parts, state));
   model.on("ended", ({ text, good }) => notices.lasting("ended", text, good ? "good" : "error"));

@@ -3,8 +3,11 @@ import { el } from "./dom.js";
 import { EngineWorker } from "./engine_worker.js";
 import { load_editor_library } from "./editor_library.js";
 import { show_gallery } from "./gallery.js";
+import { guided_project, make_guide } from "./guide.js";
+import { Helpers } from "./helpers.js";
 import { Link } from "./link.js";
 import { make_page } from "./page.js";
+import { systems_in } from "./project_files.js";
 import { from_fragment, to_fragment } from "./project_link.js";
 import { find_project, keep_project, new_id } from "./projects.js";
 import { shipped_project } from "./shipped.js";
@@ -14,11 +17,16 @@ import { write_zip } from "./zip.js";
 const W = T.playground;
 
 /// The project of the fragment, or undefined.
-async function find(shipped) {
+async function find(shipped, docs) {
   const [kind, value] = location.hash.slice(1).split(/=(.*)/s);
   if (kind === "run" && shipped[`behaviors/systems/${value}.lua`]) return shipped_project(shipped, value);
   if (kind === "project") return find_project(value);
   if (kind === "code") return from_fragment(value);
+  if (kind === "guide") return guided_project(docs.guide);
+  if (kind === "example" && docs.examples[value]) {
+    const { files } = docs.examples[value];
+    return { name: value, system: systems_in(files)[0], files };
+  }
   return undefined;
 }
 
@@ -69,13 +77,16 @@ function show_mending(project, why) {
     } })));
 }
 
-async function run(project, shipped) {
+async function run(project, shipped, docs) {
   const start = () => ({ shipped, project: project.files, system: project.system });
   const engine = new EngineWorker(() => new Worker("worker.js"), start());
+  engine.helpers = new Helpers(() => new Worker("helper_worker.js"), () => project.files, (what) => engine.emit("message", JSON.stringify(what)));
+  engine.on("module", (module) => (engine.helpers.start = { module, shipped }));
   await Promise.all([load_editor_library(), import("./editor_view.js"), import("./arena_edit.js")]);  // after this nothing is loaded any more
   const { notices } = await make_page(new Link(engine));
   document.body.classList.add("in-playground");
   document.body.prepend(make_bar(project, engine, start));
+  if (project.guide) document.body.append(make_guide(docs.guide, project, engine.helpers, () => project.id && keep_project(project)));
   engine.on("saved", (files) => keep(project, files));
   engine.on("refused", (why) => show_mending(project, why));
   engine.on("ended", () => notices.say(T.link.bye(W.ended), "warn"));
@@ -83,14 +94,14 @@ async function run(project, shipped) {
 }
 
 async function start() {
-  const shipped = await (await fetch("files.json")).json();
+  const [shipped, docs] = await Promise.all(["files.json", "docs.json"].map(async (name) => (await fetch(name)).json()));
   addEventListener("hashchange", () => location.reload());
   try {
-    const project = await find(shipped);
-    if (project) await run(project, shipped);
-    else await show_gallery(shipped);
+    const project = await find(shipped, docs);
+    if (project) await run(project, shipped, docs);
+    else await show_gallery(shipped, docs);
   } catch (wrong) {
-    await show_gallery(shipped, W.not_opened(wrong.message));
+    await show_gallery(shipped, docs, W.not_opened(wrong.message));
   }
 }
 

@@ -64,6 +64,34 @@ class Recording {
   }
 }
 
+/// Of a run that is over: the rows of the whole run.
+class WholeRecording extends Recording {
+  #run;
+
+  constructor(run) {
+    super();
+    this.#run = run;
+  }
+
+  add(field) {
+    this.fields.push(field);
+    this.rows = this.#run.rows_of(this.fields);
+  }
+
+  remove(index) {
+    this.fields.splice(index, 1);
+    this.rows = this.#run.rows_of(this.fields);
+  }
+
+  clear() {
+    this.fields.length = this.rows.length = 0;
+  }
+
+  take() {
+    return false;
+  }
+}
+
 const line_colors = () => {
   const style = getComputedStyle(document.documentElement);
   return Array.from({ length: MOST_FIELDS }, (_, i) => style.getPropertyValue(`--line-${i % 6}`).trim());
@@ -73,7 +101,7 @@ const line_colors = () => {
 Dygraph.PLUGINS = Dygraph.PLUGINS.filter((each) => each !== Dygraph.Plugins.Legend);
 
 class Plots {
-  recording = new Recording();
+  recording;
   #parts;
   #graph = null;
   #is_shown = false;
@@ -84,10 +112,12 @@ class Plots {
 
   constructor(parts) {
     this.#parts = parts;
+    this.recording = parts.run ? new WholeRecording(parts.run) : new Recording();
     const { model } = parts;
     const draw = at_most_every(100, () => this.draw());
     model.on("frame", () => this.recording.take(model.frame.time, model.values) && draw());
     model.on("restarted", () => this.recording.clear());
+    if (parts.run) model.on("frame", () => this.#look(model.frame.time));
     model.on("looked", () => this.#look(model.looked?.time));
     addEventListener("theme", () => this.#anew());
     new ResizeObserver(() => this.#graph?.resize()).observe(this.box);
@@ -112,7 +142,7 @@ class Plots {
 
   clear() {
     this.recording.clear();
-    this.draw();
+    this.#changed();
   }
 
   /// Shows the values at a time of the past; none without.
@@ -143,6 +173,7 @@ class Plots {
     model.watch("plots", model.wanted([...new Set(this.recording.fields.map(({ port }) => port))]));
     this.#anew();
     this.on_changed?.();
+    if (this.#parts.run) this.#look(model.frame.time);
   }
 
   #anew() {
@@ -163,7 +194,7 @@ class Plots {
       return;
     }
     const end = Math.max(rows[rows.length - 1][0], this.recording.ghost[this.recording.ghost.length - 1]?.[0] ?? 0);
-    const dateWindow = this.#range ?? [Math.max(rows[0][0], end - WINDOW), Math.max(end, rows[0][0] + 1)];
+    const dateWindow = this.#range ?? [this.#parts.run ? rows[0][0] : Math.max(rows[0][0], end - WINDOW), Math.max(end, rows[0][0] + 1)];
     const drawn = this.recording.drawn();
     if (this.#graph && this.#graph.numColumns() !== drawn.names.length + 1) {
       this.#graph.destroy();

@@ -110,6 +110,12 @@ export function make_scenarios(parts) {
     is_running = false;
     show();
   });
+  let is_seen = false;
+  const look_first = () => is_seen && !is_known && list();
+  model.on("hello", look_first);
   return { node: el("div", { class: "scenarios" }, el("div", { class: "tools", role: "toolbar", "aria-label": T.views.scenarios }, all, stop, look, told), plots, rows, make_judge(parts)),
-    shown: (is_shown) => is_shown && !is_known && list() };
+    shown: (is_shown) => {
+      is_seen = is_shown;
+      look_first();
+    } };
 }

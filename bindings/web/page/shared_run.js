@@ -5,8 +5,8 @@ import { make_page } from "./page.js";
 import { T } from "./texts.js";
 
 async function start() {
-  const { wasm, worker, shipped, journal } = globalThis.nezumi_run;
-  const engine = new EngineWorker(() => new Worker(worker), { wasm, shipped, journal, project: {} });
+  const { wasm, worker, shipped, run } = globalThis.nezumi_run;
+  const engine = new EngineWorker(() => new Worker(worker), { wasm, shipped, journal: run, project: {} });
   const { notices } = await make_page(new Link(engine));
   engine.on("refused", (why) => notices.lasting("link", why, "error"));
   engine.on("ended", () => notices.say(T.link.bye(T.playground.ended), "warn"));

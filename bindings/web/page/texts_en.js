@@ -136,6 +136,7 @@ export const EN = {
   devices: { press: (sensor) => `Press ${sensor}`, led: (i, is_on) => `light ${i} is ${is_on ? "on" : "off"}`, tone: (hertz) => `♪ ${hertz} Hz` },
 
   scenarios: {
+    one: "Scenario",
     run_all: "Run all", run: "Run", run_one: (name) => `Run ${name}`, stop: "Stop these", look: "Look again", open: "Open", open_hint: "Open this run, paused where it failed",
     watch: "Watch", watch_one: (name) => `Watch ${name} run, at the speed of the clock`,
     none: "This project has no scenarios. A scenario file has a name that ends in _test.lua.", count: (n) => (n === 1 ? "1 scenario" : `${n} scenarios`),
@@ -216,6 +217,18 @@ export const EN = {
     link: "Link", link_hint: "Copy an address that holds the whole project", link_copied: (n) => `Copied: an address of ${n} characters holds the project.`,
     export: "Export", export_hint: "Save the project as .zip: unpack it, and nezumi runs it", anew: "Begin anew", anew_hint: "End the engine and start it with the saved files",
     silent: "The engine does not answer: begin anew.", ended: "quit", try_again: "Save and start",
+    light: "recorded: any time, any speed", examples: "Examples of the documentation",
+    guide: {
+      begin: "Begin with a guide: a behaviour of your own in four steps", of: (n, all) => `Step ${n} of ${all}`, file: (name) => `File ${name}`, copy: "Copy", check: "Check", checking: "It is checked…",
+      next: "Next step", passed: "It works.", failed: (what) => `Not yet: ${what}`, done: "All done. Change what you like: the project stays in this browser, and Export brings it to nezumi.",
+      too_good: "The scenario passes even with a gain of 0.1, where the mouse is too slow: state what must hold, and within which time.", too_few: "There is no scenario in tests/keep_distance_test.lua yet.",
+      steps: {
+        behavior: { title: "A behaviour", text: "A behaviour reads in-ports and writes out-ports. This one reads the distances that the mouse measures, and drives faster when the thing in front is farther away. Open Editor, choose behaviors/keep_distance.lua, replace its text by the one below, and press Ctrl+S. The text has a spelling mistake: the list below the editor names it. Correct it and save again." },
+        system: { title: "A system", text: "A system file lists robots and behaviours, and connects them. In behaviors/systems/keep_distance.lua there are a wall and a mouse only. Add the behaviour and the two connections, save, and press Begin anew in the bar: the mouse drives to the wall and stops before it." },
+        change: { title: "Change it while it runs", text: "Open behaviors/keep_distance.lua, change the gain from 1.0 to 0.8, and save: the mouse uses the new version at once, and the time goes on. A mistake breaks nothing: the old version keeps running, and the log names the line." },
+        test: { title: "A test", text: "A scenario sets up a world and states what must hold in it. Make the file tests/keep_distance_test.lua with New… in the editor, write the text below, and save. The view Scenarios runs it too: once for each distance, many times faster than the mouse. A good test fails when the behaviour is wrong: the check also runs it with a gain of 0.1." },
+      },
+    },
   },
 
   missing: (library) => `Debian's package ${library} is not installed where the engine runs: this view needs it. There, type: sudo apt install ${library}`,

@@ -136,6 +136,7 @@ export const JA = {
   devices: { press: (sensor) => `${sensor} を押す`, led: (i, is_on) => `ライト ${i} は${is_on ? "点灯" : "消灯"}`, tone: (hertz) => `♪ ${hertz} Hz` },
 
   scenarios: {
+    one: "シナリオ",
     run_all: "すべて実行", run: "実行", run_one: (name) => `${name} を実行`, stop: "実行を中止", look: "一覧を更新", open: "開く", open_hint: "失敗した時刻で止めて、この実行を開く",
     watch: "見る", watch_one: (name) => `${name} が実際の速さで動くのを見る`,
     none: "このプロジェクトにはシナリオ (名前が _test.lua で終わるファイル) がありません。", count: (n) => `シナリオ ${n} 件`,
@@ -216,6 +217,18 @@ export const JA = {
     link: "リンク", link_hint: "プロジェクト全体を含むアドレスをコピーします", link_copied: (n) => `コピーしました: ${n} 文字のアドレスにプロジェクトが入っています。`,
     export: "書き出す", export_hint: "プロジェクトを .zip で保存します。展開すると nezumi で動きます", anew: "やり直す", anew_hint: "エンジンを終了し、保存したファイルで始めます",
     silent: "エンジンが応答しません。やり直してください。", ended: "quit", try_again: "保存して始める",
+    light: "記録: どの時刻も、どの速さでも", examples: "ドキュメントの例",
+    guide: {
+      begin: "ガイドつきで始める: 4 つのステップで、自分のふるまいを作ります", of: (n, all) => `ステップ ${n} / ${all}`, file: (name) => `ファイル ${name}`, copy: "コピー", check: "確かめる", checking: "確かめています…",
+      next: "次のステップ", passed: "できました。", failed: (what) => `まだです: ${what}`, done: "これで終わりです。自由に変えてみましょう。プロジェクトはこのブラウザに残り、「書き出す」で nezumi に持っていけます。",
+      too_good: "ゲインが 0.1 でマウスが遅すぎても、シナリオが成功しています。何が、いつまでに成り立つべきかを書きましょう。", too_few: "tests/keep_distance_test.lua に、まだシナリオがありません。",
+      steps: {
+        behavior: { title: "ふるまい", text: "ふるまいは、入力ポートを読んで、出力ポートに書きます。これは、マウスが測った距離を読み、前のものが遠いほど速く進みます。「エディタ」で behaviors/keep_distance.lua を開き、下の文に書き換えて、Ctrl+S を押しましょう。この文にはつづりのまちがいが 1 つあります。エディタの下の一覧が教えてくれます。直して、もう一度保存しましょう。" },
+        system: { title: "システム", text: "システムファイルには、ロボットとふるまいを並べ、それらをつなぎます。behaviors/systems/keep_distance.lua には、壁とマウスしかありません。ふるまいと 2 つの接続を加えて保存し、上の「やり直す」を押すと、マウスが壁まで進み、その前で止まります。" },
+        change: { title: "動かしながら変える", text: "behaviors/keep_distance.lua を開き、gain を 1.0 から 0.8 に変えて保存しましょう。時間は止まらず、マウスはすぐに新しい版で動きます。まちがえても何もこわれません。前の版が動き続け、ログが行を教えます。" },
+        test: { title: "テスト", text: "シナリオは、世界を用意し、そこで成り立つべきことを述べます。エディタの「新規…」で tests/keep_distance_test.lua を作り、下の文を書いて保存しましょう。「シナリオ」の画面でも実行できます。距離ごとに 1 回ずつ、実物の何十倍もの速さです。よいテストは、ふるまいが悪いときに失敗します。「確かめる」は、ゲインを 0.1 にしても実行します。" },
+      },
+    },
   },
 
   missing: (library) => `エンジンのコンピュータに、Debian のパッケージ ${library} がインストールされていません。この画面に必要です。そのコンピュータで次のように入力してください: sudo apt install ${library}`,

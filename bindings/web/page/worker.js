@@ -32,13 +32,29 @@ function go_on() {
   else go_on_after(wait * 1000);
 }
 
+/// The helpers of the page make theirs of the same module.
+function instantiateWasm(imports, take) {
+  compiled().then(async (module) => {
+    postMessage({ module });
+    take(await WebAssembly.instantiate(module, imports), module);
+  }).catch((wrong) => postMessage({ refused: String(wrong) }));
+  return {};
+}
+
+/// Some servers do not know what kind of file it is.
+async function compiled() {
+  const answer = await fetch("nezumi.wasm");
+  if (answer.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(answer);
+  return WebAssembly.compile(await answer.arrayBuffer());
+}
+
 /// `start`: { wasm?, shipped, project, system or journal }: the program if it is not beside this file, files by name, and the system
 /// file, or the text of a run to repeat.
 async function open({ start }) {
   const errors = [];
   engine = await nezumi_engine({
     noInitialRun: true, printErr: (line) => errors.push(line), send: (message) => postMessage({ message }, typeof message === "string" ? [] : [message]),
-    ...(start.wasm && { wasmBinary: start.wasm }),
+    ...(start.wasm ? { wasmBinary: start.wasm } : { instantiateWasm }),
   });
   write_files(engine, "/share/nezumi", start.shipped);
   engine.FS.mkdirTree("/project");
@@ -55,6 +71,7 @@ async function open({ start }) {
 
 onmessage = ({ data }) => {
   if (data.start) return open(data);
+  if (data.startsWith('{"do":"edit","what":"save"')) looked = 0;  // the helpers of the page read what was saved
   engine.ccall("nezumi_receive", null, ["string"], [data]);
   clearTimeout(due);
   if (due !== null) go_on_after(0);

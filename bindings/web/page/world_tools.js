@@ -72,6 +72,7 @@ export function make_tools(world, parts) {
       : "";
   });
   model.on("frame", show);
+  model.on("looked", show);
   const [edit, edit_tools] = make_arena_tools(world, parts);
   return [
     el("div", { class: "tools", role: "toolbar", "aria-label": T.views.world }, select, follow, top,

@@ -1,20 +1,20 @@
 -- Probes of behaviours: what is refused.
 
---- A probe takes a number, a truth value, a text or a flat table.
+--- A probe takes a number, a boolean, a text or a flat table.
 param('gains', { 1.0, 2.0 })
 function on_execute() probe('p', 1) probe('p', config.gains) end
 
 function on_execute() probe('p', print) end
--- error: probe 'p': expected a number, a truth value, a text or a flat table of them, got function
+-- error: probe 'p': expected a number, a boolean, a text or a flat table of them, got function
 
 function on_execute() probe('p', nil) end
--- error: probe 'p': expected a number, a truth value, a text or a flat table of them, got nothing
+-- error: probe 'p': expected a number, a boolean, a text or a flat table of them, got nothing
 
 function on_execute() probe('p', { { 1 } }) end
--- error: probe 'p': expected a number, a truth value, a text or a flat table of them, got a table that holds something else
+-- error: probe 'p': expected a number, a boolean, a text or a flat table of them, got a table that holds something else
 
 function on_execute() probe('p', { [print] = 1 }) end
--- error: probe 'p': expected a number, a truth value, a text or a flat table of them, got a table that holds something else
+-- error: probe 'p': expected a number, a boolean, a text or a flat table of them, got a table that holds something else
 
 function on_execute() local t = {} for i = 1, 64 do t[i] = i end probe('p', t) end
 

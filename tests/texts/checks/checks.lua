@@ -165,7 +165,7 @@ rate(50) require 'b'
 -- file: systems/missing.lua
 rate(100)
 network { name = 'pi', secret = 'nofile' }
--- error: network: the secret 'nofile' is not there: `nezumi network secret FILE` makes one, to be copied to each host
+-- error: network: the secret 'nofile' does not exist: `nezumi network secret FILE` makes one, to be copied to each host
 connect('a.b', 'c.d')  -- error: 'a.b': there is no component 'a'
 
 --- Overlapping robots and unknown models of a system are found.

@@ -68,10 +68,10 @@ robot 'm' { model = 'raspimouse', active = 1 }
 --                                ^ error: robot 'm': field 'active' expected true or false, got number
 
 behavior 'c' { script = 'robot_controller', config = { speed_x = print } }
---                                                     ^ error: behavior 'c': field 'config.speed_x' expected a number, a truth value, a text or an array of them, got function
+--                                                     ^ error: behavior 'c': field 'config.speed_x' expected a number, a boolean, a text or an array of them, got function
 
 behavior 'c' { script = 'robot_controller', config = { a = { 1, 'x' } } }
---                                                     ^ error: behavior 'c': field 'config.a' expected an array of numbers, of truth values or of texts
+--                                                     ^ error: behavior 'c': field 'config.a' expected an array of numbers, of booleans or of texts
 
 behavior 'c' { script = 'robot_controller', config = { a = { b = 1 } } }
 --                                                     ^ error: behavior 'c': field 'config.a' expected an array, got a table with a field 'b'
@@ -270,7 +270,7 @@ behavior 'c' { script = 'robot_controller', sets = { careful = 3 } }
 --                                                   ^ error: behavior 'c': field 'sets.careful' expected a table, got number
 
 behavior 'c' { script = 'robot_controller', sets = { careful = { x = {{}} } } }
---                                                               ^ error: behavior 'c': field 'sets.careful.x' expected an array of numbers, of truth values or of texts
+--                                                               ^ error: behavior 'c': field 'sets.careful.x' expected an array of numbers, of booleans or of texts
 
 --- A component must be on a robot of the system.
 robot 'mouse' { model = 'raspimouse' }
@@ -330,7 +330,7 @@ arena { csv '/dev/zero' }
 -- error: csv: there is no file '/dev/zero'; looked for /dev/zero; /dev/zero is a device, expected a file
 
 --- An error in a system file counts although the file catches it with pcall.
-pcall(rate, -1)  -- error: rate: expected a positive number of ticks a second, got -1
+pcall(rate, -1)  -- error: rate: expected a positive number of ticks per second, got -1
 rate(50)
 
 --- Exports to RTCs are declared once, with names that exist.
@@ -456,11 +456,11 @@ seed(2^62)
 
 seed 'x'  -- error: seed: expected a whole number from 0 on, got string
 
-rate(0)  -- error: rate: expected a positive number of ticks a second, got 0
+rate(0)  -- error: rate: expected a positive number of ticks per second, got 0
 
-rate(0/0)  -- error: rate: expected a positive number of ticks a second, got nan
+rate(0/0)  -- error: rate: expected a positive number of ticks per second, got nan
 
-rate {}  -- error: rate: expected a positive number of ticks a second, got table
+rate {}  -- error: rate: expected a positive number of ticks per second, got table
 
 rate()  -- error: rate: expected an argument, got none
 

@@ -97,7 +97,8 @@ TEST_CASE("the option --batch runs commands in order; time moves only by step an
     CHECK(outcome.status == 0);
 }
 
-TEST_CASE("an error in --batch costs a command, is told with its line, and shows in the exit status", "[cli][batch]") {
+TEST_CASE("an error in --batch ends its command only, is reported with its line, and sets the exit status",
+          "[cli][batch]") {
     const Place place;
     const Outcome outcome = place.batch("1\nx = = 1\n2\nfunction f()\n  error 'no'\nend\nf()\nit.cofig\n3\nx = {");
     CHECK(outcome.out == "1\n2\n3\n");
@@ -168,7 +169,7 @@ TEST_CASE("attach says what runs when it can't find its system", "[cli][attach]"
     CHECK(slip.status == 2);
 }
 
-TEST_CASE("a system that is stopped keeps nobody from the others, nor for ever", "[cli][attach]") {
+TEST_CASE("a system that is stopped does not block access to others, and blocks no client for ever", "[cli][attach]") {
     Running running;
     const std::string other = running.scratch.write("other.lua", "behavior \"it\" { script = \"it\" }\n").string();
     Program second({"run", other, "--headless"});

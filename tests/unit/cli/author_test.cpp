@@ -1,9 +1,10 @@
 // New behaviours for a running system's project.
-#include "bindings/cli/new/author.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "bindings/cli/new/behavior.hpp"
+#include "bindings/console/session.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;

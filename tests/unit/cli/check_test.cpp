@@ -13,7 +13,7 @@
 using namespace nezumi;
 using namespace nezumi::cli;
 
-TEST_CASE("a file's kind is told by its words, then by its folder", "[cli][check]") {
+TEST_CASE("a file's kind is decided by its words, then by its folder", "[cli][check]") {
     CHECK(kind_of_file("a.lua", "local p = input('in', 'TimedShort')") == LuaKind::behavior);
     CHECK(kind_of_file("a.lua", "function on_execute() end") == LuaKind::behavior);
     CHECK(kind_of_file("a.lua", "function on_exectue() end") == LuaKind::behavior);
@@ -33,7 +33,7 @@ TEST_CASE("a file's kind is told by its words, then by its folder", "[cli][check
     CHECK(kind_of_file("nezumi.lua", "---@meta\nfunction input() end") == LuaKind::definitions);
 }
 
-TEST_CASE("what is shipped has nothing wrong with it", "[cli][check]") {
+TEST_CASE("check finds no error in the shipped files", "[cli][check]") {
     const std::string root = source_root();
     const auto files = lua_files({root + "/behaviors", root + "/engine/robots"});
     REQUIRE(files.errors.empty());

@@ -70,7 +70,7 @@ TEST_CASE("the work of a class is collected with results of shown and hidden sce
     CHECK_FALSE(fs::exists(pupils.path("checks/1")));
 }
 
-TEST_CASE("work that can't be checked is told in the results", "[cli][class]") {
+TEST_CASE("work that can't be checked is reported in the results", "[cli][class]") {
     if (!web::can_confine()) return;
     Pupils pupils;
     pupils.add("Hanako", "part3_touch_drive");

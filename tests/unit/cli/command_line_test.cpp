@@ -49,7 +49,7 @@ SubCommand described(Values& values) {
 
 }  // namespace
 
-TEST_CASE("what is typed gets where the description says, the rest keeps its defaults", "[cli][command line]") {
+TEST_CASE("typed values are stored as described, and all others keep their defaults", "[cli][command line]") {
     Values values;
     CHECK(run_command_line(described(values), {"paint", "wall", "--many", "a", "--many=b", "-n", "x", "--text", ""}) ==
           7);
@@ -99,7 +99,7 @@ TEST_CASE("nothing runs when a word is wrong", "[cli][command line]") {
     }
 }
 
-TEST_CASE("values that begin with dashes and are no options are taken", "[cli][command line]") {
+TEST_CASE("an option accepts a value that begins with dashes and is not itself an option", "[cli][command line]") {
     const auto text = [](const std::vector<std::string>& words) {
         Values values;
         CHECK(run_command_line(described(values), words) == 7);

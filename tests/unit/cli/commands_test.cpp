@@ -8,7 +8,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("what can't be said on standard output costs the exit status, whatever the command", "[cli]") {
+TEST_CASE("every command fails if standard output can't be written", "[cli]") {
     const Scratch files;
     const std::string folder = files.path("").string();
     files.write("behaviors/it.lua", "function on_execute() end\n");

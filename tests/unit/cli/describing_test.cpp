@@ -65,7 +65,7 @@ TEST_CASE("bash completes commands, options, words and files", "[cli][completion
     CHECK(offered(files, "nezumi attach run --li", 4) == "--list\n");
 }
 
-TEST_CASE("the scripts are well-formed where their shell is there to say so", "[cli][completion]") {
+TEST_CASE("the completion scripts are well-formed for each installed shell", "[cli][completion]") {
     const Scratch files;
     std::string missing;
     for (const std::string shell : {"bash", "zsh", "fish"}) {
@@ -104,7 +104,7 @@ TEST_CASE("every script knows every command and option", "[cli][completion]") {
           "nezumi: completion: there is nothing for a shell 'bsh' (did you mean 'bash'?); known are bash, zsh, fish\n");
 }
 
-TEST_CASE("a value's form says what can stand there", "[cli][completion]") {
+TEST_CASE("the form of a value decides its completion", "[cli][completion]") {
     std::string text;
     bool flag = false;
     const auto words = [&](const std::string& name, const std::string& form) {
@@ -158,7 +158,7 @@ TEST_CASE("the manual has a page for each command, with every option, and man fi
     for (const SubCommand& command : whole.commands) CHECK(all.find("\n       " + command.name) != std::string::npos);
 }
 
-TEST_CASE("a text of the manual is what it was, whatever roff would make of it", "[cli][manual]") {
+TEST_CASE("a text of the manual is shown unchanged, even with commands of roff", "[cli][manual]") {
     bool flag = false;
     const SubCommand odd{
         .name = "tool",

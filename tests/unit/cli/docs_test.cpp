@@ -120,11 +120,13 @@ void run_console(Terminal& terminal, const Block& block) {
     }
 }
 
-void follow(const std::string& name, const std::string& folder = "") {
+// `before`: a command that comes before those of the page.
+void follow(const std::string& name, const std::string& folder = "", const std::string& before = "") {
     const std::string page = text_of_file(fs::path(source_root()) / "docs" / name);
     REQUIRE_FALSE(page.empty());
     Terminal terminal;
     if (!folder.empty()) terminal.run("cd '" + folder + "'");
+    if (!before.empty()) terminal.run(before);
     for (const Block& block : blocks_of(page)) {
         std::string text;
         for (const std::string& line : block.lines) text += line + "\n";
@@ -299,23 +301,35 @@ TEST_CASE("the page about the architecture lists the engine's rooms as the doors
     CHECK(listed == doors.front());
 }
 
-TEST_CASE("the page about editors does what it says", "[cli][docs]") { follow("editors.md"); }
+TEST_CASE("the commands on the page about editors give the documented results", "[cli][docs]") { follow("editors.md"); }
 
-TEST_CASE("the page about the console does what it says", "[cli][docs]") { follow("console.md"); }
+TEST_CASE("the commands on the page about the console give the documented results", "[cli][docs]") {
+    follow("console.md");
+}
 
-TEST_CASE("the page about going back in time does what it says", "[cli][docs]") { follow("time.md"); }
+TEST_CASE("the commands on the page about going back in time give the documented results", "[cli][docs]") {
+    follow("time.md");
+}
 
-TEST_CASE("the page about the seminar's systems does what it says", "[cli][docs]") {
+TEST_CASE("the commands on the page about the seminar's systems give the documented results", "[cli][docs]") {
     follow("seminar.md", source_root());
 }
 
-TEST_CASE("the tutorial does what it says", "[cli][docs][wallclock]") { follow("tutorial.md"); }
+TEST_CASE("the commands of the tutorial give the documented results", "[cli][docs][wallclock]") {
+    follow("tutorial.md");
+}
 
-TEST_CASE("the tutorial in Japanese does what it says", "[cli][docs][wallclock]") { follow("ja/tutorial.md"); }
+TEST_CASE("the commands of the tutorial in Japanese give the documented results", "[cli][docs][wallclock]") {
+    follow("ja/tutorial.md");
+}
 
-TEST_CASE("the seminar's page in Japanese does what it says", "[cli][docs]") { follow("ja/seminar.md", source_root()); }
+TEST_CASE("the commands on the seminar's page in Japanese give the documented results", "[cli][docs]") {
+    follow("ja/seminar.md", source_root());
+}
 
-TEST_CASE("the class's page in Japanese does what it says", "[cli][docs]") { follow("ja/classroom.md"); }
+TEST_CASE("the commands on the page about classes in Japanese give the documented results", "[cli][docs]") {
+    follow("ja/classroom.md", "", "mkdir robots-7b");
+}
 
 TEST_CASE("each page in Japanese and its English one lead to each other and have as many commands", "[cli][docs]") {
     std::size_t count = 0;
@@ -342,33 +356,53 @@ TEST_CASE("each page in Japanese and its English one lead to each other and have
     CHECK(count >= 4);
 }
 
-TEST_CASE("the page about behaviours does what it says", "[cli][docs][watchdog]") { follow("behaviors.md"); }
+TEST_CASE("the commands on the page about behaviours give the documented results", "[cli][docs][watchdog]") {
+    follow("behaviors.md");
+}
 
-TEST_CASE("the page about the examples does what it says", "[cli][docs]") { follow("examples.md", source_root()); }
+TEST_CASE("the commands on the page about the examples give the documented results", "[cli][docs]") {
+    follow("examples.md", source_root());
+}
 
-TEST_CASE("the page about OpenRTM's components does what it says", "[cli][docs]") { follow("openrtm.md"); }
+TEST_CASE("the commands on the page about OpenRTM's components give the documented results", "[cli][docs]") {
+    follow("openrtm.md");
+}
 
-TEST_CASE("the page about Python does what it says", "[cli][docs]") { follow("python.md"); }
+TEST_CASE("the commands on the page about Python give the documented results", "[cli][docs]") { follow("python.md"); }
 
-TEST_CASE("the page for those who come from elsewhere does what it says", "[cli][docs]") { follow("coming_from.md"); }
+TEST_CASE("the commands on the page for users of other programs give the documented results", "[cli][docs]") {
+    follow("coming_from.md");
+}
 
-TEST_CASE("the page about coverage does what it says", "[cli][docs]") { follow("coverage.md"); }
+TEST_CASE("the commands on the page about coverage give the documented results", "[cli][docs]") {
+    follow("coverage.md");
+}
 
-TEST_CASE("the page about sweeps does what it says", "[cli][docs]") { follow("sweeps.md"); }
+TEST_CASE("the commands on the page about sweeps give the documented results", "[cli][docs]") { follow("sweeps.md"); }
 
-TEST_CASE("the page about looking for reasons does what it says", "[cli][docs]") { follow("why.md"); }
+TEST_CASE("the commands on the page about finding reasons give the documented results", "[cli][docs]") {
+    follow("why.md");
+}
 
-TEST_CASE("the page for papers does what it says", "[cli][docs]") { follow("methods.md"); }
+TEST_CASE("the commands on the page for papers give the documented results", "[cli][docs]") { follow("methods.md"); }
 
-TEST_CASE("the page about upgrading does what it says", "[cli][docs]") { follow("upgrading.md"); }
+TEST_CASE("the commands on the page about upgrading give the documented results", "[cli][docs]") {
+    follow("upgrading.md");
+}
 
-TEST_CASE("the page about Micromouse does what it says", "[cli][docs]") { follow("micromouse.md"); }
+TEST_CASE("the commands on the page about Micromouse give the documented results", "[cli][docs]") {
+    follow("micromouse.md");
+}
 
-TEST_CASE("the page about learning does what it says", "[cli][docs]") { follow("learning.md"); }
+TEST_CASE("the commands on the page about learning give the documented results", "[cli][docs]") {
+    follow("learning.md");
+}
 
-TEST_CASE("the page about agents does what it says", "[cli][docs]") { follow("agents.md"); }
+TEST_CASE("the commands on the page about agents give the documented results", "[cli][docs]") { follow("agents.md"); }
 
-TEST_CASE("the page about a class does what it says", "[cli][docs]") { follow("classroom.md"); }
+TEST_CASE("the commands on the page about classes give the documented results", "[cli][docs]") {
+    follow("classroom.md", "", "mkdir robots-7b");
+}
 
 TEST_CASE("every example has a picture", "[cli][docs]") {
     const std::string page = text_of_file(root / "docs/examples.md");
@@ -381,8 +415,12 @@ TEST_CASE("every example has a picture", "[cli][docs]") {
     }
 }
 
-TEST_CASE("the page about messages does what it says", "[cli][docs]") { follow("messages.md"); }
+TEST_CASE("the commands on the page about messages give the documented results", "[cli][docs]") {
+    follow("messages.md");
+}
 
-TEST_CASE("the page about modules does what it says", "[cli][docs]") { follow("modules.md"); }
+TEST_CASE("the commands on the page about modules give the documented results", "[cli][docs]") { follow("modules.md"); }
 
-TEST_CASE("the page about the Raspberry Pi Mouse does what it says", "[cli][docs]") { follow("raspimouse.md"); }
+TEST_CASE("the commands on the page about the Raspberry Pi Mouse give the documented results", "[cli][docs]") {
+    follow("raspimouse.md");
+}

@@ -57,7 +57,7 @@ TEST_CASE("the doctor ends with 1 and says what to do", "[cli][doctor]") {
     CHECK(outcome.out.ends_with("\n2 things to do\n"));
 }
 
-TEST_CASE("the doctor tells programs the same as JSON", "[cli][doctor]") {
+TEST_CASE("the doctor writes the same findings as JSON for programs", "[cli][doctor]") {
     const Scratch machine;
     write_mouse(machine);
     machine.write("dev/rtlightsensor0", "0 0 0 0\n");

@@ -117,7 +117,7 @@ TEST_CASE("a standard error that is not read holds no tick and no end, and its r
     CHECK(rows.back().substr(rows.back().find(',') + 1) == std::to_string(rows.size() - 2));  // it ends in a last tick
 }
 
-TEST_CASE("what is left out of a log that is not read is counted, and told where reading goes on",
+TEST_CASE("lines that are left out of a log that is not read are counted, and reported when reading goes on",
           "[cli][ends][wallclock]") {
     const BehaviorProject project(talks);
     const std::string csv = project.scratch.path("it.csv").string();
@@ -232,7 +232,7 @@ TEST_CASE("a standard output that is full keeps no run from its end", "[cli][end
     CHECK_THAT(run.error, Catch::Contains("as it waited for standard output: ended at once\n"));
 }
 
-TEST_CASE("a console writes files alone: whatever else has a name is refused at once", "[cli][ends][wallclock]") {
+TEST_CASE("a console writes only to files: a FIFO is refused at once", "[cli][ends][wallclock]") {
     const BehaviorProject project(counts);
     Program run({"run", project.file, "--no-web"});
     REQUIRE(run.wait_for_error("begins"));
@@ -291,7 +291,7 @@ TEST_CASE("a browser that reads nothing holds nothing", "[cli][ends][wallclock]"
     CHECK(Clock::now() - begin < std::chrono::milliseconds(1400));
 }
 
-TEST_CASE("a second signal ends a run that what it writes to holds, at once", "[cli][ends][wallclock]") {
+TEST_CASE("a second signal ends a run at once that waits for its outputs", "[cli][ends][wallclock]") {
     const BehaviorProject project(talks);
     const std::string csv = project.scratch.path("it.csv").string();
     Program run({"run", project.file, "--no-web", "--record", csv});

@@ -12,13 +12,12 @@
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/stubs/annotations.hpp"
-#include "bindings/lua/stubs/field_table.hpp"
-#include "bindings/lua/stubs/member_table.hpp"
 #include "bindings/lua/stubs/record_annotations.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/ports/setting.hpp"
 #include "engine/system/act_fields.hpp"
+#include "tests/unit/cli/doc_tables.hpp"
 #include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
@@ -119,7 +118,7 @@ TEST_CASE("the readers take every field that is described, and no other", "[cli]
     CHECK(tried > 80);
 }
 
-TEST_CASE("editors are told of every field that is described", "[cli][fields]") {
+TEST_CASE("the editor annotations contain every described field", "[cli][fields]") {
     const std::string text = annotations(scenario_records(), cli::peer_words());
     for (const RecordShape& record : all_records()) {
         if (record.name == "port_options") continue;  // a class for each type, tried with the types
@@ -160,7 +159,7 @@ TEST_CASE("the documentation's tables are those of the descriptions", "[cli][fie
     CHECK(all.find("<!-- members: port -->") != std::string::npos);
 }
 
-TEST_CASE("a number that may be left out has a default that is told", "[cli][fields]") {
+TEST_CASE("every optional number field has a documented default", "[cli][fields]") {
     std::size_t numbers = 0;
     for (const RecordShape& record : all_records()) {
         for (const FieldRow& row : record.rows) {

@@ -90,7 +90,7 @@ Words run(const std::string& file, const std::string& speed) {
 
 }  // namespace
 
-TEST_CASE("hosts in lockstep have the same hashes each time, whoever is held up",
+TEST_CASE("hosts in lockstep have the same hashes each time, whichever host is slow",
           "[cli][network][lockstep][wallclock]") {
     Ring ring(224);
     const auto& [a, b, c] = ring.files;

@@ -33,7 +33,7 @@ std::vector<std::string> exported_words() {
 
 }  // namespace
 
-TEST_CASE("no component is called like a word that the library, the console or a file has", "[cli][names]") {
+TEST_CASE("a component name equal to a word of the library, the console or a file is refused", "[cli][names]") {
     std::vector<std::string> words = exported_words();
     CHECK(words.size() > 100);
     append(words, sandbox_names());
@@ -55,7 +55,7 @@ TEST_CASE("every word that a room adds to Lua's own is promised", "[cli][names]"
     }
 }
 
-TEST_CASE("words of what is to come are kept free", "[cli][names]") {
+TEST_CASE("words for future commands are reserved", "[cli][names]") {
     for (const std::string_view word : {"activate",    "cancel",  "graph",   "hosts",   "line",  "log_level", "marker",
                                         "maze",        "measure", "network", "picture", "probe", "rearm",     "remove",
                                         "robot_model", "ros",     "rtm",     "start",   "stop",  "task",      "wait"}) {

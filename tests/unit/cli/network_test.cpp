@@ -85,7 +85,7 @@ TEST_CASE("an interface that is not there ends a run before it begins", "[cli][n
     CHECK(run_nezumi({"check", system}).status == 0);
 }
 
-TEST_CASE("what is wrong with topics of ROS is told by check, each at its line", "[cli][network]") {
+TEST_CASE("check reports each wrong topic of ROS at its line", "[cli][network]") {
     Scratch scratch;
     const std::string system = scratch
                                    .write("s.lua", R"(robot "mouse" { model = "raspimouse" }
@@ -141,7 +141,7 @@ TEST_CASE("a secret that is not there, that others can read, or that is none end
         CHECK(ran.status == 2);
         return ran.error;
     };
-    CHECK(said().find("s.lua:1: network: the secret 's.key' is not there: `nezumi network secret FILE` makes one") !=
+    CHECK(said().find("s.lua:1: network: the secret 's.key' does not exist: `nezumi network secret FILE` makes one") !=
           std::string::npos);
     const auto key = scratch.write("s.key", "nezumi secret 1\nnone\n");
     std::filesystem::permissions(key, std::filesystem::perms{0644});
@@ -169,7 +169,7 @@ TEST_CASE("hosts of a secret find each other, and those without it do not", "[cl
     CHECK_FALSE(three.wait_for_error("hears", 3));
 }
 
-TEST_CASE("a component of another host is asked, set and told what to do at the console", "[cli][network][wallclock]") {
+TEST_CASE("the console reads, sets and commands a component of another host", "[cli][network][wallclock]") {
     Scratch scratch;
     const std::string driven = scratch
                                    .write("driven.lua", R"(network { name = "one", domain = 223 }
@@ -200,7 +200,8 @@ hosts.ona
     CHECK(said.find("there is no host 'ona' (did you mean 'one'?)") != std::string::npos);
 }
 
-TEST_CASE("what came over the network is in the journal: its replay is the same, alone", "[cli][network][wallclock]") {
+TEST_CASE("messages from the network are in the journal, and a replay without the network is the same",
+          "[cli][network][wallclock]") {
     TwoHosts hosts;
     Program counter({"run", hosts.counter, "--headless"});
     const std::string journal = hosts.scratch.path("j").string();

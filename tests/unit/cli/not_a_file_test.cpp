@@ -52,7 +52,7 @@ struct NotAFileProject {
 
 }  // namespace
 
-TEST_CASE("a FIFO in place of a file that a run reads is refused at once, and told as what it is", "[cli][run]") {
+TEST_CASE("a FIFO in place of a file that a run reads is refused at once, and the error names its kind", "[cli][run]") {
     NotAFileProject project;
     const Outcome whole = project.run();
     INFO(whole.error);

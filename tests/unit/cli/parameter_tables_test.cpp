@@ -11,9 +11,9 @@
 
 #include "bindings/embed/simulation.hpp"
 #include "bindings/lua/files/robot_file.hpp"
-#include "bindings/lua/stubs/field_table.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/values/value_text.hpp"
+#include "tests/unit/cli/doc_tables.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/source_root.hpp"

@@ -200,7 +200,7 @@ TEST_CASE("an input goes on in a window that was resized meanwhile", "[cli][prom
     CHECK(it.wait_for_row(input));
 }
 
-TEST_CASE("what a Tab lists fits the window", "[cli][prompt]") {
+TEST_CASE("the list that a Tab shows fits the window", "[cli][prompt]") {
     const Home home(quiet);
     PtyProgram it = home.run(17);
     REQUIRE(it.wait_for_prompt("nezumi>"));

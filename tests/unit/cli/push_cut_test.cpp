@@ -23,7 +23,7 @@ TEST_CASE("a project that can't come over whole leaves the robot as it was", "[c
         server.receive_by(words);
         const Outcome broken = project.push(server);
         CHECK(broken.status == 2);
-        CHECK(broken.error == "nezumi: mouse: the connection broke: nothing was changed there\n");
+        CHECK(broken.error == "nezumi: mouse: the connection broke: nothing was changed on the robot\n");
         CHECK(server.there("robots/behaviors/drive.lua") == "-- first\n");
     }
     fs::remove(server.folder.path("bin/nezumi"));

@@ -10,8 +10,7 @@
 using namespace nezumi;
 namespace fs = std::filesystem;
 
-TEST_CASE("a project comes over, with what has changed and what has gone, and the robot's calibration stays",
-          "[cli][push]") {
+TEST_CASE("a project is copied, with changed and removed files, and the robot's calibration stays", "[cli][push]") {
     const SshServer server;
     const PushedProject project;
     const Outcome first = project.push(server);
@@ -30,7 +29,7 @@ TEST_CASE("a project comes over, with what has changed and what has gone, and th
     CHECK(server.there("robots/behaviors/systems/mouse.calibration.lua") == "its own");
 }
 
-TEST_CASE("what was edited on the robot, or was its own before, is kept and told", "[cli][push]") {
+TEST_CASE("files that were edited on the robot, or were its own before, are kept and reported", "[cli][push]") {
     const SshServer server;
     const PushedProject project;
     project.folder.write("robots/behaviors/goes.lua", "-- first\n");
@@ -44,14 +43,16 @@ TEST_CASE("what was edited on the robot, or was its own before, is kept and told
     project.folder.write("robots/behaviors/more.lua", "-- second\n");
     fs::remove(project.folder.path("robots/behaviors/goes.lua"));
     const std::string told =
-        "nezumi: behaviors/drive.lua is kept on mouse: it was edited there; copy it here or remove it there, then push "
+        "nezumi: behaviors/drive.lua is kept on mouse: it was edited on the robot; copy it here or remove it there, "
+        "then push "
         "again\n";
     const std::string told_own =
-        "nezumi: \"behaviors/new\\nline.lua\" is kept on mouse: it was not pushed there; copy it here, or rename or "
-        "remove it there, then push again\n";
+        "nezumi: \"behaviors/new\\nline.lua\" is kept on mouse: it did not come from a push; copy it here, or rename "
+        "or "
+        "remove it on the robot, then push again\n";
     const std::string told_removed =
-        "nezumi: behaviors/goes.lua is kept on mouse: it was edited there and is no longer in the project: it now "
-        "belongs to the robot\n";
+        "nezumi: behaviors/goes.lua is kept on mouse: it was edited on the robot and is no longer in the project: "
+        "push no longer manages it\n";
 
     const Outcome shown = project.push(server, {"--dry-run"});
     CHECK(shown.status == 1);
@@ -161,7 +162,7 @@ TEST_CASE("a file of the project is run there by its real robots, and its status
                          "\nrun behaviors/systems/one.lua --hw\n");
 }
 
-TEST_CASE("what runs there behaves anew as soon as a project is pushed, and keeps its state",
+TEST_CASE("a running robot uses the new behaviour as soon as a project is pushed, and keeps its state",
           "[cli][push][wallclock]") {
     const SshServer server;
     const PushedProject project;
@@ -203,7 +204,7 @@ TEST_CASE("the console of a robot is reached by ssh", "[cli][push]") {
     CHECK((listed.status == 0 || listed.error.find("nothing is running") != std::string::npos));
 }
 
-TEST_CASE("a host that is none is told in one line", "[cli][push]") {
+TEST_CASE("a malformed host is refused in one line", "[cli][push]") {
     const Scratch nothing;
     CHECK(run_nezumi({"push", "pi@mouse"}, nothing.path("").string()).error ==
           "nezumi: there is no project here: expected a folder behaviors/ here or in a folder above\n");

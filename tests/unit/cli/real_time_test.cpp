@@ -57,7 +57,8 @@ std::map<std::string, int> policies_of(pid_t process) {
 
 }  // namespace
 
-TEST_CASE("what a run has got of the kernel is told in one line, with what to do about the rest", "[cli][realtime]") {
+TEST_CASE("one line reports which real-time settings the kernel allowed, and how to allow the others",
+          "[cli][realtime]") {
     std::string asked;
     CHECK(told(0, 0, &asked) == "--realtime: SCHED_FIFO with priority 40, memory is locked");
     CHECK(asked == "lock 40 0 ");  // and given back
@@ -107,7 +108,7 @@ TEST_CASE("only the thread that ticks runs before all others", "[cli][realtime]"
     CHECK(program.wait() == 0);
 }
 
-TEST_CASE("a run that follows the clock tells at its end how late its ticks were, another one does not", "[cli][run]") {
+TEST_CASE("only a run that follows the clock reports at its end how late its ticks were", "[cli][run]") {
     const std::string paced =
         run_nezumi({"run", "behaviors/systems/stop_at_wall.lua", "--headless", "--duration", "0.3"}).error;
     INFO(paced);

@@ -55,7 +55,7 @@ TEST_CASE("a recording keeps the columns of what has gone, empty, and has those 
     CHECK(column("second.out") == ",,1,2,3,4");
 }
 
-TEST_CASE("what came and went replays to the same hash", "[cli][act]") {
+TEST_CASE("a run with added and removed entries replays to the same hash", "[cli][act]") {
     const SmallRun it(
         "step(2)\nbehavior 'second' { script = 'it' }\nmarker { name = 't', id = 3, at = { 1, 0, 0.1 } }\nstep(2)\n"
         "remove 't'\nremove 'it'\ndeactivate()\nactivate()\nstep(20)\n");

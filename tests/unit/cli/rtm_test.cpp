@@ -36,7 +36,8 @@ std::string forward() {
 
 }  // namespace
 
-TEST_CASE("what RTCs do is in the journal, and a replay without them ends alike", "[cli][rtm][wallclock]") {
+TEST_CASE("the acts of RTCs are in the journal, and a replay without RTCs ends in the same way",
+          "[cli][rtm][wallclock]") {
     std::string hash;
     Scratch folder;
     const std::string journal = folder.path("run.journal").string();

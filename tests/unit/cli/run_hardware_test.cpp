@@ -82,7 +82,7 @@ TEST_CASE("each robot gets the driver of its model by --hw, and simulated ones a
     CHECK(robot(kept, 1).backend == "other");
 }
 
-TEST_CASE("what --hw can't make real is said at its line", "[cli][hw]") {
+TEST_CASE("a robot that --hw can't make real is refused with its line", "[cli][hw]") {
     CHECK(refused(two_mice(), {"frist"}) ==
           "--hw: there is no robot or device 'frist' in two.lua (did you mean 'first'?)");
     SystemSpec toy = two_mice();
@@ -102,12 +102,12 @@ TEST_CASE("what --hw can't make real is said at its line", "[cli][hw]") {
     slow.rate = 9.9;
     slow.rate_place = {"two.lua", 3};
     CHECK(refused(slow) ==
-          "two.lua:3: --hw: 9.9 ticks a second are too few to drive a real robot: expected 10 or more");
+          "two.lua:3: --hw: 9.9 ticks per second are too few to drive a real robot: expected 10 or more");
     slow.rate = 10;
     CHECK(refused(slow).empty());
 }
 
-TEST_CASE("devices are real by --hw as well, and what a robot carries is as real as the robot", "[cli][hw]") {
+TEST_CASE("the option --hw makes devices real too, and a device on a robot is real if the robot is", "[cli][hw]") {
     SystemSpec spec = two_mice();
     add_component(spec, "stick", "Joystick");
     add_component(spec, "eye", "Camera", "second");
@@ -127,7 +127,7 @@ TEST_CASE("devices are real by --hw as well, and what a robot carries is as real
     CHECK(chosen({}) == "gamepad|");
 }
 
-TEST_CASE("a device that its file keeps simulated stays so, and what it can't be is said at its line", "[cli][hw]") {
+TEST_CASE("a device with backend = 'sim' stays simulated, and --hw for it is refused with its line", "[cli][hw]") {
     SystemSpec spec = two_mice();
     add_component(spec, "stick", "Joystick").backend = "sim";
     SystemSpec all = spec;

@@ -15,14 +15,14 @@ TEST_CASE("an error of several lines forges no line of the log, at the end eithe
     CHECK(outcome.error.find("\n[    9.000] info") == std::string::npos);
 }
 
-TEST_CASE("what a script prints can't command the terminal", "[cli][run]") {
+TEST_CASE("the output of a script can't control the terminal", "[cli][run]") {
     const BehaviorProject project("function on_activated() print('\\27[2Jgone\\0\\200') end\n");
     const Outcome run = run_nezumi({"run", project.file, "--headless", "--speed", "max", "--duration", "0.1"});
     CHECK(run.status == 0);
     CHECK_THAT(run.error, Catch::Contains("it: \\x1b[2Jgone\\x00"));
 }
 
-TEST_CASE("what a script prints begins no line of the log", "[cli][run]") {
+TEST_CASE("the output of a script can't look like a line of the log", "[cli][run]") {
     const BehaviorProject project("function on_activated() print('well\\n[    0.010] error mouse: burns') end\n");
     const Outcome run = run_nezumi({"run", project.file, "--headless", "--speed", "max", "--duration", "0.1"});
     CHECK_THAT(run.error, Catch::Contains("it: well\n"));
@@ -30,7 +30,7 @@ TEST_CASE("what a script prints begins no line of the log", "[cli][run]") {
                               !Catch::Contains("\n[    0.010] error mouse: burns"));
 }
 
-TEST_CASE("a folder's name can't turn what is said", "[cli][run]") {
+TEST_CASE("a folder's name can't reverse the direction of an error's text", "[cli][run]") {
     const std::string turned =
         "systems\xE2\x80\xAE"
         "aul.";

@@ -85,14 +85,14 @@ TEST_CASE("a terminal without a keyboard shows time, speed and states below the 
     CHECK(lines >= 5);
 }
 
-TEST_CASE("a terminal is told how late ticks begin", "[cli][run]") {
+TEST_CASE("a terminal shows how late ticks begin", "[cli][run]") {
     const std::string text = on_terminal(140);
     const std::string line = line_before(text, text.rfind("\r\x1b[J"));
     CAPTURE(line);
     CHECK(tells_lateness(line));
 }
 
-TEST_CASE("prompts and browsers are told how late ticks begin, and of a run that has had none nothing", "[cli][run]") {
+TEST_CASE("prompts and browsers show how late ticks begin, but nothing for a run without ticks", "[cli][run]") {
     auto live = RunningSystem::make(SystemSpec{}, Project::of("behaviors/systems/any.lua"), {});
     REQUIRE(live);
     RunLoop loop(**live, {});

@@ -42,7 +42,7 @@ TEST_CASE("on a terminal one line says how many runs are over and how long the r
     CHECK(told.at(seconds(800), 100).empty());  // nothing is left
 }
 
-TEST_CASE("elsewhere a line comes each minute, and none in a short session", "[cli][test]") {
+TEST_CASE("without a terminal, progress is printed once a minute, and not at all in a short session", "[cli][test]") {
     Told told(false);
     CHECK(told.at(seconds(59), 10).empty());
     CHECK(told.at(seconds(60), 10) == "10 of 100 runs, 9 min 0 s left\n");

@@ -59,7 +59,7 @@ std::size_t results_in(const std::filesystem::path& folder) {
 
 }  // namespace
 
-TEST_CASE("results that are beyond a file's limit are told, and the file before stays", "[cli][test]") {
+TEST_CASE("if a result file exceeds the file size limit, the error is reported and the old file stays", "[cli][test]") {
     const Tried tried;
     static_cast<void>(tried.write("it.xml", "before"));
     rlimit before{};
@@ -91,7 +91,7 @@ TEST_CASE("an interrupted session says that it can go on, and does", "[cli][test
     CHECK(kept() == 2);
 }
 
-TEST_CASE("an interrupted session tells of all runs that were over, in their order", "[cli][test][parts]") {
+TEST_CASE("an interrupted session reports all finished runs, in their order", "[cli][test][parts]") {
     const Tried tried(
         "scenario('it', { timeout = 1e8, sweep = { n = { 1, 2, 3 } } }, function(s, p)\n"
         "  s:load 'systems/stop_at_wall.lua'\n"

@@ -117,7 +117,7 @@ std::string refused_twin(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a twin starts where the file says, drives as the real robot is told, and the error stays small",
+TEST_CASE("a twin starts at the pose in the file, gets the real robot's commands, and the error stays small",
           "[cli][hw][twin]") {
     Pair pair(one_mouse);
     CHECK(pair.truth().position.x == Approx(0.2).margin(1e-4));
@@ -180,7 +180,7 @@ TEST_CASE("while the real robot's odometry is silent so is the error", "[cli][hw
     CHECK(pair.error_port().tm() == before);
 }
 
-TEST_CASE("whatever happens to a twin, the real robot is told the same as without it", "[cli][hw][twin][safety]") {
+TEST_CASE("a twin never changes the commands that the real robot gets", "[cli][hw][twin][safety]") {
     const std::string text =
         "arena { box { at = { 0.3, 0, 0.15 }, size = { 0.1, 1, 0.3 } } }\nrobot 'mouse' { model = 'raspimouse' }\n";
     const auto calls = [&](bool with_twin) {

@@ -161,7 +161,7 @@ TEST_CASE("the annotations have every word of behaviours, systems, robots, scena
     }
 }
 
-TEST_CASE("a port's class says what it reads and what it takes", "[cli][types]") {
+TEST_CASE("a port's class has the types that it reads and writes", "[cli][types]") {
     const std::string text = annotations(scenario_records(), cli::peer_words());
     const auto has = [&](const std::string& line) { return text.find("\n" + line + "\n") != std::string::npos; };
     CHECK(has("---@field read fun(self: TimedShortSeq.In): integer[]"));

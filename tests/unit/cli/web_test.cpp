@@ -119,7 +119,7 @@ TEST_CASE("where the port is taken it is the next free one, and without any the 
     CHECK(without.error.find("0.05 s simulated") != std::string::npos);
 }
 
-TEST_CASE("runs for machines, and those that are told so, serve no page", "[cli][web]") {
+TEST_CASE("a headless run, and a run with --no-web, serve no page", "[cli][web]") {
     const WebSystem system;
     CHECK(system.run({"--duration", "0.05", "--no-web"}).error.find("http") == std::string::npos);
     CHECK(system.run({"--duration", "0.05", "--headless"}).error.find("http") == std::string::npos);
@@ -140,7 +140,7 @@ TEST_CASE("runs for machines, and those that are told so, serve no page", "[cli]
                   address + "'\n");
 }
 
-TEST_CASE("other computers are let in by TLS alone, with a certificate whose fingerprint is told", "[cli][web]") {
+TEST_CASE("other computers connect only by TLS, with a certificate whose fingerprint is printed", "[cli][web]") {
     const WebSystem system;
     const std::string state = system.scratch.path("state").string();
     setenv("XDG_STATE_HOME", state.c_str(), 1);

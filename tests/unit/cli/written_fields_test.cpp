@@ -73,7 +73,7 @@ const std::set<std::string> others{"about",
                                    "calibration",
                                    "odometry_calibration"};
 
-// What a field is given, as `save` writes it. Numbers and truth values need none.
+// What a field is given, as `save` writes it. Numbers and booleans need none.
 const std::map<std::string, std::string> values{
     {"box.at", "{ 0.5, 0.25, 0.125 }"},
     {"box.size", "{ 0.5, 0.25, 0.125 }"},

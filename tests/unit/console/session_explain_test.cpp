@@ -23,7 +23,7 @@ TEST_CASE("the console explains the next execution of a behaviour, once", "[cons
     CHECK(it.shown.empty());
 }
 
-TEST_CASE("the console reports what it can't explain, and what it waits for", "[console][explain]") {
+TEST_CASE("the console reports why it can't explain a component, or that time is paused", "[console][explain]") {
     SessionRig it;
     CHECK(it.type("explain(mouse)") == "! explain: mouse is not a behaviour: it has no lines");
     CHECK(it.type("explain()") == "! explain: expected a behaviour, as in explain(controller), got nothing");

@@ -308,7 +308,7 @@ end
     CHECK(pi.type("hosts.ev3.c.out:write { vx = 1 }") == "! ev3/c.out:write: only its own host can do that");
 }
 
-TEST_CASE("what can be no member of a component of another host is told", "[console][network]") {
+TEST_CASE("a wrong use of another host's component is reported", "[console][network]") {
     HostsRig it;
     CHECK(it.type("hosts.ev4") == "! there is no host 'ev4' (did you mean 'ev3'?)");
     it.network->says = PlainData{.values = {1.0}, .tables = {}};

@@ -11,6 +11,7 @@
 
 #include "bindings/console/session.hpp"
 #include "bindings/console/worker.hpp"
+#include "engine/live/problems.hpp"
 #include "tests/unit/live_rig.hpp"
 
 namespace nezumi {
@@ -75,11 +76,9 @@ struct SessionRig : LiveRig, ClockControl {
         quitting = true;
     }
     std::vector<LogLine> problems() const override {
-        std::vector<LogLine> lines;
-        for (const LogLine& line : log) {
-            if (line.level >= LogLevel::warn) lines.push_back(line);
-        }
-        return lines;
+        Problems problems;
+        for (const LogLine& line : log) problems.take(line);
+        return problems.lines();
     }
 
     bool hardware = false;

@@ -101,7 +101,8 @@ TEST_CASE("a line that can't be read is answered with an error, and the next req
     }
 }
 
-TEST_CASE("a client that leaves within a line is removed, and nothing else happens", "[console][transport]") {
+TEST_CASE("a client that disconnects in the middle of a line is removed, and nothing else happens",
+          "[console][transport]") {
     Transport transport;
     Pair pair = make_pair();
     const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);

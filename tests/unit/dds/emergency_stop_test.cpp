@@ -32,7 +32,7 @@ TEST_CASE("an emergency stop sends zero to robots of other hosts, until rearm", 
     pass(room, 5, here, there);
     CHECK(drive(room, here, there, 0.5, 2) == std::vector<double>{0.5, 0.5});
     REQUIRE(here.act(Stop{}, {Actor::Kind::console}));
-    CHECK(here.told("warn: emergency stop: there/part.target is sent zero until rearm()"));
+    CHECK(here.told("warn: emergency stop: there/part.target gets speed 0 until rearm()"));
     CHECK(drive(room, here, there, 0.5, 3) == std::vector<double>{0, 0, 0});
     REQUIRE(here.act(Rearm{}, {Actor::Kind::console}));
     CHECK(drive(room, here, there, 0.5, 2) == std::vector<double>{0.5, 0.5});

@@ -88,7 +88,7 @@ TEST_CASE("read-only hosts can see components but change nothing", "[dds][networ
     CHECK(ev3.part->state() == LifeState::active);
 }
 
-TEST_CASE("what a port of another host carries is seen without a connection", "[dds][network]") {
+TEST_CASE("the values of another host's port can be seen without a connection", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3", false), pi(room, "pi");
     pass(room, 3, ev3, pi);

@@ -252,11 +252,11 @@ TEST_CASE("different tick rates are refused at both hosts", "[dds][lockstep]") {
     Room room;
     StepRig one(room, "one", {"two"}), two(room, "two", {"one"}, 50);
     pass_together(room, 30, one, two);
-    CHECK(
-        one.told("error: lockstep: host two has 50 ticks a second, this one 100: say rate(50) here or rate(100) there, "
-                 "and restart()"));
+    CHECK(one.told(
+        "error: lockstep: host two has 50 ticks per second, this one 100: say rate(50) here or rate(100) there, "
+        "and restart()"));
     CHECK(two.told(
-        "error: lockstep: host one has 100 ticks a second, this one 50: say rate(100) here or rate(50) there"));
+        "error: lockstep: host one has 100 ticks per second, this one 50: say rate(100) here or rate(50) there"));
     CHECK(one.ticks() == 0);
     CHECK(one.told("time is stopped at 0.00 s: host two has another tick rate"));
 }

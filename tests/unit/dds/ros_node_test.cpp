@@ -197,7 +197,7 @@ TEST_CASE("an impossible topic of a node is refused with its name", "[dds][ros]"
 TEST_CASE("an emergency stop sends zero to robots of ROS in every tick, until rearm", "[dds][ros][stop]") {
     CommandRig rig;
     REQUIRE(perform(rig.system, Stop{}, {Actor::Kind::console}));
-    CHECK(rig.log.back() == "emergency stop: ros/mouse.cmd_vel is sent zero until rearm()");
+    CHECK(rig.log.back() == "emergency stop: ros/mouse.cmd_vel gets speed 0 until rearm()");
     rig.go();
     CHECK(speeds(*rig.robot) == std::vector<double>{0});
     rig.tick();

@@ -34,6 +34,18 @@ T around(const T& value) {
     return back;
 }
 
+// The documentation's table.
+std::string mapping_table() {
+    std::string text = "| port | topic | ways | frame | QoS |\n|---|---|---|---|---|\n";
+    for (const ros::Mapping& each : ros::mappings()) {
+        text += fmt::format("| {} | `{}` | {} | {} | {} |\n", each.port_type->name, each.type,
+                            each.subscribe != nullptr ? "both" : "to ROS",
+                            each.frame.empty() ? "" : fmt::format("`{}`", each.frame),
+                            each.sensor_data ? "best effort" : "reliable");
+    }
+    return text;
+}
+
 }  // namespace
 
 TEST_CASE("the hashes of types are those that ROS 2 publishes", "[dds][ros]") {
@@ -215,6 +227,6 @@ TEST_CASE("the documentation's table of ROS types is up to date", "[dds][ros]") 
     std::ifstream page(source_root() + "/docs/network.md");
     std::ostringstream text;
     text << page.rdbuf();
-    INFO(ros::mapping_table());
-    CHECK(text.str().find(ros::mapping_table()) != std::string::npos);
+    INFO(mapping_table());
+    CHECK(text.str().find(mapping_table()) != std::string::npos);
 }

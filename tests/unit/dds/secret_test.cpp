@@ -217,7 +217,7 @@ TEST_CASE("on the loopback only hosts of the same user communicate", "[dds][secr
         CHECK_FALSE(one.hears("two"));
         CHECK_FALSE(two.hears("one"));
         const std::vector<std::string> told{
-            "network: a host with another secret, as another user's, is there, but refused: set the same "
+            "network: a host with another secret, as another user's, was found, but refused: set the same "
             "`secret = FILE` on both, or `open = true` on both"};
         CHECK(one.log == told);
         CHECK(two.log == told);
@@ -227,9 +227,9 @@ TEST_CASE("on the loopback only hosts of the same user communicate", "[dds][secr
         meet(one, two);
         CHECK_FALSE(one.hears("two"));
         CHECK(one.log ==
-              std::vector<std::string>{"network: a host without a secret (open = true) is there, but refused: set the "
+              std::vector<std::string>{"network: a host without a secret (open = true) was found, but refused: set the "
                                        "same `secret = FILE` on both, or `open = true` on both"});
-        CHECK(two.log == std::vector<std::string>{"network: a host with a secret is there, but refused: set "
+        CHECK(two.log == std::vector<std::string>{"network: a host with a secret was found, but refused: set "
                                                   "the same `secret = FILE` on both, or `open = true` on both"});
     }
     unsetenv("XDG_STATE_HOME");

@@ -85,7 +85,8 @@ TEST_CASE("a marker that does not exist or does not fit is refused", "[draw][mar
     };
     CHECK(refused({"587"}) == "nezumi: marker: expected a whole number from 0 to 586, got '587'\n");
     CHECK(refused({"seven"}) == "nezumi: marker: expected a whole number from 0 to 586, got 'seven'\n");
-    CHECK(refused({"7", "--size", "0.2"}) == "nezumi: marker: 0.2 m does not fit on A4: its largest is 0.160 m\n");
+    CHECK(refused({"7", "--size", "0.2"}) ==
+          "nezumi: marker: 0.2 m does not fit on A4: the largest marker on it is 0.160 m\n");
     CHECK(refused({"7", "--size", "0"}) ==
           "nezumi: --size: expected a number from 0.005 to 1, got '0'; see nezumi marker --help\n");
     CHECK(refused({"7", "--paper", "A44"}) ==

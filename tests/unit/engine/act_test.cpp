@@ -136,7 +136,7 @@ TEST_CASE("an emergency stop brakes as hard as it can, then takes the motors' po
     CHECK(it.robot->guard().current() == Velocity2D{});
 }
 
-TEST_CASE("rearm needs standstill, and obeys only what comes after it", "[engine][act][safety]") {
+TEST_CASE("rearm needs standstill, and a robot obeys only messages that come after it", "[engine][act][safety]") {
     Driving it;
     CHECK(error_of(it.system, Rearm{}) == "nothing is stopped: rearm() follows stop()");
     REQUIRE(error_of(it.system, Stop{}).empty());
@@ -204,7 +204,7 @@ TEST_CASE("an emergency stop ends all sound until it is rearmed", "[engine][act]
     CHECK(run.hull().sounds.size() == 2);
 }
 
-TEST_CASE("a robot that is deactivated ends what it says", "[engine][robot]") {
+TEST_CASE("a robot that is deactivated ends its speech", "[engine][robot]") {
     FakeRun run;
     run.ticks(1);
     const int silences = run.hull().silences;
@@ -213,7 +213,7 @@ TEST_CASE("a robot that is deactivated ends what it says", "[engine][robot]") {
     CHECK(run.hull().silences == silences + 1);
 }
 
-TEST_CASE("a call can be foreseen to run out of time, and is told when it does", "[engine][component]") {
+TEST_CASE("a replay can announce the call that times out, and the timeout is reported", "[engine][component]") {
     System system({}, {});
     auto made = std::make_unique<TryComponent>();
     TryComponent& it = *made;

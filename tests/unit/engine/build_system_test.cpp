@@ -94,7 +94,7 @@ struct Plan {
 
 }  // namespace
 
-TEST_CASE("what a world warns of carries the time of its tick", "[engine][build]") {
+TEST_CASE("a warning of a world has the time of its tick", "[engine][build]") {
     Plan plan;
     std::function<void(const std::string&)> warn;
     plan.makers.world = [&warn](
@@ -149,7 +149,7 @@ TEST_CASE("a component that can't be activated is in ERROR, and the others go on
     CHECK(system->find("good")->state() == LifeState::active);
 }
 
-TEST_CASE("what a system file sets of the limits replaces the model's, the rest stays", "[engine][build]") {
+TEST_CASE("the limits in a system file replace those of the model, and the others stay", "[engine][build]") {
     Plan plan;
     plan.robot("fast").limits.speed = 2.0;
     plan.robot("slow").limits.yaw_acceleration = 1.0;
@@ -172,7 +172,7 @@ TEST_CASE("the seed is that of the file, otherwise the caller's, unless the call
     CHECK(plan.seed == 5);
 }
 
-TEST_CASE("the error of a wrong entry has its place", "[engine][build]") {
+TEST_CASE("the error of a wrong entry has its location", "[engine][build]") {
     const auto refused = [](const auto& spoil) {
         Plan plan;
         plan.robot("mouse");
@@ -301,7 +301,7 @@ TEST_CASE("a real robot does no more than its description allows the hardware", 
           Limits{.speed = 0.2, .yaw_rate = 6, .acceleration = 0.1, .yaw_acceleration = 4});
 }
 
-TEST_CASE("limits above a real robot's are told once, with what it gets and what raises that",
+TEST_CASE("limits above those of a real robot are reported once, with its actual limits and how to raise them",
           "[engine][build][hardware][safety]") {
     Plan plan;
     plan.spec.models["mouse"].drive.limits = {.speed = 0.5, .yaw_rate = 6, .acceleration = 2, .yaw_acceleration = 12};

@@ -243,7 +243,7 @@ TEST_CASE("a stamp out of range becomes the nearest that can be written", "[engi
     CHECK(to_cdr_time(4'294'967'295.0) == CdrTime{4'294'967'295, 0});
 }
 
-TEST_CASE("what is cut short is refused at every length", "[engine][cdr]") {
+TEST_CASE("a truncated message is refused at every length", "[engine][cdr]") {
     Random random(2);
     for (const MessageType& each : compiled_message_types()) {
         const MessageType* const type = &each;
@@ -261,14 +261,14 @@ TEST_CASE("what is cut short is refused at every length", "[engine][cdr]") {
     }
 }
 
-TEST_CASE("an error tells the byte, the field, what was expected and what was found", "[engine][cdr]") {
+TEST_CASE("an error has the byte, the field, the expected and the found value", "[engine][cdr]") {
     CHECK(error_of<Velocity2D>("00 00 00 00 00 00 f0 3f 00 00 00") ==
           "byte 8, field 'vy': expected 8 bytes, 3 are left");
     CHECK(error_of<Pose2D>("00 00 00 00 00 00 f0 3f 00 00 00 00 00 00 f0 3f") ==
           "byte 16, field 'heading': expected 8 bytes, 0 are left");
     CHECK(error_of<std::int16_t>("01") == "byte 0: expected 2 bytes, 1 are left");
-    CHECK(error_of<bool>("02") == "byte 0: expected a truth value (0 or 1), got 2");
-    CHECK(error_of<std::vector<bool>>("02 00 00 00 01 ff") == "byte 5: expected a truth value (0 or 1), got 255");
+    CHECK(error_of<bool>("02") == "byte 0: expected a boolean (0 or 1), got 2");
+    CHECK(error_of<std::vector<bool>>("02 00 00 00 01 ff") == "byte 5: expected a boolean (0 or 1), got 255");
     CHECK(error_of<std::string>("00 00 00 00") ==
           "byte 0: expected a text's length of 1 or more (it counts the final 0), got 0");
     CHECK(error_of<std::string>("02 00 00 00 61 62") == "byte 5: expected a text's final 0, got 98");

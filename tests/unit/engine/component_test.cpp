@@ -63,7 +63,7 @@ TEST_CASE("a component is INACTIVE until it is activated, and executes only when
     CHECK(it.hook() == Hook::none);
 }
 
-TEST_CASE("activating what is ACTIVE and deactivating what is INACTIVE changes nothing", "[engine][component]") {
+TEST_CASE("activating an ACTIVE and deactivating an INACTIVE component changes nothing", "[engine][component]") {
     TryComponent it;
     REQUIRE(it.deactivate(at(0)));
     REQUIRE(it.activate(at(0)));
@@ -109,7 +109,7 @@ TEST_CASE("hooks that fail on the way: activation and deactivation end in ERROR,
     CHECK(it.state() == LifeState::error);
 }
 
-TEST_CASE("an on_error that fails is told once and not called again before a reset", "[engine][component]") {
+TEST_CASE("an on_error that fails is reported once and not called again before a reset", "[engine][component]") {
     TryComponent it;
     it.executed = fail;
     it.error = [](TryComponent&) -> Expected<void> { return failure("went wrong too", {"a.lua", 4}); };
@@ -139,7 +139,7 @@ TEST_CASE("leaving ACTIVE by deactivation writes zero velocities and safe values
     CHECK(published(it, 2).empty());
 }
 
-TEST_CASE("what on_deactivated wrote stands instead of the safe value", "[engine][component][safety]") {
+TEST_CASE("a value that on_deactivated wrote replaces the safe value", "[engine][component][safety]") {
     TryComponent it;
     it.tone.set_safe(std::int16_t{5});
     it.deactivated = [](TryComponent& self) -> Expected<void> {
@@ -160,7 +160,7 @@ TEST_CASE("what on_deactivated wrote stands instead of the safe value", "[engine
     CHECK(published(it, 3) == "speed=0 tone=5");
 }
 
-TEST_CASE("an execution that fails publishes nothing that it wrote, but what is safe", "[engine][component][safety]") {
+TEST_CASE("an execution that fails publishes the safe values, and none that it wrote", "[engine][component][safety]") {
     TryComponent it;
     it.tone.set_safe(std::int16_t{5});
     REQUIRE(it.activate(at(0)));
@@ -187,7 +187,7 @@ TEST_CASE("neither on_aborting nor on_error can make a robot move", "[engine][co
     CHECK(published(it, 1) == "out tone=440");
 }
 
-TEST_CASE("activation empties the in-ports of what came before, and so does a reset", "[engine][component]") {
+TEST_CASE("activation and reset empty the in-ports", "[engine][component]") {
     TryComponent it;
     for (InPortBase* port : {static_cast<InPortBase*>(&it.in), static_cast<InPortBase*>(&it.queue)}) {
         port->inject(std::int32_t{1});
@@ -206,7 +206,7 @@ TEST_CASE("activation empties the in-ports of what came before, and so does a re
     CHECK_FALSE(it.in.is_new());
 }
 
-TEST_CASE("a queue that overflows is told once", "[engine][component][port]") {
+TEST_CASE("a queue that overflows is reported once", "[engine][component][port]") {
     TryComponent it;
     for (int tick = 0; tick < 3; ++tick) {
         for (std::int32_t i = 0; i < 4; ++i) it.queue.inject(i);
@@ -217,7 +217,7 @@ TEST_CASE("a queue that overflows is told once", "[engine][component][port]") {
           Names{"warn: input 'queue': its queue of 2 is full, the oldest message was dropped (reported once)"});
 }
 
-TEST_CASE("a queue that overflows is told although one that became shorter has dropped messages before",
+TEST_CASE("a queue that overflows is reported even if messages were dropped before because it became shorter",
           "[engine][component][port]") {
     TryComponent it;
     for (std::int32_t i = 0; i < 2; ++i) it.queue.inject(i);
@@ -260,7 +260,7 @@ TEST_CASE("ports are found by their names and directions", "[engine][component]"
     CHECK(it.find_port("other") == nullptr);
 }
 
-TEST_CASE("a stop that fails between two ticks stands still all the same, whatever on_error does",
+TEST_CASE("a component whose on_deactivated fails between two ticks publishes standstill, whatever on_error does",
           "[engine][component]") {
     TryComponent it;
     it.deactivated = fail;

@@ -122,7 +122,7 @@ TEST_CASE("a map of which no row is a box is an error that says what separates i
 
 TEST_CASE("a map without rows is an empty map", "[engine][csv]") { CHECK(boxes(header).empty()); }
 
-TEST_CASE("a bad field of a map is named with its line, column and what was expected", "[engine][csv]") {
+TEST_CASE("an error in a field of a map has the line, the column and the expected value", "[engine][csv]") {
     CHECK(error(header + "1,2,3,4,5,6,7\n\n0,0,0,abc,1,1,0\n") ==
           "map.csv:4: column 'lx': expected a positive number, got 'abc'");
     CHECK(error(header + "0,0,0,1,1,0,0\n") == "map.csv:2: column 'lz': expected a positive number, got '0'");

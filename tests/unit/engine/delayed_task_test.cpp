@@ -58,7 +58,7 @@ TEST_CASE("in real time a result is available when it is ready, without waiting"
     CHECK(result.value() == 2);
 }
 
-TEST_CASE("work that is finished without being taken is forgotten", "[engine][latency]") {
+TEST_CASE("the result of a finished task that is not taken is dropped", "[engine][latency]") {
     std::atomic<bool> done = false;
     DelayedTask<int> work;
     work.start(at_second(0), 0.01, [&] {

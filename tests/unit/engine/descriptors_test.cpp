@@ -1,7 +1,8 @@
 // What servers leave of a process's descriptors.
-#include "engine/base/descriptors.hpp"
 
 #include <catch2/catch.hpp>
+
+#include "engine/base/descriptor.hpp"
 
 using namespace nezumi;
 

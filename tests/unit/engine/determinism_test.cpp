@@ -83,7 +83,7 @@ TEST_CASE("the order in which behaviours stand in the file changes neither what 
     CHECK(run({"a", "b", "c"}) == run({"b", "a", "c"}));
 }
 
-TEST_CASE("what is wired, unwired, added and removed between ticks runs on, with any number of threads",
+TEST_CASE("ticks do not depend on the number of threads after connections and components have changed",
           "[engine][determinism]") {
     std::vector<std::uint64_t> traces;
     for (const int threads : {1, 2}) {
@@ -142,7 +142,7 @@ TEST_CASE("a trace hash tells runs apart by port, by tick and by value", "[engin
     CHECK(hash("a", 1, 5) != hash("a", 1, 6));
 }
 
-TEST_CASE("an observer that left is told nothing", "[engine][determinism]") {
+TEST_CASE("a removed observer gets nothing more", "[engine][determinism]") {
     Rings ring(1, 3, 3);
     ring.ticks(3);
     const std::uint64_t before = ring.trace.value();

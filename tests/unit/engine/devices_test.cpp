@@ -56,7 +56,7 @@ CameraImage picture(std::uint16_t width, std::uint16_t height, std::size_t bytes
 
 }  // namespace
 
-TEST_CASE("what only some sensors have is no port of the others", "[engine][sensor]") {
+TEST_CASE("a port for a quantity that its sensor does not have is refused", "[engine][sensor]") {
     PortSpec wrong = port("p", "TimedDouble", {"light_below"}, false);
     wrong.quantity = PortSpec::Quantity::rate;
     CHECK(refusal(wrong) == "port 'p': 'light_below' is not a gyro: it has no rate");
@@ -98,7 +98,7 @@ TEST_CASE("a servo is sent to its angle once, at the speed of its parameter", "[
     CHECK(FakeRun(brick()).robot->parameters().all().empty());
 }
 
-TEST_CASE("a range sensor on a servo tells where it looks", "[engine][sensor]") {
+TEST_CASE("the message of a range sensor on a servo has the direction of the sensor", "[engine][sensor]") {
     RobotSpec spec = brick();
     spec.actuators[2].at = {0.05, 0, 0.04};
     spec.actuators[2].minimum = spec.actuators[2].maximum = 0;
@@ -152,7 +152,8 @@ TEST_CASE("a screen shows whole pictures, and says once why not the others", "[e
     CHECK(run.hull().pictures[0].width == 4);
 }
 
-TEST_CASE("what a screen, a speaker or a colour sensor can't do is an error", "[engine][robot]") {
+TEST_CASE("a port of a screen, a speaker or a colour sensor with a wrong type or option is an error",
+          "[engine][robot]") {
     CHECK(refusal(port("p", "TimedString", {"screen"}, true)) ==
           "port 'p': 'screen' takes a CameraImage, not a TimedString");
     CHECK(refusal(port("p", "TimedShort", {"speaker"}, true)) ==

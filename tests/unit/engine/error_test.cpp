@@ -5,12 +5,12 @@
 
 using namespace nezumi;
 
-TEST_CASE("an error without a place is its message alone", "[engine][error]") {
+TEST_CASE("an error without a location is its message alone", "[engine][error]") {
     CHECK(describe({.message = "no such robot"}) == "no such robot");
     CHECK(describe({.message = "no such robot", .place = {.line = 3}}) == "no such robot");
 }
 
-TEST_CASE("an error shows as much of its place as is known", "[engine][error]") {
+TEST_CASE("an error shows as much of its location as is known", "[engine][error]") {
     CHECK(describe({"bad row", {"map.csv"}}) == "map.csv: bad row");
     CHECK(describe({"bad row", {"map.csv", 7}}) == "map.csv:7: bad row");
     CHECK(describe({"bad row", {"map.csv", 7, 12}}) == "map.csv:7:12: bad row");
@@ -20,7 +20,7 @@ TEST_CASE("a column without a line is not shown", "[engine][error]") {
     CHECK(describe({"bad row", {"map.csv", 0, 12}}) == "map.csv: bad row");
 }
 
-TEST_CASE("a failure becomes any Expected and keeps its message and place", "[engine][error]") {
+TEST_CASE("a failure becomes any Expected and keeps its message and location", "[engine][error]") {
     const Expected<int> number = failure("not a number", {"a.lua", 2});
     REQUIRE_FALSE(number.has_value());
     CHECK(number.error() == Error{"not a number", {"a.lua", 2}});

@@ -28,7 +28,7 @@ TEST_CASE("a list of few keeps its elements in order, one or many", "[engine][fe
     CHECK(few[2] == "c");
 }
 
-TEST_CASE("what comes after an element that is taken out of a list of few moves up", "[engine][few]") {
+TEST_CASE("when an element of a list of few is removed, the elements after it move up", "[engine][few]") {
     Few<int> one;
     one.push_back(1);
     one.erase(one.begin());

@@ -16,7 +16,7 @@ void check_near(const Pose2D& pose, const Pose2D& expected) {
     CHECK(pose.heading == Approx(expected.heading).margin(1e-12));
 }
 
-TEST_CASE("what lies ahead of a pose lies on the x axis of its frame", "[engine][frames]") {
+TEST_CASE("a point ahead of a pose is on the x axis of its frame", "[engine][frames]") {
     const Pose2D robot{{1, 2}, quarter};
     check_near(seen_from(robot, {{1, 5}, quarter}), {{3, 0}, 0});
     check_near(seen_from(robot, {{0, 2}, 0}), {{0, 1}, -quarter});

@@ -45,7 +45,7 @@ TEST_CASE("a joystick publishes at its rate whether or not the stick moved", "[e
     }
 }
 
-TEST_CASE("the wheels' speeds are the stick's place turned by 45 degrees", "[engine][joystick]") {
+TEST_CASE("the wheel speeds are the stick position rotated by 45 degrees", "[engine][joystick]") {
     Stick it;
     const float diagonal = 150 * std::sqrt(0.5F);
     it.hold({0, 150});

@@ -8,7 +8,7 @@
 namespace nezumi {
 namespace {
 
-TEST_CASE("a text for Lua is on one line, and what no terminal shows is escaped", "[engine][lua_text]") {
+TEST_CASE("a text for Lua is on one line, and bytes that a terminal can't show are escaped", "[engine][lua_text]") {
     CHECK(lua_quoted("") == R"("")");
     CHECK(lua_quoted("say \"hi\" \\ K\xC3\xA4se") == "\"say \\\"hi\\\" \\\\ K\xC3\xA4se\"");
     CHECK(lua_quoted("two\nlines\t\x7f") == R"("two\nlines\x09\x7f")");
@@ -28,7 +28,7 @@ TEST_CASE("every text comes back from its quotes", "[engine][lua_text]") {
         CHECK(lua_unquoted(lua_quoted(text)) == text);
 }
 
-TEST_CASE("a whole number is written as one with a fraction", "[engine][lua_text]") {
+TEST_CASE("an integer is written with a fraction: 2.0", "[engine][lua_text]") {
     CHECK(lua_number(0.25) == "0.25");
     CHECK(lua_number(2) == "2.0");
     CHECK(lua_number(-0.0) == "-0.0");
@@ -36,7 +36,7 @@ TEST_CASE("a whole number is written as one with a fraction", "[engine][lua_text
     CHECK(lua_number(0.1 + 0.2) == "0.30000000000000004");
 }
 
-TEST_CASE("what is no finite number is written as Lua prints it", "[engine][lua_text]") {
+TEST_CASE("infinity and NaN are written as Lua prints them", "[engine][lua_text]") {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     CHECK(lua_number(infinite) == "inf");
     CHECK(lua_number(-infinite) == "-inf");

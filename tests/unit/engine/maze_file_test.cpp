@@ -98,7 +98,7 @@ TEST_CASE("every format gives the maze back", "[engine][maze_file]") {
         CHECK(maze_of(write_maze(maze, format).value()) == maze);
 }
 
-TEST_CASE("a file that is no maze is told in one line", "[engine][maze_file]") {
+TEST_CASE("a file that is not a maze is refused in one line", "[engine][maze_file]") {
     CHECK(error_of("") == "m.txt: expected a drawing of a maze, got an empty file");
     CHECK(error_of("hello\n") ==
           "m.txt: expected a drawing of a maze, whose rows begin with a post as in \"o---o\" or with \"|\"");

@@ -160,7 +160,7 @@ TEST_CASE("a maze that is made has one way between any two cells, and leads nort
     CHECK(generate_maze({8, 8, 1}) != generate_maze({8, 8, 2}));
 }
 
-TEST_CASE("a drawing that is none is told with its row", "[engine][maze]") {
+TEST_CASE("an error in the drawing of a maze has its row", "[engine][maze]") {
     CHECK(problem_of({}) == "0 expected 2 rows for each cell and one more, for 1 to 64 cells, got 0 rows");
     CHECK(problem_of({"+--+", "|  |"}) ==
           "0 expected 2 rows for each cell and one more, for 1 to 64 cells, got 2 rows");

@@ -76,7 +76,7 @@ TEST_CASE("for_each_field hands out the members themselves", "[engine][message]"
     CHECK(velocity == Velocity2D{.vx = 1, .vy = 2, .va = 3});
 }
 
-TEST_CASE("leaves are told with their paths, elements from 1", "[engine][message]") {
+TEST_CASE("leaves are visited with their paths, and elements are counted from 1", "[engine][message]") {
     CHECK(leaves_of(std::int16_t{3}) == std::vector<std::string>{""});
     CHECK(leaves_of(Pose2D{}) == std::vector<std::string>{"position.x", "position.y", "heading"});
     CHECK(leaves_of(std::vector<bool>{true, false}) == std::vector<std::string>{"[1]", "[2]"});
@@ -130,7 +130,7 @@ TEST_CASE("equal payloads mix equally, and every leaf counts", "[engine][message
     CHECK(mix_payload(1, std::vector<std::int16_t>{-1}) != mix_payload(1, std::vector<std::int16_t>{1}));
 }
 
-TEST_CASE("an unknown message type is told with the nearest", "[engine][message]") {
+TEST_CASE("the error for an unknown message type suggests the nearest name", "[engine][message]") {
     const auto slip = find_message_type("TimedVelocity2d");
     REQUIRE_FALSE(slip);
     CHECK(slip.error().message ==

@@ -115,7 +115,7 @@ TEST_CASE("every occupied pixel is covered once", "[engine][map]") {
     }
 }
 
-TEST_CASE("a bad YAML file of a map is told with its line and what belongs there", "[engine][map]") {
+TEST_CASE("an error in the YAML file of a map has the line and the expected value", "[engine][map]") {
     CHECK(facts_error("") == "map.yaml: is not a map of ROS: it has no 'image:'");
     CHECK(facts_error("image: m.pgm\n") == "map.yaml: is not a map of ROS: it has no 'resolution:'");
     CHECK(facts_error("image: m.pgm\nresolution: 0.1\n") == "map.yaml: is not a map of ROS: it has no 'origin:'");
@@ -186,7 +186,7 @@ TEST_CASE("a map's picture may be an ASCII PGM, and of any white", "[engine][map
     CHECK(occupied(std::string("P5\n3 1\n65535\n") + std::string(2, '\0') + "\xcd\xcd\xfe\xfe") == 1);
 }
 
-TEST_CASE("a bad picture of a map is told with what is the matter", "[engine][map]") {
+TEST_CASE("an error in the picture of a map has the reason", "[engine][map]") {
     const std::string none = "OpenCV can't read its format (PNG, JPEG, BMP, TIFF, WebP, PPM and others are possible)";
     CHECK(picture_error("") == "map.pgm: is no map: it is empty");
     for (const std::string bytes : {"P5\n1", "P5 # no end", "P5\n2 2\n255\nabc", "P7\n1 1\n255\n0"}) {

@@ -110,7 +110,7 @@ TEST_CASE("choices leave nothing else, and name the nearest", "[engine][paramete
     CHECK(refusal(baud, std::int64_t{15}) == "parameter 'rate' (integer): 15 is not one of its choices 10, 20");
 }
 
-TEST_CASE("a declaration that can't be is refused with its place", "[engine][parameter]") {
+TEST_CASE("an impossible declaration is refused with its location", "[engine][parameter]") {
     const auto refused = [](ParameterSpec declared) {
         declared.place = {"a.lua", 4};
         Parameters all;
@@ -184,7 +184,8 @@ TEST_CASE("step binds widgets only", "[engine][parameter]") {
     CHECK(refusal(speed, 0.0123).empty());
 }
 
-TEST_CASE("an unknown parameter is told with the nearest, and nothing changes", "[engine][parameter]") {
+TEST_CASE("an unknown parameter is refused, the error suggests the nearest name, and nothing changes",
+          "[engine][parameter]") {
     Parameters all = two();
     const std::uint64_t version = all.version();
     CHECK(all.set("speed_y", 1.0).error().message == "unknown parameter 'speed_y' (did you mean 'speed_x'?)");
@@ -219,7 +220,7 @@ TEST_CASE("a staged value is checked at once and holds from the next tick", "[en
     CHECK_FALSE(all.take_staged());
 }
 
-TEST_CASE("a new version keeps what somebody set while it fits, the rest follows the new default",
+TEST_CASE("a new version keeps values that were set if they fit, and all others get the new default",
           "[engine][parameter]") {
     Parameters before;
     REQUIRE(before.declare(spec("kept", 0.0)));
@@ -242,7 +243,7 @@ TEST_CASE("a new version keeps what somebody set while it fits, the rest follows
     CHECK(value_of(after, "added") == Value(5.0));
 }
 
-TEST_CASE("values are told as Lua writes them", "[engine][parameter]") {
+TEST_CASE("values are shown as Lua writes them", "[engine][parameter]") {
     CHECK(lua_text(Value(0.25)) == "0.25");
     CHECK(lua_text(Value(2.0)) == "2.0");
     CHECK(lua_text(Value(1e300)) == "1e+300");
@@ -274,7 +275,8 @@ public:
 
 }  // namespace
 
-TEST_CASE("a named set takes effect whole, and what it leaves out keeps the config value", "[engine][parameter][set]") {
+TEST_CASE("a named set takes effect whole, and a parameter that is not in it keeps the config value",
+          "[engine][parameter][set]") {
     WithSets it;
     REQUIRE(it.use("careful"));
     CHECK(it.values() == std::pair<Value, Value>{0.05, 0.5});

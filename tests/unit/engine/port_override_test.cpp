@@ -5,7 +5,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("an injected or held value takes the place of what a source published", "[engine][port]") {
+TEST_CASE("an injected or held value replaces the published one", "[engine][port]") {
     OutPort<std::string> out{"out"};
     InPort<std::string> in{"in"};
     in.connect(out);
@@ -28,7 +28,7 @@ TEST_CASE("an injected or held value takes the place of what a source published"
     CHECK(out.read() == "again");
 }
 
-TEST_CASE("an injected value arrives once, after what the connections published", "[engine][port]") {
+TEST_CASE("an injected value arrives once, after the messages of the connections", "[engine][port]") {
     Pair p(4);
     p.in.inject(std::int32_t{9});
     CHECK_FALSE(p.in.is_new());
@@ -60,7 +60,7 @@ TEST_CASE("a held in-port gives its value every tick and nothing else, until it 
     CHECK(p.read_all() == Values{4});
 }
 
-TEST_CASE("a dropped in-port gets nothing, and what came meanwhile is gone", "[engine][port]") {
+TEST_CASE("a dropped in-port gets nothing, and the messages of that time are lost", "[engine][port]") {
     Pair p;
     p.pass(1, {1});
     p.read_all();

@@ -50,7 +50,8 @@ TEST_CASE("a queue that gets another length keeps the newest of what is unread",
     CHECK(p.read_all() == Values{6, 7});
 }
 
-TEST_CASE("what a shorter queue dropped is put back before what is unread, as far as there is room", "[engine][port]") {
+TEST_CASE("messages that a shorter queue dropped are put back before the unread ones, as far as there is room",
+          "[engine][port]") {
     const int later = GENERATE(0, 1);
     Pair p(4);
     p.pass(1, {1, 2, 3, 4});

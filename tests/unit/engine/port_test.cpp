@@ -168,7 +168,7 @@ TEST_CASE("an in-port receives only messages that a source publishes after it wa
     CHECK_FALSE(in.is_new());
 }
 
-TEST_CASE("what was written and discarded is never published", "[engine][port]") {
+TEST_CASE("values that were written and discarded are never published", "[engine][port]") {
     OutPort<std::int32_t> out{"out"};
     out.write(1);
     out.write(2);

@@ -9,7 +9,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("what a program says is kept, with its exit status", "[engine][program]") {
+TEST_CASE("the output of a program is kept, with its exit status", "[engine][program]") {
     const auto end = run_program({.words = {"sh", "-c", "echo hello; exit 3"}, .keeps_output = true});
     REQUIRE(end);
     CHECK(end->out == "hello\n");
@@ -35,7 +35,7 @@ TEST_CASE("a program that says much is not kept waiting", "[engine][program]") {
     CHECK(end->out.size() == 300000);
 }
 
-TEST_CASE("a signal that ends a program is told by its number", "[engine][program]") {
+TEST_CASE("a signal that ends a program is reported by its number", "[engine][program]") {
     const auto end = run_program({.words = {"sh", "-c", "kill -9 $$"}});
     REQUIRE(end);
     CHECK(end->signal == SIGKILL);

@@ -64,7 +64,7 @@ TEST_CASE("a command that is not finite stops the robot and is logged once", "[e
     }
 }
 
-TEST_CASE("two wheels don't drive sideways, which is said once", "[engine][robot][safety]") {
+TEST_CASE("two wheels don't drive sideways, which is reported once", "[engine][robot][safety]") {
     FakeRun run;
     for (int i = 0; i < 10; ++i) run.send("velocity_in", Velocity2D{.vx = 0.1, .vy = 0.2});
     CHECK(speed_of(run) == Approx(0.1));
@@ -89,7 +89,7 @@ TEST_CASE("a robot stops when its velocity in-port got nothing for 0.5 s", "[eng
     }
 }
 
-TEST_CASE("a robot stops when whoever drives it is disconnected or goes", "[engine][robot][safety]") {
+TEST_CASE("a robot stops when the component that drives it is disconnected or removed", "[engine][robot][safety]") {
     for (const bool removed : {false, true}) {
         FakeRun run;
         auto made = std::make_unique<TryComponent>("driver");
@@ -113,7 +113,8 @@ TEST_CASE("a robot stops when whoever drives it is disconnected or goes", "[engi
     }
 }
 
-TEST_CASE("a robot that is rewired stops for whoever was disconnected", "[engine][robot][safety]") {
+TEST_CASE("a robot that is connected to another component stops when its driver is disconnected",
+          "[engine][robot][safety]") {
     FakeRun run;
     auto driver = std::make_unique<TryComponent>("driver");
     driver->executed = [](TryComponent& self) -> Expected<void> {
@@ -161,7 +162,7 @@ TEST_CASE("the body of a robot that is removed stops", "[engine][robot][safety]"
 
 namespace {
 
-// A real mouse at 100 ticks a second of a clock that goes as the test says.
+// A real mouse at 100 ticks per second of a clock that goes as the test says.
 struct RealRun {
     explicit RealRun(double rate = 100, RobotSpec its_spec = fake_mouse())
         : spec(std::move(its_spec)),
@@ -277,7 +278,7 @@ TEST_CASE("a real robot's commands time out by the clock", "[engine][robot][safe
     CHECK(run.hull.speeds.left < 0.1);
 }
 
-TEST_CASE("a robot stands while a sensor that it needs says nothing", "[engine][robot][safety][hardware]") {
+TEST_CASE("a robot stands while a sensor that it needs is silent", "[engine][robot][safety][hardware]") {
     RobotSpec spec = fake_mouse();
     REQUIRE_FALSE(spec.sensors.empty());
     spec.drive.needs = {spec.sensors[0].name};
@@ -366,7 +367,7 @@ TEST_CASE("wheels that coast roll freely until the first command after activatio
     CHECK(run.hull().coasting);
 }
 
-TEST_CASE("silence turns off what the robot's description says, and nothing else", "[engine][robot][safety]") {
+TEST_CASE("silence turns off only the actuators that the robot's description names", "[engine][robot][safety]") {
     FakeRun run;
     run.robot->find_in_port("leds_in")->inject(std::vector<bool>{true, false, true, true});
     run.robot->find_in_port("neck_in")->inject(0.5);

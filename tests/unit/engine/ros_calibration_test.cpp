@@ -35,7 +35,7 @@ TEST_CASE("a camera's calibration is read as ROS writes it", "[engine][camera]")
     CHECK(rational->k6 == 0.6);
 }
 
-TEST_CASE("a bad calibration of a camera is told with its line", "[engine][camera]") {
+TEST_CASE("an error in the calibration of a camera has its line", "[engine][camera]") {
     CHECK(error("image_width: 640\n") == "ost.yaml: is not a camera calibration of ROS: it has no 'image_height:'");
     CHECK(error(ost("equidistant", "[0.1]")) ==
           "ost.yaml:8: 'distortion_model': expected plumb_bob or rational_polynomial, got 'equidistant'");

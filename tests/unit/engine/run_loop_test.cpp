@@ -173,7 +173,7 @@ TEST_CASE("a long press of a robot's shutdown button ends the run", "[engine][ha
           std::vector<std::string>{"mouse: button was held for 3 s: the run ends, and the computer is shut down"});
 }
 
-TEST_CASE("a program with its own loop has what is due done, and is never kept waiting", "[engine][live][loop]") {
+TEST_CASE("a program with its own loop runs the ticks that are due, and never waits", "[engine][live][loop]") {
     RealLoop real;
     RunLoop loop(*real.live, {.speed = as_fast_as_possible});
     struct Counted final : Attendant {

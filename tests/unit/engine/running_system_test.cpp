@@ -42,7 +42,7 @@ TEST_CASE("a system of C++ components runs, is changed by acts and starts anew w
     CHECK(live->system().find("other") != nullptr);
 }
 
-TEST_CASE("what needs scripts is refused where there are none", "[engine][live]") {
+TEST_CASE("acts that need scripts are refused in a program without scripts", "[engine][live]") {
     const auto live = run_native();
     constexpr auto none = "there are no scripts here: this program has components in C++ alone";
     CHECK(error_of(live->act(Add{BehaviorEntry{.name = "b", .script = "b", .path = "b.lua"}}, {})) == none);

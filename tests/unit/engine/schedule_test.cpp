@@ -61,7 +61,7 @@ TEST_CASE("a component is due when floor(k * rate / tick rate) grows: exact on a
     CHECK(executed == 70);
 }
 
-TEST_CASE("what was due in ticks that were left out is due once in the next that comes", "[engine][schedule]") {
+TEST_CASE("work that was due in skipped ticks is due once in the next tick", "[engine][schedule]") {
     CHECK_FALSE(is_due(149, 2, 100));
     CHECK(is_due(150, 2, 100));
     CHECK_FALSE(is_due(151, 2, 100));
@@ -88,7 +88,8 @@ TEST_CASE("a tick is a whole number of physics steps", "[engine][schedule]") {
     CHECK(steps_per_tick(0.1, 0.005) == 2000);
 }
 
-TEST_CASE("a tick that is no whole number of steps is told with the nearest rates, which fit", "[engine][schedule]") {
+TEST_CASE("a tick that is not a whole number of steps is refused, and the error suggests the nearest rates that fit",
+          "[engine][schedule]") {
     CHECK(refusal(60, 0.005) ==
           "rate: a tick of 60 Hz is not a whole number of physics steps of 0.005 s; the nearest rates are 50 or "
           "66.66666666666667 Hz");

@@ -18,7 +18,7 @@ WheelPulses pulses(double left, double right) {
 
 }  // namespace
 
-TEST_CASE("a port carries what its sensors say, or what lies behind it", "[engine][sensor]") {
+TEST_CASE("a port has the readings of its sensors, or the physical quantity that they measure", "[engine][sensor]") {
     FakeRun run;
     run.hull().distances = {0.2, 0.3};
     run.hull().yaw_rate = 0.7;
@@ -67,8 +67,7 @@ TEST_CASE("a message carries the time at which its oldest sensor was read", "[en
     CHECK(run.robot->find_out_port("ir_metre")->tm() == 0.02);
 }
 
-TEST_CASE("what a body says of its devices is told each time that it says so, and the rest goes on",
-          "[engine][sensor]") {
+TEST_CASE("each fault that a body reports is logged, and its other devices go on", "[engine][sensor]") {
     FakeRun run;
     const std::vector<std::string> told{"light sensors: no answer", "light sensors: back again",
                                         "light sensors: no answer"};
@@ -129,7 +128,7 @@ TEST_CASE("the distances of several sensors come with their angles", "[engine][s
     CHECK(refusal({10, 10}) == start + "'ray1' does not fit");
 }
 
-TEST_CASE("buttons are told as they are pressed", "[engine][sensor]") {
+TEST_CASE("the port of buttons shows pressed buttons", "[engine][sensor]") {
     FakeRun run;
     run.system.tick();
     CHECK(run.value<std::vector<bool>>("buttons") == std::vector<bool>{false});

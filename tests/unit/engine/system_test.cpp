@@ -53,7 +53,7 @@ TEST_CASE("sensors, behaviours, actuators: a tick goes one way", "[engine][syste
     CHECK(counter.acted == std::vector<std::int32_t>{0, 10, 20, 30});
 }
 
-TEST_CASE("what a behaviour reads does not depend on the order in which behaviours run", "[engine][system]") {
+TEST_CASE("the values that a behaviour reads do not depend on the order in which behaviours run", "[engine][system]") {
     const auto run = [](bool reader_first) {
         System system({}, nullptr);
         std::vector<std::int32_t> seen;
@@ -173,7 +173,8 @@ TEST_CASE("of several commands in one tick the last in the order of the connect 
     }
 }
 
-TEST_CASE("peers are told from both ends, and a connection can be cut", "[engine][system][connect]") {
+TEST_CASE("both ends of a connection list each other as peers, and a connection can be cut",
+          "[engine][system][connect]") {
     System system({}, nullptr);
     add(system, "a");
     add(system, "b");

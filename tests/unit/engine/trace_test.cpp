@@ -90,7 +90,7 @@ TEST_CASE("a followed port gives every message of a tick, in order, at both ends
     CHECK(in.fresh() == 0);
 }
 
-TEST_CASE("an in-port shows what is injected and what it is held at", "[engine][trace]") {
+TEST_CASE("the trace of an in-port has injected and held values", "[engine][trace]") {
     Traced it;
     auto& b = it.add("b");
     const Channel& in = it.follow("b.in");
@@ -112,7 +112,7 @@ TEST_CASE("a port that is not followed stores no messages", "[engine][trace]") {
     CHECK(b.in.messages().empty());
 }
 
-TEST_CASE("what can't be followed is said, with the nearest name", "[engine][trace]") {
+TEST_CASE("a name that can't be followed is refused, and the error suggests the nearest name", "[engine][trace]") {
     Traced it;
     REQUIRE(it.add("it").parameters().declare({.name = "speed_x", .initial = 0.5}));
     CHECK(it.why_not("out") == "'out' names no port: expected \"name.port\"");
@@ -153,7 +153,7 @@ TEST_CASE("a part of a port is followed alone", "[engine][trace]") {
     CHECK(fresh(part) == Rows{"it.speed.va=2 "});
 }
 
-TEST_CASE("parameters are told in the tick in which one has changed", "[engine][trace]") {
+TEST_CASE("the parameters are in the trace of each tick in which one has changed", "[engine][trace]") {
     Traced it;
     auto& component = it.add("it");
     REQUIRE(component.parameters().declare({.name = "speed_x", .initial = 0.5}));
@@ -169,8 +169,7 @@ TEST_CASE("parameters are told in the tick in which one has changed", "[engine][
     CHECK(fresh(config).front().starts_with("it.config.speed_x=0.75 "));
 }
 
-TEST_CASE("a name means what the system has now: a component that went and came, and another system",
-          "[engine][trace]") {
+TEST_CASE("a name means the present component, also after a component was replaced, or the system", "[engine][trace]") {
     Traced it;
     it.add("a", says_three_things);
     const Channel& out = it.follow("a.out");
@@ -332,7 +331,7 @@ TEST_CASE("a series keeps texts by their places, each once, and not without end"
     CHECK(series.texts()[series.place_of(std::string(100, 'x'))].size() <= Series::longest_text);
 }
 
-TEST_CASE("curves are the labels within a part, and what holds is drawn over the whole time", "[engine][trace]") {
+TEST_CASE("curves are the labels within a part; a held value is drawn over the whole time", "[engine][trace]") {
     Series series;
     series.set_labels({"pose.x", "pose.y", "mode"}, {false, false, true});
     for (const double at : {1.0, 2.0}) {

@@ -78,7 +78,7 @@ TEST_CASE("a name leads to a value with its type, its unit and its meaning", "[e
           Names{"drop", "freeze", "hold", "inject", "release", "write"});
 }
 
-TEST_CASE("what a port carries has one path, however it is named", "[engine][tree]") {
+TEST_CASE("a port's value has one path, however it is named", "[engine][tree]") {
     Tree tree;
     for (const std::string name :
          {"it.speed.vx", "it.speed.value.vx", "it.ports.speed.vx", "it.ports.speed.value.vx"}) {
@@ -91,7 +91,7 @@ TEST_CASE("what a port carries has one path, however it is named", "[engine][tre
     CHECK(tree.at("it.config.gains[2]").part() == "gains[2]");
 }
 
-TEST_CASE("a name that leads nowhere is told with the nearest", "[engine][tree]") {
+TEST_CASE("an unknown name is refused, and the error suggests the nearest name", "[engine][tree]") {
     Tree tree;
     CHECK(tree.why_not("itt.speed") == "there is no component 'itt' (did you mean 'it'?)");
     CHECK(tree.why_not("it.statsu") == "it has no 'statsu' (did you mean 'status'?)");

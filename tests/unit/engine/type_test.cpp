@@ -19,7 +19,7 @@ struct Sample {
     std::vector<bool> flags{};
 
     static constexpr std::tuple fields{
-        Field{"on", &Sample::on, "", "a truth value"},
+        Field{"on", &Sample::on, "", "a boolean"},
         Field{"limit", &Sample::limit, "m", ""},
         Field{"levels", &Sample::levels, "", ""},
         Field{"flags", &Sample::flags, "", ""},
@@ -36,7 +36,7 @@ TEST_CASE("a type's table has what its description says, in order", "[engine][ty
     CHECK(type.size == sizeof(Sample));
     REQUIRE(type.fields.size() == 4);
     CHECK(type.fields[0].name == "on");
-    CHECK(type.fields[0].doc == "a truth value");
+    CHECK(type.fields[0].doc == "a boolean");
     CHECK(type.fields[0].type == &type_of<bool>());
     CHECK(type.fields[1].unit == "m");
     CHECK(type.fields[1].type->kind == Type::Kind::optional);

@@ -65,7 +65,7 @@ TEST_CASE("drives that do not tell the wheels are refused", "[engine][calibratio
           "these drives do not determine the wheel parameters: drive a straight line, and squares in both directions");
 }
 
-TEST_CASE("an end that was measured wrongly is told", "[engine][calibration]") {
+TEST_CASE("a final position that was measured wrongly is reported", "[engine][calibration]") {
     std::vector<MeasuredDrive> drives{line(), square(1), square(-1)};
     drives[0].end = {98, 0};  // in centimetres
     CHECK(fit_wheels(drives, believed).error().message.starts_with("the wheels would be a quarter off"));

@@ -44,7 +44,7 @@ struct SizeLimit {
 
 }  // namespace
 
-TEST_CASE("a file that can't be written whole is told, and what was there stays", "[engine][base]") {
+TEST_CASE("if a file can't be written completely, this is an error and the old file stays", "[engine][base]") {
     const Scratch scratch;
     const auto file = scratch.write("it.txt", "before");
     {
@@ -80,7 +80,7 @@ TEST_CASE("a link, a mode and a device stay what they are", "[engine][base]") {
     CHECK(std::filesystem::exists("/dev/full"));
 }
 
-TEST_CASE("what was there before goes on under the name that it is kept as", "[engine][base]") {
+TEST_CASE("the old file is kept under another name", "[engine][base]") {
     const Scratch scratch;
     const auto file = scratch.path("it.txt");
     const std::string kept = file.string() + "~";
@@ -146,7 +146,7 @@ TEST_CASE("a file is read whole, or one plain message says why not", "[engine][b
     CHECK(error("text") == "text: can't be read: Permission denied");
 }
 
-TEST_CASE("what is no file is refused at once as what it is", "[engine][base]") {
+TEST_CASE("a FIFO, a device, a socket or a folder is refused at once, and the error names its kind", "[engine][base]") {
     const Scratch scratch;
     const auto error = [&](const std::filesystem::path& path) { return read_whole(path, "it").error().message; };
     REQUIRE(mkfifo(scratch.path("pipe").c_str(), 0600) == 0);

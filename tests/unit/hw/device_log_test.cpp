@@ -76,7 +76,7 @@ TEST_CASE("a device log says when the ticks began and ended, and a torn last lin
 TEST_CASE("a file that is not a device log is refused with line, content and expectation", "[hw][log]") {
     CHECK(refused("") == "x.log:1: is empty: expected a device log of nezumi run --device-log");
     CHECK(refused("{\"journal\":1}\n") ==
-          "x.log:1: is not a device log of nezumi run --device-log: expected 'nezumi device log 1', got "
+          "x.log:1: is not a device log (written by nezumi run --device-log): expected 'nezumi device log 1', got "
           "'{\"journal\":1}'");
     const auto [line, why] = GENERATE(table<std::string, std::string>({
         {"", "expected a time [s], got ''"},

@@ -115,7 +115,7 @@ TEST_CASE("a gyro's angle continues over its wrap and after it was unplugged", "
     CHECK(says(-30, 2) == -70);
 }
 
-TEST_CASE("raw colours become the colours that people see", "[hw][ev3]") {
+TEST_CASE("raw RGB values are converted to the nearest colour name", "[hw][ev3]") {
     const auto name = [](std::array<double, 3> raw) {
         const auto seen = floor_seen({.values = raw, .plugged_in = 1});
         return to_text(seen ? nearest_floor_color(*seen) : FloorColor::none);

@@ -48,7 +48,7 @@ TEST_CASE("a fake brick's motor takes no speed beyond its fastest, and nothing t
     CHECK(motor.write("max_speed", "2000", 10) == -EACCES);
 }
 
-TEST_CASE("a fake brick's speed acts with the command that follows it", "[hw][ev3][fakes]") {
+TEST_CASE("a new speed of the fake EV3's motor takes effect with the next command", "[hw][ev3][fakes]") {
     Ev3Motor motor = large_motor();
     motor.write("speed_sp", "400", 10);
     CHECK(motor.rate(10) == 0);

@@ -22,7 +22,7 @@ struct FakeGamepad : FakeRobot {
     DeviceRoots roots() const { return {.dev = mount(), .sys = ""}; }
 };
 
-// A joystick with the driver behind it, at 100 ticks a second of real time.
+// A joystick with the driver behind it, at 100 ticks per second of real time.
 struct DrivenStick {
     explicit DrivenStick(const DeviceRoots& roots, const ParameterValues& config = {})
         : system({.rate = 100, .real_time = true}, [this](const LogLine& line) { log.push_back(line.text); }) {
@@ -176,7 +176,8 @@ TEST_CASE("a gamepad without its safety button is not used, and the button is na
     CHECK(driven.port("pos").count() == 0);
 }
 
-TEST_CASE("the requested gamepad is used, and what it lacks is reported", "[hw][gamepad][fakes][wallclock]") {
+TEST_CASE("the requested gamepad is used, and the reason is reported if this is impossible",
+          "[hw][gamepad][fakes][wallclock]") {
     FakeGamepad fake;
     const auto told = [&](const std::string& device) {
         DrivenStick driven(fake.roots(), {{"device", device}});

@@ -13,7 +13,7 @@
 using namespace nezumi;
 using namespace nezumi::hw;
 
-TEST_CASE("only one program drives the motors, and a second one is told which", "[hw][guard][safety]") {
+TEST_CASE("only one program drives the motors, and a second one is refused with the reason", "[hw][guard][safety]") {
     const Scratch folder;
     const std::string node = folder.write("rtmotoren0", "").string();
     auto first = Guard::start("test", node);

@@ -35,7 +35,7 @@ TEST_CASE("if motors or their power are missing, nothing is written and the erro
     }
 }
 
-TEST_CASE("a second program is told which program drives the mouse", "[hw][mouse][safety]") {
+TEST_CASE("a second program is refused because another robot drives the mouse", "[hw][mouse][safety]") {
     const RobotSpec spec = mouse_spec();
     const Scratch folder;
     for (const char* node : {"rtmotoren0", "rtmotor_raw_l0", "rtmotor_raw_r0"}) folder.write(node, "");

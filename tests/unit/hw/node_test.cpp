@@ -23,7 +23,7 @@ TEST_CASE("a regular file in a node's place has only the last write", "[hw][devi
     CHECK(text_of_file(file) == "7");
 }
 
-TEST_CASE("a node is read from its beginning each time", "[hw][device]") {
+TEST_CASE("a node is read from its startning each time", "[hw][device]") {
     const Scratch folder;
     const auto file = folder.write("rtcounter_l0", "12\n");
     Node node(file.string(), Node::Access::read);

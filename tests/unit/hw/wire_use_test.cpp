@@ -10,7 +10,7 @@
 using namespace nezumi;
 using namespace nezumi::hw;
 
-TEST_CASE("what a driver does wrong is reported once, with what was expected", "[hw][wire][run][wallclock]") {
+TEST_CASE("an error of a driver is reported once, with the expected value", "[hw][wire][run][wallclock]") {
     RoverRun run;
     run.folder.write("behaviors/rover.lua",
                      "return robot_model { mass = 1, drive = { radius = 0.03, track = 0.1 }, sensors = { left = { kind "

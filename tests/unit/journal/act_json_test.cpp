@@ -51,7 +51,7 @@ TEST_CASE("plain data comes back with its shape", "[journal]") {
     CHECK(back(Command{"c", "f", data}).arguments == data);
 }
 
-TEST_CASE("a disturbance keeps what it leaves free", "[journal]") {
+TEST_CASE("a disturbance keeps the components of the velocity that it does not set", "[journal]") {
     Disturb disturbance{"mouse"};
     disturbance.va = 0.5;
     const Disturb same = back(disturbance);
@@ -69,7 +69,7 @@ TEST_CASE("base64 is that of RFC 4648", "[journal]") {
     CHECK_FALSE(from_base64("Z!=="));
 }
 
-TEST_CASE("what is added comes back without the system that it leans on", "[journal]") {
+TEST_CASE("an added entry is read back as it was written, without its system", "[journal]") {
     ComponentEntry eye{.name = "eye", .type = "Camera", .on = "second", .place = {"system.lua", 0}};
     eye.rate = 150;  // above the usual tick's
     const Entry same = back(Add{eye}).entry;

@@ -7,7 +7,7 @@
 
 using namespace nezumi;
 
-TEST_CASE("pictures that differ in their bytes alone are different, and said to be", "[journal][compare]") {
+TEST_CASE("pictures that differ only in their bytes are reported as different", "[journal][compare]") {
     CameraImage image{.width = 2, .height = 1, .format = "gray8", .pixels = {1, 2}};
     const Value then = image;
     image.pixels[1] = 3;
@@ -24,7 +24,7 @@ TEST_CASE("pictures that differ in their bytes alone are different, and said to 
     CHECK(differing_values("eye.out", &then, &other, 1e-6)[0].name == "eye.out.width");
 }
 
-TEST_CASE("numbers that differ by no more than the tolerance are equal, and what is missing is not",
+TEST_CASE("numbers that differ by no more than the tolerance are equal; a missing value is a difference",
           "[journal][compare]") {
     const Value then = Velocity2D{0.1, 0, 0}, now = Velocity2D{0.1 + 1e-9, 0, 0};
     CHECK(differing_values("keeper.out", &then, &now, 1e-6).empty());

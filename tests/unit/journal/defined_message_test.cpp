@@ -108,7 +108,7 @@ TEST_CASE("a value that was assigned or moved is the other one", "[journal][mess
     }
 }
 
-TEST_CASE("numbers and lengths that a field refuses are told", "[journal][message]") {
+TEST_CASE("numbers and lengths that a field refuses are reported", "[journal][message]") {
     MessageCatalog catalog;
     MessageDefinition inner{.name = "Inner", .place = {"inner.msg"}};
     inner.fields.push_back({.name = "x", .kind = "short", .limits = {.min = 0, .max = 5}});

@@ -26,7 +26,8 @@ TEST_CASE("a journal says which line can't be replayed, and why", "[journal]") {
     CHECK(it.error_with(2, act + R"({"component":"it","parameter":"stop","value":2}})") ==
           "J:2: SetParameter succeeded in the original run, but fails now: unknown parameter 'stop' (did you mean "
           "'step'?)");
-    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Set","with":{}})") == "J:2: there is no act 'Set'");
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Set","with":{}})") ==
+          "J:2: there is no act (change of the running system) 'Set'");
     CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"somebody","do":"Stop","with":{}})")
               .starts_with("J:2: 'somebody' is not a kind of actor: expected one of run, console"));
     CHECK(it.error_with(2, R"({"at":[2,3,0],"who":"console","do":"Stop","with":{}})") ==

@@ -165,7 +165,7 @@ TEST_CASE("a replay reads no map, robot file or table either", "[journal]") {
     CHECK(hash_text(again.hash) == hash_text(live->trace_hash()));
 }
 
-TEST_CASE("what was read and loaded beside the ticks is replayed from the journal", "[journal]") {
+TEST_CASE("components that were loaded by another thread are replayed from the journal", "[journal]") {
     SmallRun run(counter);
     const auto add = [&](const std::string& name) {
         const fs::path path = run.folder.path("behaviors/" + name + ".lua");
@@ -201,7 +201,7 @@ TEST_CASE("what was read and loaded beside the ticks is replayed from the journa
     CHECK(hash_text(again.hash) == hash_text(hash));
 }
 
-TEST_CASE("what was prepared for a system that has started anew since is refused", "[journal]") {
+TEST_CASE("an act that was prepared before a restart is refused after it", "[journal]") {
     SmallRun run(counter);
     run.folder.write("behaviors/late.lua", counter);
     PreparedAct prepared = run.live->prepare(

@@ -10,7 +10,7 @@ using namespace nezumi;
 using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 
-TEST_CASE("a call that the clock ended ends so in the replay", "[journal][watchdog]") {
+TEST_CASE("a call that timed out ends at the same point in the replay", "[journal][watchdog]") {
     SmallRun it(R"(
 local out = output("out", "TimedLong")
 param("endless", false)
@@ -103,7 +103,7 @@ end
     CHECK(hash_text(again.hash) == hash_text(hash));
 }
 
-TEST_CASE("a replay that becomes another run says what the clock had ended, and what of it was not kept",
+TEST_CASE("a replay that becomes another run reports the calls that timed out, and the state that was not kept",
           "[journal][watchdog]") {
     const auto [left, lost] = GENERATE(table<std::string, std::string>(
         {{"", ""},

@@ -123,7 +123,7 @@ TEST_CASE("every word of a system file refuses too many arguments and a wrong ty
           "maze: expected a table, got number"}},
         {"rate",
          {"rate(100, 2)", "rate" + fields + "rate(hertz)", "rate 'x'",
-          "rate: expected a positive number of ticks a second, got string"}},
+          "rate: expected a positive number of ticks per second, got string"}},
         {"seed",
          {"seed(1, 2)", "seed" + fields + "seed(number)", "seed 'x'",
           "seed: expected a whole number from 0 on, got string"}},

@@ -216,7 +216,7 @@ TEST_CASE("a parameter's value is read as what it is in Lua", "[lua][codec]") {
     CHECK(parameter("{}").value() == Value(std::vector<double>{}));
 }
 
-TEST_CASE("what can't be a parameter is refused with the reason", "[lua][codec]") {
+TEST_CASE("a value that can't be a parameter is refused with the reason", "[lua][codec]") {
     CHECK(parameter("nil").error().message == "expected a boolean, a number, a string or an array of them, got nil");
     CHECK(parameter("print").error().message ==
           "expected a boolean, a number, a string or an array of them, got function");

@@ -37,7 +37,7 @@ a { b = 1 }]], pose =
     CHECK(where(source, "robot", 7, {"pose", "x"}) == "9:5");
 }
 
-TEST_CASE("a field that the text does not contain has the place of the outer field", "[lua][file_source]") {
+TEST_CASE("a field that the text does not contain has the location of the outer field", "[lua][file_source]") {
     const FileSource source("robot 'm' { pose = home }\nrobot('n', fields)", "f.lua");
     CHECK(where(source, "robot", 1, {"pose", "x"}) == "1:13");
     CHECK(where(source, "robot", 1, {"model"}) == "1:0");
@@ -90,7 +90,7 @@ TEST_CASE("of several calls in a line, the one whose text fits the arguments is 
     CHECK(place(2, "", FileTable{{{2.0}, {3.0}}, {}}, {"[1]"}) == 5);
 }
 
-TEST_CASE("an error of a field has its place even if its word is called several times in the line",
+TEST_CASE("an error of a field has its location even if its word is called several times in the line",
           "[lua][file_source]") {
     using namespace system_files;
     CHECK(system_error(
@@ -129,7 +129,7 @@ TEST_CASE("fields are found beside functions, conditions and methods", "[lua][fi
     CHECK(where(source, "robot", 1, {"[2]"}) == "7:34");
 }
 
-TEST_CASE("a text with syntax errors gives places or none", "[lua][file_source]") {
+TEST_CASE("find() in a text with syntax errors returns a valid location", "[lua][file_source]") {
     for (const char* text : {"", "{", "}", "a {", "a { b = ", "a { 'x", "a { [[", "--[[", "a(}", "a { ) } ]", "= = {",
                              "a { end }", "a.b:c'd'{e=1"}) {
         CHECK(FileSource(text, "f.lua").find("a", {"f.lua", 1}, {"b"}, {}).line == 1);

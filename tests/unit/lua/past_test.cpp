@@ -64,7 +64,8 @@ struct PastRig : LiveRig {
 
 }  // namespace
 
-TEST_CASE("a system that goes back is what it was, to the last bit, and what followed happens again", "[lua][past]") {
+TEST_CASE("a system that goes back has its earlier state to the last bit, and runs on as it did before",
+          "[lua][past]") {
     PastRig it;
     std::vector<std::uint64_t> hashes{it.live->trace_hash()};
     for (int i = 0; i < 500; ++i) {
@@ -132,7 +133,7 @@ TEST_CASE("an act that is refused in the past begins no branch", "[lua][past]") 
     CHECK(it.live->history().branches().size() == 1);
 }
 
-TEST_CASE("a past with other scripts has those scripts, whatever the files are now", "[lua][past]") {
+TEST_CASE("a past with other scripts runs those scripts, even if the files have changed", "[lua][past]") {
     PastRig it;
     it.tick(100);
     std::string later = busy_behavior;
@@ -248,7 +249,7 @@ TEST_CASE("a past that becomes another one is refused with its tick, and the pre
     CHECK_FALSE((*live)->is_past());
 }
 
-TEST_CASE("a run that ends in the past is not held against what followed there", "[lua][past]") {
+TEST_CASE("a run that ends in the past is not compared with the ticks that followed", "[lua][past]") {
     PastRig it;
     it.tick(200);
     REQUIRE(it.seek(99) == "");
@@ -257,7 +258,7 @@ TEST_CASE("a run that ends in the past is not held against what followed there",
     CHECK_FALSE(it.live->differs());
 }
 
-TEST_CASE("plots of a past show what was before it", "[lua][past]") {
+TEST_CASE("plots of a past show the values before it", "[lua][past]") {
     PastRig it;
     it.live->trace().remember_ports();
     it.tick(300);
@@ -272,7 +273,7 @@ TEST_CASE("plots of a past show what was before it", "[lua][past]") {
     CHECK((*after)->seconds((*after)->size() - 1) > 1.9);
 }
 
-TEST_CASE("what a time line shows is remembered for each branch, once", "[lua][past]") {
+TEST_CASE("the points and markers of a time line are remembered once for each branch", "[lua][past]") {
     PastRig it;
     it.live->remember_run();
     it.tick(300);
@@ -375,5 +376,22 @@ TEST_CASE("random acts, seeks and branches lead to states that were there", "[lu
             }
         }
         CHECK_FALSE(it.live->differs());
+    }
+}
+
+TEST_CASE("messages from outside are kept up to a limit; beyond it, the past is given up and says so", "[lua][past]") {
+    PastRig it;
+    const Value picture(std::vector<short>(std::size_t{32} << 20));  // 64 MB
+    for (int i = 0; i < 4; ++i) it.act(Inject{"keeper.in", picture});
+    CHECK_FALSE(it.live->history().is_cut());
+    it.act(Inject{"keeper.in", Value(std::vector<short>(1))});
+    CHECK(it.live->history().is_cut());
+    CHECK(it.seek(0) ==
+          "the past is not kept any more: the messages that were injected, written and held from outside need more "
+          "than 256 MB; a journal (--journal) has them");
+    for (std::size_t index = 0; index < it.live->history().branches().front().size(); ++index) {
+        const auto& event = it.live->history().event(0, index);
+        const auto* const act = std::get_if<std::shared_ptr<const PastAct>>(&event.what);
+        CHECK((act == nullptr || !std::holds_alternative<Inject>((*act)->act)));
     }
 }

@@ -100,7 +100,7 @@ TEST_CASE("a registered word is read, checked and written", "[lua][system_file][
     CHECK(radio::read("seed(1)")->peers.empty());
 }
 
-TEST_CASE("mistakes with a registered word have their places", "[lua][system_file][peers]") {
+TEST_CASE("errors in the use of a registered word have their locations", "[lua][system_file][peers]") {
     CHECK(radio::refusal("radio {\n  bend = 1 }") == "s.lua:2:3: radio: unknown field 'bend' (did you mean 'band'?)");
     CHECK(radio::refusal("radio { band = 2000 }") == "s.lua:1:9: radio: field 'band' is too high");
     CHECK(radio::refusal("radio {}\nradio {}") == "s.lua:2: radio: is set already, at s.lua:1");

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "bindings/lua/sandbox/compile.hpp"
-#include "bindings/lua/sandbox/hidden_metatable.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/values/set_plain.hpp"
@@ -119,7 +118,7 @@ end, t
     CHECK((ok ? "" : ok.error().message) == "");
 }
 
-TEST_CASE("what is no plain data is left out and named in a fixed order", "[lua][plain]") {
+TEST_CASE("values that are not plain data are left out and named in a fixed order", "[lua][plain]") {
     std::vector<Dropped> dropped;
     const PlainData data = take(
         "local m = setmetatable({ 7 }, {}) return { z = print, a = { [1] = coroutine.create(print), ['x y'] = print }, "

@@ -30,7 +30,7 @@ TEST_CASE("an error names the script's line", "[lua][call]") {
     CHECK_FALSE(box.over_budget);
 }
 
-TEST_CASE("an error has a place and a message", "[lua][call]") {
+TEST_CASE("an error has a location and a message", "[lua][call]") {
     Box box;
     load_chunk(box.lua(), compile("\nerror('stop: 12: x')", "folder/a.lua").value());
     const auto called = protected_call(box.lua(), 0, 0, paced_budget);
@@ -47,7 +47,7 @@ TEST_CASE("the message of a syntax error is one printable line for every token",
           "a.lua:1: unexpected symbol near ''" + std::string(59, 'b') + "...'");
 }
 
-TEST_CASE("a long file name is not shortened in an error's place", "[lua][call]") {
+TEST_CASE("an error's location has the full file name, even a long one", "[lua][call]") {
     const std::string name = std::string(100, 'd') + "/a.lua";
     Box box;
     load_chunk(box.lua(), compile("\nlocal x = nil + 1", name).value());

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "engine/base/thread_sanitizer.hpp"
+#include "engine/base/sanitizers.hpp"
 #include "machine_speed.hpp"
 #include "sandbox_support.hpp"
 

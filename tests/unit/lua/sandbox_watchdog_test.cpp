@@ -20,7 +20,7 @@ TEST_CASE("a call returns what the function returns", "[lua][call]") {
     CHECK(lua_gettop(box.lua()) == 0);
 }
 
-TEST_CASE("an endless loop is stopped, and the error has its place", "[lua][watchdog]") {
+TEST_CASE("an endless loop is stopped, and the error has its location", "[lua][watchdog]") {
     Box box;
     CHECK(box.run_for_a_moment("while true do end") == "box.lua:1: " + too_long);
     CHECK(box.over_budget);

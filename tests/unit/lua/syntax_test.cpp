@@ -194,7 +194,7 @@ TEST_CASE("the parser accepts and refuses the same randomly changed texts as Lua
     CHECK(taken > 500);
 }
 
-TEST_CASE("errors of Lua's compiler beyond the grammar have their places", "[lua][syntax]") {
+TEST_CASE("errors of Lua's compiler beyond the grammar have their locations", "[lua][syntax]") {
     const LuaReference lua;
     const std::pair<const char*, const char*> texts[] = {
         {"break", "1:1"},

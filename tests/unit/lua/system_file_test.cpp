@@ -82,7 +82,7 @@ TEST_CASE("a behaviour has parameters of every type, parameter sets and a rate",
     CHECK(c.set == "careful");
 }
 
-TEST_CASE("the places of a behaviour's values are stored", "[lua][system_file]") {
+TEST_CASE("the locations of a behaviour's values are stored", "[lua][system_file]") {
     const auto spec = system_of(
         "behavior 'c' {\n  script = 'robot_controller',\n  config = {\n    a = 1,\n  },\n"
         "  sets = { fast = {\n b = 2 } },\n}");

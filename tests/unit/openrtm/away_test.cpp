@@ -29,7 +29,7 @@ TEST_CASE("a connection waits for its RTC, and is made again when that was kille
     rig.told = "\n";
     out->kill();
     CHECK(rig.tells(
-        "not connected: rtm:Out0.out to relay.in: its entry in the name service is stale: the RTC is not there"));
+        "not connected: rtm:Out0.out to relay.in: its entry in the name service is stale: the RTC was not found"));
     out = rig.rtc("Out0", "out", "TimedLong", "out");
     REQUIRE(rig.hears(*out, "joined ") == "joined Out0.out_relay.in");
     CHECK(gets(rig, *out, seven + 1));

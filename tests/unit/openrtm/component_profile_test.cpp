@@ -63,7 +63,7 @@ constexpr const char* date = "2026-01-31T12:00:00Z";
 
 }  // namespace
 
-TEST_CASE("a profile says who made a component, what it is, and which callbacks it has", "[openrtm][profile]") {
+TEST_CASE("a profile has a component's vendor, description and callbacks", "[openrtm][profile]") {
     const ComponentProfile walker = shipped("grid_walker_02");
     CHECK(walker.name == "Grid_Walker");
     CHECK(walker.doc == "Walks along a path on a grid.");
@@ -134,7 +134,7 @@ TEST_CASE("constraints are bounds and choices; what can't be said here is a rema
         "parameter 'ids': its default is an empty array of 'vector<int>', so the type of its elements is unknown"));
 }
 
-TEST_CASE("what has no counterpart is a remark, once", "[openrtm][profile]") {
+TEST_CASE("each element of a profile without counterpart in nezumi gives one remark", "[openrtm][profile]") {
     CHECK(shipped("light_tower_01").remarks ==
           std::vector<std::string>{"executes: PERIODIC at 1 Hz, by the rate of the system here",
                                    "service port 'towerServices': provides LampService of Lamps.idl", "language: Cxx"});
@@ -151,7 +151,7 @@ TEST_CASE("what has no counterpart is a remark, once", "[openrtm][profile]") {
     CHECK(remarks(shipped("other_tool_03"), "service port 'empty'"));
 }
 
-TEST_CASE("what is no profile is refused with one line", "[openrtm][profile]") {
+TEST_CASE("a file that is not a profile is refused in one line", "[openrtm][profile]") {
     CHECK(reading_error("") == "RTC.xml:1: expected the XML of a profile: No document element found");
     CHECK(reading_error("<a>\n<b>\n</a>") == "RTC.xml:3: expected the XML of a profile: Start-end tags mismatch");
     CHECK(reading_error("<rts:RtsProfile/>") == "RTC.xml: expected a profile with <RtcProfile>, got <rts:RtsProfile>");

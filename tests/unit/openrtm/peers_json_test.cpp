@@ -104,7 +104,7 @@ TEST_CASE("service ports that are connected are shown as such", "[openrtm][peers
     CHECK(page["connections"] == SeenPage{{{"from", "rtm:A0.service"}, {"to", "rtm:B0.service"}}});
 }
 
-TEST_CASE("what the page is told of RTCs is bounded, whatever they say", "[openrtm][peers]") {
+TEST_CASE("the list of RTCs that the page gets is limited in size", "[openrtm][peers]") {
     std::vector<PeerSnapshot> many;
     for (int i = 0; i < 300; ++i) {
         PeerSnapshot peer{.name = "pc.host_cxt/" + std::string(1000, 'x') + std::to_string(i), .type = "\xff\xfe"};

@@ -122,7 +122,7 @@ TEST_CASE("a console ends an RTC, and removes the name of one that is gone", "[o
     CHECK(rig.hears(*peer, "exits") == "exits");
     CHECK(done(rig, "Peer0", {.what = What::forget}) ==
           "! rtm:" + host() +
-              ".host_cxt/Peer0: it is there, or hangs: only names of RTCs that are gone can be removed");
+              ".host_cxt/Peer0: the RTC still runs, or hangs: only names of RTCs that are gone can be removed");
     killed->kill();
     CHECK(done(rig, "Killed0", {.what = What::forget}).empty());
     CHECK(done(rig, "Killed0", {.what = What::forget}).starts_with("! there is no RTC 'Killed0' in the name service"));
@@ -159,7 +159,7 @@ TEST_CASE("a console shows that an RTC hangs or is gone, or that the name servic
     killed->kill();
     CHECK(done(rig, "Hangs0", {.what = What::activate}) == "! 'Hangs0' does not answer");
     CHECK(done(rig, "Killed0", {.what = What::activate}) ==
-          "! 'Killed0' is not there: its entry in the name service is stale");
+          "! 'Killed0' was not found: its entry in the name service is stale");
     static_cast<Names&>(rig).kill();
     CHECK(asked(rig, {}) == "! no name service answers at " + rig.address() + ": start one, as omniNames");
 }

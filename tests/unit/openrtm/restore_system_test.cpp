@@ -112,8 +112,8 @@ TEST_CASE("a restoration goes on without a component that is not required", "[op
     profile.components[1].is_required = false;
     CHECK_FALSE(rtcs.restore(profile));
     CHECK(rtcs.told == Lines{"waiting for In0", "In0: there is no RTC 'pc.host_cxt/In0'",
-                             "not connected: Out0.out to In0.in: a component is not there", "Out0: set default",
-                             "activated: Out0"});
+                             "not connected: Out0.out to In0.in: one of the two components was not found",
+                             "Out0: set default", "activated: Out0"});
 }
 
 TEST_CASE("a component whose connection or values are refused is not activated", "[openrtm][restore]") {

@@ -96,7 +96,7 @@ TEST_CASE("parameters are a configuration set, with widgets, bounds and types as
                                                 {"gains", "vector<double>"}});
 }
 
-TEST_CASE("named sets are configuration sets, and the one in use has the present values", "[openrtm][profiles]") {
+TEST_CASE("named sets become configuration sets, and the active set has the current values", "[openrtm][profiles]") {
     LiveRig rig(
         "behavior \"c\" { script = \"all\", config = { count = 5 }, sets = { fast = { speed_x = 1.0 }, slow = { "
         "speed_x "

@@ -15,7 +15,7 @@ TEST_CASE("a system is shown with its connections", "[openrtm][server]") {
     CHECK(rig.told.options.interface == "127.0.0.1");
 }
 
-TEST_CASE("what an RTC sends is injected before a tick, by a network peer", "[openrtm][server]") {
+TEST_CASE("a message of an RTC is injected before a tick, by a network peer", "[openrtm][server]") {
     ServerRig rig;
     CHECK(rig.put("mouse.target_velocity_in", Velocity2D{.vx = 0.2}) == PutAnswer::taken);
     CHECK(rig.acts.lines.empty());
@@ -281,7 +281,7 @@ TEST_CASE("a connection's malformed messages are reported once", "[openrtm][serv
     CHECK(rig.server->malformed() == 3);
 }
 
-TEST_CASE("without the module for CORBA the error has the place of the word rtm", "[openrtm][server]") {
+TEST_CASE("without the module for CORBA the error has the location of the word rtm", "[openrtm][server]") {
     ServerRig rig;
     const auto opened = RtmServer::open(
         rig.host(), [](const OrbOptions&, RtcSite&) -> Expected<std::unique_ptr<Orb>> { return failure("not here"); });
@@ -321,7 +321,7 @@ TEST_CASE("an emergency stop sends zero to RTCs in every tick, until rearm", "[o
     REQUIRE(rig.live->act(Stop{}, {}));
     CHECK(sent() == std::vector<double>{0, 0, 0});
     CHECK(rig.said_lines ==
-          std::vector<std::string>{"rtm: emergency stop: RTCs connected to controller.out are sent zero until rearm()",
+          std::vector<std::string>{"rtm: emergency stop: RTCs connected to controller.out get speed 0 until rearm()",
                                    "rtm: the emergency stop does not reach rtm:Mouse0.target_velocity_in: it is not "
                                    "connected: stop it there"});
     rig.turn(100);
@@ -332,8 +332,8 @@ TEST_CASE("an emergency stop sends zero to RTCs in every tick, until rearm", "[o
     rig.told.made = rig.told.links;
     REQUIRE(rig.live->act(Stop{}, {}));
     rig.turn();
-    CHECK(rig.said_lines == std::vector<std::string>{
-                                "rtm: emergency stop: RTCs connected to controller.out are sent zero until rearm()"});
+    CHECK(rig.said_lines ==
+          std::vector<std::string>{"rtm: emergency stop: RTCs connected to controller.out get speed 0 until rearm()"});
 }
 
 TEST_CASE("an emergency stop does not change a robot's measurements", "[openrtm][server]") {
@@ -354,7 +354,7 @@ TEST_CASE("an emergency stop does not change a robot's measurements", "[openrtm]
     CHECK(measured.get<Velocity2D>().vx > 0.1);
 }
 
-TEST_CASE("what a tool adds is exported, connects to RTCs, and is exported again when a saved file is run",
+TEST_CASE("a component that a tool adds is exported and connects to RTCs, also when a saved file is run",
           "[openrtm][server]") {
     ServerRig rig;
     BehaviorEntry entry{.name = "second", .script = "counter"};

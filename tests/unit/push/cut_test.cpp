@@ -56,7 +56,7 @@ TEST_CASE("a disk that is full at any size leaves the old project", "[push][cut]
         CAPTURE(bytes);
         const auto full = push.robot.push_with_limit(bytes).sent;
         REQUIRE_FALSE(full);
-        CHECK(full.error().message.find("can't be written: File too large: nothing was changed there") !=
+        CHECK(full.error().message.find("can't be written: File too large: nothing was changed on the robot") !=
               std::string::npos);
         CHECK(tree_of(push.robot.there()) == push.old_tree);
     }

@@ -166,7 +166,7 @@ TEST_CASE("if a file changes while it is sent, the robot is unchanged", "[push][
             .sent;
     REQUIRE_FALSE(sent);
     CHECK(sent.error().message ==
-          "behaviors/drive.lua: changed while it was sent: push again: nothing was changed there");
+          "behaviors/drive.lua: changed while it was sent: push again: nothing was changed on the robot");
     CHECK(tree_of(robot.there()) == before);
 }
 

@@ -61,7 +61,7 @@ struct Sample {
 
 }  // namespace
 
-TEST_CASE("what is written to an MCAP file is read again: channels, schemas, times and messages", "[record]") {
+TEST_CASE("an MCAP file is read back as it was written: channels, schemas, times and messages", "[record]") {
     const McapFile file = read_well(Sample().file());
     CHECK(file.is_complete);
     REQUIRE(file.channels.size() == 1);

@@ -102,7 +102,7 @@ TEST_CASE("a failure writes its text to a folder and names the folder", "[lua][s
     CHECK(rig.said.find("files: " + result.folder) != std::string::npos);
 }
 
-TEST_CASE("a failure's text ends with the conditions, a row each", "[lua][scenario][session]") {
+TEST_CASE("a failure's text ends with one row for each condition", "[lua][scenario][session]") {
     ScenarioRig rig(R"(scenario("it", function(s)
   s:load "systems/stop_at_wall.lua"
   s:never("touches", function() return s.mouse.collided end)

@@ -27,7 +27,7 @@ TEST_CASE("the gap between two shapes is that of their rims", "[sim][clearance]"
     CHECK(gap_from_above(disc, small) == 0);
 }
 
-TEST_CASE("the clearance of a robot is the gap to what it would touch first", "[sim][clearance]") {
+TEST_CASE("the clearance of a robot is the gap to the nearest object", "[sim][clearance]") {
     ArenaSpec arena;
     arena.boxes.push_back({.at = {0.5, 0, 0.1}, .size = {0.1, 0.1, 0.2}});
     arena.boxes.push_back({.at = {0.1, 0, 0.5}, .size = {0.1, 0.1, 0.2}});  // above it

@@ -6,59 +6,12 @@
 #include "engine/base/worker_pool.hpp"
 #include "sim/free_rolling.hpp"
 #include "sim/ode_world.hpp"
-#include "tests/unit/sim/try_world.hpp"
+#include "tests/unit/sim/two_ways.hpp"
 
 using namespace nezumi;
 using namespace nezumi::sim;
 
 namespace {
-
-constexpr double step = 0.005;
-
-// Long, tall, heavy before its axle, with wheels of two sizes.
-RobotSpec odd_spec() {
-    RobotSpec spec = mouse_spec();
-    spec.mass = 3;
-    spec.body = {BodySpec::Shape::box, {0.3, 0.12, 0.3}, {0.02, 0.005, 0.17}};
-    spec.drive.track = 0.16;
-    spec.drive.skid = 0.12;
-    spec.drive.left_radius = 0.0245;
-    return spec;
-}
-
-// One robot that may roll freely, and one that only ODE moves, each in its own world.
-struct Pair {
-    explicit Pair(RobotSpec robot, double length = step, const ArenaSpec& arena = {})
-        : spec(std::move(robot)),
-          rolled(arena, {.step = length, .seed = 1}, nullptr),
-          solved(arena, {.step = length, .seed = 1}, nullptr) {
-        bodies.push_back(rolled.add_robot("it", spec, {}).value());
-        bodies.push_back(solved.add_robot("it", spec, {}).value());
-        solved.robot(0).kept_by_ode = true;
-    }
-
-    void drive(Wheels speeds) {
-        for (const auto& body : bodies) body->set_wheel_speeds(speeds);
-    }
-    // Takes the next step. Returns true if the first robot has rolled freely.
-    bool take_step() {
-        rolled.step(1);
-        solved.step(1);
-        return !rolled.robot(0).by_ode;
-    }
-    // The largest difference of places [m], rotations and velocities [m/s, rad/s].
-    double difference() {
-        const BodyView &a = rolled.robot(0).body, &b = solved.robot(0).body;
-        return std::max({(a.centre() - b.centre()).lpNorm<Eigen::Infinity>(),
-                         (a.rotation() - b.rotation()).lpNorm<Eigen::Infinity>(),
-                         (a.velocity() - b.velocity()).lpNorm<Eigen::Infinity>(),
-                         (a.spin() - b.spin()).lpNorm<Eigen::Infinity>()});
-    }
-
-    RobotSpec spec;
-    OdeWorld rolled, solved;
-    std::vector<std::unique_ptr<RobotBody>> bodies;
-};
 
 // A random pose with some pitch and roll, moving as its wheels turn.
 struct RandomState {
@@ -76,7 +29,7 @@ struct RandomState {
         const Vec3 velocity = rotate(rotation, {vx, within(0.01), within(0.01)});
         const Vec3 spin{within(0.1), within(0.1), (speeds.right - speeds.left) / track + within(0.1)};
         const Vec3 centre{within(5), within(5), height + within(1e-4)};
-        for (OdeWorld* world : {&pair.rolled, &pair.solved}) {
+        for (OdeWorld* world : {&pair.own, &pair.ode}) {
             const BodyView& body = world->robot(0).body;
             body.put(centre, rotation);
             dBodySetLinearVel(body.id, velocity.x(), velocity.y(), velocity.z());
@@ -204,12 +157,13 @@ TEST_CASE("a step in closed form equals ODE's to 1e-12 from a hundred thousand s
     double most = 0;
     for (const RobotSpec& spec : {mouse_spec(), swarm_spec(), odd_spec()}) {
         Pair pair(spec);
-        state.height = pair.rolled.robot(0).body.p[2];
+        state.height = pair.own.robot(0).body.p[2];
         int rolled = 0, tried = 0;
         while (rolled < 34'000 && tried < 340'000) {
             ++tried;
             state.put(pair);
-            if (!pair.take_step()) continue;
+            if (!pair.can_roll()) continue;
+            pair.take_step();
             ++rolled;
             const double difference = pair.difference();
             if (!(difference < 1e-12)) FAIL_CHECK("try " << tried << " differs by " << difference);
@@ -227,7 +181,7 @@ TEST_CASE(
     RandomState state;
     for (const RobotSpec& spec : {mouse_spec(), swarm_spec(), odd_spec()}) {
         Pair pair(spec);
-        const SimRobot& robot = pair.rolled.robot(0);
+        const SimRobot& robot = pair.own.robot(0);
         state.height = robot.body.p[2];
         int rolled = 0, stopped = 0;
         bool same = true;
@@ -268,10 +222,11 @@ TEST_CASE("after ten minutes of random driving the closed form and ODE agree", "
         const int steps = static_cast<int>(600 / step);
         for (int i = 0; i < steps; ++i) {
             pair.drive(driver.next());
-            rolled += pair.take_step() ? 1 : 0;
+            rolled += pair.can_roll() ? 1 : 0;
+            pair.take_step();
             most = std::max(most, pair.difference());
         }
-        const Truth a = pair.rolled.truth(0), b = pair.solved.truth(0);
+        const Truth a = pair.own.truth(0), b = pair.ode.truth(0);
         CAPTURE(spec.mass, rolled, most, a.pose.position.x, a.pose.position.y);
         CHECK(std::hypot(a.pose.position.x - b.pose.position.x, a.pose.position.y - b.pose.position.y) < 1e-9);
         CHECK(std::abs(a.pose.heading - b.pose.heading) < 1e-9);
@@ -285,46 +240,12 @@ TEST_CASE("a robot that switches at random between closed form and ODE takes the
     RandomDriver driver;
     std::mt19937_64 random{3};
     for (int i = 0; i < 6000; ++i) {
-        pair.rolled.robot(0).kept_by_ode = random() % 2 == 0;
+        pair.own.robot(0).kept_by_ode = random() % 2 == 0;
         pair.drive(driver.next());
         pair.take_step();
     }
     CHECK(pair.difference() < 1e-9);
-    CHECK(pair.rolled.robot(0).angles == pair.solved.robot(0).angles);
-}
-
-TEST_CASE("ODE computes slipping wheels, coasting wheels, pushed robots, walls and ramps", "[sim][rolling]") {
-    ArenaSpec arena;
-    arena.boxes.push_back({.at = {1, 0, 0.1}, .size = {0.1, 1, 0.2}});
-    arena.boxes.push_back({.at = {-1, 0, 0}, .size = {0.5, 1, 0.1}, .pitch = 0.1});
-    const auto rolls = [&](auto&& prepare, double friction = 1) {
-        RobotSpec spec = mouse_spec();
-        spec.friction = friction;
-        Pair pair(spec, step, arena);
-        for (int i = 0; i < 100; ++i) pair.take_step();
-        REQUIRE_FALSE(pair.rolled.robot(0).by_ode);  // at rest
-        prepare(pair);
-        bool always = true;
-        for (int i = 0; i < 400; ++i) always = pair.take_step() && always;
-        CHECK(pair.difference() < 1e-9);
-        return always;
-    };
-    CHECK(rolls([](Pair& pair) { pair.drive({0.01, 0.01}); }));
-    CHECK_FALSE(rolls([](Pair& pair) { pair.drive({0.2, 0.2}); }, 0.02));
-    CHECK_FALSE(rolls([](Pair& pair) {
-        for (const auto& body : pair.bodies) body->coast();
-    }));
-    CHECK_FALSE(rolls([](Pair& pair) {
-        pair.rolled.disturb(0, {.vx = 0.1});
-        pair.solved.disturb(0, {.vx = 0.1});
-    }));
-    for (const double x : {0.88, -0.6}) {  // into the wall, up the ramp
-        CHECK_FALSE(rolls([x](Pair& pair) {
-            CHECK(pair.rolled.teleport(0, {{x, 0}, x > 0 ? 0 : M_PI}));
-            CHECK(pair.solved.teleport(0, {{x, 0}, x > 0 ? 0 : M_PI}));
-            pair.drive({0.1, 0.1});
-        }));
-    }
+    CHECK(pair.own.robot(0).angles == pair.ode.robot(0).angles);
 }
 
 TEST_CASE("a robot that rolled freely is not seen after its removal", "[sim][rolling]") {

@@ -60,7 +60,7 @@ TEST_CASE("a moved wall is seen and touched at its new place only", "[sim][movin
     }
 }
 
-TEST_CASE("a moved thing is at rest, and what stood on it falls", "[sim][moving]") {
+TEST_CASE("a moved thing is at rest, and things that stood on it fall", "[sim][moving]") {
     ArenaSpec arena = furnished();
     arena.boxes.push_back({.at = {-1, 0, 0.125}, .size = {0.05, 0.05, 0.05}, .mass = 0.1});
     TryWorld w(arena);

@@ -8,7 +8,7 @@
 using namespace nezumi;
 using namespace nezumi::sim;
 
-TEST_CASE("movable things that overlap something are refused, with place and both names", "[sim][world]") {
+TEST_CASE("movable things that overlap something are refused with location and both names", "[sim][world]") {
     const auto refusal = [](const ArenaSpec& arena) {
         const auto made = make_world(arena, {}, {});
         return made ? std::string("made") : describe(made.error());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 
 #include "sim/ray_caster.hpp"
 
@@ -138,4 +139,46 @@ TEST_CASE("a sensor of several rays gives the nearest hit", "[sim][ray]") {
     std::vector<double> seen(1);
     cast_rays(scene, fan, Vec3::Zero(), Rotation::Identity(), Scene::nobody, seen);
     CHECK(seen[0] == Approx(0.4825).margin(0.001));
+}
+
+TEST_CASE("a scan gives the same as its rays one by one, whatever its place and its tilt", "[sim][ray]") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> u(-1, 1);
+    Scene scene;
+    for (int i = 0; i < 30; ++i) {
+        scene.add_fixed(box({4 * u(random), 4 * u(random), 0.1}, {0.1, i == 0 ? 30.0 : 1.0, 0.3}, 3 * u(random)));
+        scene.add_mover(cylinder({4 * u(random), 4 * u(random), 0.05}, 0.085, 0.1));
+    }
+    scene.refresh();
+    int hits = 0;
+    for (int round = 0; round < 300; ++round) {
+        const bool is_closed = round % 3 == 0;
+        const std::size_t count = 2 + static_cast<std::size_t>(round % 90);
+        const double cone = is_closed ? 2 * M_PI : 0.1 + 3 * std::abs(u(random));
+        RayFan one_by_one, scan;
+        one_by_one.add({{0.03, 0, 0}, {0, 1, 0}, 0.5, 0});
+        scan.add(one_by_one.rays.front());
+        scan.add_scan({.from = {0.1 * u(random), 0.1 * u(random), 0.02}, .range = 3, .sensor = 1}, 7 * u(random),
+                      cone / static_cast<double>(is_closed ? count : count - 1), count);
+        scan.add({{0.03, 0, 0}, {0, -1, 0}, 0.5, count + 1});
+        for (const RayFan::RayFrom& ray : std::span(scan.rays).subspan(1)) one_by_one.add(ray);
+        Vec3 axis(u(random), u(random), u(random));
+        const Rotation turned(Eigen::AngleAxisd((round % 2 == 0 ? 0.1 : 3) * u(random), axis.normalized()));
+        const Rotation rotation = turned * yaw_rotation(3 * u(random));
+        const Vec3 centre(3 * u(random), 3 * u(random), 0.06);
+        std::vector<double> expected(count + 2), seen(count + 2);
+        cast_rays(scene, one_by_one, centre, rotation, Scene::nobody, expected);
+        cast_rays(scene, scan, centre, rotation, Scene::nobody, seen);
+        CHECK(seen == expected);
+        hits += static_cast<int>(std::count_if(seen.begin(), seen.end(), [](double d) { return d < nothing; }));
+        // Only the rays before and after the scan.
+        std::vector<std::uint8_t> due(count + 2, 0);
+        due.front() = due.back() = 1;
+        std::vector<double> few(count + 2);
+        cast_rays(scene, scan, centre, rotation, Scene::nobody, few, due);
+        CHECK(few.front() == expected.front());
+        CHECK(few.back() == expected.back());
+        CHECK(std::all_of(few.begin() + 1, few.end() - 1, [](double d) { return d == nothing; }));
+    }
+    CHECK(hits > 2000);
 }

@@ -49,7 +49,7 @@ TEST_CASE("robots that overlap anything at the start are refused, with both name
     CHECK(refusal(0.1001, 0.0) == "added");
 }
 
-TEST_CASE("an object without size is refused, with its place", "[sim][world]") {
+TEST_CASE("an object without size is refused with its location", "[sim][world]") {
     ArenaSpec arena;
     arena.boxes.push_back({.at = {}, .size = {1, 0, 1}, .place = {"arena.lua", 3}});
     auto made = make_world(arena, {}, {});

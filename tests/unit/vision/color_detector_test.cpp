@@ -232,7 +232,8 @@ TEST_CASE("a grey picture is reported once and not used", "[vision][color]") {
           std::vector<std::string>{"image: gray8 has no colours: expected rgb8 or bgr8: nothing can be seen in it"});
 }
 
-TEST_CASE("a colour is published after the detector's latency, of the newest picture", "[vision][color]") {
+TEST_CASE("a detector publishes its result after the latency, and then continues with the newest picture",
+          "[vision][color]") {
     ColorWatch watch({}, {{"latency", 0.05}}, {}, false);
     const auto shown = [](int left) { return Canvas(100, 100, ground).paint(left, 40, 20, 20, red).image(); };
     watch.show(shown(0));

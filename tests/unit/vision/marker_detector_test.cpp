@@ -19,7 +19,8 @@ struct MarkerWatch : Watched<MarkerDetector> {
 
 }  // namespace
 
-TEST_CASE("what a picture shows is published after the camera's and the detector's latency", "[vision][detector]") {
+TEST_CASE("the markers in a picture are published after the camera's and the detector's latency",
+          "[vision][detector]") {
     MarkerWatch watch(one_marker(), {{"latency", 0.03}}, {{"latency", 0.05}});
     watch.run(8);  // ticks 0 to 7: exposed in tick 0, published in tick 5, processed from then on
     CHECK(watch.port("pos").count() == 0);
@@ -61,7 +62,7 @@ TEST_CASE("without latency everything comes in the tick of the picture", "[visio
     CHECK(watch.port("pos").count() == 1);
 }
 
-TEST_CASE("thirty pictures a second make thirty positions a second", "[vision][detector]") {
+TEST_CASE("thirty pictures per second make thirty positions per second", "[vision][detector]") {
     MarkerWatch watch(one_marker());
     watch.run(205);
     CHECK(std::abs(static_cast<int>(watch.port("pos").count()) - 60) <= 1);

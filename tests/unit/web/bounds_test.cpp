@@ -18,7 +18,8 @@ TEST_CASE("an invalid message is answered with its error", "[web][bounds]") {
     CHECK(told("{}").find("'do' must be") != std::string::npos);
     CHECK(told(R"({"do":"dance"})").find("'do' must be one of watch, act, stop") != std::string::npos);
     CHECK(told(R"({"do":"act","id":"x"})").find("'id' must be a whole number") != std::string::npos);
-    CHECK(told(R"({"do":"act","id":1,"act":"Explode"})").find("there is no act 'Explode'") != std::string::npos);
+    CHECK(told(R"({"do":"act","id":1,"act":"Explode"})")
+              .find("there is no act (change of the running system) 'Explode'") != std::string::npos);
     CHECK(told(R"({"do":"act","id":1,"act":"Activate","fields":{"x":1}})").find("'component' is missing") !=
           std::string::npos);
     CHECK(told(R"({"do":"time","id":1,"what":"fly"})").find("'what' must be one of pause, resume") !=
@@ -134,7 +135,7 @@ TEST_CASE("view-only browsers do not exclude browsers that may stop the robots",
     CHECK(WebRig::answer(acts, {{"do", "stop"}, {"id", 1}})["ok"] == true);
 }
 
-TEST_CASE("browsers are told at once when the run ends", "[web][bounds]") {
+TEST_CASE("browsers are informed at once when the run ends", "[web][bounds]") {
     WebRig rig;
     RawBrowser browser(rig.port, [] {});
     REQUIRE(browser.ask(WebRig::upgrade(rig.host(), "http://" + rig.host(), "nezumi, token." + rig.token)) != "");

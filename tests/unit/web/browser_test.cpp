@@ -178,7 +178,7 @@ TEST_CASE("a drive ends by itself without messages from its browser", "[web][wal
     CHECK(rig.live->system().port("mouse.target_velocity_in").value()->override() == Override::none);
 }
 
-TEST_CASE("driving a port of another user is refused, or taken over on request, and both are told", "[web]") {
+TEST_CASE("driving a port of another user is refused, or taken over on request, and both users are informed", "[web]") {
     WebRig rig;
     rig.paused = false;
     RawBrowser browser = rig.open(), other = rig.open();
@@ -198,7 +198,7 @@ TEST_CASE("driving a port of another user is refused, or taken over on request, 
     CHECK_FALSE(other.next_text(R"("drivers":{})").empty());
 }
 
-TEST_CASE("a driver is told when another user takes over", "[web]") {
+TEST_CASE("a driver is informed when another user takes over", "[web]") {
     LiveRig rig;
     std::string told;
     Drives drives(*rig.live, [&](ClientId client, const std::string& port, const std::string& why) {
@@ -373,7 +373,7 @@ TEST_CASE("a browser gets what is remembered of a branch: places, acts and colli
     REQUIRE(!main["marks"].empty());
     CHECK(main["marks"][0]["kind"] == "act");
     CHECK(main["marks"][0]["at"] == 1.0);
-    CHECK(main["marks"][0]["text"].get<std::string>().find("SetParameter by") == 0);
+    CHECK(main["marks"][0]["text"].get<std::string>().find("set parameter by") == 0);
     REQUIRE(browser.send_frame(R"({"do":"remembered","branch":"main"})"));
     CHECK_FALSE(Json::parse(browser.next_text(R"("is":"remembered")")).contains("rows"));
     CHECK(WebRig::answer(browser, {{"do", "remembered"}, {"branch", "x"}, {"id", 3}})["text"] ==

@@ -150,7 +150,7 @@ TEST_CASE("the history is not written through a link", "[web][editor]") {
     CHECK_FALSE(fs::exists(project.outside / "versions"));
 }
 
-TEST_CASE("what is no text file is refused without waiting", "[web][editor]") {
+TEST_CASE("folders, FIFOs, bytes and too long texts are refused without waiting", "[web][editor]") {
     EditedProject project;
     REQUIRE(mkfifo((project.root / "behaviors/pipe.lua").c_str(), 0600) == 0);
     fs::create_directory(project.root / "behaviors/folder.lua");
@@ -168,7 +168,7 @@ TEST_CASE("what is no text file is refused without waiting", "[web][editor]") {
     CHECK(project.on_disk("behaviors/guide.lua") == "one\n");
 }
 
-TEST_CASE("a full disk is told and loses nothing", "[web][editor]") {
+TEST_CASE("a full disk is reported and loses nothing", "[web][editor]") {
     EditedProject project;
     const std::string mark = project.mark("behaviors/guide.lua");
     {
@@ -184,7 +184,7 @@ TEST_CASE("a full disk is told and loses nothing", "[web][editor]") {
     CHECK(project.files.write("behaviors/guide.lua", std::string(2000, '-'), mark));
 }
 
-TEST_CASE("versions are what was found first and each saved text, at most 100", "[web][editor]") {
+TEST_CASE("the versions of a file are its first text and each saved text, at most 100", "[web][editor]") {
     EditedProject project;
     const std::string name = "behaviors/guide.lua";
     std::string mark = project.mark(name);

@@ -76,7 +76,7 @@ TEST_CASE("who may only look may neither read, check nor save files, nor run sce
     CHECK_FALSE(std::filesystem::exists(rig.file.parent_path() / "behaviors/new.lua"));
 }
 
-TEST_CASE("a check is what nezumi check says of the text, or why it says nothing", "[web][editor]") {
+TEST_CASE("a check gives the errors of nezumi check, or the reason if it fails", "[web][editor]") {
     const Scratch folder;
     EditorOptions options{
         .program = program(folder,
@@ -100,7 +100,7 @@ TEST_CASE("a check is what nezumi check says of the text, or why it says nothing
     CHECK(WebRig::answer(browser, edit("check", 3, {{"file", "../x.lua"}, {"text", ""}}))["ok"] == false);
 }
 
-TEST_CASE("what is no request of an editor is refused with the reason", "[web][editor]") {
+TEST_CASE("a wrong request of an editor is refused with the reason", "[web][editor]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     const auto text = [&](const Json& message) { return WebRig::answer(browser, message)["text"].get<std::string>(); };
@@ -114,7 +114,7 @@ TEST_CASE("what is no request of an editor is refused with the reason", "[web][e
     CHECK(text({{"do", "test"}, {"what", "run"}, {"id", 7}}) == "this program can't run scenarios: use `nezumi run`");
 }
 
-TEST_CASE("scenarios run as processes whose report is told while they run", "[web][scenarios]") {
+TEST_CASE("scenarios run as processes whose report is sent while they run", "[web][scenarios]") {
     const Scratch folder;
     EditorOptions options{.program = program(folder,
                                              "case \"$*\" in\n"

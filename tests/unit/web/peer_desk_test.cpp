@@ -81,7 +81,7 @@ TEST_CASE("requests to RTCs that hang are limited", "[web][peers]") {
     CHECK(one_more.error().message == "too many requests are already waiting");
 }
 
-TEST_CASE("a program without RTCs says so to a browser, and what is wrong in a request", "[web][peers]") {
+TEST_CASE("a browser's request about RTCs is refused without RTCs, or with the error in it", "[web][peers]") {
     WebRig rig;
     RawBrowser browser = rig.open();
     const auto refused = [&](WebRig::Json message) {
@@ -100,7 +100,7 @@ TEST_CASE("a program without RTCs says so to a browser, and what is wrong in a r
     CHECK(refused({{"what", "connect"}, {"from", "Out0.out"}}) == "'to' must be a text");
     CHECK(refused({{"what", "configure"}, {"name", "In0"}, {"value", 1}}) == "'parameter' must be a text");
     CHECK(refused({{"what", "configure"}, {"name", "In0"}, {"parameter", "gain"}, {"value", nullptr}}) ==
-          "'value' must be a number, a text, a truth value, or a list of one kind of them");
+          "'value' must be a number, a text, a boolean, or a list of one kind of them");
 }
 
 TEST_CASE("a view-only browser asks nothing of RTCs", "[web][peers]") {

@@ -57,7 +57,7 @@ TEST_CASE("the size of stored log lines is limited", "[web]") {
     CHECK(lines == 2);
 }
 
-TEST_CASE("a browser that connects while the run ends is told so and closed", "[web]") {
+TEST_CASE("a browser that connects while the run ends gets the last message and is closed", "[web]") {
     const WebRig rig;
     Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     hub.end("goodbye");

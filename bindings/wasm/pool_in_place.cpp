@@ -1,0 +1,14 @@
+// Runs of scenarios without processes: one after the other, where they are asked for.
+#include "bindings/scenario/process_pool.hpp"
+
+namespace nezumi {
+
+PoolEnd run_in_processes(const PoolTasks& tasks, std::size_t /*jobs*/) {
+    for (std::size_t task = 0; task < tasks.count; ++task) {
+        tasks.take(task, tasks.run(task));
+        if (tasks.progress) tasks.progress(task + 1);
+    }
+    return PoolEnd::done;
+}
+
+}  // namespace nezumi
