@@ -108,9 +108,6 @@ struct SimRobot {
     std::vector<Vec3> contact_points;    // points of the latest step of this call in which it touched something
     Neighbours near;
     std::string name;
-    std::vector<double> message;       // that others can hear
-    std::vector<double> next_message;  // from the next step on
-    bool says_anew = false;
     std::vector<bool> pressed;   // by sensor of the spec
     std::vector<double> servos;  // [rad] by actuator of the spec
 };

@@ -84,8 +84,8 @@ public:
     /// Appends the other robots within the sensor's radius, unless something is between.
     void list_neighbours(const SimRobot& robot, const SensorSpec& neighbours,
                          std::vector<SimulatedBody::InSight>& seen) const;
-    /// Others hear it from the next step on. Several robots may speak at once.
-    void say(RobotId id, std::span<const double> message);
+    /// For changing what others see and hear of the robot from the next step on. Several robots may do so at once.
+    Signals& change_signals(RobotId id);
     bool touches_something(const SimRobot& robot, const SensorSpec& touch_sensor) const;
     /// The floor's colour for a downward-looking sensor. Nothing outside the floor's picture, or if the sensor is too
     /// high.
@@ -127,7 +127,7 @@ private:
     Expected<void> move_label(const Label& label, Shape& shape, const Pose2D& pose, Scene::Index self);
 
     // Stepping (stepping.cpp).
-    void publish_messages();
+    void publish_signals();
     int step_together(int most);
     void step_others(int index);
     void place(const Thing& thing);
@@ -143,7 +143,6 @@ private:
     void tell_who_left();
     void restore(const BodyView& body, const Shape& last, double drop, const std::string& name);
 
-    std::atomic<bool> somebody_speaks_ = false;
     double step_;
     std::uint64_t seed_;             // of the sensors' noise
     std::optional<Point2D> inside_;  // [m] size of an arena that robots can't leave
@@ -168,6 +167,12 @@ private:
 
     std::vector<Label> fixed_labels_, thing_labels_;
     std::vector<MarkerPose> markers_;
+    struct ShownSignals {
+        Signals now, next;
+        bool have_changed = false;
+    };
+    std::vector<ShownSignals> signals_;  // by robot
+    std::atomic<bool> signals_have_changed_ = false;
     std::optional<Picture> floor_;
     Point2D floor_size_{};
     std::unique_ptr<SoundFiles> sounds_;  // must be destroyed before the members that its warnings use

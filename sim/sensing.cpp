@@ -1,4 +1,4 @@
-// Touch and colour sensors of simulated robots.
+// Touch and colour sensors of simulated robots, and what they see of each other.
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -29,22 +29,22 @@ void OdeWorld::list_neighbours(const SimRobot& robot, const SensorSpec& sensor,
             !is_clear(scene_, at, {at.x() + dx, at.y() + dy, at.z()}, robot.mover, index))
             return;
         const double bearing = std::atan2(ahead.x() * dy - ahead.y() * dx, ahead.x() * dx + ahead.y() * dy);
-        seen.push_back(
-            {static_cast<RobotId>(&other - movers_.robots.data()), range, bearing, other.name, other.message});
+        const auto id = static_cast<RobotId>(&other - movers_.robots.data());
+        seen.push_back({id, range, bearing, other.name, &signals_[id].now});
     });
 }
 
-void OdeWorld::say(RobotId id, std::span<const double> message) {
-    SimRobot& robot = movers_.robots[id];
-    robot.next_message.assign(message.begin(), message.end());
-    robot.says_anew = true;
-    somebody_speaks_.store(true, std::memory_order_relaxed);
+Signals& OdeWorld::change_signals(RobotId id) {
+    ShownSignals& shown = signals_[id];
+    shown.have_changed = true;
+    signals_have_changed_.store(true, std::memory_order_relaxed);
+    return shown.next;
 }
 
-void OdeWorld::publish_messages() {
-    if (!somebody_speaks_.exchange(false, std::memory_order_relaxed)) return;
-    for (SimRobot& robot : movers_.robots) {
-        if (std::exchange(robot.says_anew, false)) robot.message.swap(robot.next_message);
+void OdeWorld::publish_signals() {
+    if (!signals_have_changed_.exchange(false, std::memory_order_relaxed)) return;
+    for (ShownSignals& shown : signals_) {
+        if (std::exchange(shown.have_changed, false)) shown.now = shown.next;
     }
 }
 

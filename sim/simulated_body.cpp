@@ -142,7 +142,8 @@ void SimulatedBody::look_around(std::int64_t tick) {
             seen.name = list[i].name;
             seen.range = list[i].range;
             seen.bearing = list[i].bearing;
-            seen.message.assign(list[i].message.begin(), list[i].message.end());
+            seen.message = list[i].signals->message;
+            seen.leds = list[i].signals->leds;
         }
     }
 }

@@ -20,6 +20,12 @@ struct PlaceMotion {
     Point3D spin{};                                                  ///< [rad/s] in the world frame
 };
 
+/// What others see and hear of a robot.
+struct Signals {
+    std::vector<double> message;
+    std::vector<bool> leds;
+};
+
 /// A derived class provides the true values. This class computes from them what the robot's devices would report.
 class SimulatedBody : public RobotBody {
 public:
@@ -42,13 +48,13 @@ public:
     virtual FloorColor floor_color(std::size_t index) const = 0;
     /// Light reflected by the floor at sensor `index` of the spec: 0 (none) to 100 (white paper).
     virtual double reflected_light(std::size_t index) const = 0;
-    /// A robot in sight of a sensor. Name and message are valid until the next step of the world.
+    /// A robot in sight of a sensor. Name and signals are valid until the next step of the world.
     struct InSight {
         RobotId id;
         double range;    // [m]
         double bearing;  // [rad]
         std::string_view name;
-        std::span<const double> message;
+        const Signals* signals;
     };
     /// Appends the robots that sensor `index` of the spec (neighbours) sees, in any order.
     virtual void list_neighbours(std::size_t index, std::vector<InSight>& seen) const = 0;

@@ -225,6 +225,7 @@ struct Neighbour {
     double range = 0;
     double bearing = 0;
     std::vector<double> message;
+    std::vector<bool> leds;
     bool operator==(const Neighbour&) const = default;
 
     static constexpr std::tuple fields{
@@ -232,6 +233,7 @@ struct Neighbour {
         Field{"range", &Neighbour::range, "m", "from the sensor to its middle, seen from above"},
         Field{"bearing", &Neighbour::bearing, "rad", "counter-clockwise from where the sensor looks"},
         Field{"message", &Neighbour::message, "", "what it says: at most 10 numbers"},
+        Field{"leds", &Neighbour::leds, "", "which of its LEDs are on"},
     };
 };
 

@@ -202,23 +202,22 @@ void Robot::publish_neighbours(const Time& now) {
 }
 
 void Robot::take_message(const Time& now) {
-    std::vector<double>& message = message_;
     if (say_in_->is_new()) {
         const std::vector<double>& given = say_in_->read();
         const auto length = std::min(given.size(), RobotBody::longest_message);
         if (given.size() > length && !std::exchange(said_long_, true))
             log(LogLevel::warn, fmt::format("input '{}': it says {} numbers: the first {} are sent (reported once)",
                                             say_in_->name(), given.size(), length));
-        if (std::equal(given.begin(), given.begin() + static_cast<std::ptrdiff_t>(length), message.begin(),
-                       message.end()))
-            return;
-        message.assign(given.begin(), given.begin() + static_cast<std::ptrdiff_t>(length));
-    } else if (is_quiet_when_silent_ && !message.empty() && now.seconds - say_in_->arrived_at() > silence) {
-        message.clear();
-    } else {
-        return;
+        say(std::span(given).first(length));
+    } else if (is_quiet_when_silent_ && say_in_->is_silent(now.seconds)) {
+        say({});
     }
-    body_->say(message);
+}
+
+void Robot::say(std::span<const double> message) {
+    if (std::equal(message.begin(), message.end(), message_.begin(), message_.end())) return;
+    message_.assign(message.begin(), message.end());
+    body_->say(message_);
 }
 
 // Publishes only changes.
@@ -402,6 +401,7 @@ void Robot::actuate(const Time& now) {
         if (say_in_ != nullptr) take_message(now);
         actuators_.act(*body_, now, [this](std::string why) { log(LogLevel::warn, std::move(why)); });
     } else {
+        say({});
         actuators_.be_still(*body_);
     }
 }

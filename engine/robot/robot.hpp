@@ -148,6 +148,7 @@ private:
     Expected<void> add_neighbours(const PortSpec& port, const std::vector<std::size_t>& sensors);
     void publish_neighbours(const Time& now);
     void take_message(const Time& now);
+    void say(std::span<const double> message);
     void publish_stalled();
     void tell_faults();
     Pose3D turned(const Pose3D& pose, std::size_t servo) const;

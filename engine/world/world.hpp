@@ -108,7 +108,7 @@ public:
     /// Moves servo `index` of the spec's actuators to an angle [rad], already limited, at `speed` [rad/s] (0: as fast
     /// as possible). Called on changes.
     virtual void aim_servo(std::size_t index, double angle, double speed) = 0;
-    /// Lights, in order; called on changes.
+    /// Lights, in order, which cameras and `neighbours` see from the next step of the world on; called on changes.
     virtual void set_leds(const std::vector<bool>& /*on*/) {}
     /// What `neighbours` of other robots see from the next step of the world on: at most `longest_message` finite
     /// numbers. Called on changes.
