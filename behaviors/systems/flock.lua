@@ -4,7 +4,7 @@ local count = argument("count", 50, { min = 2, max = 500, doc = "how many mice" 
 local near = { kind = "neighbours", radius = 0.8, noise = 0.01, bearing_noise = 0.03, loss = 0.1 }
 for i = 1, count do
   local distance, angle = 0.22 * math.sqrt(i), 2.4 * i -- like the seeds of a sunflower
-  local pose = { x = distance * math.cos(angle), y = distance * math.sin(angle), heading = 1.0 * i * i }
+  local pose = { x = distance * math.cos(angle), y = distance * math.sin(angle), heading = i * i % (2 * math.pi) }
   robot("mouse_" .. i, {
     model = "raspimouse",
     pose = pose,

@@ -135,10 +135,10 @@ void compare_trace(std::size_t count) {
     std::fflush(stdout);
 }
 
-// CPU time of a tick in which each robot looks for its neighbours, and without, in turns.
-void compare_neighbours(std::size_t count) {
+// CPU time of a tick in which each robot looks for its neighbours within `radius` [m], and without, in turns.
+void compare_neighbours(std::size_t count, int radius) {
     const int ticks = static_cast<int>(std::max<std::size_t>(2, 4'000 / count));
-    bench::WholeEngine plain(system_text(count)), looking(system_text(count, ", radius = 1"));
+    bench::WholeEngine plain(system_text(count)), looking(system_text(count, ", radius = " + std::to_string(radius)));
     plain.run(20);
     looking.run(20);
     double seen = 0;
@@ -151,7 +151,8 @@ void compare_neighbours(std::size_t count) {
         without.push_back(bench::time_of([&] { plain.run(ticks); }) / ticks);
         with.push_back(bench::time_of([&] { looking.run(ticks); }) / ticks);
     }
-    std::printf("%8zu %12.3f %12.3f %14.1f\n", count, bench::median(without) * 1e3, bench::median(with) * 1e3, seen);
+    std::printf("%8zu %8d %12.3f %12.3f %14.1f\n", count, radius, bench::median(without) * 1e3,
+                bench::median(with) * 1e3, seen);
     std::fflush(stdout);
 }
 
@@ -198,8 +199,11 @@ int main(int argc, char** argv) {
     for (const std::size_t count : counts) {
         compare_threads(count);
     }
-    std::puts("\nCPU time of a tick [ms]: without and with neighbours within 1 m, and how many each robot sees");
-    for (const std::size_t count : argc > 1 ? counts : std::vector<std::size_t>{50, 1000}) compare_neighbours(count);
+    std::puts("\nCPU time of a tick [ms], without and with neighbours; and how many each robot sees");
+    std::printf("%8s %8s %12s %12s %14s\n", "robots", "within m", "without", "with", "seen");
+    for (const std::size_t count : argc > 1 ? counts : std::vector<std::size_t>{50, 1000}) {
+        for (const int radius : {1, 3}) compare_neighbours(count, radius);
+    }
     std::puts("\nCPU time with the ports of a small system remembered / without");
     for (const std::size_t count : counts) {
         if (count < 10'000) compare_trace(count);

@@ -60,7 +60,7 @@ scenario("what a robot says is seen in the next tick, by those before it and by 
 end)
 
 scenario("walls, boxes and other robots hide those behind them", function(s)
-  s:arena { wall { from = { 0.25, -0.2 }, to = { 0.25, 0.2 } }, box { at = { 0.25, 0.6, 0.01 }, size = { 0.1, 0.1, 0.02 } } }
+  s:arena { s:wall { from = { 0.25, -0.2 }, to = { 0.25, 0.2 } }, s:box { at = { 0.25, 0.6, 0.01 }, size = { 0.1, 0.1, 0.02 } } }
   local a = talker(s, "a", 0, 0)
   talker(s, "behind_wall", 0.5, 0)
   talker(s, "beside_wall", 0.1, 0.4)
@@ -69,7 +69,7 @@ scenario("walls, boxes and other robots hide those behind them", function(s)
   talker(s, "in_line", 0, -0.3)
   talker(s, "behind_robot", 0, -0.6)
   s:run(0.05)
-  s:equal(seen_by(a), { "in_line", "beside_wall", "left" })
+  s:equal(seen_by(a), { "in_line", "beside_wall", "left", "behind_low_box" })
   local names = table.concat(seen_by(left), " ")
   s:check(names:find "behind_low_box" ~= nil, "a low box hides nothing: " .. names)
   s:teleport("behind_wall", { x = 0.5, y = -0.45, heading = 0 })

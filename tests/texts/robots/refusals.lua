@@ -28,13 +28,13 @@ sensors = { near = { kind = 'neighbours', radus = 1 } }
 --                                        ^ error: robot_model: unknown field 'sensors.near.radus' (did you mean 'radius'?)
 
 sensors = { near = { kind = 'neighbours', loss = 2 } }
---                                        ^ error: robot_model: field 'sensors.near.loss' expected
+--                                        ^ error: robot_model: field 'sensors.near.loss' expected a number up to 1, got 2
 
 sensors = { near = { kind = 'neighbours', on = 'head' } }
 --                                        ^ error: robot_model: field 'sensors.near.on' is not for neighbours: the hull carries that sensor
 
 sensors = { near = { kind = 'range', radius = 1 } }
---                                   ^ error: robot_model: unknown field 'sensors.near.radius'
+--                                   ^ error: robot_model: unknown field 'sensors.near.radius': expected kind, at, yaw, on, range, minimum, cone, rays, noise, table, response, nothing, min_value, max_value, port
 
 --- The message names a sensor that the robot needs and does not have.
 return robot_model { mass = 1, sensors = { eye = { kind = 'range' } },
