@@ -93,7 +93,7 @@ return robot_model { mass = 1, body = 'box', drive = { radius = 1, track = 1 } }
 --                             ^ error: robot_model: field 'body' expected a table, got string
 
 sensors = { a = { kind = 'rnage' } }
---                ^ error: robot_model: field 'sensors.a.kind' expected one of range, button, touch, gyro, color, reflect, ambient, scan, imu, got 'rnage' (did you mean 'range'?)
+--                ^ error: robot_model: field 'sensors.a.kind' expected one of range, button, touch, gyro, color, reflect, ambient, scan, imu, neighbours, got 'rnage' (did you mean 'range'?)
 
 sensors = { a = 5 }
 --          ^ error: robot_model: field 'sensors.a' expected a table, got number
@@ -139,7 +139,7 @@ return robot_model { mass = 1, body = { size = { 1, 1, 1 } }, drive = { radius =
 --                                                            ^ error: robot_model: field 'drive.track' is missing: expected a positive number in m: between the wheels
 
 sensors = { a = {} }
---          ^ error: robot_model: field 'sensors.a.kind' is missing: expected one of range, button, touch, gyro, color, reflect, ambient, scan, imu: what it measures
+--          ^ error: robot_model: field 'sensors.a.kind' is missing: expected one of range, button, touch, gyro, color, reflect, ambient, scan, imu, neighbours: what it measures
 
 ports = { a = { to = 'drive' } }
 --        ^ error: robot_model: field 'ports.a.type' is missing: expected a text: a message type
