@@ -1,6 +1,8 @@
 // The drivers, one line each.
 #include "hw/drivers.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -55,6 +57,18 @@ decltype(Makers::components) device_drivers(const DeviceRoots& roots) {
         };
     }
     return all;
+}
+
+Expected<void> examine_device(const ComponentEntry& entry, const DeviceRoots& roots) {
+    const auto parameters = device_parameters(entry);
+    if (!parameters) return Unexpected(parameters.error());
+    const auto* found = std::find_if(std::begin(wire_drivers), std::end(wire_drivers),
+                                     [&](const auto& each) { return each.first == entry.type; });
+    const auto driver = found->second(*parameters, roots);
+    if (!driver) return failure(driver.error());
+    if (const auto lease = (*driver)->lease(); !lease) return Unexpected(lease.error());
+    const auto works = (*driver)->examine();
+    return works ? Expected<void>() : failure(works.error());
 }
 
 }  // namespace nezumi::hw

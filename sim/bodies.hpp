@@ -136,6 +136,7 @@ struct Movers {
 
     bool is_thing(Scene::Index mover) const { return mover < things.size(); }
     SimRobot& robot(Scene::Index mover) { return robots[mover - things.size()]; }
+    const SimRobot& robot(Scene::Index mover) const { return robots[mover - things.size()]; }
 };
 
 }  // namespace nezumi::sim

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <opencv2/core/utility.hpp>
 #include <utility>
@@ -14,6 +15,21 @@ namespace nezumi::sim {
 namespace {
 
 constexpr Rgb robot_color = 0x4c5a6b;
+constexpr Rgb led_color = 0xff2a20;
+constexpr double led_edge = 0.008;  // [m] of a lit LED, a cube
+
+// The lit LEDs: cubes in a row across the top of the hull, the first on the left.
+void list_leds(const Shape& hull, const std::vector<bool>& on, std::vector<Solid>& solids) {
+    const double pitch = 2 * hull.half.y() / static_cast<double>(on.size());
+    const double half = std::min(led_edge, pitch * 0.75) / 2;
+    for (std::size_t i = 0; i < on.size(); ++i) {
+        if (!on[i]) continue;
+        const Vec3 at{0, hull.half.y() - pitch * (static_cast<double>(i) + 0.5), hull.half.z() + half};
+        solids.push_back(
+            {{Shape::Kind::box, hull.centre + rotate(hull.rotation, at), hull.rotation, {half, half, half}},
+             led_color});
+    }
+}
 
 }  // namespace
 
@@ -97,8 +113,10 @@ void OdeWorld::list_solids(std::optional<RobotId> except, Rgb robots, std::vecto
     for (std::size_t i = 0; i < movers_.things.size(); ++i)
         solids.push_back({scene_.movers()[i], parse_color(thing_labels_[i].color)});
     for (RobotId i = 0; i < movers_.robots.size(); ++i) {
-        if (i != except && !movers_.robots[i].gone)
-            solids.push_back({scene_.movers()[movers_.robots[i].mover], robots});
+        if (i == except || movers_.robots[i].gone) continue;
+        const Shape& hull = scene_.movers()[movers_.robots[i].mover];
+        solids.push_back({hull, robots});
+        list_leds(hull, signals_[i].now.leds, solids);
     }
 }
 

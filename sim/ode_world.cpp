@@ -154,6 +154,7 @@ Expected<std::unique_ptr<RobotBody>> OdeWorld::add_robot(const std::string& name
     islands_.add_mover();
     neighbours_.expire();
     movers_.robots.emplace_back(body, model, scene_.add_mover(hull, model.reach), name);
+    signals_.emplace_back();
     warn_of_high_rays(name, spec);
     return std::make_unique<SimRobotBody>(*this, movers_.robots.size() - 1, spec, mix(seed_, std::string_view(name)));
 }

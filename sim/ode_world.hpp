@@ -1,6 +1,7 @@
 // A world of robots and things in ODE.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -20,6 +21,7 @@
 #include "sim/robot_model.hpp"
 #include "sim/rolling_ahead.hpp"
 #include "sim/scene.hpp"
+#include "sim/simulated_body.hpp"
 #include "sim/sound_files.hpp"
 #include "sim/world.hpp"
 
@@ -79,6 +81,11 @@ public:
     SimRobot& robot(RobotId id) { return movers_.robots[id]; }
     const SimRobot& robot(RobotId id) const { return movers_.robots[id]; }
     void read_ranges(const SimRobot& robot, std::span<double> distances, std::span<const std::uint8_t> due) const;
+    /// Appends the other robots within the sensor's radius, unless something is between.
+    void list_neighbours(const SimRobot& robot, const SensorSpec& neighbours,
+                         std::vector<SimulatedBody::InSight>& seen) const;
+    /// For changing what others see and hear of the robot from the next step on. Several robots may do so at once.
+    Signals& change_signals(RobotId id);
     bool touches_something(const SimRobot& robot, const SensorSpec& touch_sensor) const;
     /// The floor's colour for a downward-looking sensor. Nothing outside the floor's picture, or if the sensor is too
     /// high.
@@ -120,6 +127,7 @@ private:
     Expected<void> move_label(const Label& label, Shape& shape, const Pose2D& pose, Scene::Index self);
 
     // Stepping (stepping.cpp).
+    void publish_signals();
     int step_together(int most);
     void step_others(int index);
     void place(const Thing& thing);
@@ -159,6 +167,12 @@ private:
 
     std::vector<Label> fixed_labels_, thing_labels_;
     std::vector<MarkerPose> markers_;
+    struct ShownSignals {
+        Signals now, next;
+        bool have_changed = false;
+    };
+    std::vector<ShownSignals> signals_;  // by robot
+    std::atomic<bool> signals_have_changed_ = false;
     std::optional<Picture> floor_;
     Point2D floor_size_{};
     std::unique_ptr<SoundFiles> sounds_;  // must be destroyed before the members that its warnings use

@@ -131,4 +131,23 @@ double cast_ray(const Scene& scene, const Vec3& from, const Vec3& direction, dou
     return nearest;
 }
 
+bool is_clear(const Scene& scene, const Vec3& from, const Vec3& to, Scene::Index self, Scene::Index other) {
+    const double range = (to - from).norm();
+    if (range < 1e-9) return true;
+    const Vec3 direction = (to - from) / range;
+    const Vec3 middle = (from + to) / 2;
+    bool clear = true;
+    const auto look = [&](Scene::Index, const Shape& shape) {
+        if (!clear ||
+            !may_meet(shape.centre.x() - from.x(), shape.centre.y() - from.y(), shape.reach(), direction, range))
+            return;
+        clear = cast_ray(shape, from, direction, range) >= nothing;
+    };
+    scene.for_each_fixed_near(middle.x(), middle.y(), range / 2, look);
+    scene.for_each_mover_near(middle.x(), middle.y(), range / 2, self, [&](Scene::Index index, const Shape& shape) {
+        if (index != other) look(index, shape);
+    });
+    return clear;
+}
+
 }  // namespace nezumi::sim

@@ -45,4 +45,7 @@ void cast_rays(const Scene& scene, const RayFan& fan, const Vec3& centre, const 
 /// Returns the distance of a single ray in the world frame, as above.
 double cast_ray(const Scene& scene, const Vec3& from, const Vec3& direction, double range, Scene::Index self);
 
+/// Whether nothing is between two points of the world frame, apart from these two movers. The floor does not count.
+bool is_clear(const Scene& scene, const Vec3& from, const Vec3& to, Scene::Index self, Scene::Index other);
+
 }  // namespace nezumi::sim

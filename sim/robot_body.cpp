@@ -48,6 +48,17 @@ double SimRobotBody::reflected_light(std::size_t index) const {
     return seen ? brightness(*seen) : 0;
 }
 
+void SimRobotBody::list_neighbours(std::size_t index, std::vector<InSight>& seen) const {
+    const SimRobot& robot = world_.robot(id_);
+    world_.list_neighbours(robot, robot.model->spec->sensors[index], seen);
+}
+
+void SimRobotBody::say(std::span<const double> message) {
+    world_.change_signals(id_).message.assign(message.begin(), message.end());
+}
+
+void SimRobotBody::set_leds(const std::vector<bool>& on) { world_.change_signals(id_).leds = on; }
+
 void SimRobotBody::set_wheel_speeds(Wheels speeds) {
     assert(std::isfinite(speeds.left) && std::isfinite(speeds.right));
     SimRobot& robot = world_.robot(id_);

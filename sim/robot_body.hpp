@@ -26,6 +26,9 @@ public:
     PlaceMotion motion(std::size_t index) const override;
     FloorColor floor_color(std::size_t index) const override;
     double reflected_light(std::size_t index) const override;
+    void list_neighbours(std::size_t index, std::vector<InSight>& seen) const override;
+    void say(std::span<const double> message) override;
+    void set_leds(const std::vector<bool>& on) override;
     void set_wheel_speeds(Wheels speeds) override;
     void coast() override;
     void set_servo(std::size_t index, double angle) override;

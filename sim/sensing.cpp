@@ -1,6 +1,7 @@
-// Touch and colour sensors of simulated robots.
+// Touch and colour sensors of simulated robots, and what they see of each other.
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "sim/floor_spot.hpp"
 #include "sim/ode_world.hpp"
@@ -12,6 +13,39 @@ void OdeWorld::read_ranges(const SimRobot& robot, std::span<double> distances,
     const RayFan& fan = robot.fan();
     if (fan.sensors == 0) return;
     cast_rays(scene_, fan, robot.body.centre(), robot.body.rotation(), robot.mover, distances, due);
+}
+
+void OdeWorld::list_neighbours(const SimRobot& robot, const SensorSpec& sensor,
+                               std::vector<SimulatedBody::InSight>& seen) const {
+    const Rotation hull = robot.body.rotation();
+    const Vec3 at = robot.body.centre() + rotate(hull, to_vec(sensor.at) + robot.model->origin);
+    const Vec3 ahead = rotate(hull, {std::cos(sensor.yaw), std::sin(sensor.yaw), 0});
+    scene_.for_each_mover_near(at.x(), at.y(), sensor.radius, robot.mover, [&](Scene::Index index, const Shape& shape) {
+        if (movers_.is_thing(index)) return;
+        const SimRobot& other = movers_.robot(index);
+        const double dx = shape.centre.x() - at.x(), dy = shape.centre.y() - at.y();
+        const double range = std::hypot(dx, dy);
+        if (other.gone || range > sensor.radius ||
+            !is_clear(scene_, at, {at.x() + dx, at.y() + dy, at.z()}, robot.mover, index))
+            return;
+        const double bearing = std::atan2(ahead.x() * dy - ahead.y() * dx, ahead.x() * dx + ahead.y() * dy);
+        const auto id = static_cast<RobotId>(&other - movers_.robots.data());
+        seen.push_back({id, range, bearing, other.name, &signals_[id].now});
+    });
+}
+
+Signals& OdeWorld::change_signals(RobotId id) {
+    ShownSignals& shown = signals_[id];
+    shown.have_changed = true;
+    signals_have_changed_.store(true, std::memory_order_relaxed);
+    return shown.next;
+}
+
+void OdeWorld::publish_signals() {
+    if (!signals_have_changed_.exchange(false, std::memory_order_relaxed)) return;
+    for (ShownSignals& shown : signals_) {
+        if (std::exchange(shown.have_changed, false)) shown.now = shown.next;
+    }
 }
 
 // A touch sensor is a plunger that extends by its travel. It closes when an obstacle has pushed it in: three rays

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "engine/ports/payload.hpp"
 
@@ -30,10 +31,16 @@ SimulatedBody::SimulatedBody(const RobotSpec& spec, std::uint64_t seed)
     for (std::size_t i = 0; i < spec.sensors.size(); ++i) {
         has_scan = has_scan || spec.sensors[i].kind == SensorSpec::Kind::scan;
         if (spec.sensors[i].kind == SensorSpec::Kind::imu) inertial_.push_back({.sensor = i});
+        if (spec.sensors[i].kind == SensorSpec::Kind::neighbours) around_.push_back({.sensor = i});
         rays_ += rays_of(spec.sensors[i]);
     }
     if (has_scan || rays_ > few_rays) seen_.resize(rays_);
     for (SensorReading& reading : readings_) reading.is_there = true;
+}
+
+std::uint64_t SimulatedBody::hash_of(const Draw& draw) const {
+    const std::uint64_t hash = mix(mix(seed_, draw.sensor), static_cast<std::uint64_t>(draw.tick));
+    return draw.part > 0 ? mix(hash, draw.part + 1) : hash;
 }
 
 double SimulatedBody::with_noise(const Draw& draw, double value, double deviation) const {
@@ -41,8 +48,7 @@ double SimulatedBody::with_noise(const Draw& draw, double value, double deviatio
     const double both = spec_.noise > 0 ? std::hypot(deviation, spec_.noise * value) : deviation;
     if (both <= 0) return value;
     // Box and Muller (1958), from hashes of (seed, sensor, tick). There is no state, so any tick can be computed again.
-    std::uint64_t hash = mix(mix(seed_, draw.sensor), static_cast<std::uint64_t>(draw.tick));
-    if (draw.part > 0) hash = mix(hash, draw.part + 1);
+    const std::uint64_t hash = hash_of(draw);
     const double radius = std::sqrt(-2 * std::log(uniform(hash)));
     return value + both * radius * std::cos(2 * std::numbers::pi * uniform(mix(hash, 1)));
 }
@@ -111,6 +117,44 @@ void SimulatedBody::measure_motion(std::int64_t tick, double period) {
     }
 }
 
+// Random numbers belong to the robot that is seen, so they do not depend on who else is there.
+void SimulatedBody::look_around(std::int64_t tick) {
+    for (Around& each : around_) {
+        if (!each.is_due) continue;
+        const SensorSpec& sensor = spec_.sensors[each.sensor];
+        auto& list = each.in_sight;
+        list.clear();
+        list_neighbours(each.sensor, list);
+        const auto draw = [&](RobotId id, std::size_t what) { return Draw{each.sensor, tick, 3 * id + what}; };
+        if (sensor.loss > 0)
+            std::erase_if(list, [&](const InSight& one) { return uniform(hash_of(draw(one.id, 1))) <= sensor.loss; });
+        for (InSight& one : list) {
+            one.range = std::max(0.0, with_noise(draw(one.id, 2), one.range, sensor.noise));
+            one.bearing = std::remainder(one.bearing + with_noise(draw(one.id, 3), 0, sensor.bearing_noise),
+                                         2 * std::numbers::pi);
+        }
+        std::sort(list.begin(), list.end(), [](const InSight& one, const InSight& other) {
+            return std::tie(one.range, one.id) < std::tie(other.range, other.id);
+        });
+        each.seen.resize(list.size());
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            Neighbour& seen = each.seen[i];
+            seen.name = list[i].name;
+            seen.range = list[i].range;
+            seen.bearing = list[i].bearing;
+            seen.message = list[i].signals->message;
+            seen.leds = list[i].signals->leds;
+        }
+    }
+}
+
+std::span<const Neighbour> SimulatedBody::neighbours(std::size_t index) const {
+    for (const Around& each : around_) {
+        if (each.sensor == index) return each.seen;
+    }
+    return {};
+}
+
 std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, double period) {
     std::array<double, few_rays> few;
     const std::span<double> seen = seen_.empty() ? std::span(few).first(rays_) : std::span(seen_);
@@ -125,6 +169,7 @@ std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, doub
         }
     }
     measure_motion(now.tick, period);
+    look_around(now.tick);
     std::size_t ray = 0;
     for (std::size_t i = 0; i < spec_.sensors.size(); ++i) {
         const SensorSpec& sensor = spec_.sensors[i];
@@ -155,7 +200,8 @@ std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, doub
                     if (due_.empty() || due_[ray] != 0) seen[ray] = seen_by(sensor, {i, now.tick, part}, seen[ray]);
                 }
                 break;
-            case SensorSpec::Kind::imu: break;
+            case SensorSpec::Kind::imu:
+            case SensorSpec::Kind::neighbours: break;
         }
     }
     return readings_;
@@ -176,6 +222,11 @@ std::size_t SimulatedBody::first_ray(std::size_t index) const {
 }
 
 void SimulatedBody::set_due(std::size_t index, bool due) {
+    for (Around& each : around_) {
+        if (each.sensor != index) continue;
+        each.is_due = due;
+        return;
+    }
     due_.resize(rays_, 1);
     const auto begin = due_.begin() + static_cast<std::ptrdiff_t>(first_ray(index));
     std::fill_n(begin, rays_of(spec_.sensors[index]), due ? 1 : 0);

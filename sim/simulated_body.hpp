@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "engine/world/world.hpp"
@@ -17,6 +18,12 @@ struct PlaceMotion {
     std::array<Point3D, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< axes x, y, z of its frame, in the world frame
     Point3D velocity{};                                              ///< [m/s] in the world frame
     Point3D spin{};                                                  ///< [rad/s] in the world frame
+};
+
+/// What others see and hear of a robot.
+struct Signals {
+    std::vector<double> message;
+    std::vector<bool> leds;
 };
 
 /// A derived class provides the true values. This class computes from them what the robot's devices would report.
@@ -41,6 +48,16 @@ public:
     virtual FloorColor floor_color(std::size_t index) const = 0;
     /// Light reflected by the floor at sensor `index` of the spec: 0 (none) to 100 (white paper).
     virtual double reflected_light(std::size_t index) const = 0;
+    /// A robot in sight of a sensor. Name and signals are valid until the next step of the world.
+    struct InSight {
+        RobotId id;
+        double range;    // [m]
+        double bearing;  // [rad]
+        std::string_view name;
+        const Signals* signals;
+    };
+    /// Appends the robots that sensor `index` of the spec (neighbours) sees, in any order.
+    virtual void list_neighbours(std::size_t index, std::vector<InSight>& seen) const = 0;
     /// Sets actuator `index` of the spec (a servo) to an angle [rad] at once.
     virtual void set_servo(std::size_t index, double angle) = 0;
 
@@ -48,6 +65,7 @@ public:
     std::span<const SensorReading> read_sensors(const Time& now, double period) final;
     void set_due(std::size_t index, bool due) final;
     std::span<const double> sensor_values(std::size_t index) const final;
+    std::span<const Neighbour> neighbours(std::size_t index) const final;
     double servo_angle(std::size_t index) const final;
     void aim_servo(std::size_t index, double angle, double speed) final;
 
@@ -65,11 +83,13 @@ private:
         std::size_t part = 0;  // index within the sensor's values of this tick
     };
 
+    std::uint64_t hash_of(const Draw& draw) const;
     /// Adds noise of the sensor's own `deviation` and of the robot's `noise`, which is relative to the value.
     double with_noise(const Draw& draw, double value, double deviation) const;
     double seen_by(const SensorSpec& sensor, const Draw& draw, double distance) const;
     void measure_range(const Draw& draw, double seen, SensorReading& reading) const;
     void measure_motion(std::int64_t tick, double period);
+    void look_around(std::int64_t tick);
     void turn_servos(double period);
     // The first ray of a sensor among all.
     std::size_t first_ray(std::size_t index) const;
@@ -88,6 +108,14 @@ private:
     std::vector<std::uint8_t> due_;  // of the distances, which are asked for now; empty: all
     std::vector<double> fresh_;      // distances, while not all are due
     std::vector<Inertial> inertial_;
+    // A sensor of kind neighbours.
+    struct Around {
+        std::size_t sensor;
+        bool is_due = true;
+        std::vector<InSight> in_sight{};
+        std::vector<Neighbour> seen{};
+    };
+    std::vector<Around> around_;
     std::vector<SensorReading> readings_;  // of all sensors
     std::vector<Servo> servos_;            // by actuator of the spec
     Wheels angles_;                        // [rad] at the last call of read_wheels

@@ -20,6 +20,7 @@ void OdeWorld::step(int count) {
     const OdeMessages messages(warn_);
     contacts_.forget_touches();
     if (breakdown_) return;
+    publish_signals();
     try {
         for (int left = count; left > 0;) left -= step_together(left);
     } catch (const OdeFailure& failure) {

@@ -1,4 +1,5 @@
 --- Fills a square arena with a swarm: `require "lib.swarm_arena" { count = 100, side = 10, model = "swarm_robot" }`.
+--- With `radius`, each robot has a sensor of kind `neighbours` that sees so far [m].
 --- The same numbers give the same places.
 
 local RADIUS = 0.085 -- m, of a robot
@@ -50,7 +51,9 @@ return function(options)
     wall { from = { half, -long }, to = { half, long }, thickness = WALL, height = 0.5 },
   }
   for i, pose in ipairs(places(options.count, options.side, 2.2 * RADIUS)) do
-    robot("robot_" .. i, { model = options.model, pose = pose })
+    local more = options.radius and { near = { kind = "neighbours", radius = options.radius } } or nil
+    local ports = more and { near = { type = "NeighbourSeq", from = "near" } }
+    robot("robot_" .. i, { model = options.model, pose = pose, sensors = more, ports = ports })
     behavior("swarm_" .. i, { script = "swarm" })
     connect("robot_" .. i .. ".rays", "swarm_" .. i .. ".rays")
     connect("swarm_" .. i .. ".out", "robot_" .. i .. ".velocity")

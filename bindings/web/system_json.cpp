@@ -122,6 +122,7 @@ std::string_view kind_of(SensorSpec::Kind kind) {
         case SensorSpec::Kind::ambient: return "ambient";
         case SensorSpec::Kind::scan: return "scan";
         case SensorSpec::Kind::imu: return "imu";
+        case SensorSpec::Kind::neighbours: return "neighbours";
     }
     return "";
 }

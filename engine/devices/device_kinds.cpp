@@ -10,6 +10,8 @@
 namespace nezumi {
 namespace {
 
+using Numbers = std::vector<std::int64_t>;
+
 ParameterSpec text(std::string name, std::string doc) {
     ParameterSpec spec;
     spec.name = std::move(name);
@@ -55,6 +57,13 @@ const T& value_of(const Parameters& parameters, std::string_view name) {
     return parameters.find(name)->value.get<T>();
 }
 
+ParameterSpec periods() {
+    ParameterSpec spec = numbers("periods", 0.002, 60, "instead of `every`: the period of each register");
+    spec.initial = std::vector<double>{};
+    spec.unit = "s";
+    return spec;
+}
+
 ParameterSpec frames() {
     ParameterSpec spec = text("frames", "what is sent every period: its answers are read");
     spec.initial = std::vector<std::string>{};
@@ -85,10 +94,21 @@ ParameterSpec pwm_frequency() {
 std::string check_i2c(const Parameters& parameters) {
     if (value_of<std::int64_t>(parameters, "address") == 0)
         return "address: expected the device's address on the bus, such as 0x40";
-    const std::size_t registers = value_of<std::vector<std::int64_t>>(parameters, "registers").size();
-    const std::size_t lengths = value_of<std::vector<std::int64_t>>(parameters, "lengths").size();
-    if (registers == lengths) return "";
-    return fmt::format("lengths: expected the bytes of each of the {} registers, got {} numbers", registers, lengths);
+    const Numbers& registers = value_of<Numbers>(parameters, "registers");
+    const std::size_t lengths = value_of<Numbers>(parameters, "lengths").size();
+    if (registers.size() != lengths)
+        return fmt::format("lengths: expected the bytes of each of the {} registers, got {} numbers", registers.size(),
+                           lengths);
+    const std::size_t periods = value_of<std::vector<double>>(parameters, "periods").size();
+    if (periods != 0 && periods != registers.size())
+        return fmt::format("periods: expected the period of each of the {} registers, got {} numbers", registers.size(),
+                           periods);
+    for (const std::int64_t number : registers) {
+        if (number > 255 && value_of<std::int64_t>(parameters, "number_bytes") == 1)
+            return fmt::format("registers: {} does not fit in a byte: expected at most 255, or number_bytes = 2",
+                               number);
+    }
+    return "";
 }
 
 ParameterSpec choice(std::string name, std::vector<Value> choices, std::string doc) {
@@ -97,8 +117,6 @@ ParameterSpec choice(std::string name, std::vector<Value> choices, std::string d
     spec.choices = std::move(choices);
     return spec;
 }
-
-using Numbers = std::vector<std::int64_t>;
 
 GpioOutputs gpio_outputs(const Parameters& parameters) {
     return {value_of<Numbers>(parameters, "outputs"), value_of<Numbers>(parameters, "pwm_channels")};
@@ -171,14 +189,17 @@ std::span<const DeviceKind> device_kinds() {
                               whole("port", 0, 0, 65535, "", "the device's port"),
                               whole("local_port", 0, 0, 65535, "", "the own port; 0: any"),
                               text("ends", "the end of each datagram's text: ports are TimedString then")})},
-        DeviceKind{"i2c", "I2c",
-                   with_safe({whole("bus", 1, 0, 255, "", "the bus's number: 1 is /dev/i2c-1"),
-                              text("path", "instead of `bus`: the bus, such as /dev/i2c-1"),
-                              whole("address", 0, 0, 0x77, "", "the device's address on the bus, 7 bits, such as 0x40"),
-                              numbers("registers", 0, 255, "the registers that are read every period"),
-                              numbers("lengths", 1, 32, "the bytes that are read from each of them"),
-                              seconds("every", 0.05, 0.002, 60, "the period")}),
-                   check_i2c},
+        DeviceKind{
+            "i2c", "I2c",
+            with_safe({whole("bus", 1, 0, 255, "", "the bus's number: 1 is /dev/i2c-1"),
+                       text("path", "instead of `bus`: the bus, such as /dev/i2c-1"),
+                       whole("address", 0, 0, 0x77, "", "the device's address on the bus, 7 bits, such as 0x40"),
+                       numbers("registers", 0, 65535, "the registers that are read every period"),
+                       numbers("lengths", 1, 32, "the bytes that are read from each of them"),
+                       seconds("every", 0.05, 0.002, 60, "the period"), periods(),
+                       whole("number_bytes", 1, 1, 2, "", "the bytes of a register's number"),
+                       choice("order", {"big", "little"}, "with `number_bytes = 2`: \"big\": the higher byte first")}),
+            check_i2c},
         DeviceKind{
             "spi", "Spi",
             with_safe({whole("bus", 0, 0, 255, "", "the bus's number: 0 of /dev/spidev0.1"),
@@ -186,7 +207,8 @@ std::span<const DeviceKind> device_kinds() {
                        text("path", "instead of `bus` and `chip_select`: the device, such as /dev/spidev0.1"),
                        whole("speed", 1000000, 1000, 125000000, "Hz", "of the clock"),
                        whole("mode", 0, 0, 3, "", "the clock's polarity and phase, as in the device's data sheet"),
-                       frames(), seconds("every", 0.05, 0.002, 60, "the period")}),
+                       frames(), seconds("every", 0.05, 0.002, 60, "the period"),
+                       flag("answers", "each message to the device is answered by one as of `frames`")}),
             check_spi},
         DeviceKind{"gpio", "Gpio",
                    with_safe({whole("chip", 0, 0, 255, "", "the chip's number: 0 is /dev/gpiochip0"),

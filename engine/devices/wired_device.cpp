@@ -136,8 +136,7 @@ void WiredDevice::actuate(const Time& /*now*/) {
     }
 }
 
-Expected<std::unique_ptr<Component>> make_wired_device(const ComponentEntry& entry, System& system,
-                                                       const OpenDevice& open) {
+Expected<Parameters> device_parameters(const ComponentEntry& entry) {
     const DeviceKind& kind = *find_device_kind(entry.type);
     const auto refuse = [&](const std::string& why) {
         return failure(fmt::format("component '{}': {}", entry.name, why), entry.place);
@@ -148,22 +147,33 @@ Expected<std::unique_ptr<Component>> make_wired_device(const ComponentEntry& ent
     if (kind.check != nullptr) {
         if (const std::string wrong = kind.check(parameters); !wrong.empty()) return refuse(wrong);
     }
-    auto* robot = entry.on.empty() ? nullptr : dynamic_cast<Robot*>(system.find(entry.on));
     const auto& safe = parameters.find("safe")->value.get<std::string>();
     if (safe.size() > 255) return refuse(fmt::format("safe has {} bytes: expected at most 255", safe.size()));
-    const bool measures_only = parameters.find("measures_only")->value.get<bool>();
-    if (measures_only && !safe.empty())
+    if (parameters.find("measures_only")->value.get<bool>() && !safe.empty())
         return refuse("a device that only measures has no safe bytes: give one of both");
+    return parameters;
+}
+
+Expected<std::unique_ptr<Component>> make_wired_device(const ComponentEntry& entry, System& system,
+                                                       const OpenDevice& open) {
+    const auto refuse = [&](const std::string& why) {
+        return failure(fmt::format("component '{}': {}", entry.name, why), entry.place);
+    };
+    const auto parameters = device_parameters(entry);
+    if (!parameters) return Unexpected(parameters.error());
+    auto* robot = entry.on.empty() ? nullptr : dynamic_cast<Robot*>(system.find(entry.on));
     std::unique_ptr<DeviceLink> link;
     if (open) {
-        if (safe.empty() && !measures_only)
+        if (parameters->find("safe")->value.get<std::string>().empty() &&
+            !parameters->find("measures_only")->value.get<bool>())
             return refuse(
                 "--hw needs its safe bytes: give safe = \"...\", what stops the device, or safe = false in a robot "
                 "file (measures_only = true in a system) if it moves nothing");
-        auto opened = open(parameters);
+        auto opened = open(*parameters);
         if (!opened) return refuse(opened.error().message);
         link = std::move(*opened);
     }
+    const DeviceKind& kind = *find_device_kind(entry.type);
     auto made = std::make_unique<WiredDevice>(entry.name, kind, entry.config, system, robot, std::move(link));
     ScriptedBody* body = robot != nullptr ? robot->scripted_body() : nullptr;
     if (body != nullptr) body->need(*made, [device = made.get()] { return device->works(); });

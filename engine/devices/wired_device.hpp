@@ -104,6 +104,9 @@ private:
     std::uint64_t versions_ = 0;
 };
 
+/// The checked parameters of the component `entry`, of a type of `device_kinds()`.
+Expected<Parameters> device_parameters(const ComponentEntry& entry);
+
 /// Opens the real device of a component by its parameters, which have been checked.
 using OpenDevice = std::function<Expected<std::unique_ptr<DeviceLink>>(const Parameters& parameters)>;
 

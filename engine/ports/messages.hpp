@@ -219,6 +219,24 @@ struct SeenMarker {
     };
 };
 
+/// A robot nearby, as a sensor of kind `neighbours` sees it.
+struct Neighbour {
+    std::string name;
+    double range = 0;
+    double bearing = 0;
+    std::vector<double> message;
+    std::vector<bool> leds;
+    bool operator==(const Neighbour&) const = default;
+
+    static constexpr std::tuple fields{
+        Field{"name", &Neighbour::name, "", "of the robot"},
+        Field{"range", &Neighbour::range, "m", "from the sensor to its middle, seen from above"},
+        Field{"bearing", &Neighbour::bearing, "rad", "counter-clockwise from where the sensor looks"},
+        Field{"message", &Neighbour::message, "", "what it says: at most 10 numbers"},
+        Field{"leds", &Neighbour::leds, "", "which of its LEDs are on"},
+    };
+};
+
 /// A compiled message type: its name on ports, and its payload without the stamp `tm`.
 template <class T>
 struct CompiledMessage {
@@ -249,6 +267,7 @@ inline constexpr std::tuple compiled_messages{
     CompiledMessage<CameraImage>{"CameraImage", "a picture"},
     CompiledMessage<CameraIntrinsics>{"CameraIntrinsics", "how a camera projects points in front of it to pixels"},
     CompiledMessage<std::vector<SeenMarker>>{"SeenMarkerSeq", "fiducial markers in sight"},
+    CompiledMessage<std::vector<Neighbour>>{"NeighbourSeq", "robots in sight with what they say, the nearest first"},
 };
 
 inline constexpr std::size_t compiled_message_count = std::tuple_size_v<decltype(compiled_messages)>;

@@ -214,6 +214,8 @@ public:
     std::int64_t arrival_tick() const { return arrival_tick_; }
     /// The time of that tick [s]; 0 before the first one.
     double arrived_at() const { return arrived_at_; }
+    /// Whether no message has come for `silence`.
+    bool is_silent(double now) const { return now - arrived_at_ >= silence - rounding; }
     bool connected() const { return !sources_.empty(); }
     /// Whether no message came for more than `stale_after` before `now` [s], or never, or not since its last connection
     /// was removed.

@@ -67,8 +67,7 @@ void Actuators::act(RobotBody& body, const Time& now, const std::function<void(s
     is_still_ = false;
     for (Channel& channel : channels_) {
         InPortBase& port = *channel.port;
-        constexpr double rounding = 1e-9;
-        const bool off = channel.off_when_silent && now.seconds - port.arrived_at() >= silence - rounding;
+        const bool off = channel.off_when_silent && port.is_silent(now.seconds);
         switch (spec_.actuators[channel.actuator].kind) {
             case Kind::leds:
                 if (port.is_new()) set_leds(body, take<std::vector<bool>>(port));

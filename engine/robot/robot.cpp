@@ -24,7 +24,8 @@ Robot::Robot(std::string name, const RobotSpec& spec, const Limits& limits)
         const auto& needs = spec.drive.needs;
         if (std::find(needs.begin(), needs.end(), spec.sensors[i].name) != needs.end())
             needed_.push_back({.sensor = i});
-        if (spec.sensors[i].kind == SensorSpec::Kind::scan) scans_.push_back({.sensor = i});
+        if (spec.sensors[i].kind == SensorSpec::Kind::scan || spec.sensors[i].kind == SensorSpec::Kind::neighbours)
+            scans_.push_back({.sensor = i});
     }
 }
 
@@ -84,6 +85,8 @@ Expected<void> Robot::on_activated() {
     coasting_ = spec_.drive.coasts_until_commanded;
     for (Needed& needed : needed_) needed = {.sensor = needed.sensor};
     if (twin_ != nullptr) twin_->begin_anew();
+    if (is_real() && (say_in_ != nullptr || !neighbour_ports_.empty()) && !std::exchange(said_deaf_, true))
+        log(LogLevel::warn, "neighbours and what they say exist only in simulation: this robot sees and tells nothing");
     return {};
 }
 
@@ -178,11 +181,43 @@ void Robot::publish(const SensorPort& port, std::span<const SensorReading> readi
 
 void Robot::set_scans_due(const Time& now) {
     for (Scan& scan : scans_) {
-        const bool due = std::any_of(sensor_ports_.begin(), sensor_ports_.end(), [&](const SensorPort& port) {
-            return port.sensors.front() == scan.sensor && is_due_at(port.rate, now);
-        });
+        const bool due = std::any_of(sensor_ports_.begin(), sensor_ports_.end(),
+                                     [&](const SensorPort& port) {
+                                         return port.sensors.front() == scan.sensor && is_due_at(port.rate, now);
+                                     }) ||
+                         std::any_of(neighbour_ports_.begin(), neighbour_ports_.end(), [&](const NeighbourPort& port) {
+                             return port.sensor == scan.sensor && is_due_at(port.rate, now);
+                         });
         if (std::exchange(scan.is_due, due) != due) body_->set_due(scan.sensor, due);
     }
+}
+
+void Robot::publish_neighbours(const Time& now) {
+    if (is_real()) return;
+    for (const NeighbourPort& each : neighbour_ports_) {
+        if (!is_due_at(each.rate, now)) continue;
+        const auto seen = body_->neighbours(each.sensor);
+        each.port->next_pending().assign(seen.begin(), seen.end());
+    }
+}
+
+void Robot::take_message(const Time& now) {
+    if (say_in_->is_new()) {
+        const std::vector<double>& given = say_in_->read();
+        const auto length = std::min(given.size(), RobotBody::longest_message);
+        if (given.size() > length && !std::exchange(said_long_, true))
+            log(LogLevel::warn, fmt::format("input '{}': it says {} numbers: the first {} are sent (reported once)",
+                                            say_in_->name(), given.size(), length));
+        say(std::span(given).first(length));
+    } else if (is_quiet_when_silent_ && say_in_->is_silent(now.seconds)) {
+        say({});
+    }
+}
+
+void Robot::say(std::span<const double> message) {
+    if (std::equal(message.begin(), message.end(), message_.begin(), message_.end())) return;
+    message_.assign(message.begin(), message.end());
+    body_->say(message_);
 }
 
 // Publishes only changes.
@@ -207,6 +242,7 @@ void Robot::sense(const Time& now) {
     for (const SensorPort& port : sensor_ports_) {
         if (is_due_at(port.rate, now)) publish(port, readings_, now);
     }
+    if (!neighbour_ports_.empty()) publish_neighbours(now);
     if (twin_ != nullptr) twin_->compare();
 }
 
@@ -362,8 +398,10 @@ void Robot::actuate(const Time& now) {
     drive(now);
     if (state() == LifeState::active) {
         if (pose_in_ != nullptr) take_pose();
+        if (say_in_ != nullptr) take_message(now);
         actuators_.act(*body_, now, [this](std::string why) { log(LogLevel::warn, std::move(why)); });
     } else {
+        say({});
         actuators_.be_still(*body_);
     }
 }

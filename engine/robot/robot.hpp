@@ -111,6 +111,12 @@ private:
         Pose3D pose;
         std::optional<std::size_t> servo;
     };
+    // An out-port of a sensor of kind `neighbours`.
+    struct NeighbourPort {
+        OutPort<std::vector<Neighbour>>* port;
+        std::size_t sensor;
+        double rate;
+    };
     // A sensor that is required for driving.
     struct Needed {
         std::size_t sensor;
@@ -139,6 +145,10 @@ private:
     void publish_wheels(const WheelReading& wheels, const Time& now);
     void publish(const SensorPort& port, std::span<const SensorReading> readings, const Time& now) const;
     void set_scans_due(const Time& now);
+    Expected<void> add_neighbours(const PortSpec& port, const std::vector<std::size_t>& sensors);
+    void publish_neighbours(const Time& now);
+    void take_message(const Time& now);
+    void say(std::span<const double> message);
     void publish_stalled();
     void tell_faults();
     Pose3D turned(const Pose3D& pose, std::size_t servo) const;
@@ -164,11 +174,12 @@ private:
 
     std::vector<Needed> needed_;
     std::vector<SensorPort> sensor_ports_;
+    std::vector<NeighbourPort> neighbour_ports_;
     std::vector<WheelPort<Velocity2D>> velocity_ports_;
     std::vector<WheelPort<Pose2D>> pose_ports_;
     OutPort<bool>* stalled_out_ = nullptr;
     bool stalled_ = false;
-    // A scan; its rays are cast if one of its ports is due.
+    // A scan or neighbours; its rays are cast if one of its ports is due.
     struct Scan {
         std::size_t sensor;
         bool is_due = true;
@@ -176,7 +187,10 @@ private:
     std::vector<Scan> scans_;
     InPort<Velocity2D>* velocity_in_ = nullptr;
     InPort<Pose2D>* pose_in_ = nullptr;
-    std::vector<std::size_t> servos_;  // servos with a parameter for their speed, in the order of the parameters
+    InPort<std::vector<double>>* say_in_ = nullptr;
+    bool is_quiet_when_silent_ = false;  // it says nothing after a while without messages to `say_in_`
+    std::vector<double> message_;        // what it says
+    std::vector<std::size_t> servos_;    // servos with a parameter for their speed, in the order of the parameters
     std::uint64_t parameters_version_ = 0;
 
     std::unique_ptr<Twin> twin_;  // none: it is no twin
@@ -194,6 +208,8 @@ private:
     bool said_not_finite_ = false;
     bool said_sideways_ = false;
     bool said_lost_ = false;
+    bool said_long_ = false;
+    bool said_deaf_ = false;
 };
 
 }  // namespace nezumi

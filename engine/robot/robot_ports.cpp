@@ -212,6 +212,9 @@ Expected<void> Robot::add_output(const PortSpec& port) {
         if (!sensor) return Unexpected(sensor.error());
         sensors.push_back(*sensor);
     }
+    const auto sees_robots = [&](std::size_t i) { return spec_.sensors[i].kind == SensorSpec::Kind::neighbours; };
+    if (port.type == "NeighbourSeq" || std::any_of(sensors.begin(), sensors.end(), sees_robots))
+        return add_neighbours(port, sensors);
     const auto carrier = with_payload_type(**type, []<class T>() { return carrier_of<SensorPort, T>(); });
     if (carrier.write == nullptr) return failure(fmt::format("a {} can't carry sensors' values", port.type));
     if (carrier.is_single && sensors.size() > 1)
@@ -259,6 +262,23 @@ Expected<void> Robot::add_output(const PortSpec& port) {
     return {};
 }
 
+Expected<void> Robot::add_neighbours(const PortSpec& port, const std::vector<std::size_t>& sensors) {
+    for (const std::size_t i : sensors) {
+        if (spec_.sensors[i].kind != SensorSpec::Kind::neighbours)
+            return failure(fmt::format("a NeighbourSeq carries neighbours, and '{}' is another kind of sensor",
+                                       spec_.sensors[i].name));
+    }
+    const std::string& name = spec_.sensors[sensors.front()].name;
+    if (port.type != "NeighbourSeq")
+        return failure(fmt::format("'{}' sees neighbours: its type is NeighbourSeq, not {}", name, port.type));
+    if (sensors.size() > 1) return failure(fmt::format("'{}' has a port of its own", name));
+    if (port.quantity != PortSpec::Quantity::value) return failure(fmt::format("'{}' has no `quantity`", name));
+    auto& made = add_out_port<std::vector<Neighbour>>(port.name, port.doc);
+    made.set_rate(port.rate);
+    neighbour_ports_.push_back({&made, sensors.front(), port.rate});
+    return {};
+}
+
 Expected<void> Robot::add_input(const PortSpec& port) {
     if (port.items.size() != 1) return failure("'to' must name exactly one target");
     const std::string& item = port.items.front();
@@ -278,7 +298,14 @@ Expected<void> Robot::add_input(const PortSpec& port) {
         pose_in_ = &add_in_port<Pose2D>(port.name, port.doc, port.queue);
         return {};
     }
-    std::vector<std::string_view> names{"drive", "odometry"};
+    if (item == "say") {
+        if (auto ok = is_type("TimedDoubleSeq"); !ok) return ok;
+        if (say_in_ != nullptr) return failure("a robot has one in-port for what it says");
+        say_in_ = &add_in_port<std::vector<double>>(port.name, port.doc, port.queue);
+        is_quiet_when_silent_ = port.off_when_silent;
+        return {};
+    }
+    std::vector<std::string_view> names{"drive", "odometry", "say"};
     for (std::size_t i = 0; i < spec_.actuators.size(); ++i) {
         const ActuatorSpec& actuator = spec_.actuators[i];
         names.push_back(actuator.name);

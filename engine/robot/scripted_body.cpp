@@ -94,6 +94,8 @@ ScriptedBody::ScriptedBody(const RobotSpec& spec, Ports ports, std::unique_ptr<R
             ports.out.push_back(std::move(made));
         } else if (item == "velocity" && velocity_in_ == nullptr) {
             velocity_in_ = add_in(port.name, "by the driver: the measured velocity", static_cast<Velocity2D*>(nullptr));
+        } else if (port.type == "NeighbourSeq" || item == "say") {
+            // Known only in simulation: they go past the driver.
         } else if (is_driven_by_sensors(port)) {
             add_sensor_port(port, ports);
         } else if (port.is_input && item != "odometry") {
@@ -140,6 +142,10 @@ void ScriptedBody::add_model_ports(Ports ports) {
     model_pulses_ = pulses.get();
     ports.out.push_back(std::move(pulses));
     for (const SensorSpec& sensor : spec_.sensors) {
+        if (sensor.kind == SensorSpec::Kind::neighbours) {
+            model_sensors_.push_back(nullptr);
+            continue;
+        }
         const bool has_several = sensor.kind == SensorSpec::Kind::scan || sensor.kind == SensorSpec::Kind::imu;
         model_sensors_.push_back(
             ports.out
@@ -289,6 +295,7 @@ void ScriptedBody::show_model(const Time& now, double period) {
         {static_cast<std::int32_t>(wheels.pulses.left), static_cast<std::int32_t>(wheels.pulses.right)});
     const auto readings = simulated_->read_sensors(now, period);
     for (std::size_t i = 0; i < readings.size(); ++i) {
+        if (model_sensors_[i] == nullptr) continue;
         const std::span<const double> values = simulated_->sensor_values(i);
         if (!values.empty()) {
             static_cast<OutPort<std::vector<double>>&>(*model_sensors_[i]).write({values.begin(), values.end()});

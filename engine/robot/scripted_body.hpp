@@ -46,6 +46,12 @@ public:
     WheelReading read_wheels(const Time& now, double period) override;
     std::span<const SensorReading> read_sensors(const Time& now, double period) override;
     std::span<const double> sensor_values(std::size_t index) const override { return values_[index]; }
+    std::span<const Neighbour> neighbours(std::size_t index) const override {
+        return simulated_ != nullptr ? simulated_->neighbours(index) : std::span<const Neighbour>();
+    }
+    void say(std::span<const double> message) override {
+        if (simulated_ != nullptr) simulated_->say(message);
+    }
     double servo_angle(std::size_t index) const override;
     std::vector<std::string> take_faults() override;
     bool may_drive() const override;

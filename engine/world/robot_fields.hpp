@@ -114,8 +114,8 @@ struct Describe<DriveSpec> {
 
 template <>
 struct Choices<SensorSpec::Kind> {
-    static constexpr std::array<std::string_view, 9> names{"range",   "button",  "touch", "gyro", "color",
-                                                           "reflect", "ambient", "scan",  "imu"};
+    static constexpr std::array<std::string_view, 10> names{"range",   "button",  "touch", "gyro", "color",
+                                                            "reflect", "ambient", "scan",  "imu",  "neighbours"};
 };
 
 template <>
@@ -123,11 +123,11 @@ struct Describe<SensorSpec> {
     static constexpr std::string_view name = "sensor";
     static constexpr std::string_view doc =
         "A sensor: a distance, a button, a bumper, a yaw angle, the floor's colour, light from the floor or of the "
-        "room, a scan of distances, rates and accelerations.";
+        "room, a scan of distances, rates and accelerations, the robots around.";
     static constexpr auto& kinds = Choices<SensorSpec::Kind>::names;
     static constexpr unsigned range_only = 1U << 0U, touch_only = 1U << 2U, gyro_only = 1U << 3U,
                               reflect_only = 1U << 5U, ambient_only = 1U << 6U, scan_only = 1U << 7U,
-                              imu_only = 1U << 8U, ranging = range_only | scan_only;
+                              imu_only = 1U << 8U, neighbours_only = 1U << 9U, ranging = range_only | scan_only;
     static constexpr std::tuple fields{
         Setting{"kind", &SensorSpec::kind, "", "what it measures", {.required = true, .selects = true}},
         Setting{"at", &SensorSpec::at, "m", "from the hull's centre", {.level = true}},
@@ -153,9 +153,10 @@ struct Describe<SensorSpec> {
         Setting{"noise",
                 &SensorSpec::noise,
                 "",
-                "standard deviation, in the value's unit; of an imu, of its rates in rad/s",
+                "standard deviation, in the value's unit; of an imu, of its rates in rad/s; of neighbours, of their "
+                "ranges in m",
                 {.range = NumberRange::not_negative,
-                 .of = range_only | gyro_only | reflect_only | ambient_only | scan_only | imu_only}},
+                 .of = range_only | gyro_only | reflect_only | ambient_only | scan_only | imu_only | neighbours_only}},
         Setting{"acceleration_noise",
                 &SensorSpec::acceleration_noise,
                 "m/s^2",
@@ -195,6 +196,21 @@ struct Describe<SensorSpec> {
                 "",
                 "light of the simulated room, from 0 (dark) to 100",
                 {.range = NumberRange::not_negative, .of = ambient_only}},
+        Setting{"radius",
+                &SensorSpec::radius,
+                "m",
+                "it sees robots no farther",
+                {.range = NumberRange::positive, .of = neighbours_only}},
+        Setting{"bearing_noise",
+                &SensorSpec::bearing_noise,
+                "rad",
+                "standard deviation of its bearings",
+                {.range = NumberRange::not_negative, .of = neighbours_only}},
+        Setting{"loss",
+                &SensorSpec::loss,
+                "",
+                "probability that it misses a robot, each time",
+                {.range = NumberRange::not_negative, .most = 1, .of = neighbours_only}},
         Setting{"port",
                 &SensorSpec::port,
                 "",
@@ -267,7 +283,9 @@ struct Describe<PortSpec> {
         Setting{"to",
                 &PortSpec::items,
                 "",
-                "`\"drive\"`, `\"odometry\"` (sets it) or an actuator",
+                "`\"drive\"`, `\"odometry\"` (sets it), `\"say\"` (at most 10 numbers, which `neighbours` of others "
+                "see) or "
+                "an actuator",
                 {.of = in_only, .fallback = "required"}},
         Setting{"doc", &PortSpec::doc, "", "documentation for editors and the console"},
         Setting{"rate",

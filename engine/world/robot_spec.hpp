@@ -115,6 +115,7 @@ struct SensorSpec {
         scan,     ///< a scanner in the plane: a distance for each of its rays
         imu,      ///< rates of turning [rad/s] about x, y, z, and measured accelerations [m/s^2] along them, including
                   ///< gravity
+        neighbours,  ///< the robots around it, and what they say
     };
 
     std::string name;
@@ -131,6 +132,9 @@ struct SensorSpec {
     double max_rate = 0;            ///< gyro: [rad/s] largest rate; 0: no limit
     double travel = 0;              ///< touch: [m] until it closes
     double level = 0;               ///< ambient: of the simulated room, 0 to 100
+    double radius = 1;              ///< neighbours: [m] it sees no farther
+    double bearing_noise = 0;       ///< neighbours: [rad] standard deviation of its bearings
+    double loss = 0;                ///< neighbours: probability that it misses a robot, each time
     std::string on;                 ///< the actuator that carries it, or "" for the hull
     ResponseTable response;         ///< range: from distance to value
     bool has_response = false;      ///< without a response, the value is the distance itself

@@ -80,12 +80,14 @@ public:
     /// One reading for each sensor of the spec at `now`, in its order; valid until the next call. Called after
     /// `read_wheels`, and only while the robot is ACTIVE.
     virtual std::span<const SensorReading> read_sensors(const Time& now, double period) = 0;
-    /// Whether the values of scan `index` of the spec are used in the next `read_sensors` calls, because casting its
-    /// rays is the most expensive part of a tick. Applies until the next call of this.
+    /// Whether the values of sensor `index` of the spec, a scan or neighbours, are used in the next `read_sensors`
+    /// calls, because casting rays is the most expensive part of a tick. Applies until the next call of this.
     virtual void set_due(std::size_t /*index*/, bool /*due*/) {}
     /// The values of sensor `index` of the spec in that call, if it has several: of a scan the distances [m] of its
     /// rays from right to left, of an imu three rates [rad/s] and three accelerations [m/s^2]. Empty for other sensors.
     virtual std::span<const double> sensor_values(std::size_t /*index*/) const { return {}; }
+    /// The robots that sensor `index` of the spec, of kind `neighbours`, has seen in that call, the nearest first.
+    virtual std::span<const Neighbour> neighbours(std::size_t /*index*/) const { return {}; }
     /// Angle [rad] of servo `index` of the spec's actuators.
     virtual double servo_angle(std::size_t /*index*/) const { return 0; }
     /// The faults since the last call: one line each, with what to do, reported once. Everything else continues.
@@ -106,8 +108,12 @@ public:
     /// Moves servo `index` of the spec's actuators to an angle [rad], already limited, at `speed` [rad/s] (0: as fast
     /// as possible). Called on changes.
     virtual void aim_servo(std::size_t index, double angle, double speed) = 0;
-    /// Lights, in order; called on changes.
+    /// Lights, in order, which cameras and `neighbours` see from the next step of the world on; called on changes.
     virtual void set_leds(const std::vector<bool>& /*on*/) {}
+    /// What `neighbours` of other robots see from the next step of the world on: at most `longest_message` finite
+    /// numbers. Called on changes.
+    virtual void say(std::span<const double> /*message*/) {}
+    static constexpr std::size_t longest_message = 10;
     /// Tone of the buzzer [Hz], 0 for silence; called on changes.
     virtual void set_buzzer(int /*hertz*/) {}
     /// Shows a picture, complete and not empty, on screen `index` of the spec's actuators.

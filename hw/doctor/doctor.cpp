@@ -26,7 +26,7 @@ bool is_mouse(const MachineRoots& roots) {
 
 }  // namespace
 
-Examination examine(const MachineRoots& roots) {
+Examination examine(const MachineRoots& roots, const std::vector<ComponentEntry>& devices) {
     Examination examination;
     Findings& findings = examination.findings;
     const std::string board = examine_board(roots, findings);
@@ -36,10 +36,11 @@ Examination examine(const MachineRoots& roots) {
     } else if (is_there(roots.devices.sys + "/class/tacho-motor") || board.find("EV3") != board.npos) {
         examination.driver = "ev3";
         examine_ev3(roots, findings);
-    } else {
+    } else if (devices.empty()) {
         findings.push_back({"robot", Finding::State::wrong, "this machine is neither a Raspberry Pi Mouse nor an EV3",
                             "run nezumi doctor on the robot; here systems are simulated, so nothing more is needed"});
     }
+    examine_devices(devices, roots, findings);
     examine_media(roots, findings);
     return examination;
 }

@@ -6,6 +6,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "engine/system/system_spec.hpp"
 #include "hw/camera/capture.hpp"
 #include "hw/device/roots.hpp"
 #include "hw/doctor/finding.hpp"
@@ -27,7 +28,7 @@ struct Examination {
     Findings findings;
 };
 
-/// Examines everything without writing. A device that hangs costs one second.
-Examination examine(const MachineRoots& roots);
+/// Examines everything without writing, and these devices (`device_kinds()`) too. A device that hangs costs one second.
+Examination examine(const MachineRoots& roots, const std::vector<ComponentEntry>& devices = {});
 
 }  // namespace nezumi::hw

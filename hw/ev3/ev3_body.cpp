@@ -25,7 +25,8 @@ std::optional<SensorMode> mode_of(SensorKind kind) {
         case SensorKind::ambient: return SensorMode{"lego-ev3-color", "COL-AMBIENT"};
         case SensorKind::button:
         case SensorKind::scan:
-        case SensorKind::imu: return std::nullopt;
+        case SensorKind::imu:
+        case SensorKind::neighbours: return std::nullopt;
     }
     return std::nullopt;
 }
@@ -212,7 +213,8 @@ void Ev3Body::read(std::size_t sensor, const SensorValues& values) {
         case SensorKind::ambient:
         case SensorKind::button: reading.value = first; break;
         case SensorKind::scan:
-        case SensorKind::imu: break;  // not on a brick
+        case SensorKind::imu:
+        case SensorKind::neighbours: break;  // not on a brick
     }
 }
 

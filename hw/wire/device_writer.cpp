@@ -86,11 +86,18 @@ void DeviceWriter::beat(double now) const { order({.kind = WriterOrder::Kind::be
 void DeviceWriter::release() const { order({.kind = WriterOrder::Kind::release}, {}); }
 void DeviceWriter::stop() const { order({.kind = WriterOrder::Kind::stop}, {}); }
 
-std::optional<WriterAnswer> DeviceWriter::take_answer() {
+std::optional<std::pair<WriterAnswer, std::string>> DeviceWriter::take_answer() {
     WriterAnswer answer;
-    const ssize_t length = recv(socket_, &answer, sizeof answer, MSG_DONTWAIT);
+    std::array<char, 2 * longest_message> bytes;
+    std::array<iovec, 2> parts{iovec{.iov_base = &answer, .iov_len = sizeof answer},
+                               iovec{.iov_base = bytes.data(), .iov_len = bytes.size()}};
+    msghdr message{};
+    message.msg_iov = parts.data();
+    message.msg_iovlen = parts.size();
+    const ssize_t length = recvmsg(socket_, &message, MSG_DONTWAIT);
     if (length == 0 || (length < 0 && errno != EAGAIN && errno != EINTR)) has_ended_ = true;
-    return length == static_cast<ssize_t>(sizeof answer) ? std::optional(answer) : std::nullopt;
+    if (length < static_cast<ssize_t>(sizeof answer)) return std::nullopt;
+    return std::pair(answer, std::string(bytes.data(), static_cast<std::size_t>(length) - sizeof answer));
 }
 
 }  // namespace nezumi::hw

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "engine/base/error.hpp"
 #include "hw/guard/lease.hpp"
@@ -37,8 +38,8 @@ public:
     /// Stops the device, and closes it: it is lost. Lines of a chip are free for the next `give` then.
     void release() const;
 
-    /// The next answer; nothing if there is none.
-    std::optional<WriterAnswer> take_answer();
+    /// The next answer, and its bytes; nothing if there is none.
+    std::optional<std::pair<WriterAnswer, std::string>> take_answer();
     /// The process has ended: it can't stop the device.
     bool has_ended() const { return has_ended_; }
     pid_t process() const { return process_; }

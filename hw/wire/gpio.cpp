@@ -75,11 +75,10 @@ public:
           period_(static_cast<std::uint64_t>(1e9 / value_of<double>(parameters, "pwm_frequency"))) {}
 
     Opened open() const override {
-        auto node = open_node(path_, roots_, gpio_chip);
+        auto node = open_chip();
         if (!node) return tl::unexpected(node.error());
         if (node->is_plain) return plain_wire(std::move(node->file));
         const int chip = node->file.get();
-        if (!is_gpio_chip(chip)) return tl::unexpected(not_of_kind(path_, gpio_chip));
         Descriptor outs, ins;
         if (!outputs().empty()) {
             outs = request_outputs(chip, outputs(), safe_levels());
@@ -97,6 +96,11 @@ public:
         }
         return std::make_unique<GpioWire>(std::move(node->file), std::move(outs), std::move(ins), std::move(duty),
                                           inputs());
+    }
+    // Lines and channels stay as they are.
+    OrWhy<void> examine() const override {
+        const auto node = open_chip();
+        return node ? OrWhy<void>() : tl::unexpected(node.error());
     }
     // The kernel gives a line to one program only. Channels it gives to all.
     Expected<Lease> lease() const override {
@@ -117,6 +121,12 @@ public:
     std::string why_lost(int error) const override { return with_advice(path_, error, gpio_chip); }
 
 private:
+    OrWhy<WireNode> open_chip() const {
+        auto node = open_node(path_, roots_, gpio_chip);
+        if (node && !node->is_plain && !is_gpio_chip(node->file.get()))
+            return tl::unexpected(not_of_kind(path_, gpio_chip));
+        return node;
+    }
     const Numbers& outputs() const { return value_of<Numbers>(parameters_, "outputs"); }
     const Numbers& inputs() const { return value_of<Numbers>(parameters_, "inputs"); }
     const Numbers& channels() const { return value_of<Numbers>(parameters_, "pwm_channels"); }

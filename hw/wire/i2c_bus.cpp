@@ -39,9 +39,10 @@ int i2c_write(int bus, std::uint16_t address, const char* bytes, std::size_t siz
     return transfer(bus, std::array{message(address, 0, const_cast<char*>(bytes), size)});
 }
 
-int i2c_read(int bus, std::uint16_t address, std::uint8_t first_register, char* bytes, std::size_t size) {
-    char number = static_cast<char>(first_register);
-    return transfer(bus, std::array{message(address, 0, &number, 1), message(address, I2C_M_RD, bytes, size)});
+int i2c_read(int bus, std::uint16_t address, std::string_view first_register, char* bytes, std::size_t size) {
+    return transfer(bus,
+                    std::array{message(address, 0, const_cast<char*>(first_register.data()), first_register.size()),
+                               message(address, I2C_M_RD, bytes, size)});
 }
 
 }  // namespace nezumi::hw

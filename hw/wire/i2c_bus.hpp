@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace nezumi::hw {
 
@@ -17,6 +18,6 @@ int i2c_write(int bus, std::uint16_t address, const char* bytes, std::size_t siz
 
 /// Writes the number of a register and reads from there in one transaction, without a stop between them. Returns an
 /// `errno`, or 0.
-int i2c_read(int bus, std::uint16_t address, std::uint8_t first_register, char* bytes, std::size_t size);
+int i2c_read(int bus, std::uint16_t address, std::string_view first_register, char* bytes, std::size_t size);
 
 }  // namespace nezumi::hw

@@ -17,13 +17,16 @@ const NodeKind spi_device{.subsystem = "spidev",
                           .what = "SPI device",
                           .example = "/dev/spidev0.0",
                           .when_missing = "is SPI on? On a Raspberry Pi: sudo raspi-config nonint do_spi 0",
-                          .group = "spi"};
+                          .group = "spi",
+                          .module = "spidev",
+                          .node = "spidev",
+                          .adapter = "bus/spi/devices/spi"};
 
 // Sends each frame once a period. A message is the frame, and as many bytes that were received meanwhile.
 class SpiWire final : public OpenWire {
 public:
-    SpiWire(Descriptor device, std::vector<std::string> frames, double every)
-        : device_(std::move(device)), frames_(std::move(frames)), period_(every) {}
+    SpiWire(Descriptor device, std::vector<std::string> frames, double every, bool answers)
+        : device_(std::move(device)), frames_(std::move(frames)), period_(every), answers_(answers) {}
 
     tl::expected<double, int> read(std::vector<Arrived>& arrived) override {
         if (frames_.empty()) return 0.5;
@@ -36,12 +39,15 @@ public:
         }
         return period_.left(clock_seconds());
     }
-    WriteTarget target() const override { return {.by = WriteBy::spi, .file = device_.get()}; }
+    WriteTarget target() const override {
+        return {.by = answers_ ? WriteBy::spi_answered : WriteBy::spi, .file = device_.get()};
+    }
 
 private:
     Descriptor device_;
     const std::vector<std::string> frames_;
     Period period_;
+    const bool answers_;
 };
 
 class SpiDriver final : public WireDriver {
@@ -62,9 +68,9 @@ public:
             spi_set_up(node->file.get(), static_cast<std::uint8_t>(value_of<std::int64_t>(parameters_, "mode")),
                        static_cast<std::uint32_t>(value_of<std::int64_t>(parameters_, "speed")));
         if (error != 0) return tl::unexpected(why_lost(error));
-        return std::make_unique<SpiWire>(std::move(node->file),
-                                         value_of<std::vector<std::string>>(parameters_, "frames"),
-                                         value_of<double>(parameters_, "every"));
+        return std::make_unique<SpiWire>(
+            std::move(node->file), value_of<std::vector<std::string>>(parameters_, "frames"),
+            value_of<double>(parameters_, "every"), value_of<bool>(parameters_, "answers"));
     }
     Expected<Lease> lease() const override {
         std::error_code none;

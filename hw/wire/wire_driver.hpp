@@ -44,6 +44,11 @@ public:
     virtual ~WireDriver() = default;
     /// Opens the device, after checking that it is of this kind.
     virtual Opened open() const = 0;
+    /// Whether the device is there and may be used. Sends nothing, and changes nothing.
+    virtual OrWhy<void> examine() const {
+        const auto opened = open();
+        return opened ? OrWhy<void>() : tl::unexpected(opened.error());
+    }
     /// Only one program may write to a device. Of nothing if there is no such device.
     virtual Expected<Lease> lease() const { return Lease::of_nothing(); }
     /// The bytes of a message; an error if it is no message for this device.

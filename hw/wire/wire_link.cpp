@@ -122,11 +122,14 @@ public:
             if (driver_->has_times()) each.bytes += fmt::format(" {:.6f}", clock_.exact_time(each.tm));
             messages.push_back({clock_.system_time(now, each.tm), std::move(each.bytes)});
         }
-        while (const auto answer = writer_->take_answer()) {
-            if (answer->kind == WriterAnswer::Kind::lost) {
-                job_->note_lost(answer->error);
+        while (auto taken = writer_->take_answer()) {
+            auto& [answer, bytes] = *taken;
+            if (answer.kind == WriterAnswer::Kind::answer) {
+                messages.push_back({clock_.system_time(now, answer.tm), std::move(bytes)});
+            } else if (answer.kind == WriterAnswer::Kind::lost) {
+                job_->note_lost(answer.error);
                 job_.wake();
-            } else if (answer->kind == WriterAnswer::Kind::stopped) {
+            } else if (answer.kind == WriterAnswer::Kind::stopped) {
                 guard_health_.lost(fmt::format(
                     "its safe bytes were sent, as nothing came from the control loop for {} s", beat_timeout));
             } else {

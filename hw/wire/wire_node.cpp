@@ -21,6 +21,15 @@ std::string subsystem_of(dev_t device, const DeviceRoots& roots) {
     return std::filesystem::read_symlink(link, none).filename().string();
 }
 
+// The module that must be loaded to make this node; "": not known.
+std::string missing_module(const std::string& path, const DeviceRoots& roots, const NodeKind& kind) {
+    const std::string name = std::filesystem::path(path).filename().string();
+    std::error_code none;
+    if (kind.module.empty() || !name.starts_with(kind.node)) return "";
+    const auto adapter = fmt::format("{}/{}{}", roots.sys, kind.adapter, name.substr(kind.node.size()));
+    return std::filesystem::exists(adapter, none) ? kind.module : "";
+}
+
 class PlainWire final : public OpenWire {
 public:
     explicit PlainWire(Descriptor file) : file_(std::move(file)) {}
@@ -52,7 +61,12 @@ std::string not_of_kind(const std::string& path, const NodeKind& kind) {
 
 OrWhy<WireNode> open_node(const std::string& path, const DeviceRoots& roots, const NodeKind& kind) {
     struct stat status {};
-    if (stat(path.c_str(), &status) != 0) return tl::unexpected(with_advice(path, errno, kind));
+    if (stat(path.c_str(), &status) != 0) {
+        const int error = errno;
+        const std::string module = error == ENOENT ? missing_module(path, roots, kind) : "";
+        if (module.empty()) return tl::unexpected(with_advice(path, error, kind));
+        return tl::unexpected(fmt::format("{0}: the module {1} is not loaded: sudo modprobe {1}", path, module));
+    }
     const bool may_be_plain = roots.dev != "/dev" && path.starts_with(roots.dev + "/");
     const bool is_plain = S_ISREG(status.st_mode) && may_be_plain;
     const bool is_of_kind =

@@ -15,7 +15,10 @@ struct NodeKind {
     std::string what;       ///< "serial line"
     std::string example;    ///< "/dev/ttyACM0"
     std::string when_missing;
-    std::string group;  ///< of the users that may use it: "dialout"
+    std::string group;    ///< of the users that may use it: "dialout"
+    std::string module;   ///< makes the nodes: "i2c-dev"; "": no module
+    std::string node;     ///< how the nodes' names begin: "i2c-"
+    std::string adapter;  ///< in /sys, without a module too: "bus/i2c/devices/i2c-" and the rest of the node's name
 };
 
 /// Opens a node: a character device of this kind, or, under another root than /dev, a plain file in its place

@@ -24,7 +24,7 @@ ssize_t write_whole(std::size_t size, const Transaction& transaction) {
 
 }  // namespace
 
-ssize_t write_message(const WriteTarget& target, const char* bytes, std::size_t size) {
+ssize_t write_message(const WriteTarget& target, const char* bytes, std::size_t size, char* answer) {
     switch (target.by) {
         case WriteBy::stream:
         case WriteBy::datagram: break;
@@ -33,7 +33,9 @@ ssize_t write_message(const WriteTarget& target, const char* bytes, std::size_t 
             return pwrite(target.file, bytes, size, 0);
         case WriteBy::i2c:
             return write_whole(size, [&] { return i2c_write(target.file, target.address, bytes, size); });
-        case WriteBy::spi: return write_whole(size, [&] { return spi_transfer(target.file, bytes, nullptr, size); });
+        case WriteBy::spi:
+        case WriteBy::spi_answered:
+            return write_whole(size, [&] { return spi_transfer(target.file, bytes, answer, size); });
         case WriteBy::gpio: {
             GpioLevels levels;
             std::memcpy(&levels, bytes, std::min(size, sizeof levels));

@@ -13,12 +13,13 @@ inline constexpr std::size_t most_pwm_channels = 8;
 
 /// How a message is written.
 enum class WriteBy : std::uint8_t {
-    stream,    ///< a stream of bytes, which may take a part of them
-    datagram,  ///< a socket: a message is sent whole or not at all, and its loss is no fault
-    plain,     ///< a plain file, which has only the last message
-    i2c,       ///< one transaction with an address on an I2C bus
-    spi,       ///< one transfer on SPI
-    gpio,      ///< levels of GPIO lines and PWM channels: `GpioLevels`
+    stream,        ///< a stream of bytes, which may take a part of them
+    datagram,      ///< a socket: a message is sent whole or not at all, and its loss is no fault
+    plain,         ///< a plain file, which has only the last message
+    i2c,           ///< one transaction with an address on an I2C bus
+    spi,           ///< one transfer on SPI
+    spi_answered,  ///< one transfer on SPI, whose answer is read
+    gpio,          ///< levels of GPIO lines and PWM channels: `GpioLevels`
 };
 
 /// An open device, as its writer sees it.
@@ -47,7 +48,7 @@ int retry_transfer(const Transaction& transaction) {
 }
 
 /// Writes a message, of a stream a part of it. Returns the number of bytes, or -1 with `errno`. A transaction that
-/// fails is tried three times. Allocates nothing.
-ssize_t write_message(const WriteTarget& target, const char* bytes, std::size_t size);
+/// fails is tried three times. `answer`: of `spi_answered`, gets as many bytes. Allocates nothing.
+ssize_t write_message(const WriteTarget& target, const char* bytes, std::size_t size, char* answer = nullptr);
 
 }  // namespace nezumi::hw

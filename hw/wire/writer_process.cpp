@@ -77,11 +77,14 @@ public:
     void write_some() {
         while (has_work()) {
             Outgoing& next = waiting_[first_];
-            const ssize_t written = write_message(target_, next.bytes.data() + next.done, next.size - next.done);
+            const bool is_answered = target_.by == WriteBy::spi_answered;
+            const ssize_t written = write_message(target_, next.bytes.data() + next.done, next.size - next.done,
+                                                  is_answered ? answer_.data() : nullptr);
             const bool is_datagram = target_.by == WriteBy::datagram;
             if (written < 0 && errno == EINTR) continue;
             if (written < 0 && errno == EAGAIN && target_.by == WriteBy::stream) return;
             if (written < 0 && !is_datagram) return lose(errno);
+            if (is_answered) tell_answer(next);
             next.done += written < 0 ? next.size : static_cast<std::size_t>(written);
             if (next.done < next.size) continue;
             first_ = (first_ + 1) % waiting_.size();
@@ -109,6 +112,17 @@ public:
     void say(const WriterAnswer& answer) const { send(socket_, &answer, sizeof answer, MSG_DONTWAIT | MSG_NOSIGNAL); }
 
 private:
+    void tell_answer(const Outgoing& sent) {
+        WriterAnswer head{.kind = WriterAnswer::Kind::answer, .tm = clock_seconds()};
+        std::array<iovec, 3> parts{iovec{.iov_base = &head, .iov_len = sizeof head},
+                                   iovec{.iov_base = const_cast<char*>(sent.bytes.data()), .iov_len = sent.size},
+                                   iovec{.iov_base = answer_.data(), .iov_len = sent.size}};
+        msghdr message{};
+        message.msg_iov = parts.data();
+        message.msg_iovlen = parts.size();
+        sendmsg(socket_, &message, MSG_DONTWAIT | MSG_NOSIGNAL);
+    }
+
     void add_safe() { add(safe_.data(), safe_size_); }
 
     void close_files() {
@@ -130,6 +144,7 @@ private:
     std::array<char, longest_safe> safe_{};
     std::size_t safe_size_ = 0;
     std::array<Outgoing, 16> waiting_{};
+    std::array<char, longest_message> answer_{};
     std::size_t first_ = 0, count_ = 0;
 };
 

@@ -35,15 +35,17 @@ struct WriterOrder {
     double tm = 0;              ///< [s] by `clock_seconds`
 };
 
-/// A message from the writer to the engine.
+/// A message from the writer to the engine, one packet each.
 struct WriterAnswer {
     enum class Kind : std::uint8_t {
         lost,     ///< the device does not take messages: `error`
         stopped,  ///< no beat came in time, so the safe bytes were sent
         dropped,  ///< the device is too slow: its oldest message that waited was dropped
+        answer,   ///< followed by the bytes of a message, and as many that the device has sent meanwhile
     };
     Kind kind = Kind::lost;
     int error = 0;  ///< `errno`
+    double tm = 0;  ///< [s] by `clock_seconds`, of an answer
 };
 
 /// The writer's main function, until its engine has ended; never returns. Arguments as of `be_guard`. Allocates

@@ -18,9 +18,11 @@ namespace {
 // The body of engine/robots/swarm_robot.lua.
 constexpr bench::BareRobotSpec disc{1.6, 0.029, 0.14, 0.0, 0.07, true, 0.17, 0.17, 0.12};
 
-std::string system_text(std::size_t count) {
+// `more`: further options of the arena.
+std::string system_text(std::size_t count, const std::string& more = "") {
     return "require 'lib.swarm_arena' { count = " + std::to_string(count) +
-           ", side = " + std::to_string(static_cast<int>(bench::swarm_side(count))) + ", model = 'swarm_robot' }";
+           ", side = " + std::to_string(static_cast<int>(bench::swarm_side(count))) + ", model = 'swarm_robot'" + more +
+           " }";
 }
 
 // The same robots at the same places, turning on the spot so that they don't leave.
@@ -133,6 +135,27 @@ void compare_trace(std::size_t count) {
     std::fflush(stdout);
 }
 
+// CPU time of a tick in which each robot looks for its neighbours within `radius` [m], and without, in turns.
+void compare_neighbours(std::size_t count, int radius) {
+    const int ticks = static_cast<int>(std::max<std::size_t>(2, 4'000 / count));
+    bench::WholeEngine plain(system_text(count)), looking(system_text(count, ", radius = " + std::to_string(radius)));
+    plain.run(20);
+    looking.run(20);
+    double seen = 0;
+    for (const Robot* robot : looking.system->robots()) {
+        const auto* port = static_cast<const OutPort<std::vector<Neighbour>>*>(robot->find_port("near"));
+        seen += static_cast<double>(port->read().size()) / static_cast<double>(count);
+    }
+    std::vector<double> without, with;
+    for (int round = 0; round < 15; ++round) {
+        without.push_back(bench::time_of([&] { plain.run(ticks); }) / ticks);
+        with.push_back(bench::time_of([&] { looking.run(ticks); }) / ticks);
+    }
+    std::printf("%8zu %8d %12.3f %12.3f %14.1f\n", count, radius, bench::median(without) * 1e3,
+                bench::median(with) * 1e3, seen);
+    std::fflush(stdout);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -175,6 +198,11 @@ int main(int argc, char** argv) {
     std::puts("\nwall-clock time with 2 threads / with none, and the trace hash");
     for (const std::size_t count : counts) {
         compare_threads(count);
+    }
+    std::puts("\nCPU time of a tick [ms], without and with neighbours; and how many each robot sees");
+    std::printf("%8s %8s %12s %12s %14s\n", "robots", "within m", "without", "with", "seen");
+    for (const std::size_t count : argc > 1 ? counts : std::vector<std::size_t>{50, 1000}) {
+        for (const int radius : {1, 3}) compare_neighbours(count, radius);
     }
     std::puts("\nCPU time with the ports of a small system remembered / without");
     for (const std::size_t count : counts) {

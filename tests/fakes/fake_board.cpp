@@ -92,9 +92,9 @@ void FakeBoard::add(const std::string& node) {
     nodes_[node] = file;
 }
 
-void FakeBoard::add_i2c(std::uint16_t address) {
+void FakeBoard::add_i2c(std::uint16_t address, std::uint32_t number_bytes) {
     const std::lock_guard lock(mutex_);
-    i2c_[address] = {};
+    i2c_[address] = {.number_bytes = number_bytes};
 }
 
 void FakeBoard::set_registers(std::uint16_t address, std::uint8_t first, const std::string& bytes) {
@@ -322,7 +322,11 @@ BoardAnswer FakeBoard::transfer_i2c(const BoardCall& call, const char* bytes, st
         for (std::uint32_t n = 0; n < message.size; ++n) {
             const auto byte = static_cast<std::uint8_t>(bytes[n]);
             text += fmt::format(" {:02X}", byte);
-            n == 0 ? static_cast<void>(its.at = byte) : static_cast<void>(its.registers[its.at++] = byte);
+            if (n >= its.number_bytes) {
+                its.registers[its.at++] = byte;
+            } else {
+                its.at = static_cast<std::uint8_t>(n == 0 ? byte : its.at + byte);
+            }
         }
         bytes += message.size;
     }

@@ -33,8 +33,9 @@ public:
         ~Environment();
     };
 
-    /// A device on an I2C bus with 256 registers of a byte, whose number grows with each byte.
-    void add_i2c(std::uint16_t address);
+    /// A device on an I2C bus with 256 registers of a byte, whose number grows with each byte. Of a number of two bytes
+    /// the sum counts.
+    void add_i2c(std::uint16_t address, std::uint32_t number_bytes = 1);
     void set_registers(std::uint16_t address, std::uint8_t first, const std::string& bytes);
     std::uint8_t register_of(std::uint16_t address, std::uint8_t number) const;
     /// It stops answering, as one without power.
@@ -75,6 +76,7 @@ private:
     struct I2cDevice {
         std::array<std::uint8_t, 256> registers{};
         std::uint8_t at = 0;
+        std::uint32_t number_bytes = 1;
         bool answers = true;
     };
     void live();

@@ -2,7 +2,7 @@
 --- What behaviours, systems and scenarios of nezumi are made of, for the Lua language server.
 --- Written by `nezumi types --lua`; do not edit.
 
----@alias MessageType "TimedBoolean"|"TimedShort"|"TimedLong"|"TimedFloat"|"TimedDouble"|"TimedString"|"TimedBooleanSeq"|"TimedShortSeq"|"TimedLongSeq"|"TimedFloatSeq"|"TimedDoubleSeq"|"TimedStringSeq"|"TimedOctetSeq"|"TimedVelocity2D"|"TimedPose2D"|"TimedPose3D"|"RangeData"|"CameraImage"|"CameraIntrinsics"|"SeenMarkerSeq"
+---@alias MessageType "TimedBoolean"|"TimedShort"|"TimedLong"|"TimedFloat"|"TimedDouble"|"TimedString"|"TimedBooleanSeq"|"TimedShortSeq"|"TimedLongSeq"|"TimedFloatSeq"|"TimedDoubleSeq"|"TimedStringSeq"|"TimedOctetSeq"|"TimedVelocity2D"|"TimedPose2D"|"TimedPose3D"|"RangeData"|"CameraImage"|"CameraIntrinsics"|"SeenMarkerSeq"|"NeighbourSeq"
 
 ---@class (exact) Velocity2D
 ---@field vx number [m/s] speed along the robot's x axis (forward)
@@ -169,6 +169,20 @@
 ---@class (exact) SeenMarker.Written
 ---@field id? integer its number -2147483648..2147483647
 ---@field pose? Pose3D.Written from the camera: x forward, y left, z up
+
+---@class (exact) Neighbour
+---@field name string of the robot
+---@field range number [m] from the sensor to its middle, seen from above
+---@field bearing number [rad] counter-clockwise from where the sensor looks
+---@field message number[] what it says: at most 10 numbers
+---@field leds boolean[] which of its LEDs are on
+
+---@class (exact) Neighbour.Written
+---@field name? string of the robot
+---@field range? number [m] from the sensor to its middle, seen from above
+---@field bearing? number [rad] counter-clockwise from where the sensor looks
+---@field message? number[] what it says: at most 10 numbers
+---@field leds? boolean[] which of its LEDs are on
 
 ---@class InPort
 ---@field is_new boolean there is an unread message
@@ -459,6 +473,20 @@
 ---@class (exact) SeenMarkerSeq.OutOptions
 ---@field safe? SeenMarker.Written[] written when the component stops
 
+---An in-port of NeighbourSeq: robots in sight with what they say, the nearest first.
+---@class NeighbourSeq.In : InPort
+---@field read fun(self: NeighbourSeq.In): Neighbour[]
+
+---An out-port of NeighbourSeq: robots in sight with what they say, the nearest first.
+---@class NeighbourSeq.Out : OutPort
+---@field write fun(self: NeighbourSeq.Out, value: Neighbour.Written[])
+
+---@class (exact) NeighbourSeq.InOptions
+---@field queue? integer how many unread messages are kept; then the oldest is dropped
+
+---@class (exact) NeighbourSeq.OutOptions
+---@field safe? Neighbour.Written[] written when the component stops
+
 ---Declares an in-port: `local range = input("range", "TimedShortSeq", "what it is")`.
 ---@overload fun(name: string, type: "TimedBoolean", doc?: string, options?: TimedBoolean.InOptions): TimedBoolean.In
 ---@overload fun(name: string, type: "TimedShort", doc?: string, options?: TimedShort.InOptions): TimedShort.In
@@ -480,6 +508,7 @@
 ---@overload fun(name: string, type: "CameraImage", doc?: string, options?: CameraImage.InOptions): CameraImage.In
 ---@overload fun(name: string, type: "CameraIntrinsics", doc?: string, options?: CameraIntrinsics.InOptions): CameraIntrinsics.In
 ---@overload fun(name: string, type: "SeenMarkerSeq", doc?: string, options?: SeenMarkerSeq.InOptions): SeenMarkerSeq.In
+---@overload fun(name: string, type: "NeighbourSeq", doc?: string, options?: NeighbourSeq.InOptions): NeighbourSeq.In
 function input(name, type, doc, options) end
 
 ---Declares an out-port: `local target = output("target", "TimedVelocity2D", "what it is")`.
@@ -503,6 +532,7 @@ function input(name, type, doc, options) end
 ---@overload fun(name: string, type: "CameraImage", doc?: string, options?: CameraImage.OutOptions): CameraImage.Out
 ---@overload fun(name: string, type: "CameraIntrinsics", doc?: string, options?: CameraIntrinsics.OutOptions): CameraIntrinsics.Out
 ---@overload fun(name: string, type: "SeenMarkerSeq", doc?: string, options?: SeenMarkerSeq.OutOptions): SeenMarkerSeq.Out
+---@overload fun(name: string, type: "NeighbourSeq", doc?: string, options?: NeighbourSeq.OutOptions): NeighbourSeq.Out
 function output(name, type, doc, options) end
 
 ---@alias ParameterValue boolean|integer|number|string|boolean[]|integer[]|number[]|string[]
@@ -697,7 +727,7 @@ function output(name, type, doc, options) end
 ---@field port? string|string[] devices of the real robot's left and right motor
 
 ---@class (exact) SensorFields
----@field kind? "range"|"button"|"touch"|"gyro"|"color"|"reflect"|"ambient"|"scan"|"imu" what it measures
+---@field kind? "range"|"button"|"touch"|"gyro"|"color"|"reflect"|"ambient"|"scan"|"imu"|"neighbours" what it measures
 ---@field at? number[] [m] from the hull's centre
 ---@field yaw? number [rad] where it looks, counter-clockwise
 ---@field on? string the servo that carries it, instead of the hull
@@ -705,7 +735,7 @@ function output(name, type, doc, options) end
 ---@field minimum? number [m] it sees no nearer (of range, scan)
 ---@field cone? number [rad] full opening angle, 0: a single ray; of a scan, its field of view (of range, scan)
 ---@field rays? integer rays in the cone: the nearest hit counts; a scan gives the distance of each, from right to left (of range, scan)
----@field noise? number standard deviation, in the value's unit; of an imu, of its rates in rad/s (of range, gyro, reflect, ambient, scan, imu)
+---@field noise? number standard deviation, in the value's unit; of an imu, of its rates in rad/s; of neighbours, of their ranges in m (of range, gyro, reflect, ambient, scan, imu, neighbours)
 ---@field acceleration_noise? number [m/s^2] standard deviation of its accelerations (of imu)
 ---@field table? string|number[][] a CSV file with the columns `distance_m` and `value` beside the robot file, or points `{ { 0.01, 1394 }, ... }`. Exact at its points; nearer than the first the value goes on as a power law, farther than the last it fades to `nothing` at `range` (of range)
 ---@field response? fun(distance: number): number instead of `table`: it is sampled when the file is read; `response(math.huge)` is the value with nothing in sight (of range)
@@ -716,6 +746,9 @@ function output(name, type, doc, options) end
 ---@field max_rate? number [rad/s] it can follow; 0: any (of gyro, imu)
 ---@field travel? number [m] until it closes (of touch)
 ---@field level? number light of the simulated room, from 0 (dark) to 100 (of ambient)
+---@field radius? number [m] it sees robots no farther (of neighbours)
+---@field bearing_noise? number [rad] standard deviation of its bearings (of neighbours)
+---@field loss? number probability that it misses a robot, each time (of neighbours)
 ---@field port? string which device of the real robot it is
 
 ---@class (exact) ActuatorFields
@@ -731,7 +764,7 @@ function output(name, type, doc, options) end
 ---@class (exact) PortFields
 ---@field type? string a message type
 ---@field from? string|string[] a sensor, a list of them, `"velocity"` (measured at the wheels) or `"odometry"` (of out-port)
----@field to? string|string[] `"drive"`, `"odometry"` (sets it) or an actuator (of in-port)
+---@field to? string|string[] `"drive"`, `"odometry"` (sets it), `"say"` (at most 10 numbers, which `neighbours` of others see) or an actuator (of in-port)
 ---@field doc? string documentation for editors and the console
 ---@field rate? number [Hz] messages per second; 0: one each tick (of out-port)
 ---@field quantity? "value"|"distance"|"rate"|"acceleration" `"distance"`: metres instead of a range sensor's value; `"rate"`: of a gyro instead of its angle, of an imu its three rates; `"acceleration"`: of an imu its three accelerations (of out-port)
@@ -1086,6 +1119,9 @@ function udp(fields) end
 ---@field registers? integer[] the registers that are read every period
 ---@field lengths? integer[] the bytes that are read from each of them
 ---@field every? number [s] the period
+---@field periods? number[] [s] instead of `every`: the period of each register
+---@field number_bytes? integer the bytes of a register's number
+---@field order? string with `number_bytes = 2`: "big": the higher byte first
 ---@field safe? string|false the bytes that stop what the device moves: sent at every kind of stop, and when the engine dies; at most 255
 
 ---A device of a robot whose driver is a script.
@@ -1101,6 +1137,7 @@ function i2c(fields) end
 ---@field mode? integer the clock's polarity and phase, as in the device's data sheet
 ---@field frames? string[] what is sent every period: its answers are read
 ---@field every? number [s] the period
+---@field answers? boolean each message to the device is answered by one as of `frames`
 ---@field safe? string|false the bytes that stop what the device moves: sent at every kind of stop, and when the engine dies; at most 255
 
 ---A device of a robot whose driver is a script.

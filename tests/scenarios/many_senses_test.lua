@@ -102,41 +102,36 @@ scenario("mice that look in all directions become a flock", {
 }, function(s, p)
   local world = s:load "systems/flock.lua"
   local mice = {}
-  for i = 1, 7 do mice[i] = world["mouse_" .. i] end
+  for i = 1, 50 do mice[i] = world["mouse_" .. i] end
   local pose = mice[1].truth.pose
   local begin = { pose.position.x + p.one, pose.position.y + p.two, p.three }
   s:teleport("mouse_1", { x = begin[1], y = begin[2], heading = begin[3] })
   world.flock_1.config.initial = begin
 
   local function nearest()
-    local least = math.huge
-    for i = 1, 7 do
-      for j = i + 1, 7 do
-        least = math.min(least, distance(mice[i].truth.pose.position, mice[j].truth.pose.position))
-      end
+    local at, least = {}, math.huge
+    for i, mouse in ipairs(mice) do at[i] = mouse.truth.pose.position end
+    for i = 1, #at do
+      local x, y = at[i].x, at[i].y
+      for j = i + 1, #at do least = math.min(least, (at[j].x - x) ^ 2 + (at[j].y - y) ^ 2) end
     end
-    return least
+    return math.sqrt(least)
   end
   --- 1 when all drive in one direction (the order parameter of Vicsek, Physical Review Letters 1995).
   local function order()
     local x, y = 0, 0
     for _, mouse in ipairs(mice) do
-      x, y = x + math.cos(mouse.truth.pose.heading), y + math.sin(mouse.truth.pose.heading)
+      local heading = mouse.truth.pose.heading
+      x, y = x + math.cos(heading), y + math.sin(heading)
     end
-    return math.sqrt(x * x + y * y) / 7
+    return math.sqrt(x * x + y * y) / #mice
   end
   s:check(order() < 0.6, "no flock yet")
   s:always("keep off each other", function() return nearest() > 0.105 end)
-  s:never("touch each other", function()
-    for _, mouse in ipairs(mice) do
-      if mouse.collided then return true end
-    end
-    return false
-  end)
   s:maintain("drive in one direction", { hold = 3, within = 25 }, function() return order() > 0.95 end)
   s:run(10)
   for _, mouse in ipairs(mice) do
-    s:check(distance(mouse.truth.pose.position, { x = 0, y = 0 }) < 1.4, "they stay near home")
+    s:check(distance(mouse.truth.pose.position, { x = 0, y = 0 }) < 2.2, "they stay near home")
   end
 end)
 

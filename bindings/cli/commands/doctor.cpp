@@ -11,7 +11,10 @@
 #include "bindings/cli/commands/commands.hpp"
 #include "bindings/cli/guided/person.hpp"
 #include "bindings/cli/guided/setup.hpp"
+#include "bindings/lua/files/system_file.hpp"
 #include "engine/base/visible.hpp"
+#include "engine/devices/wired_device.hpp"
+#include "engine/system/script_drivers.hpp"
 #include "hw/calibrate/move_check.hpp"
 #include "hw/doctor/doctor.hpp"
 
@@ -19,6 +22,7 @@ namespace nezumi::cli {
 namespace {
 
 struct DoctorOptions {
+    std::string file;
     std::string dev_root, sys_root, proc_root, udev_root;
     bool json = false;
     bool move = false;
@@ -76,8 +80,28 @@ Expected<hw::Findings> moves(const DoctorOptions& options, const std::string& dr
     return hw::check_moves(**robot, [&](const std::string& text) { person.tell(text); });
 }
 
+// The devices of a system's components, and of its robots' drivers.
+Expected<std::vector<ComponentEntry>> devices_of(const std::string& file) {
+    if (file.empty()) return {};
+    const LiveOptions live = simulated_systems();
+    auto spec = read_system_file(file, Project::of(file, live.installed), {.peer_words = live.peer_words});
+    if (!spec) return Unexpected(spec.error());
+    for (RobotEntry* robot : entries_of<RobotEntry>(*spec)) {
+        const auto model = spec->models.find(robot->described_by());
+        if (model != spec->models.end() && !model->second.hardware.script.empty()) robot->backend = scripted;
+    }
+    if (auto ok = add_script_drivers(*spec); !ok) return Unexpected(ok.error());
+    std::vector<ComponentEntry> devices;
+    for (const ComponentEntry* component : entries_of<ComponentEntry>(*spec)) {
+        if (find_device_kind(component->type) != nullptr) devices.push_back(*component);
+    }
+    return devices;
+}
+
 int doctor(const DoctorOptions& options) {
-    hw::Examination examination = hw::examine(roots(options));
+    const auto devices = devices_of(options.file);
+    if (!devices) return refuse(devices.error());
+    hw::Examination examination = hw::examine(roots(options), *devices);
     if (options.move) {
         if (examination.driver.empty()) return refuse("--move: this machine has no robot");
         if (!options.json) print(examination.findings);
@@ -103,7 +127,13 @@ SubCommand doctor_command() {
     auto options = std::make_shared<DoctorOptions>();
     return {.name = "doctor",
             .help = "Check a robot's hardware, and report how to fix what is missing",
-            .options = {{"--json", &options->json, "write {robot, findings: [{check, state, found, advice}]}"},
+            .options = {{"[FILE]",
+                         &options->file,
+                         "a system file: examine the devices of its robots too",
+                         "",
+                         {},
+                         FileUse::source},
+                        {"--json", &options->json, "write {robot, findings: [{check, state, found, advice}]}"},
                         {"--move", &options->move,
                          "turn each wheel as well, slowly, with the robot held in the air; asks first"},
                         {"--yes", &options->is_sure, "with --move: do not ask before it moves"},

@@ -177,6 +177,8 @@ SensorSpec read_sensor_fields(const std::string& name, Fields& sensor, const Bod
     spec.at = on_body(body, spec.at);
     if (spec.kind == SensorSpec::Kind::range) read_range_sensor(sensor, spec, help);
     if (spec.kind == SensorSpec::Kind::scan) read_scan(sensor, spec);
+    if (spec.kind == SensorSpec::Kind::neighbours && !spec.on.empty())
+        sensor.check().wrong(sensor.path_of("on"), "is not for neighbours: the hull carries that sensor");
     return spec;
 }
 

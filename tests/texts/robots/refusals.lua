@@ -23,6 +23,19 @@ ports = { p = { type = 'TimedPose2D', form = 'odometry' } }
 ports = { p = { type = 'TimedPose2D', from = 'odometry', queue = 3 } }
 --                                                       ^ error: robot_model: unknown field 'ports.p.queue': expected type, from, doc, rate, quantity
 
+--- The message says what is wrong with a sensor of neighbours and with its ports.
+sensors = { near = { kind = 'neighbours', radus = 1 } }
+--                                        ^ error: robot_model: unknown field 'sensors.near.radus' (did you mean 'radius'?)
+
+sensors = { near = { kind = 'neighbours', loss = 2 } }
+--                                        ^ error: robot_model: field 'sensors.near.loss' expected a number up to 1, got 2
+
+sensors = { near = { kind = 'neighbours', on = 'head' } }
+--                                        ^ error: robot_model: field 'sensors.near.on' is not for neighbours: the hull carries that sensor
+
+sensors = { near = { kind = 'range', radius = 1 } }
+--                                   ^ error: robot_model: unknown field 'sensors.near.radius': expected kind, at, yaw, on, range, minimum, cone, rays, noise, table, response, nothing, min_value, max_value, port
+
 --- The message names a sensor that the robot needs and does not have.
 return robot_model { mass = 1, sensors = { eye = { kind = 'range' } },
 drive = { radius = 0.02, track = 0.1, needs = { 'eyes' } } }
@@ -80,7 +93,7 @@ return robot_model { mass = 1, body = 'box', drive = { radius = 1, track = 1 } }
 --                             ^ error: robot_model: field 'body' expected a table, got string
 
 sensors = { a = { kind = 'rnage' } }
---                ^ error: robot_model: field 'sensors.a.kind' expected one of range, button, touch, gyro, color, reflect, ambient, scan, imu, got 'rnage' (did you mean 'range'?)
+--                ^ error: robot_model: field 'sensors.a.kind' expected one of range, button, touch, gyro, color, reflect, ambient, scan, imu, neighbours, got 'rnage' (did you mean 'range'?)
 
 sensors = { a = 5 }
 --          ^ error: robot_model: field 'sensors.a' expected a table, got number
@@ -126,7 +139,7 @@ return robot_model { mass = 1, body = { size = { 1, 1, 1 } }, drive = { radius =
 --                                                            ^ error: robot_model: field 'drive.track' is missing: expected a positive number in m: between the wheels
 
 sensors = { a = {} }
---          ^ error: robot_model: field 'sensors.a.kind' is missing: expected one of range, button, touch, gyro, color, reflect, ambient, scan, imu: what it measures
+--          ^ error: robot_model: field 'sensors.a.kind' is missing: expected one of range, button, touch, gyro, color, reflect, ambient, scan, imu, neighbours: what it measures
 
 ports = { a = { to = 'drive' } }
 --        ^ error: robot_model: field 'ports.a.type' is missing: expected a text: a message type

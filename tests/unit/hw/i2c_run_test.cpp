@@ -73,6 +73,27 @@ TEST_CASE("a robot drives by the registers of a device on I2C, and reads others 
     CHECK(run.last_written() == "60 w FD 10");
 }
 
+TEST_CASE("each register on I2C has its own period, and its number may have two bytes", "[hw][wire][run][wallclock]") {
+    HatRun run;
+    const bool is_big = GENERATE(true, false);
+    run.board->add_i2c(0x29, 2);
+    run.write_driver("local range_in = input('range_in', 'TimedOctetSeq', nil, { queue = 100 })\n" + hat_driver);
+    run.write_robot(hat_devices +
+                    ", range = i2c { address = 0x29, registers = { 0x0110, 0x0220 }, lengths = { 2, 1 }, periods = { "
+                    "0.02, 0.4 }, number_bytes = 2, order = '" +
+                    (is_big ? "big" : "little") + "', safe = false }");
+    const auto count = [&](const std::string& transaction) {
+        const auto all = run.board->transactions();
+        return std::count(all.begin(), all.end(), transaction);
+    };
+    const std::string often = is_big ? "29 w 01 10 r 2" : "29 w 10 01 r 2";
+    const std::string rarely = is_big ? "29 w 02 20 r 1" : "29 w 20 02 r 1";
+    REQUIRE(run.goes([&] { return count(rarely) >= 3; }));
+    // 0.8 s have passed: 40 periods, fewer on a busy machine, which skips them.
+    CHECK(count(often) > 6);
+    CHECK(count(often) < 65);
+}
+
 TEST_CASE("when the engine is killed, a device on I2C gets its safe bytes", "[hw][wire][run][safety][wallclock]") {
     HatRun run;
     REQUIRE(run.goes_ahead());
@@ -130,6 +151,16 @@ TEST_CASE("a device on I2C that can't be used is refused by one line", "[hw][wir
         device += ", registers = { 0, 2 }, lengths = { 1 }";
         expected = "robot_model: device 'hat': lengths: expected the bytes of each of the 2 registers, got 1 numbers";
     }
+    SECTION("with a register's number that is too large") {
+        device += ", registers = { 300 }, lengths = { 1 }";
+        expected =
+            "robot_model: device 'hat': registers: 300 does not fit in a byte: expected at most 255, or "
+            "number_bytes = 2";
+    }
+    SECTION("without the period of a register") {
+        device += ", registers = { 0, 2 }, lengths = { 1, 1 }, periods = { 0.1 }";
+        expected = "robot_model: device 'hat': periods: expected the period of each of the 2 registers, got 1 numbers";
+    }
     SECTION("without safe bytes") {
         device = "address = 0x60";
         expected = "component 'rover_hat': --hw needs its safe bytes";
@@ -160,6 +191,35 @@ TEST_CASE("a device on I2C that can't be used is refused by one line", "[hw][wir
     const std::string refusal = run.refusal();
     INFO(refusal);
     CHECK(refusal.find(expected) != std::string::npos);
+}
+
+TEST_CASE("the doctor examines the devices of a system's robots, and sends nothing to them", "[hw][wire][run]") {
+    HatRun run;
+    std::string device = "bus = 1, address = 0x60, safe = '\\xFD\\x10'", found = "ok     rover_hat: can be used\n";
+    SECTION("all is well") {}
+    SECTION("without an answer") {
+        run.board->set_answers(0x60, false);
+        found = "i2c-1: no answer from address 0x60: look at its wires, its power and its address (i2cdetect)\n";
+    }
+    SECTION("without the kernel's module") {
+        run.folder.write("sys/bus/i2c/devices/i2c-3/name", "bcm2835");
+        device = "bus = 3, address = 0x60, safe = '\\xFD\\x10'";
+        found = "i2c-3: the module i2c-dev is not loaded: sudo modprobe i2c-dev\n";
+    }
+    SECTION("without the bus") {
+        device = "bus = 4, address = 0x60, safe = '\\xFD\\x10'";
+        found = "i2c-4: no such file or directory: is I2C on? On a Raspberry Pi: sudo raspi-config nonint do_i2c 0\n";
+    }
+    run.write_robot("hat = i2c { " + device + " }");
+    const FakeBoard::Environment environment(run.folder.path("dev").string());
+    const Outcome outcome =
+        run_nezumi({"doctor", run.folder.path("system.lua").string(), "--dev-root", run.folder.path("dev").string(),
+                    "--sys-root", run.folder.path("sys").string()});
+    INFO(outcome.out + outcome.error);
+    CHECK(outcome.out.find(found) != std::string::npos);
+    CHECK((outcome.out.find("wrong  rover_hat: ") == std::string::npos) == found.starts_with("ok"));
+    CHECK(outcome.out.find("neither a Raspberry Pi Mouse") == std::string::npos);
+    for (const std::string& each : run.board->transactions()) CHECK(each.find(" w ") == std::string::npos);
 }
 
 TEST_CASE("a plain file in place of an I2C bus has the last message", "[hw][wire][run]") {

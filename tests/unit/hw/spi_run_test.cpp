@@ -61,6 +61,35 @@ TEST_CASE(
     CHECK(holds_within(0.25, [&] { return run.board->transactions().back() == "spidev0.1 06 00"; }));
 }
 
+TEST_CASE("the answers to single messages on SPI are read if they are wanted", "[hw][wire][run][wallclock]") {
+    SpiRun run;
+    const std::string motor = GENERATE("", ", answers = true");
+    run.board->set_spi("spidev0.1", [](const std::string& sent) { return std::string(sent.size(), '\x7A'); });
+    run.write_robot("motor = spi { chip_select = 1, safe = '\\x06\\x00'" + motor + " }");
+    run.write_driver(R"(
+local target = input("target_velocity_in", "TimedVelocity2D")
+local motor_in = input("motor_in", "TimedOctetSeq", nil, { queue = 100 })
+local motor_out = output("motor_out", "TimedOctetSeq")
+function on_execute()
+  while motor_in.is_new do
+    local answer, age = motor_in:read(), motor_in.age
+    if answer:sub(1, 2) == "\x06\x14" and not state.said then
+      log.info(("answer %X %X"):format(answer:byte(3, 4)) .. (age < 1 and " in time" or ""))
+      state.said = true
+    end
+  end
+  motor_out:write("\x06" .. string.char(math.floor(target:read().vx * 100 + 0.5)))
+end
+)");
+    REQUIRE(run.goes([&] { return run.has("spidev0.1 06 14"); }));
+    if (motor.empty()) {
+        run.program->listen(0.5);
+        CHECK(run.program->error.find("answer") == std::string::npos);
+    } else {
+        CHECK(run.program->wait_for_error("answer 7A 7A in time", 5));
+    }
+}
+
 TEST_CASE("a device on SPI that is none is refused by one line", "[hw][wire][run][wallclock]") {
     SpiRun run;
     std::string device = "safe = '\\x06\\x00'", expected;

@@ -1,4 +1,5 @@
 // Robot files: the shipped robots and a user's own.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -261,6 +262,29 @@ TEST_CASE("a scan covers a full turn by default", "[lua][robot_file]") {
           "r.lua:2:34: robot_model: field 'sensors.a.minimum' expected less than the range of 0.6 m, got 2");
     CHECK(robot_error(with("sensors = { a = { kind = 'scan', table = 'x.csv' } }"))
               .find("unknown field 'sensors.a.table'") != std::string::npos);
+}
+
+TEST_CASE("a sensor of neighbours has a port of its own type, and what a robot says another", "[lua][robot_file]") {
+    const auto error = [](const std::string& ports) {
+        const std::string text =
+            robot_error(with("sensors = { near = { kind = 'neighbours' }, far = { kind = 'neighbours' }, eye = { "
+                             "kind = 'range' } }, ports = { " +
+                             ports + " }"));
+        return text.substr(std::min(text.size(), text.find("port '")));
+    };
+    CHECK(error("near = { type = 'NeighbourSeq', from = 'near', rate = 5 }, say = { type = 'TimedDoubleSeq', to = "
+                "'say' }") == "");
+    CHECK(error("p = { type = 'TimedDoubleSeq', from = 'near' }") ==
+          "port 'p': 'near' sees neighbours: its type is NeighbourSeq, not TimedDoubleSeq");
+    CHECK(error("p = { type = 'NeighbourSeq', from = 'eye' }") ==
+          "port 'p': a NeighbourSeq carries neighbours, and 'eye' is another kind of sensor");
+    CHECK(error("p = { type = 'NeighbourSeq', from = { 'near', 'far' } }") == "port 'p': 'near' has a port of its own");
+    CHECK(error("p = { type = 'NeighbourSeq', from = 'near', quantity = 'distance' }") ==
+          "port 'p': 'near' has no `quantity`");
+    CHECK(error("p = { type = 'TimedLongSeq', to = 'say' }") ==
+          "port 'p': 'say' takes a TimedDoubleSeq, not a TimedLongSeq");
+    CHECK(error("p = { type = 'TimedDoubleSeq', to = 'say' }, q = { type = 'TimedDoubleSeq', to = 'say' }") ==
+          "port 'q': a robot has one in-port for what it says");
 }
 
 TEST_CASE("an imu's ports carry its rates, its accelerations or both", "[lua][robot_file]") {

@@ -130,6 +130,39 @@ TEST_CASE("a camera moves with its robot and does not see it", "[sim][camera]") 
     CHECK(pixel(shoot(*w.world, down), 320, 240)[0] > pixel(shoot(*w.world, down), 320, 240)[2]);  // the floor
 }
 
+TEST_CASE("a camera sees the lit LEDs of a robot, the first on the left, from the next step on", "[sim][camera]") {
+    TryWorld w;
+    const RobotId id = w.add(mouse_spec(), 0.3, 0);
+    // A camera behind the robot. Its LEDs are between these columns.
+    const auto reds = [&] {
+        const CameraImage image = shoot(*w.world, {.at = {0, 0, 0.12}});
+        std::set<int> columns;
+        for (int row = 0; row < image.height; ++row) {
+            for (int column = 0; column < image.width; ++column) {
+                if (is_red(pixel(image, column, row))) columns.insert(column);
+            }
+        }
+        return columns;
+    };
+    w.run(0.01);
+    CHECK(reds().empty());
+    w.bodies[id]->set_leds({true, false, false, false});
+    CHECK(reds().empty());
+    w.run(0.01);
+    const std::set<int> first = reds();
+    REQUIRE_FALSE(first.empty());
+    CHECK(*first.rbegin() < 320);
+    CHECK(first.size() < 30);
+    w.bodies[id]->set_leds({false, false, false, true});
+    w.run(0.01);
+    const std::set<int> last = reds();
+    REQUIRE_FALSE(last.empty());
+    CHECK(*last.begin() > 320);
+    w.bodies[id]->set_leds({false, false, false, false});
+    w.run(0.01);
+    CHECK(reds().empty());
+}
+
 TEST_CASE("a camera on an unknown robot and the move of an unknown marker are refused", "[sim][camera]") {
     ArenaSpec arena;
     arena.markers.push_back({.name = "target", .id = 1, .at = {1, 0, 0.1}});
