@@ -2,12 +2,16 @@
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
+const FEW = 4;  // buttons that are always in sight, also on a phone
+
 /// Keeps its node up to date; `chosen()` is the index of the robot, or null.
 export function make_devices({ model, acts }, chosen) {
   const lights = el("output", { class: "lights" });
-  const buttons = el("div", { class: "row acts not-real" });
+  const buttons = el("div", { class: "row" });
+  const summary = el("summary", { text: T.devices.buttons });
+  const fold = el("details", { class: "acts not-real" }, summary, buttons);
   const screen = el("img", { class: "screen", alt: T.devices.screen });
-  const node = el("div", { class: "devices", role: "group", hidden: true }, screen, lights, buttons);
+  const node = el("div", { class: "devices", role: "group", hidden: true }, screen, lights, fold);
   let screen_port = "";
   let shown = "";
 
@@ -47,6 +51,8 @@ export function make_devices({ model, acts }, chosen) {
     if (one) node.setAttribute("aria-label", T.devices.of(one.name));
     model.watch("devices", one ? { ...model.wanted(told.map((name) => `${one.name}.${name}`)), pictures: screen_port ? [screen_port] : [] } : null);
     buttons.replaceChildren(...sensors.map((sensor) => button_of(one.name, sensor)));
+    summary.hidden = sensors.length <= FEW;
+    fold.open = sensors.length <= FEW || innerWidth >= 900;
     node.hidden = sensors.length === 0 && told.length === 0;
     tell();
   };

@@ -43,7 +43,7 @@ class Diagram {
 
   constructor(parts) {
     this.#parts = parts;
-    const narrow = matchMedia("(max-width: 899px)");
+    const narrow = matchMedia("(max-width: 599px)");
     this.#is_part = narrow.matches;
     narrow.addEventListener("change", () => this.show_part(narrow.matches));
     this.centres = el("select", { class: "part", "aria-label": T.diagram.centre, onchange: () => this.#centre_on(this.centres.value) });
@@ -114,6 +114,7 @@ class Diagram {
     if (!names.includes(this.#centre)) this.#centre = names[0] ?? "";
     this.part_button.textContent = this.#is_part ? T.diagram.all_parts : T.diagram.part;
     this.centres.hidden = !this.#is_part;
+    this.part_button.hidden = !this.#is_part && names.length < 3;  // two are neighbours
     if (this.centres.dataset.names !== names.join()) this.centres.replaceChildren(...names.map((name) => el("option", { value: name, text: name })));
     this.centres.dataset.names = names.join();
     this.centres.value = this.#centre;
