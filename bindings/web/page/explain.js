@@ -59,18 +59,18 @@ export function make_explain(parts) {
   let is_shown = false;
   let waits = false;
   let timer = null;
-  let shown_at = null;  // the tick at which time stood when the shown execution was asked for
+  let shown_at = null;  // the tick of the last answer; null: nothing was asked yet
 
   const ask = async () => {
     if (!which.value || waits) return;
     waits = true;
-    shown_at = null;
     const { ok, text } = await link.ask({ do: "explain", component: which.value });
     if (!ok) refuse(text || T.link.no_answer);
   };
   /// Shows why there is no explanation, in place of the previous one.
   const refuse = (why) => {
     waits = false;
+    shown_at = model.frame.tick;
     stop_following();
     body.replaceChildren(el("p", { class: "empty", text: why }), ...error_of(model.component(which.value)));
   };
@@ -112,11 +112,13 @@ export function make_explain(parts) {
   });
   for (const what of ["restarted", "went_back"]) model.on(what, () => {
     waits = false;
+    if (shown_at !== null) shown_at = -1;
     stop_following();
   });
-  // After a step or a seek, what stands there is no more the last execution.
+  // After a step or a seek, what is shown is no more the last execution.
   model.on("frame", () => {
-    if (is_shown && !model.frame.running && !model.looked && shown_at !== null && shown_at !== model.frame.tick) ask();
+    const is_old = shown_at !== null && shown_at !== model.frame.tick;
+    if (is_shown && is_old && !model.frame.running && !model.looked) ask();
   });
   link.on("lost", () => {
     waits = false;

@@ -35,9 +35,10 @@ TEST_CASE("the console reports why it can't explain a component, or that time is
 }
 
 TEST_CASE("what robots and devices cost a tick is measured as well", "[console][profile]") {
-    SessionRig it("robot 'mouse' { model = 'raspimouse' }\ncomponent 'stick' { type = 'Joystick' }\n"
-                  "behavior 'idle' { script = 'idle' }\n",
-                  {{"idle", "function on_execute() state.n = 1 end\n"}});
+    SessionRig it(
+        "robot 'mouse' { model = 'raspimouse' }\ncomponent 'stick' { type = 'Joystick' }\n"
+        "behavior 'idle' { script = 'idle' }\n",
+        {{"idle", "function on_execute() state.n = 1 end\n"}});
     CHECK(it.type("profile(0.1)") == "time is paused: run() lets it go on");
     it.shown.clear();
     it.turn(10);

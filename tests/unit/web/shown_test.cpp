@@ -256,8 +256,9 @@ TEST_CASE("of a behaviour in ERROR the execution that failed is explained", "[we
 
 TEST_CASE("a browser sees the functions of a failed behaviour with their variables", "[web]") {
     WebRig rig("behavior 'it' { script = 'it' }\n",
-               {{"it", "local function half(of)\n  return of.x / 2\nend\nfunction on_execute()\n  local y = half(7)\n"
-                       "  return y\nend\n"}});
+               {{"it",
+                 "local function half(of)\n  return of.x / 2\nend\nfunction on_execute()\n  local y = half(7)\n"
+                 "  return y\nend\n"}});
     rig.turn(2);
     RawBrowser browser = rig.open();
     const Json component = next_system(browser)["components"][0];
@@ -285,10 +286,8 @@ end
     RawBrowser browser = rig.open(rig.view_token);
     int id = 0;
     const auto then = [&](double at) {
-        REQUIRE(browser.send_frame(Json{{"do", "then"},
-                                        {"id", ++id},
-                                        {"at", at},
-                                        {"names", {"controller.out", "controller.name", "nobody.out"}}}
+        REQUIRE(browser.send_frame(Json{
+            {"do", "then"}, {"id", ++id}, {"at", at}, {"names", {"controller.out", "controller.name", "nobody.out"}}}
                                        .dump()));
         return Json::parse(browser.next_text("\"is\":\"then\""))["values"];
     };
