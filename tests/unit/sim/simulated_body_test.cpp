@@ -31,6 +31,7 @@ struct Felt final : sim::SimulatedBody {
     sim::PlaceMotion motion(std::size_t) const override { return moves; }
     FloorColor floor_color(std::size_t) const override { return FloorColor::red; }
     double reflected_light(std::size_t) const override { return light; }
+    void list_neighbours(std::size_t, std::vector<InSight>&) const override {}
     void set_servo(std::size_t, double angle) override { servo_angles.push_back(angle); }
     void set_wheel_speeds(Wheels) override {}
     void coast() override {}
