@@ -26,13 +26,13 @@ std::vector<std::string> leaves_of(const ValueView& value) {
 
 }  // namespace
 
-TEST_CASE("the message types are the eighteen of OpenRTM-aist, by their names, and two of our own",
+TEST_CASE("the message types are the eighteen of OpenRTM-aist, by their names, and three of our own",
           "[engine][message]") {
     const std::vector<std::string_view> expected{
-        "TimedBoolean",   "TimedShort",      "TimedLong",     "TimedFloat",       "TimedDouble",
-        "TimedString",    "TimedBooleanSeq", "TimedShortSeq", "TimedLongSeq",     "TimedFloatSeq",
-        "TimedDoubleSeq", "TimedStringSeq",  "TimedOctetSeq", "TimedVelocity2D",  "TimedPose2D",
-        "TimedPose3D",    "RangeData",       "CameraImage",   "CameraIntrinsics", "SeenMarkerSeq"};
+        "TimedBoolean",     "TimedShort",      "TimedLong",    "TimedFloat",    "TimedDouble",    "TimedString",
+        "TimedBooleanSeq",  "TimedShortSeq",   "TimedLongSeq", "TimedFloatSeq", "TimedDoubleSeq", "TimedStringSeq",
+        "TimedOctetSeq",    "TimedVelocity2D", "TimedPose2D",  "TimedPose3D",   "RangeData",      "CameraImage",
+        "CameraIntrinsics", "SeenMarkerSeq",   "NeighbourSeq"};
     CHECK(std::vector<std::string_view>(compiled_message_names().begin(), compiled_message_names().end()) == expected);
 }
 

@@ -33,7 +33,7 @@ std::vector<std::string> examples(const std::string& page) {
 TEST_CASE("the documentation's robots can be read", "[lua][docs]") {
     const Project project = Project::of(root / "behaviors/r.lua", {root});
     const auto all = examples("robot-files.md");
-    CHECK(all.size() == 5);
+    CHECK(all.size() == 6);
     for (const std::string& text : all) {
         if (!text.starts_with("return")) continue;  // a system, below
         const auto robot = read_robot_text(text, "behaviors/r.lua", project);
