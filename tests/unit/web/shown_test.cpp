@@ -205,7 +205,7 @@ TEST_CASE("what has not been executed yet is explained when it is, and a browser
           "[web][explain]") {
     WebRig rig;
     RawBrowser browser = rig.open();
-    CHECK(WebRig::answer(browser, {{"do", "explain"}, {"id", 1}, {"component", "controller"}})["ok"] == true);
+    REQUIRE(browser.send_frame(Json{{"do", "explain"}, {"id", 1}, {"component", "controller"}}.dump()));
     CHECK(Json::parse(browser.next_text("\"is\":\"explain\""))["waits"] == true);
     SECTION("and then it is gone") {
         REQUIRE(rig.live->act(Remove{"controller"}, {}));
@@ -273,12 +273,12 @@ TEST_CASE("a browser sees the functions of a failed behaviour with their variabl
 TEST_CASE("a browser is shown the values of a time that is remembered", "[web][past]") {
     WebRig rig("behavior 'controller' { script = 'counter' }\n", {{"counter", R"(
 local out = output("out", "TimedVelocity2D")
-local name = output("name", "TimedString")
+local label = output("label", "TimedString")
 state.steps = 0
 function on_execute()
   state.steps = state.steps + 1
   out:write { vx = now() }
-  name:write("tick " .. math.floor(now() * 100 + 0.5) // 10)
+  label:write("tick " .. math.floor(now() * 100 + 0.5) // 10)
 end
 )"}});
     rig.live->trace().remember_ports();
@@ -287,7 +287,7 @@ end
     int id = 0;
     const auto then = [&](double at) {
         REQUIRE(browser.send_frame(Json{
-            {"do", "then"}, {"id", ++id}, {"at", at}, {"names", {"controller.out", "controller.name", "nobody.out"}}}
+            {"do", "then"}, {"id", ++id}, {"at", at}, {"names", {"controller.out", "controller.label", "nobody.out"}}}
                                        .dump()));
         return Json::parse(browser.next_text("\"is\":\"then\""))["values"];
     };
@@ -295,7 +295,7 @@ end
     CHECK(values.size() == 2);
     CHECK(values["controller.out"]["tm"] == 0.29);
     CHECK(values["controller.out"]["leaves"][0] == Json::array({"vx", 0.29}));
-    CHECK(values["controller.name"]["leaves"] == Json::array({Json::array({"", "tick 2"})}));
+    CHECK(values["controller.label"]["leaves"] == Json::array({Json::array({"", "tick 2"})}));
     CHECK(then(0).empty());
     CHECK(rig.live->system().now().tick == 50);
 }
