@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bindings/lua/sandbox/line_profile.hpp"
+#include "engine/components/inside.hpp"
 
 namespace nezumi {
 
