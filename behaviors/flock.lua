@@ -41,7 +41,6 @@ function on_execute()
   local seen = ranges:read()
   say:write { here.heading }
   local sum = wish(here)
-  if sum.x == 0 and sum.y == 0 then return target:write { vx = config.speed } end
   local bearing = math.atan(sum.y, sum.x)
   local blocked = #seen > 0 and math.min(seen[1], seen[#seen]) < NEAR
   target:write {
