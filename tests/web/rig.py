@@ -255,7 +255,8 @@ class Page:
         """What the browser's console has complained about since the last call."""
         return [each["message"] for each in self.driver.get_log("browser")
                 if each["level"] == "SEVERE" and "WebSocket connection" not in each["message"]
-                and "ERR_CONNECTION_REFUSED" not in each["message"]]
+                and "ERR_CONNECTION_REFUSED" not in each["message"]
+                and "'beforeunload'" not in each["message"]]  # asked when a test leaves a page with unsaved text
 
 
 class PageCase(unittest.TestCase):

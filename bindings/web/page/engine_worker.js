@@ -11,6 +11,7 @@ export class EngineWorker extends Emitter {
   #worker = null;
   #heard = 0;
   #is_open = false;
+  serves_pages = false;
   helpers = null;  // `Helpers` that take some of the messages
 
   /// `make` gives a Worker, `start` what worker.js begins with.

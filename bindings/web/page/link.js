@@ -25,6 +25,11 @@ export class Link extends Emitter {
     return this.#transport.is_open;
   }
 
+  /// Whether the engine is a program that can serve further pages.
+  get serves_pages() {
+    return this.#transport.serves_pages;
+  }
+
   connect() {
     this.#transport.connect();
   }

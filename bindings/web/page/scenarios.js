@@ -56,7 +56,7 @@ export function make_scenarios(parts) {
       el("b", { text: each.name }),
       el("button", { class: "quiet place", text: `${each.file}:${each.line}`, onclick: () => parts.open_file({ shown: each.file, line: each.line }) }),
       el("button", { class: "acts run-one", text: T.scenarios.run, "aria-label": T.scenarios.run_one(each.name), onclick: () => run(each) }),
-      watch, folder && open, details);
+      link.serves_pages && watch, folder && open, details);
   };
   const show = () => {
     all.disabled = is_running || listed.length === 0;

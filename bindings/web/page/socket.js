@@ -12,6 +12,7 @@ export class Socket extends Emitter {
   #socket = null;
   #wait = FIRST_WAIT;
   #heard = 0;
+  serves_pages = true;
 
   constructor(token) {
     super();
