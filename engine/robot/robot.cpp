@@ -192,34 +192,6 @@ void Robot::set_scans_due(const Time& now) {
     }
 }
 
-void Robot::publish_neighbours(const Time& now) {
-    if (is_real()) return;
-    for (const NeighbourPort& each : neighbour_ports_) {
-        if (!is_due_at(each.rate, now)) continue;
-        const auto seen = body_->neighbours(each.sensor);
-        each.port->next_pending().assign(seen.begin(), seen.end());
-    }
-}
-
-void Robot::take_message(const Time& now) {
-    if (say_in_->is_new()) {
-        const std::vector<double>& given = say_in_->read();
-        const auto length = std::min(given.size(), RobotBody::longest_message);
-        if (given.size() > length && !std::exchange(said_long_, true))
-            log(LogLevel::warn, fmt::format("input '{}': it says {} numbers: the first {} are sent (reported once)",
-                                            say_in_->name(), given.size(), length));
-        say(std::span(given).first(length));
-    } else if (is_quiet_when_silent_ && say_in_->is_silent(now.seconds)) {
-        say({});
-    }
-}
-
-void Robot::say(std::span<const double> message) {
-    if (std::equal(message.begin(), message.end(), message_.begin(), message_.end())) return;
-    message_.assign(message.begin(), message.end());
-    body_->say(message_);
-}
-
 // Publishes only changes.
 void Robot::publish_stalled() {
     if (stalled_out_ == nullptr || std::exchange(stalled_, body_->is_stalled()) == stalled_) return;

@@ -262,23 +262,6 @@ Expected<void> Robot::add_output(const PortSpec& port) {
     return {};
 }
 
-Expected<void> Robot::add_neighbours(const PortSpec& port, const std::vector<std::size_t>& sensors) {
-    for (const std::size_t i : sensors) {
-        if (spec_.sensors[i].kind != SensorSpec::Kind::neighbours)
-            return failure(fmt::format("a NeighbourSeq carries neighbours, and '{}' is another kind of sensor",
-                                       spec_.sensors[i].name));
-    }
-    const std::string& name = spec_.sensors[sensors.front()].name;
-    if (port.type != "NeighbourSeq")
-        return failure(fmt::format("'{}' sees neighbours: its type is NeighbourSeq, not {}", name, port.type));
-    if (sensors.size() > 1) return failure(fmt::format("'{}' has a port of its own", name));
-    if (port.quantity != PortSpec::Quantity::value) return failure(fmt::format("'{}' has no `quantity`", name));
-    auto& made = add_out_port<std::vector<Neighbour>>(port.name, port.doc);
-    made.set_rate(port.rate);
-    neighbour_ports_.push_back({&made, sensors.front(), port.rate});
-    return {};
-}
-
 Expected<void> Robot::add_input(const PortSpec& port) {
     if (port.items.size() != 1) return failure("'to' must name exactly one target");
     const std::string& item = port.items.front();

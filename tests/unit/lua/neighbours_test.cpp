@@ -164,3 +164,13 @@ TEST_CASE("a robot that is not active says nothing", "[lua][neighbours]") {
     it.tick(3);
     CHECK(heard().empty());
 }
+
+TEST_CASE("of a message with more than ten numbers the first ten are sent, and the log says so", "[lua][neighbours]") {
+    LiveRig it(pair_system, {});
+    REQUIRE(it.live->act(Inject{"b.say", Value(std::vector<double>(12, 7.0))}, {}));
+    it.tick(5);
+    const OutPortBase* port = it.live->system().find("a")->find_out_port("near");
+    const auto seen = static_cast<const OutPort<std::vector<Neighbour>>*>(port)->read();
+    CHECK(seen.front().message == std::vector<double>(10, 7.0));
+    CHECK(it.said("input 'say': it says 12 numbers: the first 10 are sent (reported once)"));
+}
