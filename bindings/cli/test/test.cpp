@@ -137,7 +137,7 @@ int mutate_file(const TestOptions& command, TestPlan plan, TestSessionOptions& o
     return report->noticed() == report->tried.size() ? exit_done : exit_failed;
 }
 
-// What a session that is watched or shown can't be or write.
+// What a session that is watched, shown or tried with changes can't be or write.
 GivenOptions ways_and_results(const TestOptions& command) {
     return {{"--list", command.list},
             {"--merge", command.merge},
@@ -150,22 +150,29 @@ GivenOptions ways_and_results(const TestOptions& command) {
             {"--measures", !command.measures.empty()},
             {"--margins", !command.margins.empty()},
             {"--plots", !command.plots.empty()},
-            {"--coverage", !command.coverage.empty()},
-            {"--mutate", !command.mutate.empty()}};
+            {"--coverage", !command.coverage.empty()}};
+}
+
+Expected<void> refuse_ways(const TestOptions& command, const GivenOptions& others, std::string_view why) {
+    GivenOptions given = ways_and_results(command);
+    given.insert(given.end(), others.begin(), others.end());
+    return refuse_given(given, why);
 }
 
 // Whether the options go together.
 Expected<void> check_options(const TestOptions& command) {
     if (command.watch) {
-        auto ok = refuse_given(ways_and_results(command), "--watch runs again and again, and only what a save touches");
+        auto ok = refuse_ways(command, {{"--mutate", !command.mutate.empty()}},
+                              "--watch runs again and again, and only what a save touches");
         if (!ok) return ok;
     }
     if (command.show) {
-        GivenOptions given = ways_and_results(command);
-        given.insert(given.end(), {{"--watch", command.watch},
-                                   {"--repeat", command.repeat.has_value()},
-                                   {"--search", command.search.has_value()}});
-        auto ok = refuse_given(given, "--show only shows one run");
+        auto ok = refuse_ways(command,
+                              {{"--mutate", !command.mutate.empty()},
+                               {"--watch", command.watch},
+                               {"--repeat", command.repeat.has_value()},
+                               {"--search", command.search.has_value()}},
+                              "--show only shows one run");
         if (!ok) return ok;
     } else {
         for (const auto& [option, given] :
@@ -184,22 +191,11 @@ Expected<void> check_options(const TestOptions& command) {
         ok = refuse_given({{"--hw", command.hw}, {"--update-goldens", command.update_goldens}},
                           "--search: simulated runs are chosen by their results");
     if (ok && !command.mutate.empty()) {
-        ok = refuse_given({{"--hw", command.hw},
-                           {"--search", command.search.has_value()},
-                           {"--repeat", command.repeat.has_value()},
-                           {"--shard", !command.shard.empty()},
-                           {"--resume", command.resume},
-                           {"--merge", command.merge},
-                           {"--update-goldens", command.update_goldens},
-                           {"--junit", !command.junit.empty()},
-                           {"--measures", !command.measures.empty()},
-                           {"--margins", !command.margins.empty()},
-                           {"--plots", !command.plots.empty()},
-                           {"--coverage", !command.coverage.empty()},
-                           {"--tap", command.tap},
-                           {"--list", command.list},
-                           {"--open", command.open}},
-                          "--mutate shows only changes that no scenario notices");
+        ok = refuse_ways(command,
+                         {{"--search", command.search.has_value()},
+                          {"--repeat", command.repeat.has_value()},
+                          {"--tap", command.tap}},
+                         "--mutate shows only changes that no scenario notices");
     }
     if (ok && command.hw)
         ok = refuse_given({{"--coverage", !command.coverage.empty()}}, "--hw: only simulated time waits for marks");
