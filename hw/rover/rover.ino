@@ -29,8 +29,8 @@ char line[32];
 byte length = 0;
 bool is_too_long = false;
 
-void count_left() { left_count += digitalRead(left_b) == digitalRead(left_a) ? -1 : 1; }
-void count_right() { right_count += digitalRead(right_b) == digitalRead(right_a) ? 1 : -1; }
+void count_left() { left_count = left_count + (digitalRead(left_b) == digitalRead(left_a) ? -1 : 1); }
+void count_right() { right_count = right_count + (digitalRead(right_b) == digitalRead(right_a) ? 1 : -1); }
 
 void set_motor(int pwm_pin, int ahead_pin, int back_pin, float wanted, float measured) {
   const float power = wanted == 0 ? 0 : wanted / full_speed * 255 + gain * (wanted - measured);
