@@ -165,6 +165,7 @@ Json robot_to_json(const Robot& robot) {
             {"model", spec.model},
             {"real", robot.has_body() && robot.is_real()},
             {"twin", robot.is_twin()},
+            {"may_drive", robot.may_drive()},
             {"hull",
              {{"shape", spec.body.shape == BodySpec::Shape::box ? "box" : "cylinder"},
               {"size", point(spec.body.size)},
@@ -315,6 +316,7 @@ std::uint64_t system_fingerprint(const RunningSystem& live) {
     mix(live.is_away() ? 1 : 0);
     mix(system.is_stopped() ? 1 : 0);
     mix(system.world() != nullptr ? system.world()->markers().size() : 0);
+    for (const Robot* robot : system.robots()) mix(robot->may_drive() ? 1 : 0);
     for (const Component* component : system.components()) {
         mix(static_cast<std::uint64_t>(component->state()));
         mix(static_cast<std::uint64_t>(component->version()));

@@ -59,6 +59,9 @@ public:
     const Odometry& odometry() const { return odometry_; }
     const std::vector<bool>& leds() const { return actuators_.leds(); }
     int buzzer_hertz() const { return actuators_.buzzer_hertz(); }
+    /// As of its body.
+    std::optional<double> battery() const { return has_body() ? body_->battery() : std::nullopt; }
+    bool may_drive() const { return !has_body() || body_->may_drive(); }
     /// The texts for its speaker, oldest first, as far as they are stored.
     const std::deque<std::string>& said() const { return actuators_.said(); }
     /// The last readings of its sensors, in the order of the description; empty before it was ACTIVE, valid until the

@@ -39,6 +39,13 @@ NodeValue failure_of(const Component& component) {
     return whole_of(std::move(data));
 }
 
+Read battery_of(const TreeNode& node, const PlainLimit& /*limit*/) {
+    const Robot& robot = *node.robot();
+    const auto volts = robot.battery();
+    if (!volts) return failure(robot.name() + ": its battery is known only with a real robot that measures it");
+    return Value{*volts};
+}
+
 std::vector<std::string> names_of(std::span<const CommandDeclaration> commands) {
     std::vector<std::string> names;
     for (const CommandDeclaration& command : commands) names.push_back(command.name);
@@ -52,6 +59,12 @@ const std::vector<MemberInfo>& all_members() {
          .called = true,
          .usage = "()",
          .doc = "makes it ACTIVE; gives the status that follows"},
+        {.name = "battery",
+         .type = "number",
+         .robot = true,
+         .yields = true,
+         .doc = "the voltage of its battery [V], NaN while that is unknown: only of a real robot that measures it",
+         .value = battery_of},
         {.name = "buzzer",
          .type = "integer",
          .robot = true,

@@ -55,6 +55,7 @@ public:
     double servo_angle(std::size_t index) const override;
     std::vector<std::string> take_faults() override;
     bool may_drive() const override { return !battery_->is_low(); }
+    std::optional<double> battery() const override { return battery_->volts(); }
     bool is_stalled() const override { return wheels_->is_stalled(); }
     void set_wheel_speeds(Wheels speeds) override;
     void coast() override;

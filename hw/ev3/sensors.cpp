@@ -75,16 +75,22 @@ Battery::Battery(const DevicePath& folder)
       voltage_(folder + "/lego-ev3-battery/voltage_now", Access::read),
       design_(folder + "/lego-ev3-battery/voltage_min_design", Access::read) {}
 
+double Battery::volts() const {
+    return hangs(clock_seconds()) ? std::numeric_limits<double>::quiet_NaN() : volts_.load();
+}
+
 tl::expected<std::optional<double>, std::string> Battery::sample(double now) {
     const auto microvolts = read_whole_number(voltage_);
     if (!microvolts) {
         is_low_ = false;  // unknown
+        volts_ = std::numeric_limits<double>::quiet_NaN();
         low_since_.reset();
         return tl::unexpected(microvolts.error());
     }
-    const double volts = static_cast<double>(*microvolts) * 1e-6;
+    const double volts = static_cast<double>(*microvolts) / 1e6;
+    volts_ = volts;
     const auto design = read_whole_number(design_);
-    const double lowest = design && *design > 0 ? static_cast<double>(*design) * 1e-6 : least;
+    const double lowest = design && *design > 0 ? static_cast<double>(*design) / 1e6 : least;
     if (volts >= lowest + (is_low_ ? margin : 0)) {
         low_since_.reset();
         is_low_ = false;

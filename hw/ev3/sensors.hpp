@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -76,8 +77,10 @@ public:
     /// [s], until it is `margin` [V] above.
     static constexpr double low_after = 2, margin = 0.2, least = 6.2;
 
-    /// Any thread may call it.
+    /// Any thread may call these.
     bool is_low() const { return is_low_; }
+    /// The last voltage [V], also a low one; NaN if it can't be read.
+    double volts() const;
 
 protected:
     tl::expected<std::optional<double>, std::string> sample(double now) override;
@@ -86,6 +89,7 @@ private:
     Node voltage_, design_;
     std::optional<double> low_since_;
     std::atomic<bool> is_low_ = false;
+    std::atomic<double> volts_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace nezumi::hw

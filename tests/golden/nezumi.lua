@@ -1190,6 +1190,7 @@ function gpio(fields) end
 
 ---@class Component
 ---@field activate fun(self: Component): string makes it ACTIVE; gives the status that follows
+---@field battery number of robots: the voltage of its battery [V], NaN while that is unknown: only of a real robot that measures it
 ---@field buzzer integer of robots: tone of its buzzer [Hz], 0 for silence
 ---@field collided boolean of robots: whether it touches something
 ---@field commands string[] the names of its commands

@@ -1,7 +1,11 @@
 """What the world's picture shows, and what a hand does there, in a real browser. Usage: world_test.py NEZUMI [TEST...]"""
 
 import os
+import shutil
+import socket
+import subprocess
 import sys
+import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig
@@ -224,6 +228,38 @@ connect("painter.lcd", "ev3.lcd")
         page.until(self.SHADE + " === 'white,white'", "it shows another one while the sensor is pressed")
         page.until("document.querySelector('.devices .led').classList.contains('on')", "the light is on")
         ActionChains(page.driver).release().perform()
+        self.assertEqual(page.errors(), [])
+
+    def test_the_battery_of_a_real_ev3_is_shown_and_red_while_it_is_too_low(self):
+        fake = os.path.join(os.path.dirname(self.nezumi), "fake_ev3")
+        if not os.access("/dev/fuse", os.W_OK) or not os.path.exists(fake):
+            self.skipTest("there is no FUSE here, or no fake_ev3")
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder, ignore_errors=True)
+        nodes, door = os.path.join(folder, "nodes"), os.path.join(folder, "socket")
+        os.mkdir(nodes)
+        brick = subprocess.Popen([fake, nodes, door, os.path.join(rig.ROOT, "engine/robots/ev3.lua")], stdout=subprocess.PIPE)
+        self.addCleanup(lambda: (brick.terminate(), brick.wait(), brick.stdout.close()))
+        brick.stdout.read(1)
+        talk = socket.socket(socket.AF_UNIX)
+        self.addCleanup(talk.close)
+        talk.connect(door)
+        self.open(text='robot "ev3" { model = "ev3" }\n', options=["--hw", "--dev-root", nodes + "/dev", "--sys-root", nodes + "/sys"])
+        page = self.page
+        shown = "document.querySelector('.devices .battery')"
+        page.until(shown + "?.textContent === 'Battery 7.9 V'", "its voltage is shown")
+        self.assertFalse(page.js("return %s.classList.contains('low')" % shown))
+        plain = page.js("return getComputedStyle(%s).color" % shown)
+        talk.sendall(b"battery 6100000\n")
+        page.until(shown + ".textContent === 'Battery 6.1 V: too low, the robot stands'", "it is too low")
+        self.assertNotEqual(page.js("return getComputedStyle(%s).color" % shown), plain)
+        page.picture("ev3_battery")
+        talk.sendall(b"battery 7900000\n")
+        page.until(shown + ".textContent === 'Battery 7.9 V'", "it is charged")
+        self.assertEqual(page.js("return getComputedStyle(%s).color" % shown), plain)
+        self.open(text='robot "ev3" { model = "ev3" }\n')
+        page.until("!document.querySelector('.devices').hidden", "its devices are there")
+        self.assertIsNone(page.js("return " + shown))
         self.assertEqual(page.errors(), [])
 
     def test_robots_have_the_colours_of_their_trails(self):

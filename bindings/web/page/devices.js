@@ -1,4 +1,4 @@
-// The lights, the buzzer, the screen and the buttons of a robot: of the selected one, or of the only one.
+// The lights, the buzzer, the battery, the screen and the buttons of a robot: of the selected one, or of the only one.
 import { el } from "./dom.js";
 import { T } from "./texts.js";
 
@@ -40,10 +40,10 @@ export function make_devices({ model, acts }, chosen) {
     const sensors = (one?.sensors ?? []).filter(({ kind }) => kind === "button" || kind === "touch").map(({ name }) => name);
     const component = one && model.component(one.name);
     // The lights of some robots are known by their port, which has the name of the member.
-    const told = ["leds", "buzzer"].filter((name) => component?.members.includes(name) || component?.ports.some((port) => port.name === name));
+    const told = ["leds", "buzzer", "battery"].filter((name) => component?.members.includes(name) || component?.ports.some((port) => port.name === name));
     const display = component?.ports.find(({ way, type }) => way === "in" && type === "CameraImage");
     const now = JSON.stringify([one?.name, sensors, told, display?.name]);
-    if (now === shown) return;
+    if (now === shown) return tell();  // whether it may drive has changed
     shown = now;
     screen_port = display ? `${one.name}.${display.name}` : "";
     screen.removeAttribute("src");  // of another robot
@@ -60,8 +60,10 @@ export function make_devices({ model, acts }, chosen) {
     const one = robot();
     const leds = Object.values(model.value_of(`${one?.name}.leds`)?.value ?? {});
     const buzzer = Object.values(model.value_of(`${one?.name}.buzzer`)?.value ?? {})[0] ?? 0;
+    const volts = Object.values(model.value_of(`${one?.name}.battery`)?.value ?? {})[0];
+    const is_low = one?.may_drive === false;  // the driver's own judgement
     lights.replaceChildren(...leds.map((is_on, i) => el("span", { class: is_on ? "led on" : "led", role: "img", "aria-label": T.devices.led(i + 1, is_on), title: T.devices.led(i + 1, is_on) })),
-      buzzer > 0 ? T.devices.tone(buzzer) : "");
+      buzzer > 0 ? T.devices.tone(buzzer) : "", ...(Number.isFinite(volts) ? [el("span", { class: is_low ? "battery low" : "battery", text: T.devices.battery(volts.toFixed(1), is_low) })] : []));
   };
   model.on("picture", ({ port, jpeg }) => {
     if (port !== screen_port) return;
@@ -70,7 +72,7 @@ export function make_devices({ model, acts }, chosen) {
     screen.src = URL.createObjectURL(new Blob([jpeg], { type: "image/jpeg" }));
   });
   model.on("system", update);
-  model.on("port", (name) => /\.(leds|buzzer)$/.test(name) && tell());
+  model.on("port", (name) => /\.(leds|buzzer|battery)$/.test(name) && tell());
   model.on("restarted", () => {
     shown = "";
   });

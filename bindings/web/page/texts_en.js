@@ -135,7 +135,7 @@ export const EN = {
     no_robot: (name) => `The file does not contain exactly one robot "${name}" { ... }. Edit the text.`, no_place: (name) => `${name} stands in no line of the file.`,
     not_number: (name) => `'${name}' is computed, or missing. Edit the text.`, choose: "Select what is to be removed.",
   },
-  devices: { of: (robot) => `Devices of ${robot}`, screen: "Its screen", buttons: "Buttons", press: (sensor) => `Press ${sensor}`, led: (i, is_on) => `light ${i} is ${is_on ? "on" : "off"}`, tone: (hertz) => `♪ ${hertz} Hz` },
+  devices: { of: (robot) => `Devices of ${robot}`, screen: "Its screen", buttons: "Buttons", press: (sensor) => `Press ${sensor}`, led: (i, is_on) => `light ${i} is ${is_on ? "on" : "off"}`, tone: (hertz) => `♪ ${hertz} Hz`, battery: (volts, is_low) => (is_low ? `Battery ${volts} V: too low, the robot stands` : `Battery ${volts} V`) },
 
   scenarios: {
     one: "Scenario",

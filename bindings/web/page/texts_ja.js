@@ -135,7 +135,7 @@ export const JA = {
     no_robot: (name) => `ファイルに robot "${name}" { ... } がちょうど 1 つある必要があります。テキストを編集してください。`, no_place: (name) => `${name} はファイルのどの行にもありません。`,
     not_number: (name) => `'${name}' は計算で決まるか、書かれていません。テキストを編集してください。`, choose: "削除するものを選んでください。",
   },
-  devices: { of: (robot) => `${robot} の機器`, screen: "画面", buttons: "ボタン", press: (sensor) => `${sensor} を押す`, led: (i, is_on) => `ライト ${i} は${is_on ? "点灯" : "消灯"}`, tone: (hertz) => `♪ ${hertz} Hz` },
+  devices: { of: (robot) => `${robot} の機器`, screen: "画面", buttons: "ボタン", press: (sensor) => `${sensor} を押す`, led: (i, is_on) => `ライト ${i} は${is_on ? "点灯" : "消灯"}`, tone: (hertz) => `♪ ${hertz} Hz`, battery: (volts, is_low) => (is_low ? `電池 ${volts} V: 低下のため停止中` : `電池 ${volts} V`) },
 
   scenarios: {
     one: "シナリオ",

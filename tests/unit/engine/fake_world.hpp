@@ -36,6 +36,7 @@ struct FakeHull {
     bool coasting = false;
     bool powered = true;
     bool may_drive = true;
+    std::optional<double> battery;  ///< [V]
     int power_calls = 0;
     std::vector<bool> leds;
     int led_calls = 0;
@@ -91,6 +92,7 @@ public:
     std::span<const double> sensor_values(std::size_t index) const override { return hull_.values.at(index); }
     std::vector<std::string> take_faults() override { return std::exchange(hull_.faults, {}); }
     bool may_drive() const override { return hull_.may_drive; }
+    std::optional<double> battery() const override { return hull_.battery; }
     double servo_angle(std::size_t index) const override { return hull_.servos[index]; }
     void set_wheel_speeds(Wheels speeds) override {
         hull_.speeds = speeds;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/trace/channel.hpp"
+#include "engine/tree/node.hpp"
 #include "tests/unit/engine/fake_world.hpp"
 #include "tests/unit/engine/try_component.hpp"
 
@@ -318,6 +320,24 @@ TEST_CASE("a robot whose supply lets it not drive brakes, and drives again", "[e
     run.hull.may_drive = true;
     for (int i = 0; i < 20; ++i) run.drive(0.01);
     CHECK(run.hull.speeds.left == Approx(0.1));
+}
+
+TEST_CASE("a battery has a value in the tree while its body knows of one, NaN while that can't be read",
+          "[engine][robot][tree]") {
+    FakeRun run;
+    const auto volts = [&]() -> Expected<double> {
+        const auto value = TreeNode(run.system).find("mouse.battery").value().value();
+        if (!value) return Unexpected(value.error());
+        return std::get<Value>(*value).get<double>();
+    };
+    const auto recorded = [&] { return changing_members(*TreeNode(run.system).child("mouse")); };
+    CHECK(volts().error().message == "mouse: its battery is known only with a real robot that measures it");
+    CHECK(recorded().front() == "buzzer");
+    run.hull().battery = 7.4;
+    CHECK(volts() == 7.4);
+    CHECK(recorded().front() == "battery");
+    run.hull().battery = std::nan("");
+    CHECK(std::isnan(volts().value()));
 }
 
 TEST_CASE("a real robot's motors have power while it is ACTIVE, and until it has braked",

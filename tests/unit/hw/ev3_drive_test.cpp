@@ -124,12 +124,16 @@ TEST_CASE("an EV3 with a low battery stops, reports it once, and drives again wh
     FakeEv3 fake;
     DrivenEv3 ev3(fake);
     ev3.run(0.5, {.vx = 0.1});
+    CHECK(ev3.robot->battery() == 7.9);
     fake.say("battery 6100000");
     ev3.run(1.2, {.vx = 0.1});
     CHECK(fake.moves());  // starting motors lower the voltage for a moment
+    CHECK(ev3.robot->may_drive());
     REQUIRE(ev3.run(3, {.vx = 0.1}, [&] { return !fake.moves(); }));
     CHECK(ev3.log == std::vector<std::string>{"battery: is low, below 6.2 V: the robot stands until the battery is "
                                               "charged or its cells are changed"});
+    CHECK(ev3.robot->battery() == 6.1);
+    CHECK_FALSE(ev3.robot->may_drive());
     fake.say("battery 6300000");
     ev3.run(1, {.vx = 0.1});
     CHECK_FALSE(fake.moves());

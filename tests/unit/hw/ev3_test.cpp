@@ -177,6 +177,7 @@ TEST_CASE("an EV3's battery that does not answer is reported", "[hw][ev3][fakes]
     ev3.idle(0.5);
     fake.fault("battery", "hang");
     CHECK(ev3.idle(3, [&] { return ev3.said("battery: no answer for 0.3 s: restart its driver, or the robot"); }));
+    CHECK(std::isnan(ev3.robot->battery().value()));
     fake.fault("battery", "none");
     CHECK(ev3.idle(4, [&] { return ev3.said("battery: back again"); }));
 }
