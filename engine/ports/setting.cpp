@@ -7,11 +7,22 @@
 #include <initializer_list>
 
 namespace nezumi {
-std::string_view words_for(NumberRange range) {
-    switch (range) {
-        case NumberRange::any: return "a number";
-        case NumberRange::not_negative: return "a number from 0 on";
-        case NumberRange::positive: return "a positive number";
+namespace {
+
+// The bound that every number has is only a guard against nonsense, so it is not part of a field's description.
+bool has_own_bound(const Rule& rule) { return rule.most < Rule{}.most; }
+
+}  // namespace
+
+std::string words_for(const Rule& rule) {
+    const bool bounded = has_own_bound(rule);
+    switch (rule.range) {
+        case NumberRange::any:
+            return bounded ? fmt::format("a number from {} to {}", -rule.most, rule.most) : "a number";
+        case NumberRange::not_negative:
+            return bounded ? fmt::format("a number from 0 to {}", rule.most) : "a number from 0 on";
+        case NumberRange::positive:
+            return bounded ? fmt::format("a positive number up to {}", rule.most) : "a positive number";
     }
     return "a number";
 }
@@ -20,8 +31,10 @@ std::string check_number(double number, const Rule& rule, std::string_view unit)
     if (!std::isfinite(number))
         return fmt::format("expected a finite number, got {}", std::isnan(number) ? "nan" : fmt::format("{}", number));
     if ((rule.range == NumberRange::positive && number <= 0) || (rule.range == NumberRange::not_negative && number < 0))
-        return fmt::format("expected {}, got {}", words_for(rule.range), number);
-    if (std::abs(number) > rule.most) return fmt::format("expected a number up to {}, got {}", rule.most, number);
+        return fmt::format("expected {}, got {}", words_for(rule), number);
+    if (std::abs(number) > rule.most)
+        return fmt::format("expected {}, got {}",
+                           has_own_bound(rule) ? words_for(rule) : fmt::format("a number up to {}", rule.most), number);
     const bool may_be_zero = rule.range == NumberRange::not_negative;
     if (rule.least <= 0 || number >= rule.least || (number == 0 && may_be_zero)) return "";
     return fmt::format("expected at least {}{}{}{}, got {}", rule.least, unit.empty() ? "" : " ", unit,

@@ -127,8 +127,8 @@ constexpr void for_each_setting(Visit&& visit) {
     std::apply([&](const auto&... field) { (one(field), ...); }, Describe<T>::fields);
 }
 
-/// "a number", "a positive number".
-std::string_view words_for(NumberRange range);
+/// The numbers that a rule allows, in words: "a number", "a positive number", "a number from 0 to 1".
+std::string words_for(const Rule& rule);
 /// Checks a number by the rule of its field. Returns the error, or "": "expected a positive number, got -1".
 std::string check_number(double number, const Rule& rule, std::string_view unit);
 /// Checks each number of a pose: it must be finite and within the widest range.

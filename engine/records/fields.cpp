@@ -17,7 +17,7 @@ const FileTable& empty_table() {
 // The error if the value is not a number for this field, or "".
 std::string read_number(const Value& value, const Rule& rule, std::string_view unit, double& out) {
     const auto number = number_of(value);
-    if (!number) return fmt::format("expected {}, got {}", words_for(rule.range), kind_of(value));
+    if (!number) return fmt::format("expected {}, got {}", words_for(rule), kind_of(value));
     out = *number;
     return check_number(out, rule, unit);
 }

@@ -78,7 +78,7 @@ std::string words_of(const Type& type, const Rule& rule) {
     if (&type == &type_of<Pose2D>()) return "{ x =, y =, heading = }";
     switch (type.kind) {
         case Type::Kind::boolean: return rule.words[0].empty() ? "true or false" : list_of(rule.words, true, " or ");
-        case Type::Kind::float64: return std::string(words_for(rule.range));
+        case Type::Kind::float64: return words_for(rule);
         case Type::Kind::text: return rule.choices.empty() ? "a text" : "one of " + list_of(rule.choices, false, ", ");
         case Type::Kind::enumeration: return "one of " + list_of(type.choices, false, ", ");
         case Type::Kind::map: return type.element->kind == Type::Kind::any ? "{ NAME = VALUE }" : "{ NAME = { ... } }";

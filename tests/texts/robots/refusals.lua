@@ -28,7 +28,7 @@ sensors = { near = { kind = 'neighbours', radus = 1 } }
 --                                        ^ error: robot_model: unknown field 'sensors.near.radus' (did you mean 'radius'?)
 
 sensors = { near = { kind = 'neighbours', loss = 2 } }
---                                        ^ error: robot_model: field 'sensors.near.loss' expected a number up to 1, got 2
+--                                        ^ error: robot_model: field 'sensors.near.loss' expected a number from 0 to 1, got 2
 
 sensors = { near = { kind = 'neighbours', on = 'head' } }
 --                                        ^ error: robot_model: field 'sensors.near.on' is not for neighbours: the hull carries that sensor

@@ -118,6 +118,25 @@ TEST_CASE("the readers take every field that is described, and no other", "[cli]
     CHECK(tried > 80);
 }
 
+TEST_CASE("a number that is described with a bound is refused beyond it, and one without is not", "[cli][fields]") {
+    std::size_t bounded = 0, free = 0;
+    for (const RecordShape& record : file_records(cli::peer_words())) {
+        if (said_of(record, "").empty()) continue;
+        for (const FieldRow& row : record.rows) {
+            const bool is_bounded = row.values == "a number from 0 to 1";
+            if (!is_bounded && row.values != "a number from 0 on") continue;
+            CAPTURE(record.name, row.name);
+            const std::string said = said_of(record, before(record, row) + row.name + " = 1000");
+            CAPTURE(said);
+            CHECK((said.find("expected a number from 0 to 1, got 1000") != std::string::npos) == is_bounded);
+            CHECK((is_bounded || said.find("expected a number") == std::string::npos));
+            ++(is_bounded ? bounded : free);
+        }
+    }
+    CHECK(bounded == 3);  // the noise of a model and of a robot, and the loss of neighbours
+    CHECK(free > 10);
+}
+
 TEST_CASE("the editor annotations contain every described field", "[cli][fields]") {
     const std::string text = annotations(scenario_records(), cli::peer_words());
     for (const RecordShape& record : all_records()) {

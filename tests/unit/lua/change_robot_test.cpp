@@ -58,7 +58,7 @@ TEST_CASE("a field that a change removed stays removed", "[lua][system_file]") {
 TEST_CASE("a wrong change does not change the system", "[lua][system_file]") {
     SystemSpec spec = system_of("robot 'mouse' { model = 'raspimouse', noise = 0.1 }");
     CHECK(change(spec, "moose", "{ noise = 0.2 }") == "there is no robot 'moose' (did you mean 'mouse'?)");
-    CHECK(change(spec, "mouse", "{ noise = 5 }") == "robot: field 'noise' expected a number up to 1, got 5");
+    CHECK(change(spec, "mouse", "{ noise = 5 }") == "robot: field 'noise' expected a number from 0 to 1, got 5");
     CHECK(change(spec, "mouse", "{ nois = 0.2 }") == "robot: unknown field 'nois' (did you mean 'noise'?)");
     CHECK(change(spec, "mouse", "{ base = 'ev3' }") == "robot: unknown field 'base': it is for robot files");
     CHECK(described(spec, 0).noise == 0.1);

@@ -199,7 +199,7 @@ TEST_CASE("robots with the same changes share a description", "[lua][system_file
 
 TEST_CASE("an error in the changes of a robot has its location", "[lua][system_file]") {
     const Robots robots;
-    CHECK(robots.system_error("noise = 5") == "2: robot 'm': field 'noise' expected a number up to 1, got 5");
+    CHECK(robots.system_error("noise = 5") == "2: robot 'm': field 'noise' expected a number from 0 to 1, got 5");
     CHECK(robots.system_error("nois = 0.1") == "2: robot 'm': unknown field 'nois' (did you mean 'noise'?)");
     CHECK(robots.system_error("sensors = { right = { nose = 8 } }") ==
           "2: robot 'm': unknown field 'sensors.right.nose' (did you mean 'noise'?)");

@@ -233,7 +233,8 @@ TEST_CASE("a robot file sets noise of sensors and friction of wheels", "[lua][ro
     const RobotSpec spec = robot_of(with("noise = 0.05, friction = 0.8"));
     CHECK(spec.noise == 0.05);
     CHECK(spec.friction == 0.8);
-    CHECK(robot_error(with("noise = 5")) == "r.lua:2:1: robot_model: field 'noise' expected a number up to 1, got 5");
+    CHECK(robot_error(with("noise = 5")) ==
+          "r.lua:2:1: robot_model: field 'noise' expected a number from 0 to 1, got 5");
     CHECK(robot_error(with("friction = -1")) ==
           "r.lua:2:1: robot_model: field 'friction' expected a number from 0 on, got -1");
 }
