@@ -247,6 +247,8 @@ BoardAnswer FakeBoard::request_lines(const std::string& node, std::string& reply
     std::string text =
         fmt::format("{} {} {}", node, lines.is_input ? "inputs" : "outputs", fmt::join(lines.lines, " "));
     if (has_edges) text += " with both edges";
+    if ((request.config.flags & GPIO_V2_LINE_FLAG_BIAS_PULL_UP) != 0) text += " pulled up";
+    if ((request.config.flags & GPIO_V2_LINE_FLAG_BIAS_PULL_DOWN) != 0) text += " pulled down";
     for (std::uint32_t i = 0; i < request.config.num_attrs; ++i) {
         const gpio_v2_line_config_attribute& each = request.config.attrs[i];
         if (each.attr.id == GPIO_V2_LINE_ATTR_ID_OUTPUT_VALUES) {

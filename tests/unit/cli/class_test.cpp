@@ -1,6 +1,10 @@
 // `nezumi class`: what it collects and checks without a page, and what it refuses.
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 #include "bindings/web/classroom/confinement.hpp"
@@ -37,6 +41,18 @@ private:
     Scratch scratch_;
     int count_ = 0;
 };
+
+// Runs the program where the kernel gives no random numbers.
+Outcome run_without_random_numbers(const std::string& words) {
+    if (access("/usr/bin/strace", X_OK) != 0) throw std::runtime_error("SKIPPED: strace is not installed");
+    const Scratch scratch;
+    const std::string out = scratch.path("out").string(), error = scratch.path("error").string();
+    const int status =
+        std::system(("exec strace -f -qq -o /dev/null -e trace=getrandom -e inject=getrandom:error=ENOSYS " +
+                     nezumi_program() + " " + words + " >" + out + " 2>" + error + " </dev/null")
+                        .c_str());
+    return {.status = WEXITSTATUS(status), .out = text_of_file(out), .error = text_of_file(error)};
+}
 
 fs::path shipped(const std::string& name) { return fs::path(source_root()) / "behaviors" / name; }
 
@@ -90,4 +106,31 @@ TEST_CASE("a class without a folder, or at a wrong address, is refused in one li
     CHECK(run_nezumi({"class", scratch.path().string(), "--listen", "here"}).error ==
           "nezumi: --listen: expected the IPv4 address at which others reach this computer, as in 192.168.1.20, got "
           "'here'\n");
+}
+
+TEST_CASE("without random numbers of the kernel no class begins, because its secrets could be guessed",
+          "[cli][class]") {
+    if (!web::can_confine()) throw std::runtime_error("SKIPPED: this kernel has no Landlock");
+    const Scratch scratch;
+    const Outcome ended = run_without_random_numbers("class " + scratch.path("class").string());
+    CHECK(ended.status == 2);
+    CHECK(ended.error == "nezumi: can't get random numbers from the kernel for the secret in the class's address\n");
+}
+
+TEST_CASE("without random numbers of the kernel a run has no page, and is the same otherwise", "[cli][class]") {
+    const Scratch scratch;
+    const std::string file = scratch.write("s.lua", "robot 'mouse' { model = 'raspimouse', noise = 0.1 }\n").string();
+    const Outcome paged = run_without_random_numbers("run " + file + " --duration 0.1");
+    CHECK(paged.status == 0);
+    CHECK(
+        paged.error.find("no page for browsers: the kernel gives no random numbers for the secret in its address\n") !=
+        std::string::npos);
+    // A pupil's program has no secret of its own, and its numbers come from the seed.
+    const std::string run = "run " + file + " --headless --speed max --duration 1 --trace-hash";
+    const std::string confined = web::can_confine() ? "confined " + scratch.path("").string() + " -- " : "";
+    const Outcome without = run_without_random_numbers(confined + run);
+    CHECK(without.status == 0);
+    CHECK(without.out.starts_with("trace hash: "));
+    CHECK(without.out ==
+          run_nezumi({"run", file, "--headless", "--speed", "max", "--duration", "1", "--trace-hash"}).out);
 }

@@ -1,4 +1,5 @@
 // `nezumi run --device-log` on the fake mouse, and the replay of the log without it.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
@@ -7,6 +8,7 @@
 #include "hw/log/device_log.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/hw/fake_mouse_rig.hpp"
+#include "tests/unit/hw/rover_run.hpp"
 
 using namespace nezumi;
 using namespace nezumi::hw;
@@ -107,4 +109,20 @@ TEST_CASE("a file that is not a device log is refused before anything runs", "[h
     CHECK(wrong.error == "x.log:2: expected open-read, open-write, read, write, list or keys, got 'peek'\n");
     std::filesystem::remove(folder.path("x.log"));
     CHECK(play(folder).error == "x.log: there is no such file\n");
+}
+
+TEST_CASE("a device log has no messages of a serial line: its replay is refused, and nothing is opened",
+          "[hw][wire][log][run][wallclock]") {
+    RoverRun run;
+    run.start({"--duration", "1", "--device-log", run.folder.path("x.log").string()});
+    REQUIRE(run.program->wait() == 0);
+    REQUIRE(run.rover->last_line() == "v 0 0");
+    const auto before = run.rover->lines().size();
+    const Outcome outcome = play(run.folder);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.error.ends_with(
+        "component 'rover_line': can't replay this device: a device log has no messages of Serial, Udp, I2c, Spi and "
+        "Gpio\n"));
+    CHECK(std::count(outcome.error.begin(), outcome.error.end(), '\n') == 1);
+    CHECK(run.rover->lines().size() == before);
 }

@@ -97,6 +97,18 @@ TEST_CASE("a robot drives by GPIO lines and PWM, and measures an echo by the tim
     CHECK(run.content("duty_cycle") == "0");
 }
 
+TEST_CASE("inputs have the resistors and the debounce time that their robot gives", "[hw][wire][run][wallclock]") {
+    PinRun run;
+    const std::string pull = GENERATE("up", "down");
+    run.write_robot("pins = gpio { outputs = { 23, 5 }, inputs = { 24 }, pull = '" + pull +
+                    "', debounce = 0.005, pwm_channels = { 0 }, pwm_frequency = 50, safe = '23=0 5=0 pwm0=0' }");
+    REQUIRE(run.goes([&] { return run.board->level(5); }));
+    CHECK(run.content("period") == "20000000");
+    const auto all = run.board->transactions();
+    REQUIRE(all.size() > 1);
+    CHECK(all[1] == "gpiochip0 inputs 24 with both edges pulled " + pull + " debounced 5000 us by nezumi");
+}
+
 TEST_CASE("when the engine is killed, lines and channels get their safe levels", "[hw][wire][run][safety][wallclock]") {
     PinRun run;
     REQUIRE(run.goes_ahead());

@@ -1,9 +1,17 @@
 // Devices on an I2C bus: the transactions that the kernel is asked for, and a robot that is driven by them.
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <map>
+#include <stdexcept>
 #include <string>
 
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/hw/board_run.hpp"
 
 using namespace nezumi;
@@ -220,6 +228,35 @@ TEST_CASE("the doctor examines the devices of a system's robots, and sends nothi
     CHECK((outcome.out.find("wrong  rover_hat: ") == std::string::npos) == found.starts_with("ok"));
     CHECK(outcome.out.find("neither a Raspberry Pi Mouse") == std::string::npos);
     for (const std::string& each : run.board->transactions()) CHECK(each.find(" w ") == std::string::npos);
+}
+
+TEST_CASE("the doctor says what to do where a user may not use the devices of a robot", "[hw][wire][run]") {
+    if (geteuid() == 0 && access("/usr/bin/setpriv", X_OK) != 0)
+        throw std::runtime_error("SKIPPED: root may use everything, and setpriv is not installed");
+    BoardRun run;
+    run.write_driver("function on_execute() end");
+    run.write_robot(
+        "hat = i2c { bus = 2, address = 0x60, safe = '\\1' }, line = serial { path = '/dev/ttyACM0', safe = '\\n' }, "
+        "adc = spi { bus = 0, chip_select = 0, safe = '\\1' }, pins = gpio { outputs = { 23 }, safe = '23=0' }");
+    for (const char* node : {"i2c-2", "ttyACM0", "spidev0.0", "gpiochip0"}) {
+        run.folder.write(std::string("dev/") + node, "");
+        chmod(run.folder.path(std::string("dev/") + node).c_str(), 0);
+    }
+    std::filesystem::permissions(run.folder.path(""), std::filesystem::perms(0755));
+    const std::string out = run.folder.path("out").string();
+    const std::string command = std::string(geteuid() == 0 ? "setpriv --reuid=65534 --clear-groups " : "") +
+                                nezumi_program() + " doctor " + run.folder.path("system.lua").string() +
+                                " --dev-root " + run.folder.path("dev").string() + " --sys-root " +
+                                run.folder.path("sys").string() + " >" + out + " 2>&1";
+    CHECK(WEXITSTATUS(std::system(command.c_str())) == 1);
+    const std::string text = text_of_file(out);
+    INFO(text);
+    const std::map<std::string, std::string> groups{
+        {"i2c-2", "i2c"}, {"ttyACM0", "dialout"}, {"spidev0.0", "spi"}, {"gpiochip0", "gpio"}};
+    for (const auto& [node, group] : groups) {
+        CHECK(text.find(run.folder.path("dev/" + node).string() + ": permission denied: add this user to the group " +
+                        group + ": sudo adduser $USER " + group + ", then log in again\n") != std::string::npos);
+    }
 }
 
 TEST_CASE("a plain file in place of an I2C bus has the last message", "[hw][wire][run]") {

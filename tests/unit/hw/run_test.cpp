@@ -170,3 +170,31 @@ TEST_CASE("a long press of the mouse's button ends the run, and then shuts the c
     std::ifstream(asked) >> word;
     CHECK(word == "poweroff");
 }
+
+TEST_CASE("a real mouse with a sensor for neighbours sees and tells nothing, says so once, and drives",
+          "[hw][run][fakes][wallclock]") {
+    FakeMouse fake;
+    fake.folder.write("behaviors/ahead.lua", behavior_ahead);
+    fake.folder.write("system.lua", R"(
+robot "mouse" {
+  model = "raspimouse",
+  sensors = { near = { kind = "neighbours", radius = 1 } },
+  ports = { near = { type = "NeighbourSeq", from = "near" }, say = { type = "TimedDoubleSeq", to = "say" } },
+}
+behavior "driver" { script = "ahead" }
+connect("driver.out", "mouse.target_velocity_in")
+)");
+    const Outcome run = run_nezumi({"run", "system.lua", "--hw", "--headless", "--dev-root", fake.dev(), "--duration",
+                                    "2", "--record", "run.csv", "--ports", "mouse.near,driver.out.vx"},
+                                   fake.folder.path("").string());
+    INFO(run.error);
+    CHECK(run.status == 0);
+    CHECK(fake.truth().position.x > 0.05);
+    const std::string told =
+        "neighbours and what they say exist only in simulation: this robot sees and tells nothing\n";
+    const auto first = run.error.find(told);
+    CHECK(first != std::string::npos);
+    CHECK(run.error.find(told, first + 1) == std::string::npos);
+    const std::string rows = *read_whole(fake.folder.path("run.csv").string(), "run.csv");
+    CHECK(rows.starts_with("time,driver.out.vx\n"));
+}

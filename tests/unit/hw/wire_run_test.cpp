@@ -1,6 +1,9 @@
 // A rover whose driver is a behaviour, and all that can happen to it.
+#include <asm/termbits.h>
+#include <fcntl.h>
 #include <netinet/in.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -190,6 +193,42 @@ TEST_CASE("a plain file of the machine is never opened as a serial line", "[hw][
     CHECK(text == "precious");
 }
 
+TEST_CASE("without --hw no device of a robot or a system is opened", "[hw][wire][run]") {
+    RoverRun run;
+    run.copy("engine/robots/rover.lua", "behaviors/rover_base.lua");
+    run.folder.write("behaviors/rover.lua",
+                     "return robot_model { base = 'rover_base', hardware = { devices = { line = { path = '" +
+                         run.node() + "' } } } }");
+    run.folder.write("system.lua", rover_system + "component 'lidar' { type = 'Serial', config = { path = '" +
+                                       run.node() + "', measures_only = true } }\n");
+    run.rover->say("e 1 2");
+    const Outcome outcome = run_nezumi({"run", "system.lua", "--headless", "--speed", "max", "--duration", "1",
+                                        "--record", "run.csv", "--ports", "lidar.out,rover.current_velocity_out"},
+                                       run.folder.path("").string());
+    INFO(outcome.error);
+    CHECK(outcome.status == 0);
+    CHECK(run.rover->lines().empty());
+    std::ifstream file(run.folder.path("run.csv"));
+    std::string columns;
+    std::getline(file, columns);
+    CHECK(columns.find("lidar.out") == std::string::npos);
+}
+
+TEST_CASE("a serial line has the speed that its robot gives, also one that has no name", "[hw][wire][run][wallclock]") {
+    const std::string baud = GENERATE("230400", "250000");
+    RoverRun run;
+    run.copy("engine/robots/rover.lua", "behaviors/rover_base.lua");
+    run.folder.write(
+        "behaviors/rover.lua",
+        "return robot_model { base = 'rover_base', hardware = { devices = { line = { baud = " + baud + " } } } }");
+    run.get_going();
+    const int line = open(run.node().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    termios2 settings{};
+    CHECK(ioctl(line, TCGETS2, &settings) == 0);
+    close(line);
+    CHECK(settings.c_ospeed == static_cast<unsigned>(std::stoi(baud)));
+}
+
 TEST_CASE("a rover in the network gets its lines by UDP, and the safe bytes when the engine is killed",
           "[hw][wire][run][safety][wallclock]") {
     RoverRun run;
@@ -214,6 +253,7 @@ function on_execute()
   if line_in.is_new then log.info("heard " .. line_in:read()) end
 end
 )");
+    sockaddr_in heard_from{};
     const auto receive = [&](double seconds) {
         pollfd file{.fd = socket, .events = POLLIN, .revents = 0};
         char buffer[64];
@@ -222,11 +262,19 @@ end
         if (poll(&file, 1, static_cast<int>(seconds * 1e3)) != 1) return std::string("nothing");
         const ssize_t got = recvfrom(socket, buffer, sizeof buffer, 0, reinterpret_cast<sockaddr*>(&from), &length);
         sendto(socket, "e 1 2\n", 6, 0, reinterpret_cast<sockaddr*>(&from), length);
+        heard_from = from;
         return std::string(buffer, static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
     };
     run.start();
     CHECK(holds_within(20, [&] { return receive(1) == "v 0.200 0.000\n"; }));
     CHECK(run.program->wait_for_error("heard e 1 2", 5));
+    // What another sender says to the same port is not the device's.
+    REQUIRE(heard_from.sin_port != 0);
+    const int other = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+    for (int i = 0; i < 3; ++i)
+        sendto(other, "e 6 6\n", 6, 0, reinterpret_cast<sockaddr*>(&heard_from), sizeof heard_from);
+    close(other);
+    CHECK_FALSE(run.program->wait_for_error("heard e 6 6", 0.5));
     run.program->send(SIGKILL);
     std::string last;
     for (std::string next = receive(1); next != "nothing"; next = receive(0.3)) last = next;

@@ -93,6 +93,11 @@ TEST_CASE("pause, emergency stop and reload of a driver stop its rover, and it d
     INFO(reloaded);
     CHECK(reloaded.find("moves") == std::string::npos);
     CHECK(run.program->wait_for_error("the second version", 5));
+    // A version that can't be loaded changes nothing.
+    run.folder.write("behaviors/rover_driver.lua", driver + "\nthis is no Lua\n");
+    const auto broken = run_nezumi({"attach", "--eval", "reload()"}, run.folder.path("").string());
+    INFO(broken.out << broken.error);
+    CHECK((broken.out + broken.error).find("rover_driver.lua:") != std::string::npos);
     say("rearm()");
     CHECK(drives());
     run.folder.write("behaviors/rover_driver.lua", driver + "\nlog.info('the third version')\n");
