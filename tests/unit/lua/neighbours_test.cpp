@@ -174,3 +174,115 @@ TEST_CASE("of a message with more than ten numbers the first ten are sent, and t
     CHECK(seen.front().message == std::vector<double>(10, 7.0));
     CHECK(it.said("input 'say': it says 12 numbers: the first 10 are sent (reported once)"));
 }
+
+namespace {
+
+// `speaker` drives b's message, `listener` hears what a sees.
+struct Speakers : LiveRig {
+    static std::string system(const std::string& say) {
+        return R"(
+local near = { kind = "neighbours", radius = 1 }
+local ports = {
+  near = { type = "NeighbourSeq", from = "near" },
+  say = { type = "TimedDoubleSeq", to = "say")" +
+               say + R"( },
+}
+robot "a" { model = "raspimouse", pose = { x = 0, y = 0 }, sensors = { near = near }, ports = ports }
+robot "b" { model = "raspimouse", pose = { x = 0.3, y = 0 }, sensors = { near = near }, ports = ports }
+behavior "listener" { script = "listener" }
+behavior "speaker" { script = "speaker" }
+connect("a.near", "listener.near")
+connect("speaker.say", "b.say")
+)";
+    }
+    static inline const std::string says = "local say = output('say', 'TimedDoubleSeq') ";
+    static std::string listens(const std::string& options, const std::string& on_execute) {
+        return "local near = input('near', 'NeighbourSeq'" + options +
+               ") local heard = output('heard', 'TimedDoubleSeq') " + on_execute;
+    }
+    explicit Speakers(const std::string& say = "",
+                      const std::string& listener = listens("", "function on_execute() end"))
+        : LiveRig(system(say),
+                  {{"speaker", says + "function on_execute() say:write { 1, now() } end"}, {"listener", listener}}) {}
+
+    Reload saved(const std::string& script, const std::string& text) const {
+        return {.files = {folder.write("behaviors/" + script + ".lua", text).string()}};
+    }
+    void reload(const std::string& script, const std::string& text) {
+        const auto done = live->act(saved(script, text), {});
+        INFO((done ? "" : describe(done.error())));
+        REQUIRE(done);
+    }
+    std::vector<double> heard() const {
+        const OutPortBase* port = live->system().find("a")->find_out_port("near");
+        const auto seen = static_cast<const OutPort<std::vector<Neighbour>>*>(port)->read();
+        REQUIRE(seen.size() == 1);
+        return seen.front().message;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a message of an old version holds until the new version says something else", "[lua][neighbours][reload]") {
+    Speakers it;
+    it.tick(10);
+    const std::vector<double> last = it.heard();
+    REQUIRE(last.size() == 2);
+    it.reload("speaker", Speakers::says + "function on_execute() if now() > 0.5 then say:write { 2 } end end");
+    it.tick(3);
+    const std::vector<double> held = it.heard();
+    CHECK(held.at(1) == Approx(last.at(1) + 0.01));  // of its last execution
+    it.tick(30);
+    CHECK(it.heard() == held);
+    it.tick(20);
+    CHECK(it.heard() == std::vector<double>{2});
+}
+
+TEST_CASE("a robot whose port says so is silent half a second after a new version says nothing",
+          "[lua][neighbours][reload]") {
+    Speakers it(", silence = 'off'");
+    it.tick(10);
+    it.reload("speaker", Speakers::says + "function on_execute() end");
+    it.tick(40);
+    CHECK(it.heard().size() == 2);
+    it.tick(20);
+    CHECK(it.heard().empty());
+    it.reload("speaker", Speakers::says + "function on_execute() say:write { 3 } end");
+    it.tick(3);
+    CHECK(it.heard() == std::vector<double>{3});
+}
+
+TEST_CASE("a version that fails at once changes nothing that its robot says, and ERROR leaves the last message",
+          "[lua][neighbours][reload]") {
+    Speakers it;
+    it.tick(10);
+    CHECK_FALSE(it.live->act(it.saved("speaker", "function"), {}));
+    it.tick(10);
+    CHECK(it.heard().at(1) == Approx(0.18));
+    it.reload("speaker", Speakers::says + "function on_execute() error('no luck') end");
+    it.tick(10);
+    CHECK(it.said("no luck"));
+    CHECK(it.heard().at(1) == Approx(0.28));
+    it.reload("speaker",
+              Speakers::says + "function on_execute() if now() > 0.5 then error('too late') end say:write { 7 } end");
+    it.tick(40);
+    CHECK(it.component("speaker").state() == LifeState::error);
+    CHECK(it.heard() == std::vector<double>{7});
+}
+
+TEST_CASE("what was seen and not read yet is read by the next version, the oldest first", "[lua][neighbours][reload]") {
+    const auto listener = [](const std::string& body) {
+        return Speakers::listens(", { queue = 4 }", "function on_execute() " + body + " end");
+    };
+    Speakers it("", listener(""));
+    it.tick(20);
+    it.reload("listener", listener("local all = {} while near.is_new do all[#all + 1] = near:read()[1].message[2] end "
+                                   "heard:write(all)"));
+    it.tick();
+    const OutPortBase* port = it.live->system().find("listener")->find_out_port("heard");
+    const std::vector<double> times = static_cast<const OutPort<std::vector<double>>*>(port)->read();
+    // Four were kept, of which the arrival of this tick pushed out the oldest.
+    REQUIRE(times.size() == 4);
+    for (std::size_t i = 1; i < times.size(); ++i) CHECK(times[i] - times[i - 1] == Approx(0.01));
+    CHECK(times.back() == Approx(0.19));
+}
