@@ -13,6 +13,7 @@ namespace rover_firmware {
 namespace {
 
 // What the sketch uses of Arduino's library.
+// NOLINTBEGIN: its names, and global variables as a sketch has them
 using byte = unsigned char;
 constexpr int A0 = 14, HIGH = 1, LOW = 0, OUTPUT = 1, INPUT_PULLUP = 2, CHANGE = 1;
 constexpr double steps_per_volt = 1023 / 5.0 / 2;
@@ -61,6 +62,7 @@ struct {
 #pragma GCC diagnostic ignored "-Wfloat-conversion"
 #include "hw/rover/rover.ino"
 #pragma GCC diagnostic pop
+// NOLINTEND
 
 // At 0.2 m/s and wheels that stand: a third of full power, and 200 for each m/s that is still missing, rounded down.
 constexpr int ahead = 124;
