@@ -254,8 +254,13 @@ TEST_CASE("the doctor says what to do where a user may not use the devices of a 
     const std::map<std::string, std::string> groups{
         {"i2c-2", "i2c"}, {"ttyACM0", "dialout"}, {"spidev0.0", "spi"}, {"gpiochip0", "gpio"}};
     for (const auto& [node, group] : groups) {
-        CHECK(text.find(run.folder.path("dev/" + node).string() + ": permission denied: add this user to the group " +
-                        group + ": sudo adduser $USER " + group + ", then log in again\n") != std::string::npos);
+        std::string expected = run.folder.path("dev/" + node).string();
+        expected += ": permission denied: add this user to the group ";
+        expected += group;
+        expected += ": sudo adduser $USER ";
+        expected += group;
+        expected += ", then log in again\n";
+        CHECK(text.find(expected) != std::string::npos);
     }
 }
 
