@@ -12,8 +12,6 @@
 namespace nezumi::web {
 namespace {
 
-constexpr int forbidden = 403;
-
 // Returns the token of "nezumi, token.TOKEN", in any order; "" for any other text.
 std::string_view token_in(std::string_view protocols) {
     constexpr std::string_view prefix = "token.";

@@ -14,7 +14,7 @@ namespace nezumi {
 namespace {
 
 using Integers = std::vector<std::int64_t>;
-using Numbers = std::vector<double>;
+using Doubles = std::vector<double>;
 
 // A whole number that a double holds exactly, as an integer; nothing otherwise.
 std::optional<std::int64_t> to_integer(double value) {
@@ -33,9 +33,9 @@ std::optional<Value> convert(const Value& like, const Value& value) {
     if (const auto* number = value.get_if<double>(); number != nullptr && like.is<std::int64_t>()) {
         if (const auto whole = to_integer(*number)) return *whole;
     }
-    if (const auto* whole = value.get_if<Integers>(); whole != nullptr && like.is<Numbers>())
-        return Numbers(whole->begin(), whole->end());
-    if (const auto* numbers = value.get_if<Numbers>(); numbers != nullptr && like.is<Integers>()) {
+    if (const auto* whole = value.get_if<Integers>(); whole != nullptr && like.is<Doubles>())
+        return Doubles(whole->begin(), whole->end());
+    if (const auto* numbers = value.get_if<Doubles>(); numbers != nullptr && like.is<Integers>()) {
         Integers all;
         for (const double number : *numbers) {
             const auto whole = to_integer(number);

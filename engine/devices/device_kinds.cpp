@@ -10,7 +10,7 @@
 namespace nezumi {
 namespace {
 
-using Numbers = std::vector<std::int64_t>;
+using Integers = std::vector<std::int64_t>;
 
 ParameterSpec text(std::string name, std::string doc) {
     ParameterSpec spec;
@@ -94,8 +94,8 @@ ParameterSpec pwm_frequency() {
 std::string check_i2c(const Parameters& parameters) {
     if (value_of<std::int64_t>(parameters, "address") == 0)
         return "address: expected the device's address on the bus, such as 0x40";
-    const Numbers& registers = value_of<Numbers>(parameters, "registers");
-    const std::size_t lengths = value_of<Numbers>(parameters, "lengths").size();
+    const Integers& registers = value_of<Integers>(parameters, "registers");
+    const std::size_t lengths = value_of<Integers>(parameters, "lengths").size();
     if (registers.size() != lengths)
         return fmt::format("lengths: expected the bytes of each of the {} registers, got {} numbers", registers.size(),
                            lengths);
@@ -119,7 +119,7 @@ ParameterSpec choice(std::string name, std::vector<Value> choices, std::string d
 }
 
 GpioOutputs gpio_outputs(const Parameters& parameters) {
-    return {value_of<Numbers>(parameters, "outputs"), value_of<Numbers>(parameters, "pwm_channels")};
+    return {value_of<Integers>(parameters, "outputs"), value_of<Integers>(parameters, "pwm_channels")};
 }
 
 // Each output and each channel needs its safe level.
@@ -145,10 +145,10 @@ std::string check_safe_levels(const Parameters& parameters) {
 }
 
 std::string check_gpio(const Parameters& parameters) {
-    Numbers lines = value_of<Numbers>(parameters, "outputs");
-    const auto& inputs = value_of<Numbers>(parameters, "inputs");
+    Integers lines = value_of<Integers>(parameters, "outputs");
+    const auto& inputs = value_of<Integers>(parameters, "inputs");
     lines.insert(lines.end(), inputs.begin(), inputs.end());
-    if (lines.empty() && value_of<Numbers>(parameters, "pwm_channels").empty())
+    if (lines.empty() && value_of<Integers>(parameters, "pwm_channels").empty())
         return "expected inputs, outputs or pwm_channels";
     std::sort(lines.begin(), lines.end());
     if (const auto twice = std::adjacent_find(lines.begin(), lines.end()); twice != lines.end())

@@ -23,7 +23,7 @@ constexpr double waiting = 0.05;    // [s] for a frame per call
 constexpr double oldest_frame = 1;  // [s] an older frame must have its time from another clock
 constexpr double early = 0.2;       // part of a period by which a frame may come early
 
-std::string with_advice(const NodeError& error) {
+std::string with_camera_advice(const NodeError& error) {
     if (error.code == EBUSY)
         return describe(error) + ": another program uses it: fuser -v " + error.path + " says which";
     return with_usb_advice(error, "video");
@@ -107,7 +107,7 @@ tl::expected<void, std::string> VideoCamera::find() {
             return {};
         }
         if (code > 0) {
-            why = with_advice({node, code});
+            why = with_camera_advice({node, code});
         } else if (!wanted_.empty()) {
             why = node + " is not a camera: it can't take pictures";
         }
@@ -153,7 +153,7 @@ double VideoCamera::run() {
         case Capture::Wait::frame: take_frame(); return 0;
         case Capture::Wait::failed: {
             const int code = why_not(node_, settings_);
-            close(with_advice({node_, code > 0 && code != EBUSY ? code : EIO}));
+            close(with_camera_advice({node_, code > 0 && code != EBUSY ? code : EIO}));
             return search_period;
         }
         case Capture::Wait::nothing: break;

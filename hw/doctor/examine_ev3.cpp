@@ -15,11 +15,6 @@ namespace {
 
 using enum Finding::State;
 
-std::string port_of(const std::string& address) {
-    const std::size_t colon = address.rfind(':');
-    return colon == address.npos ? address : address.substr(colon + 1);
-}
-
 double volts(const std::string& path) {
     const std::string text = first_line(path);
     double microvolts = 0;

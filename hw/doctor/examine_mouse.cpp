@@ -112,7 +112,7 @@ private:
                         "sudo modprobe -r rtmouse, then sudo modprobe rtmouse");
                     break;
                 default: {
-                    const std::string text = with_advice({path, code});
+                    const std::string text = with_mouse_advice({path, code});
                     const std::size_t colon = text.rfind(": ");
                     say("nodes", wrong, text.substr(0, colon), text.substr(colon + 2));
                 }

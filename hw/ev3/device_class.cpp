@@ -23,13 +23,12 @@ std::string read_line(const DevicePath& path) {
     return text ? std::string(without_newline(*text)) : "";
 }
 
-// "outB" of "ev3-ports:outB"; older systems have only "outB".
+}  // namespace
+
 std::string_view port_of(std::string_view address) {
     const std::size_t colon = address.rfind(':');
     return colon == std::string_view::npos ? address : address.substr(colon + 1);
 }
-
-}  // namespace
 
 tl::expected<DevicePath, std::string> DeviceClass::find(std::string_view driver, std::string_view port) const {
     const auto devices = folder_.files().list(folder_.text());

@@ -24,6 +24,9 @@ private:
     DevicePath folder_;
 };
 
+/// "outB" of "ev3-ports:outB"; older systems have only "outB".
+std::string_view port_of(std::string_view address);
+
 /// The reason why a node of the brick does not work, with what to do.
 std::string with_ev3_advice(const NodeError& error);
 

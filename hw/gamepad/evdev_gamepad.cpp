@@ -29,7 +29,7 @@ bool is_gamepad(libevdev* device) {
     return has(EV_ABS, ABS_X) && has(EV_ABS, ABS_Y) && (has(EV_KEY, BTN_GAMEPAD) || has(EV_KEY, BTN_JOYSTICK));
 }
 
-std::string with_advice(const NodeError& error) {
+std::string with_gamepad_advice(const NodeError& error) {
     if (error.code == EISDIR) return describe(error) + " and no device: is --dev-root right?";
     return with_usb_advice(error, "input");
 }
@@ -73,11 +73,11 @@ int EvdevGamepad::watched_file() const { return device_ ? libevdev_get_fd(device
 
 tl::expected<EvdevGamepad::Device, std::string> EvdevGamepad::open(const std::string& node) const {
     const int file = ::open(node.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    if (file < 0) return tl::unexpected(with_advice({node, errno}));
+    if (file < 0) return tl::unexpected(with_gamepad_advice({node, errno}));
     libevdev* device = nullptr;
     if (const int error = libevdev_new_from_fd(file, &device); error < 0) {
         ::close(file);
-        return tl::unexpected(with_advice({node, -error}));
+        return tl::unexpected(with_gamepad_advice({node, -error}));
     }
     return Device(device);
 }
@@ -164,7 +164,7 @@ tl::expected<void, std::string> EvdevGamepad::read_events() {
             flag = LIBEVDEV_READ_FLAG_NORMAL;  // synchronised again
             continue;
         }
-        if (status < 0) return tl::unexpected(with_advice({node_, -status}));
+        if (status < 0) return tl::unexpected(with_gamepad_advice({node_, -status}));
         // Events were lost: libevdev sends the changes as events.
         if (status == LIBEVDEV_READ_STATUS_SYNC) flag = LIBEVDEV_READ_FLAG_SYNC;
         if (stop_ && event.type == EV_KEY && event.code == *stop_ && event.value == 1) ++stops_;

@@ -9,7 +9,7 @@
 
 namespace nezumi::hw {
 
-std::string with_advice(const NodeError& error) {
+std::string with_mouse_advice(const NodeError& error) {
     switch (error.code) {
         case ENOENT:
         case ENODEV:

@@ -9,7 +9,7 @@
 namespace nezumi::hw {
 
 /// "/dev/rtled0: no such file or directory: is the driver loaded? Try: sudo modprobe rtmouse".
-std::string with_advice(const NodeError& error);
+std::string with_mouse_advice(const NodeError& error);
 
 /// The line of config.txt without which the light sensors give only zeros, since Linux 5.16.
 inline constexpr std::string_view light_sensor_overlay =

@@ -34,7 +34,8 @@ Expected<std::unique_ptr<Motors>> Motors::make(const DevicePath& folder, Wheels 
                      right = folder + "/rtmotor_raw_r0";
     // Checks all nodes before it writes: if one is missing, nothing is changed.
     for (const DevicePath& path : {power, left, right}) {
-        if (auto ok = Node(path, Node::Access::write).open(); !ok) return failure("motors: " + with_advice(ok.error()));
+        if (auto ok = Node(path, Node::Access::write).open(); !ok)
+            return failure("motors: " + with_mouse_advice(ok.error()));
     }
     auto guard = Guard::start("raspimouse", power);
     if (!guard) return Unexpected(guard.error());
@@ -42,7 +43,7 @@ Expected<std::unique_ptr<Motors>> Motors::make(const DevicePath& folder, Wheels 
         new Motors(folder, std::move(*guard), metres_per_pulse, acceleration, standing_power));
     auto ok = motors->be_guarded();
     if (ok) ok = motors->stop_all();
-    if (!ok) return failure("motors: " + with_advice(ok.error()));
+    if (!ok) return failure("motors: " + with_mouse_advice(ok.error()));
     return motors;
 }
 
@@ -136,7 +137,7 @@ bool Motors::write(const MotorWrite& write) {
             if (ok) {
                 buzzer_health_.works();
             } else {
-                buzzer_health_.lost(with_advice(ok.error()));
+                buzzer_health_.lost(with_mouse_advice(ok.error()));
             }
             break;
         }
@@ -147,7 +148,7 @@ bool Motors::write(const MotorWrite& write) {
             Node& node = is_power ? power_ : write.node == MotorWrite::Node::left ? left_ : right_;
             const auto ok = node.write(is_power ? encode_switch(write.value != 0) : encode_number(write.value));
             if (ok) break;
-            health_.lost(with_advice(ok.error()));
+            health_.lost(with_mouse_advice(ok.error()));
             return false;
         }
     }
@@ -170,7 +171,7 @@ bool Motors::perform(const MotorState& goal) {
 double Motors::run() {
     const double now = clock_seconds();
     has_to_stop(now, state_.power);
-    if (guard_.trouble() && !health_.is_lost()) reopen(with_advice(*guard_.trouble()));
+    if (guard_.trouble() && !health_.is_lost()) reopen(with_mouse_advice(*guard_.trouble()));
     if (const int losses = commanded_->driver_losses; std::exchange(driver_losses_, losses) != losses)
         reopen(
             "the driver's nodes have gone: the driver was reloaded or unloaded. The robot stands until they are back");

@@ -28,7 +28,7 @@ LightSensors::LightSensors(const DevicePath& folder)
 
 tl::expected<std::optional<LightValues>, std::string> LightSensors::sample(double /*now*/) {
     const auto text = node_.read();
-    if (!text) return tl::unexpected(with_advice(text.error()));
+    if (!text) return tl::unexpected(with_mouse_advice(text.error()));
     const auto values = decode_lights(*text);
     if (!values) return tl::unexpected(not_understood(node_, *text, "four numbers"));
     zeros_ = *values == LightValues{} ? zeros_ + 1 : 0;
@@ -48,7 +48,7 @@ tl::expected<std::optional<SwitchValues>, std::string> Switches::sample(double /
     SwitchValues values{};
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
         const auto text = nodes_[i].read();
-        if (!text) return tl::unexpected(with_advice(text.error()));
+        if (!text) return tl::unexpected(with_mouse_advice(text.error()));
         const auto pressed = decode_switch(*text);
         if (!pressed) return tl::unexpected(not_understood(nodes_[i], *text, "0 or 1"));
         values[i] = *pressed;
@@ -75,7 +75,7 @@ tl::expected<PulseCounter::Verdict, std::string> WheelCounters::read(Wheel& whee
         if (text.error().code == ENOENT && !was_there_)
             return tl::unexpected(
                 fmt::format("{}: the driver has not found them on I2C. {}", describe(text.error()), counters_on_i2c));
-        return tl::unexpected(with_advice(text.error()));
+        return tl::unexpected(with_mouse_advice(text.error()));
     }
     const auto reading = decode_counter(*text);
     if (!reading) return tl::unexpected(not_understood(wheel.node, *text, "a number from 0 to 65535"));

@@ -22,7 +22,7 @@ tl::expected<std::optional<bool>, std::string> Supply::sample(double /*now*/) {
     const auto text = alarm_->read();
     is_low_ = text && text->starts_with('1');
     if (!text) {
-        const std::string why = with_advice(text.error());
+        const std::string why = with_mouse_advice(text.error());
         alarm_.reset();
         return tl::unexpected(why);
     }

@@ -118,7 +118,7 @@ public:
         return safe.empty() ? "" : encode(safe).value_or("");  // it has been checked
     }
     bool has_times() const override { return true; }
-    std::string why_lost(int error) const override { return with_advice(path_, error, gpio_chip); }
+    std::string why_lost(int error) const override { return with_wire_advice(path_, error, gpio_chip); }
 
 private:
     OrWhy<WireNode> open_chip() const {
@@ -169,7 +169,7 @@ private:
         if (error == EINVAL)
             return fmt::format("{}: {} {}: the chip has no such line, or can't do this", path_, which,
                                fmt::join(which == "inputs" ? inputs() : outputs(), ", "));
-        return with_advice(path_, error, gpio_chip);
+        return with_wire_advice(path_, error, gpio_chip);
     }
 
     // Its file of the duty.

@@ -76,7 +76,7 @@ public:
         if (const int error = i2c_claim(node->file.get(), address_); error != 0)
             return tl::unexpected(error == EBUSY
                                       ? fmt::format("{} at {:#x}: a driver of the kernel uses it", path_, address_)
-                                      : with_advice(path_, error, i2c_bus));
+                                      : with_wire_advice(path_, error, i2c_bus));
         const int silent = retry_transfer([&] { return i2c_probe(node->file.get(), address_); });
         if (silent != 0) return tl::unexpected(why_lost(silent));
         return std::make_unique<I2cWire>(std::move(node->file), address_, registers_);
@@ -89,7 +89,7 @@ public:
     }
     std::string why_lost(int error) const override {
         if (error != ENXIO && error != EREMOTEIO && error != EIO && error != ETIMEDOUT)
-            return with_advice(path_, error, i2c_bus);
+            return with_wire_advice(path_, error, i2c_bus);
         return fmt::format("{}: no answer from address {:#x}: look at its wires, its power and its address (i2cdetect)",
                            path_, address_);
     }

@@ -110,7 +110,7 @@ public:
         if (isatty(node->file.get()) == 0) return tl::unexpected(not_of_kind(*path, serial_line));
         const auto speed = static_cast<unsigned>(value_of<std::int64_t>(parameters_, "baud"));
         if (const int error = set_up(node->file.get(), speed); error != 0)
-            return tl::unexpected(with_advice(*path, error, serial_line));
+            return tl::unexpected(with_wire_advice(*path, error, serial_line));
         return std::make_unique<StreamWire>(std::move(node->file), framing_);
     }
     Expected<Lease> lease() const override {

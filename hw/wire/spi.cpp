@@ -76,7 +76,7 @@ public:
         std::error_code none;
         return std::filesystem::exists(path_, none) ? Lease::take("wire " + path_, path_) : Lease::of_nothing();
     }
-    std::string why_lost(int error) const override { return with_advice(path_, error, spi_device); }
+    std::string why_lost(int error) const override { return with_wire_advice(path_, error, spi_device); }
 
 private:
     const Parameters parameters_;

@@ -47,7 +47,7 @@ std::string WireDriver::why_lost(int error) const {
     return error == 0 ? "it was unplugged" : describe(NodeError{"it", error});
 }
 
-std::string with_advice(const std::string& path, int error, const NodeKind& kind) {
+std::string with_wire_advice(const std::string& path, int error, const NodeKind& kind) {
     std::string text = describe(NodeError{path, error});
     if (error == EACCES)
         text += fmt::format(": add this user to the group {0}: sudo adduser $USER {0}, then log in again", kind.group);
@@ -64,7 +64,7 @@ OrWhy<WireNode> open_node(const std::string& path, const DeviceRoots& roots, con
     if (stat(path.c_str(), &status) != 0) {
         const int error = errno;
         const std::string module = error == ENOENT ? missing_module(path, roots, kind) : "";
-        if (module.empty()) return tl::unexpected(with_advice(path, error, kind));
+        if (module.empty()) return tl::unexpected(with_wire_advice(path, error, kind));
         return tl::unexpected(fmt::format("{0}: the module {1} is not loaded: sudo modprobe {1}", path, module));
     }
     const bool may_be_plain = roots.dev != "/dev" && path.starts_with(roots.dev + "/");
@@ -73,7 +73,7 @@ OrWhy<WireNode> open_node(const std::string& path, const DeviceRoots& roots, con
         S_ISCHR(status.st_mode) && (kind.subsystem.empty() || subsystem_of(status.st_rdev, roots) == kind.subsystem);
     if (!is_plain && !is_of_kind) return tl::unexpected(not_of_kind(path, kind));
     Descriptor file(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
-    if (file.get() < 0) return tl::unexpected(with_advice(path, errno, kind));
+    if (file.get() < 0) return tl::unexpected(with_wire_advice(path, errno, kind));
     return WireNode{std::move(file), is_plain};
 }
 

@@ -30,7 +30,7 @@ struct WireNode {
 OrWhy<WireNode> open_node(const std::string& path, const DeviceRoots& roots, const NodeKind& kind);
 
 /// An error of a node, with what to do.
-std::string with_advice(const std::string& path, int error, const NodeKind& kind);
+std::string with_wire_advice(const std::string& path, int error, const NodeKind& kind);
 /// "/dev/null: it is no serial line: expected a device such as /dev/ttyACM0".
 std::string not_of_kind(const std::string& path, const NodeKind& kind);
 

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::milliseconds period{30};
+constexpr std::chrono::milliseconds look_period{30};
 constexpr int periods_of_folders = 10;  // folders are read less often than times of files
 
 // A scenario file may require the other Lua files of its folder.
@@ -168,7 +168,7 @@ int watch_tests(const std::vector<fs::path>& paths, const std::function<Expected
         const StopSignals signals;
         for (int periods = 1; saved = watch.saved(), saved.empty(); ++periods) {
             if (signals.received() != 0) return status;
-            std::this_thread::sleep_for(period);
+            std::this_thread::sleep_for(look_period);
             if (periods % periods_of_folders != 0) continue;
             if (saved = watch.added(paths); !saved.empty()) break;
         }

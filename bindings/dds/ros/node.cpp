@@ -15,7 +15,7 @@ namespace nezumi::dds {
 namespace {
 
 // Messages that may wait for sending within a tick.
-constexpr std::size_t most_waiting = 32;
+constexpr std::size_t most_queued = 32;
 
 std::string port_name(std::string_view topic) {
     std::string name(topic.substr(1));
@@ -70,7 +70,7 @@ Expected<void> RosNode::make_port(System& system, const RosTopic& topic, bool pu
     const std::string doc = fmt::format("{}, {}", topic.topic, mapping->type);
     if (publishes) {
         const bool newest = type == message_of<Velocity2D>() || type == message_of<CameraImage>();
-        in_ports_.push_back(make_in_port(type, name, doc, newest ? 0 : most_waiting));
+        in_ports_.push_back(make_in_port(type, name, doc, newest ? 0 : most_queued));
     } else {
         out_ports_.push_back(make_out_port(type, name, doc));
     }

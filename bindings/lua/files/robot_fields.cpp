@@ -36,13 +36,13 @@ void for_each_named(Fields& fields, std::string_view group, Read&& read) {
     named.done([](std::string_view) -> std::string { return ": expected NAME = { ... }"; });
 }
 
-double on_the_floor(const BodySpec& body) { return hull_clearance + body.size.z / 2; }
+double height_on_floor(const BodySpec& body) { return hull_clearance + body.size.z / 2; }
 
 // The default hull: a box about as long and as wide as the track.
 BodySpec body_over(double track) {
     BodySpec spec;
     spec.size = {1.1 * track, 0.9 * track, 0.65 * track};
-    spec.at = {0, 0, on_the_floor(spec)};
+    spec.at = {0, 0, height_on_floor(spec)};
     return spec;
 }
 
@@ -66,7 +66,7 @@ BodySpec read_body(Fields body) {
     }
     if (is_cylinder && spec.size.x != spec.size.y)
         body.check().wrong(body.path_of("size"), "expected { diameter, diameter, height } of a cylinder");
-    if (std::isnan(spec.at.z)) spec.at.z = on_the_floor(spec);
+    if (std::isnan(spec.at.z)) spec.at.z = height_on_floor(spec);
     const double top = spec.at.z + spec.size.z / 2;
     if (body.check().ok() && top <= 0)
         body.check().wrong(body.path_of("at"), fmt::format("puts the hull below the floor: its top is at {:g} m", top));

@@ -13,24 +13,24 @@
 namespace nezumi {
 namespace {
 
-using Kind = TreeNode::Kind;
+using NodeKind = TreeNode::Kind;
 
 // The kind of object for a node; nothing for a value or a method.
 std::optional<ObjectKind> object_kind(const TreeNode& node) {
     switch (node.kind()) {
-        case Kind::component: return ObjectKind::component;
-        case Kind::ports: return ObjectKind::ports;
-        case Kind::port: return ObjectKind::port;
-        case Kind::config: return ObjectKind::config;
-        case Kind::truth: return ObjectKind::truth;
+        case NodeKind::component: return ObjectKind::component;
+        case NodeKind::ports: return ObjectKind::ports;
+        case NodeKind::port: return ObjectKind::port;
+        case NodeKind::config: return ObjectKind::config;
+        case NodeKind::truth: return ObjectKind::truth;
         default: return std::nullopt;
     }
 }
 
 Expected<Answer> answer_of(const ObjectRef& ref, const TreeNode& node) {
     const Objects& objects = *ref.objects;
-    if (node.kind() == Kind::command) return Answer{MethodName{call_component_command, node.command()->name}};
-    if (node.kind() == Kind::method)
+    if (node.kind() == NodeKind::command) return Answer{MethodName{call_component_command, node.command()->name}};
+    if (node.kind() == NodeKind::method)
         return Answer{MethodName{node.port() != nullptr ? call_port_method : call_component_method,
                                  std::string(node.member()->name)}};
     const auto kind = object_kind(node);

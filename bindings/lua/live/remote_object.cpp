@@ -23,7 +23,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 using What = Question::What;
-using Kind = TreeNode::Kind;
+using NodeKind = TreeNode::Kind;
 
 // A request about an object, or about its member `name`.
 Question question_of(const ObjectRef& ref, What what, std::string_view name = "") {
@@ -119,12 +119,12 @@ int remote_index(lua_State* L) {
         auto look = look_at(objects, ref, name);
         if (!look) return Unexpected(look.error());
         switch (look->kind) {
-            case Kind::ports:
-            case Kind::port:
-            case Kind::config:
-            case Kind::truth: return object(ref, join_path(std::string(ref.port()), name));
-            case Kind::method:
-            case Kind::command: return Answer{MethodName{call_method, std::string(name)}};
+            case NodeKind::ports:
+            case NodeKind::port:
+            case NodeKind::config:
+            case NodeKind::truth: return object(ref, join_path(std::string(ref.port()), name));
+            case NodeKind::method:
+            case NodeKind::command: return Answer{MethodName{call_method, std::string(name)}};
             default: return Answer{std::move(look->value)};
         }
     });

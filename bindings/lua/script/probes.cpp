@@ -17,8 +17,6 @@ namespace {
 
 constexpr std::string_view expected = "expected a number, a boolean, a text or a flat table of them";
 
-bool is_scalar(int type) { return type == LUA_TNUMBER || type == LUA_TBOOLEAN || type == LUA_TSTRING; }
-
 // Whether the table at `index` is flat and small. Raises no error, and leaves the stack unchanged.
 Expected<void> check_flat(lua_State* L, int index) {
     const int top = lua_gettop(L);

@@ -14,6 +14,9 @@ namespace nezumi {
 
 inline constexpr PlainLimit no_limit{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
 
+/// True for the `lua_type` of a boolean, number or text.
+inline bool is_scalar(int type) { return type == LUA_TBOOLEAN || type == LUA_TNUMBER || type == LUA_TSTRING; }
+
 /// A value that could not be copied: its path, such as "state.a.b", and its kind, such as "a function".
 struct Dropped {
     std::string path;

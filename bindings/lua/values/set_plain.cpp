@@ -3,11 +3,10 @@
 
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "bindings/lua/values/plain_data.hpp"
 
 namespace nezumi {
 namespace {
-
-bool is_scalar(int type) { return type == LUA_TBOOLEAN || type == LUA_TNUMBER || type == LUA_TSTRING; }
 
 // Stack indices of Lua tables.
 struct Places {

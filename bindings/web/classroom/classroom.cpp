@@ -18,7 +18,7 @@
 namespace nezumi::web {
 namespace {
 
-constexpr int forbidden = 403, unavailable = 503;
+constexpr int unavailable = 503;
 // Visitors have this token: it is no secret.
 constexpr std::string_view visitors = "join";
 constexpr std::string_view for_the_class = R"("do":"class")";

@@ -54,13 +54,13 @@ TEST_CASE("an empty node or a folder is an error", "[hw][device]") {
 }
 
 TEST_CASE("the error of a node says what to do", "[hw][device]") {
-    CHECK(with_advice({"/dev/rtled0", ENOENT}) ==
+    CHECK(with_mouse_advice({"/dev/rtled0", ENOENT}) ==
           "/dev/rtled0: no such file or directory: is the driver loaded? Try: sudo modprobe rtmouse");
-    CHECK(with_advice({"/dev/rtled0", EACCES}) ==
+    CHECK(with_mouse_advice({"/dev/rtled0", EACCES}) ==
           "/dev/rtled0: permission denied: this user has no permission to use it. Try: sudo chmod a+rw /dev/rt*, or "
           "write a udev rule "
           "for it");
-    CHECK(with_advice({"/dev/rtled0", EIO}) ==
+    CHECK(with_mouse_advice({"/dev/rtled0", EIO}) ==
           "/dev/rtled0: input/output error: look at the robot's power and cables, and at what dmesg says");
 }
 
