@@ -9,6 +9,7 @@
 #include "bindings/lua/sandbox/compile.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/syntax/globals.hpp"
+#include "bindings/lua/values/codec.hpp"
 #include "bindings/scenario/condition_source.hpp"
 
 namespace nezumi {
@@ -186,6 +187,7 @@ int Condition::hook(lua_State* lua) {
         case HookCall::contact:
             return function.owner->take_contact(lua, function.observed.comparisons[index], function);
         case HookCall::value: function.owner->take_value(lua, function.observed.comparisons[index]); break;
+        case HookCall::path: return function.owner->read_path(lua, function.observed.paths[index]);
         case HookCall::decide: function.observed.decide(index, lua_toboolean(lua, 2) != 0); break;
     }
     return lua_gettop(lua) - 1;
@@ -260,7 +262,7 @@ int Condition::take_contact(lua_State* lua, Comparison& value, const Function& f
     if (!is_indexed && luaL_getmetafield(lua, 2, "__index") == LUA_TNIL)
         return luaL_error(lua, "attempt to index a %s value%s", luaL_typename(lua, 2), value.called.c_str());
     lua_settop(lua, 2);
-    lua_getfield(lua, 2, "collided");
+    if (read_path(lua, "collided") == 0) lua_getfield(lua, 2, "collided");
     value.evaluated = true;
     value.result = lua_toboolean(lua, 3) != 0;
     value.robustness = of_result(value.result);
@@ -271,6 +273,14 @@ int Condition::take_contact(lua_State* lua, Comparison& value, const Function& f
     const double most = may_be_less ? asked_->least : std::numeric_limits<double>::infinity();
     const auto clearance = texts_.clearance ? texts_.clearance(lua, 2, most) : std::nullopt;
     if (clearance) value.robustness = value.result ? 0.0 : 0.0 - *clearance;
+    return 1;
+}
+
+// Pushes the number or boolean at a path of the object at 2; returns 0 if there is none.
+int Condition::read_path(lua_State* lua, const std::string& path) const {
+    const auto scalar = texts_.scalar ? texts_.scalar(lua, 2, path) : std::nullopt;
+    if (!scalar) return 0;
+    push_payload(lua, *scalar);  // raises no error
     return 1;
 }
 

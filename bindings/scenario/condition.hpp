@@ -15,13 +15,14 @@
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/syntax/syntax_tree.hpp"
 #include "bindings/scenario/formula.hpp"
+#include "engine/values/value.hpp"
 
 namespace nezumi {
 
 /// Time limit for one call of a condition.
 inline constexpr Budget condition_budget{2.0};
 
-/// What conditions need to know: the source texts of functions, each parsed once, and clearances.
+/// What conditions need to know: the source texts of functions, each parsed once, clearances and numbers.
 class FunctionTexts {
 public:
     /// The text of a file, which outlives this; null if it is unknown.
@@ -33,6 +34,9 @@ public:
     /// The distance [m] from the robot at this index to what it would touch first, at most `most`. Nothing if it is
     /// unknown, or no robot.
     std::function<std::optional<double>(lua_State* lua, int index, double most)> clearance{};
+    /// The number or boolean at a path of the object at this index, as its own fields give it; nothing for anything
+    /// else.
+    std::function<std::optional<Value>(lua_State* lua, int index, std::string_view path)> scalar{};
 
 private:
     Find find_;
@@ -75,6 +79,7 @@ private:
     static int compare(lua_State* lua, Comparison& comparison);
     int called(lua_State* lua, const Comparison& comparison);
     void take_value(lua_State* lua, Comparison& value);
+    int read_path(lua_State* lua, const std::string& path) const;
     int take_contact(lua_State* lua, Comparison& value, const Function& function);
     bool observe(lua_State* lua, int index, Function& function);
     Function* helper(lua_State* lua, int index);

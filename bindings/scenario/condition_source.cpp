@@ -255,9 +255,34 @@ private:
         const std::size_t index = observed.comparisons.size();
         insert(begin_of(node), call(HookCall::compare, index));
         insert(tree_.offset(*node.word), ",(", node.word->text.size());
+        shorten_paths(*node.child);
+        shorten_paths(*node.last);
         insert(end_of(node), "))");
         observed.comparisons.push_back(std::move(comparison));
         return index;
+    }
+
+    // Each `a.b.c` in an expression becomes `(hook(a) or a.b.c)`: the hook finds most numbers without a table for each
+    // step. What it does not find, also errors, is as without it.
+    void shorten_paths(const SyntaxNode& node) {
+        if (node.is(Kind::function)) return;
+        const SyntaxNode* root = &node;
+        std::string path;
+        for (; root->is(Kind::member); root = root->child)
+            path.insert(0, fmt::format("{}{}", root->word_text(), path.empty() ? "" : "."));
+        if (path.empty() || !root->is(Kind::name)) {
+            for (const SyntaxNode& child : *root) shorten_paths(child);
+            return;
+        }
+        // What is called or indexed is no number.
+        const SyntaxNode& parent = *node.parent;
+        const bool is_subject = parent.child == &node &&
+                                (parent.is(Kind::call) || parent.is(Kind::method_call) || parent.is(Kind::subscript));
+        if (is_subject || root->variable == nullptr) return;
+        insert(begin_of(node),
+               fmt::format("({}{})or ", call(HookCall::path, observed.paths.size()), root->word_text()));
+        insert(end_of(node), ")");
+        observed.paths.push_back(std::move(path));
     }
 
     std::size_t take_value(const SyntaxNode& node, bool negated) {

@@ -10,7 +10,7 @@
 
 namespace nezumi {
 
-/// What a call of the hook is about. Its first argument is this and the number of the comparison or decision:
+/// What a call of the hook is about. Its first argument is this and the number of the comparison, decision or path:
 /// number * `hook_calls` + call.
 enum class HookCall : unsigned char {
     compare,  ///< (left, right): gives the result of the comparison
@@ -18,9 +18,10 @@ enum class HookCall : unsigned char {
     contact,  ///< (X): gives X.collided
     call,     ///< (function): the function that is called for the next value; gives what is called instead
     decide,   ///< (...): the value of a decision; gives all its arguments
+    path,     ///< (X): gives the number X.a.b, found at once; nothing if it is none
 };
 
-inline constexpr std::size_t hook_calls = 5;
+inline constexpr std::size_t hook_calls = 6;
 
 /// The text of a function that calls `hook` with each comparison and decision.
 struct ObservedSource {

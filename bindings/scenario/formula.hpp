@@ -72,7 +72,8 @@ struct Decision {
 struct Observed {
     std::vector<Comparison> comparisons;
     std::vector<Decision> decisions;
-    bool returns_only = false;  ///< `return EXPRESSION` is its only statement: it does not call `decide`
+    std::vector<std::string> paths;  ///< "truth.pose.position.x": what comparisons read of a local or upvalue
+    bool returns_only = false;       ///< `return EXPRESSION` is its only statement: it does not call `decide`
 
     /// Forgets what was evaluated.
     void begin();

@@ -81,6 +81,9 @@ Expected<void> ScenarioRun::open() {
         if (read_ports_.size() < most) read_ports_.push_back(port);
     });
     function_texts_.clearance = [this](lua_State* lua, int index, double most) { return clearance(lua, index, most); };
+    function_texts_.scalar = [this](lua_State* lua, int index, std::string_view path) {
+        return objects_->scalar_at(lua, index, path);
+    };
     return {};
 }
 

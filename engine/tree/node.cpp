@@ -83,7 +83,10 @@ std::string join_path(std::string whole, std::string_view part) {
 
 std::string_view take_step(std::string_view& path) {
     const bool is_element = path.starts_with('[');
-    const std::size_t end = is_element ? path.find(']') : path.find_first_of(".:[");
+    const auto ends = [](char each) { return each == '.' || each == ':' || each == '['; };
+    const std::size_t end = is_element
+                                ? path.find(']')
+                                : static_cast<std::size_t>(std::find_if(path.begin(), path.end(), ends) - path.begin());
     const std::string_view step = path.substr(0, is_element && end != std::string_view::npos ? end + 1 : end);
     path.remove_prefix(step.size());
     if (path.starts_with('.') || path.starts_with(':')) path.remove_prefix(1);
@@ -148,11 +151,7 @@ const Type* TreeNode::whole_type() const {
     return held != nullptr ? &held->type() : nullptr;
 }
 
-const Type* TreeNode::type() const {
-    const Type* type = whole_type();
-    for (std::string_view rest = part_; type != nullptr && !rest.empty();) type = type_below(*type, take_step(rest));
-    return type;
-}
+const Type* TreeNode::type() const { return part_.empty() ? whole_type() : part_type_; }
 
 Expected<TreeNode> TreeNode::child(std::string_view name) const {
     TreeNode made = *this;
@@ -219,7 +218,8 @@ Expected<TreeNode> TreeNode::below(std::string_view name) const {
     made.part_ = join_path(part_, name);
     if (kind() == Kind::data) return made;
     const Type* own = type();
-    if (own != nullptr && type_below(*own, name) != nullptr) return made;
+    made.part_type_ = own != nullptr ? type_below(*own, name) : nullptr;
+    if (made.part_type_ != nullptr) return made;
     const std::string path = this->path();
     if (own != nullptr && is_list(*own))
         return failure(fmt::format("{} is a list: {}[1] is its first element", path, path));

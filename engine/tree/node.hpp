@@ -108,7 +108,8 @@ private:
     const MemberInfo* member_ = nullptr;  // of the port, if there is a port
     const Parameters::Parameter* parameter_ = nullptr;
     const CommandDeclaration* command_ = nullptr;
-    std::string part_{};  // of the value
+    std::string part_{};               // of the value
+    const Type* part_type_ = nullptr;  // of the part, if it was found by its type
 };
 
 }  // namespace nezumi

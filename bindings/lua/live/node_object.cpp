@@ -55,7 +55,31 @@ std::string explain_key(const ObjectRef& ref) {
     }
 }
 
+// Pushes a component that the system at 1 has, the same object each time; returns false for anything else.
+bool push_known_component(lua_State* L) {
+    Objects& objects = objects_of(L);
+    const ObjectRef& ref = *to_object(L, 1);
+    if (ref.kind != ObjectKind::system || lua_type(L, 2) != LUA_TSTRING || !ObjectAccess::is_ready(objects))
+        return false;
+    if (ref.live()->system().find(text_at(L, 2)) == nullptr) return false;
+    lua_settop(L, 2);
+    if (lua_getiuservalue(L, 1, 1) == LUA_TNIL) {
+        lua_newtable(L);
+        lua_copy(L, -1, 3);
+        lua_setiuservalue(L, 1, 1);
+    }
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, 3) != LUA_TNIL) return true;
+    lua_pop(L, 1);
+    push_object(L, objects, ObjectKind::component, *ref.live(), text_at(L, 2), "");
+    lua_pushvalue(L, 2);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, 3);
+    return true;
+}
+
 int node_index(lua_State* L) {
+    if (push_known_component(L)) return 1;
     return look(L, objects_of(L), [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
         const auto node = node_of(ref);
@@ -164,6 +188,19 @@ ObjectFunctions node_functions(ObjectKind kind) {
         case ObjectKind::truth: return of("truth", node_pairs);
         default: return of("system", node_pairs);
     }
+}
+
+std::optional<Value> Objects::scalar_at(lua_State* L, int index, std::string_view path) const {
+    const ObjectRef* ref = to_object(L, index);
+    if (ref == nullptr || !ObjectAccess::is_ready(*this)) return std::nullopt;
+    auto node = node_of(*ref);
+    while (node && !path.empty()) node = node->child(take_step(path));
+    if (!node || node->kind() == Kind::data) return std::nullopt;
+    auto value = node->value();
+    Value* const held = value ? std::get_if<Value>(&*value) : nullptr;
+    if (held == nullptr || !held->type().is_scalar() || held->is_nothing()) return std::nullopt;
+    if (node->port() != nullptr && on_read_) on_read_({ref->live(), node->component(), node->port()});
+    return std::move(*held);
 }
 
 RunningSystem* Objects::to_system(lua_State* L, int index) {

@@ -92,6 +92,10 @@ struct ObjectAccess {
         objects.visit_([&] { got = body(); });
         return got;
     }
+    /// Whether the system may be read here and now.
+    static bool is_ready(const Objects& objects) {
+        return !objects.visit_ && (!objects.prepare_ || objects.prepare_());
+    }
     /// Whether ticks go on meanwhile.
     static bool ticks_beside(const Objects& objects) { return static_cast<bool>(objects.visit_); }
     /// Without ticks meanwhile, everything may be copied.

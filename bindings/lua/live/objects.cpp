@@ -120,7 +120,8 @@ ObjectRef* to_object(lua_State* L, int index, ObjectKind kind) {
 
 void push_object(lua_State* L, ObjectRef ref, std::string_view component, std::string_view port) {
     luaL_checkstack(L, 3, nullptr);
-    void* block = lua_newuserdatauv(L, sizeof(ObjectRef) + component.size() + port.size(), 0);
+    void* block = lua_newuserdatauv(L, sizeof(ObjectRef) + component.size() + port.size(),
+                                    ref.kind == ObjectKind::system ? 1 : 0);
     ref.component_length = static_cast<std::uint32_t>(component.size());
     ref.port_length = static_cast<std::uint32_t>(port.size());
     char* names = reinterpret_cast<char*>(new (block) ObjectRef(ref) + 1);

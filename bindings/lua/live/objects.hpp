@@ -11,6 +11,7 @@
 #include <functional>
 #include <lua.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -74,6 +75,9 @@ public:
     Expected<PortAt> to_port(lua_State* L, int index) const;
     /// A component object, or its name as a text.
     Expected<ComponentAt> to_component(lua_State* L, int index) const;
+    /// The number or boolean that the object at `index` has at a path: "truth.pose.position.x". Nothing for anything
+    /// else, also an error.
+    std::optional<Value> scalar_at(lua_State* L, int index, std::string_view path) const;
     /// A system object; null for anything else.
     static RunningSystem* to_system(lua_State* L, int index);
     /// Applies a method of ports ("inject", "hold", "release") to the port at `index`, with the arguments after it, in

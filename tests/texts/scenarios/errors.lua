@@ -146,3 +146,45 @@ s:reload('fine', { text = "param('x', 1) function on_execute() error('no') end" 
 s:run(0.3) s:check(s.fine.status == 'ACTIVE') s:check(s.fine.version == 1)
 -- prints: [   0.000] info behaviors/none.lua: version 2 runs in fine
 -- prints: [   0.010] error fine: version 2 failed in its execution 1 (of the first 10): behaviors/none.lua:1: no; back to version 1 in fine
+
+--- A comparison in a condition reads the same values, and gives the same errors, as any other function.
+-- file: behaviors/it.lua
+param('count', 3)
+param('label', 'a')
+local out = output('out', 'TimedVelocity2D', 'a velocity')
+function on_execute() out:write { vx = 0.125 } end
+
+-- file: behaviors/systems/it.lua
+behavior 'it' { script = 'it' }
+robot 'mouse' { model = 'raspimouse' }
+
+local world = s:load 'systems/it.lua'
+local it, mouse, plain = world.it, world.mouse, { at = { x = 2 } }
+s:run(0.1)
+s:always('whole', function() return math.type(it.config.count) == 'integer' and it.config.count == 3 end)
+s:always('texts', function() return world.it.config.label == 'a' and it.status == 'ACTIVE' end)
+s:always('numbers', function() return it.out.value.vx == 0.125 and world.mouse.truth.pose.heading < 1 end)
+s:always('no', function() return mouse.collided == false and it.error == nil and plain.at.x == 2 end)
+s:always('inner', function() local near = world.mouse return near.truth.pose.position.x < 1 end)
+s:run(0.1)
+
+local world = s:load 'systems/it.lua'
+s:always('it', function() return world.mouse.truth.pose.x < 1 end)  -- failed: always 'it': 'mouse.truth.pose' has no field 'x' (its fields are heading, position)
+s:run(0.1)
+
+local world = s:load 'systems/it.lua'
+s:always('it', function() return world.nobody.truth.pose.heading < 1 end)  -- failed: always 'it': there is no component 'nobody'
+s:run(0.1)
+
+local world = s:load 'systems/it.lua'
+s:always('it', function() return world.it.config.nothing.more < 1 end)  -- failed: always 'it': it: unknown parameter 'nothing'
+s:run(0.1)
+
+local world = s:load 'systems/it.lua'
+s:always('it', function() return world.it.out.vx < 1 end)  -- failed: always 'it': it.out has no 'vx'; the value's own fields are it.out.value.NAME
+s:run(0.1)
+
+local plain = {}
+s:load 'systems/it.lua'
+s:always('it', function() return plain.at.x < 1 end)  -- failed: always 'it': attempt to index a nil value (field 'at')
+s:run(0.1)

@@ -56,11 +56,25 @@ TEST_CASE("a comparison is found with the texts of its sides", "[lua][scenario][
     CHECK(found.observed.comparisons[0].unit == "m/s");
 }
 
+TEST_CASE("a number of a local's or upvalue's field is asked for by its path", "[lua][scenario][condition]") {
+    const ObservedSource found =
+        observe("local a = b local f = function() return math.abs(a.velocity.vx) < a.most end");
+    CHECK(found.text == "function() return h(0,math.abs((h(5,a)or a.velocity.vx)) ,( (h(11,a)or a.most))) end");
+    CHECK(found.observed.paths == std::vector<std::string>{"velocity.vx", "most"});
+    const auto text = [](const std::string& expression) {
+        return observe("local a = b local f = function() return " + expression + " end").text;
+    };
+    CHECK(text("a.b.c(1) < 2") == "function() return h(0,a.b.c(1) ,( 2)) end");
+    CHECK(text("a.b:c() < 2") == "function() return h(0,a.b:c() ,( 2)) end");
+    CHECK(text("f(a.b.c).d < a[1].b") == "function() return h(0,f((h(5,a)or a.b.c)).d ,( a[1].b)) end");
+    CHECK(text("a.b == false") == "function() return h(0,(h(5,a)or a.b) ,( false)) end");
+}
+
 TEST_CASE("values and calls among comparisons are observed too", "[lua][scenario][condition]") {
-    CHECK(observed_text("flag and not(a < 1)") == "function() return h(1,flag) and not(h(5,a ,( 1))) end");
+    CHECK(observed_text("flag and not(a < 1)") == "function() return h(1,flag) and not(h(6,a ,( 1))) end");
     CHECK(observed_text("f(a < 1)") == "function() return h(1,h(3,f)(a < 1)) end");
     CHECK(observed_text("a < 1 == true") == "function() return h(1,a < 1 == true) end");
-    CHECK(observed_text("a or-1") == "function() return h(1,a) or h(6,-1) end");
+    CHECK(observed_text("a or-1") == "function() return h(1,a) or h(7,-1) end");
     CHECK(observed_text("not a.collided") == "function() return not h(2,a) end");
     CHECK(observed_text("f().collided") == "function() return h(2,f()) end");
     CHECK(observed_text("true or a < 1") == "function() return true or h(0,a ,( 1)) end");
@@ -69,7 +83,7 @@ TEST_CASE("values and calls among comparisons are observed too", "[lua][scenario
 TEST_CASE("the returns and early decisions of a function are observed", "[lua][scenario][condition]") {
     CHECK(observe("function f(x) if x > 1 then return true end return x end",
                   {.first_line = 1, .last_line = 1, .parameters = 1})
-              .text == "function(x) if h(4,h(0,x ,( 1))) then return h(9,true) end return h(14,h(6,x)) end");
+              .text == "function(x) if h(4,h(0,x ,( 1))) then return h(10,true) end return h(16,h(7,x)) end");
     // Only an `if` that contains a return decides.
     CHECK(observe("f = function() local x = 1 if x > 1 then x = 2 end while x > 3 do end return x < 2 end").text ==
           "function() local x = 1 if x > 1 then x = 2 end while x > 3 do end return h(4,h(0,x ,( 2))) end");
