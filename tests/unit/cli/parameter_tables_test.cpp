@@ -66,7 +66,7 @@ Expected<std::string> parameters_of(std::string_view type) {
     return parameter_table(*simulation->system().find("it"));
 }
 
-Expected<RobotSpec> shipped(std::string_view model) {
+Expected<RobotSpec> shipped_model(std::string_view model) {
     const fs::path file = root / "engine/robots" / fmt::format("{}.lua", model);
     return read_robot_file(file, Project::of(file, {root}));
 }
@@ -80,7 +80,7 @@ const std::string limits_header =
     "| | speed [m/s] | yaw rate [rad/s] | acceleration [m/s²] | yaw acceleration [rad/s²] |\n|---|---|---|---|---|\n";
 
 Expected<std::string> limits_of(std::string_view model) {
-    const auto robot = shipped(model);
+    const auto robot = shipped_model(model);
     if (!robot) return Unexpected(robot.error());
     return limits_header + limits_row("in simulation", robot->drive.limits) +
            limits_row("the real robot, until it is calibrated", robot->drive.hardware_limits);
@@ -95,7 +95,7 @@ Expected<std::string> hardware_limits(std::string_view) {
     }
     std::sort(models.begin(), models.end());
     for (const std::string& model : models) {
-        const auto robot = shipped(model);
+        const auto robot = shipped_model(model);
         if (!robot) return Unexpected(robot.error());
         if (!robot->hardware.driver.empty()) rows += limits_row("`" + model + "`", robot->drive.hardware_limits);
     }
@@ -104,7 +104,7 @@ Expected<std::string> hardware_limits(std::string_view) {
 
 // "raspimouse.right_front": its value at each distance of the table that the robot file names.
 Expected<std::string> ranges_of(std::string_view name) {
-    const auto robot = shipped(name.substr(0, name.find('.')));
+    const auto robot = shipped_model(name.substr(0, name.find('.')));
     if (!robot) return Unexpected(robot.error());
     const std::string_view wanted = name.substr(name.find('.') + 1);
     const auto sensor = std::find_if(robot->sensors.begin(), robot->sensors.end(),

@@ -9,10 +9,10 @@ using namespace nezumi;
 
 namespace {
 
-const Text head = "local matrix = require 'native.matrix'\n";
+const Text with_matrix = "local matrix = require 'native.matrix'\n";
 
-Text error_of(const Text& body, ScriptContext context = {}) {
-    ScriptRig rig(head + "function on_execute()\n" + body + "\nend", std::move(context));
+Text matrix_error(const Text& body, ScriptContext context = {}) {
+    ScriptRig rig(with_matrix + "function on_execute()\n" + body + "\nend", std::move(context));
     rig.activate().tick();
     return rig.status() == "ERROR" ? rig.error() : "";
 }
@@ -20,20 +20,20 @@ Text error_of(const Text& body, ScriptContext context = {}) {
 }  // namespace
 
 TEST_CASE("the memory of matrices counts as memory of the script", "[lua][matrix]") {
-    CHECK(error_of("state.all = {} for i = 1, 1e6 do state.all[i] = matrix.zeros(64, 64) end",
-                   {.memory_limit = std::size_t{4} << 20}) ==
+    CHECK(matrix_error("state.all = {} for i = 1, 1e6 do state.all[i] = matrix.zeros(64, 64) end",
+                       {.memory_limit = std::size_t{4} << 20}) ==
           "robot_controller.lua:3: not enough memory: the script reached its limit of 4 MB");
-    CHECK(error_of("for i = 1, 2000 do local m = matrix.zeros(64, 64) end",
-                   {.budget = headless_budget, .memory_limit = std::size_t{4} << 20}) == "");
+    CHECK(matrix_error("for i = 1, 2000 do local m = matrix.zeros(64, 64) end",
+                       {.budget = headless_budget, .memory_limit = std::size_t{4} << 20}) == "");
 }
 
 TEST_CASE("an endless calculation ends with the script's time", "[lua][matrix][watchdog]") {
-    CHECK(error_of("local m = matrix.identity(64) while true do m = m:solve(m) end", {.budget = {0.1}}) ==
+    CHECK(matrix_error("local m = matrix.identity(64) while true do m = m:solve(m) end", {.budget = {0.1}}) ==
           "robot_controller.lua:3: ran for more than 0.1 s: is there an endless loop?");
 }
 
 TEST_CASE("scripts can't change the methods of a matrix", "[lua][matrix]") {
-    CHECK(error_of(R"(
+    CHECK(matrix_error(R"(
         local m = matrix { { 1, 2 } }
         assert(not pcall(setmetatable, m, {}) and not pcall(rawset, m, 1, 2) and not pcall(rawget, m, 1))
         assert(getmetatable(m) == false and getmetatable(m[1]) == false and getmetatable(matrix) == false)
@@ -44,7 +44,7 @@ TEST_CASE("scripts can't change the methods of a matrix", "[lua][matrix]") {
 
 TEST_CASE("after a reload, a matrix in state is a table of its rows", "[lua][matrix][reload]") {
     ReloadRig world;
-    const Text text = head +
+    const Text text = with_matrix +
                       "local out = output('out', 'TimedString')\nstate.p = matrix(state.p or { { 4, 1 }, { 2, 3 } })\n"
                       "state.row = state.row or state.p[2]\n"
                       "function on_execute() state.p = state.p * 2 out:write(tostring(state.p)) end";
@@ -57,7 +57,7 @@ TEST_CASE("after a reload, a matrix in state is a table of its rows", "[lua][mat
 }
 
 TEST_CASE("a matrix in state is reported as dropped when a version goes back", "[lua][matrix]") {
-    ScriptRig rig(head + "param('k', 1) state.n = 1 state.p = matrix { { 1.5 } } state.row = state.p[1]");
+    ScriptRig rig(with_matrix + "param('k', 1) state.n = 1 state.p = matrix { { 1.5 } } state.row = state.p[1]");
     std::vector<Dropped> dropped;
     const auto kept = rig.component->script().state_snapshot({}, &dropped);
     REQUIRE(kept);
@@ -70,7 +70,7 @@ TEST_CASE("a matrix in state is reported as dropped when a version goes back", "
 }
 
 TEST_CASE("a command returns a matrix as a table of its rows", "[lua][matrix]") {
-    ScriptRig rig(head + "command('p', function() return matrix { { 1.5 } } end)");
+    ScriptRig rig(with_matrix + "command('p', function() return matrix { { 1.5 } } end)");
     rig.activate();
     const auto result = rig.component->call_command("p", {}, rig.now);
     REQUIRE(result);

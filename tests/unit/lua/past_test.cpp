@@ -18,7 +18,7 @@ namespace {
 const Actor user{Actor::Kind::console};
 
 // What a script has in memory, a task in the middle of a wait, random numbers and a noisy sensor.
-const std::string busy_behavior = R"(
+const std::string past_behavior = R"(
 local range = input("in", "TimedShortSeq", "numbers")
 local target = output("out", "TimedVelocity2D", "velocity")
 param("speed", 0.1, { min = -1, max = 1 })
@@ -45,7 +45,7 @@ connect("keeper.out", "mouse.target_velocity_in")
 )";
 
 struct PastRig : LiveRig {
-    PastRig() : LiveRig(busy_system, {{"busy", busy_behavior}}) {}
+    PastRig() : LiveRig(busy_system, {{"busy", past_behavior}}) {}
 
     std::string seek(const Seek& where) {
         const auto done = live->act(where, user);
@@ -136,7 +136,7 @@ TEST_CASE("an act that is refused in the past begins no branch", "[lua][past]") 
 TEST_CASE("a past with other scripts runs those scripts, even if the files have changed", "[lua][past]") {
     PastRig it;
     it.tick(100);
-    std::string later = busy_behavior;
+    std::string later = past_behavior;
     later.replace(later.find("- 0.5"), 5, "- 0.9");
     it.folder.write("behaviors/busy.lua", later);
     it.act(Reload{});

@@ -12,7 +12,7 @@ using namespace nezumi::sim;
 
 namespace {
 
-Shape box(Vec3 centre, Vec3 size, double yaw = 0, double pitch = 0) {
+Shape solid_box(Vec3 centre, Vec3 size, double yaw = 0, double pitch = 0) {
     return {Shape::Kind::box, centre, yaw_pitch_rotation(yaw, pitch), size * 0.5};
 }
 Shape cylinder(Vec3 centre, double radius, double height) {
@@ -36,12 +36,12 @@ double march(const Shape& shape, Vec3 from, Vec3 direction, double range) {
 
 TEST_CASE("a ray meets a box at its face, with the face's normal", "[sim][ray]") {
     Vec3 normal;
-    CHECK(cast_ray(box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0}, {1, 0, 0}, 2, &normal) == Approx(0.9).margin(1e-12));
+    CHECK(cast_ray(solid_box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0}, {1, 0, 0}, 2, &normal) == Approx(0.9).margin(1e-12));
     CHECK(normal.x() == Approx(-1));
-    CHECK(cast_ray(box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0}, {-1, 0, 0}, 2) == nothing);
-    CHECK(cast_ray(box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0}, {1, 0, 0}, 0.89) == nothing);
-    CHECK(cast_ray(box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0.51}, {1, 0, 0}, 2) == nothing);
-    CHECK(cast_ray(box({0, 0, -0.5}, {1, 1, 1}, 0, 0.1), {0, 0, 1}, {0, 0, -1}, 3, &normal) < 1);
+    CHECK(cast_ray(solid_box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0}, {-1, 0, 0}, 2) == nothing);
+    CHECK(cast_ray(solid_box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0}, {1, 0, 0}, 0.89) == nothing);
+    CHECK(cast_ray(solid_box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0.51}, {1, 0, 0}, 2) == nothing);
+    CHECK(cast_ray(solid_box({0, 0, -0.5}, {1, 1, 1}, 0, 0.1), {0, 0, 1}, {0, 0, -1}, 3, &normal) < 1);
     CHECK(normal.x() == Approx(std::sin(0.1)));
     CHECK(normal.z() == Approx(std::cos(0.1)));
 }
@@ -57,7 +57,7 @@ TEST_CASE("a ray meets a cylinder at its side and its cap", "[sim][ray]") {
 }
 
 TEST_CASE("a ray that starts inside a thing has distance 0", "[sim][ray]") {
-    CHECK(cast_ray(box({0, 0, 0}, {1, 1, 1}), {0.1, 0, 0}, {1, 0, 0}, 1) == 0);
+    CHECK(cast_ray(solid_box({0, 0, 0}, {1, 1, 1}), {0.1, 0, 0}, {1, 0, 0}, 1) == 0);
     CHECK(cast_ray(cylinder({0, 0, 0}, 1, 1), {0.1, 0, 0}, {1, 0, 0}, 1) == 0);
 }
 
@@ -66,9 +66,9 @@ TEST_CASE("ray distances agree with stepping along the rays", "[sim][ray]") {
     std::uniform_real_distribution<double> u(-1, 1);
     int hits = 0;
     for (int i = 0; i < 400; ++i) {
-        Shape shape = i % 2 == 0
-                          ? box({u(random), u(random), u(random)}, {0.6, 0.3, 0.5}, 3 * u(random), 0.5 * u(random))
-                          : cylinder({u(random), u(random), u(random)}, 0.3, 0.8);
+        Shape shape =
+            i % 2 == 0 ? solid_box({u(random), u(random), u(random)}, {0.6, 0.3, 0.5}, 3 * u(random), 0.5 * u(random))
+                       : cylinder({u(random), u(random), u(random)}, 0.3, 0.8);
         if (i % 4 == 1) shape.rotation = yaw_pitch_rotation(3 * u(random), u(random));
         const Vec3 from{u(random), u(random), u(random)};
         const Vec3 direction = (shape.centre + Vec3{u(random), u(random), u(random)} * 0.4 - from).normalized();
@@ -91,11 +91,11 @@ TEST_CASE("a fan gives the same with the grid as with a test of every shape", "[
     std::uniform_real_distribution<double> u(-1, 1);
     Scene scene;
     for (int i = 0; i < 60; ++i) {
-        scene.add_fixed(box({8 * u(random), 8 * u(random), 0.1}, {0.1, i == 0 ? 30.0 : 1.0, 0.3}, 3 * u(random)));
+        scene.add_fixed(solid_box({8 * u(random), 8 * u(random), 0.1}, {0.1, i == 0 ? 30.0 : 1.0, 0.3}, 3 * u(random)));
     }
-    scene.add_fixed(box({0, 0, -500}, {1000, 1000, 1000}));  // too large for the grid
+    scene.add_fixed(solid_box({0, 0, -500}, {1000, 1000, 1000}));  // too large for the grid
     for (int i = 0; i < 80; ++i) scene.add_mover(cylinder({8 * u(random), 8 * u(random), 0.05}, 0.085, 0.1));
-    scene.add_mover(box({0, 0, 0.2}, {3, 0.1, 0.4}));  // a large one
+    scene.add_mover(solid_box({0, 0, 0.2}, {3, 0.1, 0.4}));  // a large one
     for (Scene::Index i = 0; i < 80; i += 2) scene.mover(i).centre = {8 * u(random), 8 * u(random), 0.05};
     scene.refresh();
 
@@ -146,7 +146,7 @@ TEST_CASE("a scan gives the same as its rays one by one, whatever its place and 
     std::uniform_real_distribution<double> u(-1, 1);
     Scene scene;
     for (int i = 0; i < 30; ++i) {
-        scene.add_fixed(box({4 * u(random), 4 * u(random), 0.1}, {0.1, i == 0 ? 30.0 : 1.0, 0.3}, 3 * u(random)));
+        scene.add_fixed(solid_box({4 * u(random), 4 * u(random), 0.1}, {0.1, i == 0 ? 30.0 : 1.0, 0.3}, 3 * u(random)));
         scene.add_mover(cylinder({4 * u(random), 4 * u(random), 0.05}, 0.085, 0.1));
     }
     scene.refresh();
