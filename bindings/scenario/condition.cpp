@@ -277,7 +277,7 @@ int Condition::take_contact(lua_State* lua, Comparison& value, const Function& f
 }
 
 // Pushes the number or boolean at a path of the object at 2; returns 0 if there is none.
-int Condition::read_path(lua_State* lua, const std::string& path) const {
+int Condition::read_path(lua_State* lua, std::string_view path) const {
     const auto scalar = texts_.scalar ? texts_.scalar(lua, 2, path) : std::nullopt;
     if (!scalar) return 0;
     push_payload(lua, *scalar);  // raises no error

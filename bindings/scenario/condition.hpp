@@ -79,7 +79,7 @@ private:
     static int compare(lua_State* lua, Comparison& comparison);
     int called(lua_State* lua, const Comparison& comparison);
     void take_value(lua_State* lua, Comparison& value);
-    int read_path(lua_State* lua, const std::string& path) const;
+    int read_path(lua_State* lua, std::string_view path) const;
     int take_contact(lua_State* lua, Comparison& value, const Function& function);
     bool observe(lua_State* lua, int index, Function& function);
     Function* helper(lua_State* lua, int index);

@@ -198,7 +198,7 @@ std::optional<Value> Objects::scalar_at(lua_State* L, int index, std::string_vie
     if (!node || node->kind() == NodeKind::data) return std::nullopt;
     auto value = node->value();
     Value* const held = value ? std::get_if<Value>(&*value) : nullptr;
-    if (held == nullptr || !held->type().is_scalar() || held->is_nothing()) return std::nullopt;
+    if (held == nullptr || !(held->type().is_number() || held->is<bool>())) return std::nullopt;
     if (node->port() != nullptr && on_read_) on_read_({ref->live(), node->component(), node->port()});
     return std::move(*held);
 }
