@@ -230,6 +230,10 @@ class Words(rig.PageCase):
         places = [float(row["mouse.truth.pose.position.x"]) for row in rows if row["mouse.truth.pose.position.x"]]
         self.assertLess(places[0], 0.05)
         self.assertGreater(places[-1], 0.3)
+        page.plot("mouse.truth", "velocity.vx")  # which nobody had asked for, so that it is not remembered
+        page.press("From the start")
+        page.until("(window.saved = '', [...document.querySelectorAll('.plots button')].find((each) => each.textContent === 'CSV').click(), true)", "it is saved")
+        page.until("window.saved.trim().split('\\n').length > 40 && !window.saved.trim().split('\\n').some((row) => row.endsWith(','))", "it is saved again")
         self.assertEqual(page.errors(), [])
 
 
