@@ -70,7 +70,12 @@ Expected<bool> Earlier::compute(const Asked& asked, Clock::time_point until) {
 }
 
 bool Earlier::serve(Clock::time_point until) {
-    std::erase_if(asked_, [&](const Asked& each) { return each.generation != live_.generation(); });
+    std::erase_if(asked_, [&](const Asked& each) {
+        const bool is_gone = each.generation != live_.generation();
+        if (is_gone && !each.port.empty())
+            answer_(each.client, each.id, failure("the system has begun again meanwhile"));
+        return is_gone;
+    });
     if (asked_.empty()) {
         if (past_ && Clock::now() - used_ > kept) past_.reset();
         return false;
