@@ -53,29 +53,35 @@ std::string told(const RunningSystem& live) {
            (live.is_away() ? "; other programs wait: resume { live = true } comes back to them" : "");
 }
 
-// Computes a past moment in slices. Returns whether progress was shown.
-Expected<bool> compute(Session::Parts& parts, PastRun& run) {
+}  // namespace
+
+Expected<bool> compute_past(Session::Parts& parts, PastRun& run, std::string_view what) {
     const auto begin = Clock::now();
     int shown_percent = -1;
     Expected<bool> there = false;
     const bool whole = parts.worker.perform([&] {
-        there = run.go_on(Clock::now() + slice);
+        const ActTime before = run.system().when();
+        const bool is_beside = Worker::has_thread && !parts.clock.is_paused();
+        there = is_beside ? run.go_on_beside(parts.worker.until()) : run.go_on(Clock::now() + slice);
         const int percent = static_cast<int>(100 * run.progress());
         if (!parts.options.batch && Clock::now() - begin > patience && percent != shown_percent) {
             if (shown_percent < 0) give_keys(parts, true);
             parts.show_in_place(
-                fmt::format("going back: {} %, {} cancels", percent, parts.seek_has_keys ? "Esc" : "Ctrl-C"));
+                fmt::format("{}: {} %, {} cancels", what, percent, parts.seek_has_keys ? "Esc" : "Ctrl-C"));
             shown_percent = percent;
         }
         const bool ended = !there || *there;
         if (ended) give_keys(parts, false);
-        if (!ended) parts.bell().ring();  // the next slice comes at once
+        // The next slice comes at once, or after the next tick if there was no time for one.
+        if (!ended && run.system().when() != before) parts.bell().ring();
         return ended;
     });
     if (!whole) return failure("interrupted");
     if (!there) return Unexpected(there.error());
     return shown_percent >= 0;
 }
+
+namespace {
 
 // Goes to the moment that `find` returns, which is called between two ticks.
 template <class Find>
@@ -93,7 +99,7 @@ Expected<CommandEnd> go_to(Session::Parts& parts, const Find& find) {
     if (!past) return failure("interrupted");
     if (!*past) return Unexpected(past->error());
     PastRun& run = ***past;
-    const auto computed = compute(parts, run);
+    const auto computed = compute_past(parts, run);
     if (!computed) return Unexpected(computed.error());
     std::string text;
     const auto done = parts.at_system([&] {
@@ -130,7 +136,7 @@ Expected<CommandEnd> explain_failure(Session::Parts& parts, const std::string& n
     if (!past) return failure("interrupted");
     if (!*past) return Unexpected(past->error());
     PastExecution& execution = ***past;
-    if (auto computed = compute(parts, execution.run()); !computed) return Unexpected(computed.error());
+    if (auto computed = compute_past(parts, execution.run()); !computed) return Unexpected(computed.error());
     // The past system belongs to this command, but its ticks belong to the thread that runs ticks.
     const auto explained = parts.at_system([&] { return std::make_optional(execution.explain()); });
     if (!explained) return failure("interrupted");

@@ -12,6 +12,7 @@
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/live/object_core.hpp"
+#include "bindings/lua/sandbox/watchdog.hpp"
 
 namespace nezumi {
 namespace {
@@ -118,6 +119,22 @@ std::string full_name(const std::string& whole, const std::string& label) {
 
 constexpr std::string_view marks = "*o+x#%@&";
 
+// Begins to compute again what is no longer remembered for a plot, or was not yet; null if all is remembered.
+Expected<std::unique_ptr<PastValues>> begin_earlier(RunningSystem& live, const PlotRequest& plot) {
+    const double now = live.system().now().seconds, from = std::max(0.0, now - plot.seconds);
+    std::vector<std::string> names;
+    bool has_all = true;
+    for (const std::string& name : plot.names) {
+        if (plot.elsewhere.contains(name)) continue;
+        const auto found = live.trace().remember_part(name);
+        if (!found) return Unexpected(found.error());
+        has_all = has_all && live.trace().has_since(found->name, from);
+        names.push_back(found->name);
+    }
+    if (has_all) return nullptr;
+    return PastValues::begin(live, std::move(names), from, now);
+}
+
 }  // namespace
 
 Expected<std::string> name_of_value(Session::Parts& parts, const Arguments& arguments, int position) {
@@ -130,15 +147,17 @@ Expected<std::string> name_of_value(Session::Parts& parts, const Arguments& argu
     return port->path();
 }
 
-Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot) {
-    PlotCurves looked{.plot = plot, .to = live.system().now().seconds};
+Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot, PastValues* past) {
+    const RunningSystem& then = past != nullptr ? past->run().system() : live;
+    Trace& trace = past != nullptr ? past->trace() : live.trace();
+    PlotCurves looked{.plot = plot, .to = then.system().now().seconds};
     double first = looked.to;
     std::vector<RecentCurves> all;
     for (std::string& name : looked.plot.names) {
         const auto elsewhere = plot.elsewhere.find(name);
         auto recent = elsewhere != plot.elsewhere.end()
                           ? Expected<RecentCurves>(elsewhere->second.recent.value_or(RecentCurves{}))
-                          : recent_curves(live.trace(), name, plot.seconds, looked.to);
+                          : recent_curves(trace, name, plot.seconds, looked.to);
         if (!recent) return Unexpected(recent.error());
         if (elsewhere == plot.elsewhere.end()) name = join_path(recent->whole, recent->part);
         // Other hosts have their own time.
@@ -211,20 +230,37 @@ Expected<CommandEnd> command_plot(Session::Parts& parts, const Arguments& argume
         const auto answer = ask_host(*parts.objects, parts.live, question_of(name, plot->seconds));
         if (auto taken = take_answer(each, answer); !taken) return Unexpected(taken.error());
     }
-    // A copy is drawn, because drawing takes longer than copying.
+    // A copy is drawn, because drawing takes longer than copying. One that is drawn again shows what is remembered.
+    Expected<std::unique_ptr<PastValues>> earlier = nullptr;
     auto looked = parts.at_system([&]() -> Expected<PlotCurves> {
         auto curves = look_at_plot(parts.live, *plot);
         if (curves && plot->every > 0) {
             PlotRequest& again = parts.plots.emplace_back(std::move(*plot));
             again.next = curves->to + again.every;
             for (auto& [name, each] : again.elsewhere) each.recent.reset();
+        } else if (curves) {
+            earlier = begin_earlier(parts.live, *plot);
         }
         return curves;
     });
     if (!looked) return Unexpected(looked.error());
-    const bool again = looked->plot.every > 0;
-    const std::string text = to_text(std::move(*looked));
-    if (again) {
+    bool in_place = looked->plot.every > 0;
+    if (earlier && *earlier != nullptr) {
+        const CallPause pause;  // the time that this takes is not the time of a script
+        const auto computed = compute_past(parts, (*earlier)->run(), "computing earlier values");
+        if (computed) {
+            in_place = *computed;
+            auto all = parts.at_system([&] { return look_at_plot(parts.live, *plot, earlier->get()); });
+            if (all) looked = std::move(all);
+        } else if (computed.error().message == "interrupted") {
+            return Unexpected(computed.error());
+        } else {
+            earlier = Unexpected(computed.error());
+        }
+    }
+    std::string text = to_text(std::move(*looked));
+    if (!earlier) text += "\nearlier values are not remembered: " + earlier.error().message;
+    if (in_place) {
         parts.show_in_place(text);
     } else {
         parts.show(text);

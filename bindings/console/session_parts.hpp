@@ -19,6 +19,7 @@
 #include "bindings/lua/sandbox/line_profile.hpp"
 #include "bindings/lua/sandbox/line_trace.hpp"
 #include "bindings/lua/sandbox/state.hpp"
+#include "engine/live/past_values.hpp"
 #include "engine/system/questions.hpp"
 #include "engine/trace/recent_curves.hpp"
 
@@ -92,9 +93,9 @@ struct PlotCurves {
     std::vector<std::string> silent{};  ///< names without a value in this time
 };
 
-/// Reads the curves of a plot, between two ticks. Channels that were not remembered before are remembered from now on.
-/// Other hosts have already answered.
-Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot);
+/// Reads the curves of a plot, between two ticks, from the trace of the present up to now, or from that of `past` up to
+/// its moment. Channels that were not remembered before are remembered from now on. Other hosts have already answered.
+Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot, PastValues* past = nullptr);
 std::string to_text(PlotCurves looked);
 
 // Call these after each tick; both return false when it is over, after reporting this. Shows changes of a watched port.
@@ -214,6 +215,10 @@ std::vector<std::string> names_in_scope(Session::Parts& parts);
 
 /// Candidates for the text before the cursor.
 Completion complete(Session::Parts& parts, std::string_view text, std::size_t cursor);
+
+/// Computes a past moment between two ticks, in slices, and shows how far it is if it takes long. Returns whether it
+/// has shown that.
+Expected<bool> compute_past(Session::Parts& parts, PastRun& run, std::string_view what = "going back");
 
 /// Sends keys to a seek, so that Esc cancels it, or stops doing this. Does nothing without keys.
 void give_keys(Session::Parts& parts, bool to_seek);

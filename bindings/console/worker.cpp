@@ -112,6 +112,7 @@ void Worker::serve_posts() {
 }
 
 void Worker::serve(Clock::time_point until, const std::function<bool()>& takes_more) {
+    until_ = until;
     Lock lock(mutex_);
     do {
         if (takes_more && (!posts_.empty() || asked_ != nullptr)) {

@@ -62,6 +62,8 @@ public:
     /// Does what the job has asked for, in order, until about `until`. If `takes_more` is given and returns false,
     /// stops there; the job waits.
     void serve(Clock::time_point until, const std::function<bool()>& takes_more = {});
+    /// For what `serve` does: its `until`.
+    Clock::time_point until() const { return until_; }
     /// Does what was posted, and nothing else.
     void serve_posts();
     /// Stops the job soon: nothing more of it is done, and its calls into Lua end as if their time had run out.
@@ -110,6 +112,7 @@ private:
     bool closed_ = false;
     bool ended_ = false;
     std::atomic<bool> stop_ = false;  // ends calls into Lua
+    Clock::time_point until_{};       // of the ticking thread
     std::thread thread_;
 };
 

@@ -57,7 +57,9 @@ Expected<std::string> journal_of(const McapFile& recording, const std::string& n
     }
     if (journal.empty())
         return failure(
-            fmt::format("has no {}: nezumi run --record did not write it, so the run can't be repeated", journal_topic),
+            fmt::format("has no {}: {}, so the run can't be repeated", journal_topic,
+                        recording.is_complete ? "nezumi run --record did not write it"
+                                              : "it was cut off before that, or nezumi run --record did not write it"),
             {name});
     return journal;
 }

@@ -251,7 +251,8 @@ bool Hub::received(ClientId id, std::string_view text) {
     }
     const bool changes_nothing = std::holds_alternative<ExplainMessage>(message->body) ||
                                  std::holds_alternative<RememberedMessage>(message->body) ||
-                                 std::holds_alternative<ThenMessage>(message->body);
+                                 std::holds_alternative<ThenMessage>(message->body) ||
+                                 std::holds_alternative<EarlierMessage>(message->body);
     if (client.view_only && !changes_nothing && !(client.paces && is_pace(*message))) {
         put_text(client, refusal(message->id, client.paces ? only_shows_ : "this link is view-only"), false);
         return true;

@@ -335,6 +335,7 @@ constexpr std::array kinds{
          [](const Given& given) -> Body {
              return ThenMessage{.at = given.fields.number("at"), .names = given.fields.texts("names")};
          }},
+    Kind{"earlier", [](const Given& given) -> Body { return EarlierMessage{given.fields.text("port")}; }},
     Kind{"systems", [](const Given&) -> Body { return SystemsMessage{}; }},
     Kind{"edit", [](const Given& given) -> Body { return read_edit(given.fields); }},
     Kind{"test", [](const Given& given) -> Body { return read_test(given.fields); }},

@@ -90,10 +90,15 @@ struct RememberedMessage {
     std::string port{};  ///< also the recent numbers of this port of the present, for a plot; may be empty
 };
 
-/// Requests what ports and members had at a time of the present branch, as far as it is remembered.
+/// Requests what ports and members had at a time of the present branch.
 struct ThenMessage {
     double at = 0;  ///< [s]
     std::vector<std::string> names;
+};
+
+/// Requests the numbers of a port since the last start, for a plot; what is not remembered is computed again.
+struct EarlierMessage {
+    std::string port;
 };
 
 /// Requests the list of running systems.
@@ -102,7 +107,7 @@ struct SystemsMessage {};
 struct BrowserMessage {
     std::int64_t id = 0;  ///< chosen by the page; the answer has the same id
     std::variant<Watch, ActMessage, TimeMessage, DriveMessage, ConsoleMessage, FloorMessage, ExplainMessage,
-                 RememberedMessage, ThenMessage, SystemsMessage, PeerMessage, EditMessage, TestMessage>
+                 RememberedMessage, ThenMessage, EarlierMessage, SystemsMessage, PeerMessage, EditMessage, TestMessage>
         body{};
 };
 

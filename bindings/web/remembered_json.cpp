@@ -20,6 +20,8 @@ constexpr std::size_t most_rows = 1500, most_poses = 12'000, most_marks = 300;
 constexpr double together = 0.5;
 // The shortest time [s] between two rows of a plot, as in the page.
 constexpr double between_values = 0.04;
+// Rows of a plot, about.
+constexpr double most_values = 6000;
 
 struct Mark {
     double at = 0;
@@ -92,10 +94,10 @@ Expected<Json> remembered_to_json(RunningSystem& live, const std::string& branch
     return json;
 }
 
-Json then_to_json(RunningSystem& live, double at, const std::vector<std::string>& names) {
+Json then_to_json(Trace& trace, double at, const std::vector<std::string>& names) {
     Json values = Json::object();
     for (const std::string& name : names) {
-        const auto found = live.trace().remember_part(name);
+        const auto found = trace.remember_part(name);
         if (!found) continue;
         const Series& series = *found->series;
         // What is published in a tick is there after it.
@@ -130,9 +132,11 @@ void add_numbers(Json& json, const Trace& trace, const std::string& port) {
         json["labels"].push_back(series->labels()[label]);
     }
     double last = -std::numeric_limits<double>::infinity();
+    const double whole = series->size() > 0 ? series->seconds(series->size() - 1) - series->seconds(0) : 0;
+    const double between = std::max(between_values, whole / most_values);
     for (std::size_t sample = 0; sample < series->size(); ++sample) {
         const double at = series->seconds(sample);
-        if (at < last + between_values && sample + 1 < series->size()) continue;
+        if (at < last + between && sample + 1 < series->size()) continue;
         last = at;
         Json row = Json::array({at});
         for (const std::size_t label : columns) {

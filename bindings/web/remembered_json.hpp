@@ -15,7 +15,7 @@ Expected<nlohmann::ordered_json> remembered_to_json(RunningSystem& live, const s
 
 /// What these ports and members had at a time [s] of the present branch: for each that is remembered its stamp, and its
 /// numbers and texts by their names. The others are left out; members are remembered from now on.
-nlohmann::ordered_json then_to_json(RunningSystem& live, double at, const std::vector<std::string>& names);
+nlohmann::ordered_json then_to_json(Trace& trace, double at, const std::vector<std::string>& names);
 
 /// Adds the numbers of a port that the trace remembers, for a plot: `labels`, and `values` as rows [time, number, ...].
 /// Nothing that was not remembered before is remembered from now on.

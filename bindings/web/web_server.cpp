@@ -54,6 +54,9 @@ WebServer::WebServer(RunningSystem& live, ClockControl& clock, ConsoleServer& co
              [this](ClientId client, std::int64_t id, const Expected<void>& done) { answer(client, id, done); }),
       explanations_(live, clock,
                     [this](ClientId client, std::string message) { hub_.send(client, std::move(message)); }),
+      earlier_(
+          live, clock, [this](ClientId client, std::string message) { hub_.send(client, std::move(message), true); },
+          [this](ClientId client, std::int64_t id, const Expected<void>& done) { answer(client, id, done); }),
       peers_(options.peers,
              [this](ClientId client, std::int64_t id, const Expected<void>& done) { answer(client, id, done); }) {}
 
@@ -146,7 +149,8 @@ bool WebServer::serve(Clock::time_point until, double late) {
         sockets_->wake();
     }
     const bool explains = explanations_.serve(until);
-    return seeks || explains || dealt_ < waiting_.size();
+    const bool recalls = !seeks && earlier_.serve(until);
+    return seeks || explains || recalls || dealt_ < waiting_.size();
 }
 
 void WebServer::deal_with(const Hub::Incoming& incoming) {
@@ -164,6 +168,7 @@ void WebServer::deal_with(const Hub::Incoming& incoming) {
         drives_.forget(id);
         relay_.close(id);
         explanations_.forget(id);
+        earlier_.forget(id);
         note(found->second, "has disconnected");
         browsers_.erase(found);
         return;
@@ -237,9 +242,11 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
         return Reply::now;
     }
     if (const auto* then = std::get_if<ThenMessage>(&message.body)) {
-        hub_.send(client, json_text(then_to_json(live_, then->at, then->names)), true);
+        earlier_.ask_then(client, then->at, then->names);
         return Reply::now;
     }
+    if (const auto* wanted = std::get_if<EarlierMessage>(&message.body))
+        return replied(earlier_.ask_port(client, message.id, wanted->port), Reply::later);
     if (const auto* time = std::get_if<TimeMessage>(&message.body)) {
         if (time->what == TimeMessage::What::restart)
             return prepare(client, message.id, browser, {.act = Restart{}, .shown = "restarts the system"});

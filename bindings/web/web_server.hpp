@@ -12,6 +12,7 @@
 #include "bindings/console/server.hpp"
 #include "bindings/web/console_relay.hpp"
 #include "bindings/web/drives.hpp"
+#include "bindings/web/earlier.hpp"
 #include "bindings/web/editor.hpp"
 #include "bindings/web/explanations.hpp"
 #include "bindings/web/hub.hpp"
@@ -116,6 +117,7 @@ private:
     ActWorker worker_;
     Seeks seeks_;
     Explanations explanations_;
+    Earlier earlier_;
     PeerDesk peers_;
     Clock::time_point shown_{};
     Clock::time_point described_{};

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace nezumi {
@@ -40,16 +41,42 @@ Expected<bool> PastRun::go_on(Clock::time_point until) {
         if (is_there()) return true;
         if (Clock::now() >= until) return false;
         system_->tick();
+        ++ticks_;
     }
 }
 
-// Earlier values would be dropped again until the moment is reached.
+Expected<bool> PastRun::go_on_beside(Clock::time_point until) {
+    constexpr std::chrono::milliseconds longest_wait{100};
+    constexpr std::chrono::microseconds one_tick{1};
+    const auto now = Clock::now();
+    until -= 2 * tick_time_;
+    if (until <= now) {
+        if (now - worked_ < longest_wait) return false;
+        until = now + one_tick;
+    }
+    const std::int64_t before = ticks_;
+    auto there = go_on(until);
+    worked_ = Clock::now();
+    if (ticks_ == before) return there;
+    // What other programs take from a slice says nothing about a tick, so the estimate grows slowly.
+    const auto took = (worked_ - now) / (ticks_ - before);
+    tick_time_ = before == 0 ? took : std::min<Clock::duration>(took, tick_time_ + tick_time_ / 8 + one_tick);
+    return there;
+}
+
+void PastRun::remember(Trace::Memory memory, std::int64_t from) {
+    memory_ = std::move(memory);
+    memory_from_ = from;
+}
+
+// Earlier values would be dropped again until the moment is reached. What an act adds later is remembered from then on.
 void PastRun::remember_when_near() {
-    if (!memory_) return;
     const ActTime now = system_->when();
-    if (now.start != to_.start || to_.tick - now.tick > static_cast<std::int64_t>(memory_->most_samples)) return;
-    system_->trace().remember(*memory_);
-    memory_.reset();
+    if (now.start != to_.start || now.tick < memory_from_) return;
+    const std::uint64_t layout = std::as_const(*system_).system().layout();
+    if (memory_layout_ == layout) return;
+    memory_layout_ = layout;
+    system_->trace().remember(memory_);
 }
 
 double PastRun::progress() const {

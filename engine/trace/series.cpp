@@ -30,6 +30,7 @@ void Series::keep(std::size_t samples) {
     if (size_ > samples) {
         rows_.erase(rows_.begin(), row_at(size_ - samples));
         size_ = samples;
+        has_dropped_ = true;
     }
     most_samples_ = samples;
 }
@@ -55,6 +56,7 @@ void Series::add(double seconds, std::span<const double> values) {
         place = size_++ * stride();
         rows_.resize(place + stride());
     } else {
+        has_dropped_ = true;
         place = first_ * stride();
         if (++first_ == most_samples_) first_ = 0;
     }

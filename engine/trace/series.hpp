@@ -24,6 +24,8 @@ public:
     /// "vx", "[1]", "" for a single value: one for each value of a sample.
     const std::vector<std::string>& labels() const { return labels_; }
     std::size_t size() const { return size_; }
+    /// Whether older samples were dropped to make room.
+    bool has_dropped() const { return has_dropped_; }
     /// [s] time stamp of a sample; 0 is the oldest.
     double seconds(std::size_t sample) const { return row(sample)[0]; }
     /// The value of a sample for a label: 0 and 1 for booleans, the index in `texts` for a text, NaN if the sample
@@ -45,7 +47,7 @@ public:
     /// Adds a sample with at most as many values as there are labels.
     void add(double seconds, std::span<const double> values);
     /// Removes all samples.
-    void clear() { rows_.clear(), first_ = size_ = 0; }
+    void clear() { rows_.clear(), first_ = size_ = 0, has_dropped_ = false; }
 
 private:
     std::size_t stride() const { return labels_.size() + 1; }
@@ -58,6 +60,7 @@ private:
     std::size_t most_samples_ = usual_samples;
     std::size_t first_ = 0;  // row of the oldest sample
     std::size_t size_ = 0;
+    bool has_dropped_ = false;
 };
 
 }  // namespace nezumi

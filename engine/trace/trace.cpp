@@ -26,8 +26,8 @@ std::size_t Trace::bytes() const {
 void Trace::start(System& system) {
     system_ = &system;
     system.observe(*this);
-    for (auto& [name, followed] : followed_) followed.series.clear();
-    follow_layout();
+    for (auto& [name, followed] : followed_) followed.series.clear(), followed.since = system.now().seconds;
+    follow_layout(system.now().seconds);
 }
 
 Trace::Memory Trace::memory() const {
@@ -52,7 +52,9 @@ void Trace::take_over(Trace& other) {
     if (is_new) remember(other.memory());
     for (auto& [name, followed] : followed_) {
         const auto same = other.followed_.find(name);
-        if (followed.remembered && same != other.followed_.end()) std::swap(followed.series, same->second.series);
+        if (!followed.remembered || same == other.followed_.end()) continue;
+        std::swap(followed.series, same->second.series);
+        followed.since = same->second.since;
     }
 }
 
@@ -77,7 +79,10 @@ Expected<const Series*> Trace::remember(std::string_view name) {
     const auto found = find(name);
     if (!found) return Unexpected(found.error());
     Followed& followed = **found;
-    if (!std::exchange(followed.remembered, true)) followed.channel.append_to(followed.series, system_->now().seconds);
+    if (!std::exchange(followed.remembered, true)) {
+        followed.since = system_->now().seconds;
+        followed.channel.append_to(followed.series, followed.since);
+    }
     return &followed.series;
 }
 
@@ -86,7 +91,7 @@ Expected<Trace::Remembered> Trace::remember_part(std::string_view name) {
     if (!channel) return Unexpected(channel.error());
     const auto whole = remember(channel->whole());
     if (!whole) return Unexpected(whole.error());
-    Remembered all{*whole, channel->whole(), channel->part(), channel->holds()};
+    Remembered all{*whole, channel->whole(), channel->whole(), channel->part(), channel->holds()};
     // A part that does not fit into the series of the whole value gets its own series.
     const bool is_full = (*whole)->labels().size() == Series::most_values;
     const auto& labels = (*whole)->labels();
@@ -95,6 +100,7 @@ Expected<Trace::Remembered> Trace::remember_part(std::string_view name) {
     const auto own = remember(name);
     if (!own) return Unexpected(own.error());
     all.series = *own;
+    all.name = channel->name();
     return all;
 }
 
@@ -103,12 +109,20 @@ const Series* Trace::remembered(std::string_view name) const {
     return known != followed_.end() && known->second.remembered ? &known->second.series : nullptr;
 }
 
-void Trace::remember_ports() {
-    remembers_ports_ = true;
-    follow_layout();
+bool Trace::has_since(std::string_view name, double seconds) const {
+    const auto known = followed_.find(name);
+    if (known == followed_.end() || !known->second.remembered) return false;
+    const Series& series = known->second.series;
+    if (series.size() > 0 && series.seconds(0) < seconds) return true;
+    return !series.has_dropped() && known->second.since <= seconds;
 }
 
-void Trace::follow_layout() {
+void Trace::remember_ports() {
+    remembers_ports_ = true;
+    follow_layout(system_->now().seconds);
+}
+
+void Trace::follow_layout(double since) {
     layout_ = system_->layout();
     for (auto& [name, followed] : followed_) followed.channel.resolve(*system_);
     std::erase_if(followed_, [](const auto& entry) { return !entry.second.kept && !entry.second.channel.exists(); });
@@ -120,12 +134,13 @@ void Trace::follow_layout() {
     if (names.size() > most_ports) return;
     for (const std::string& name : names) {
         const auto found = find(name);
-        if (found && !(*found)->channel.has_pictures()) (*found)->remembered = true;
+        if (!found || (*found)->channel.has_pictures()) continue;
+        if (!std::exchange((*found)->remembered, true)) (*found)->since = since;
     }
 }
 
 void Trace::latched(const System& system) {
-    if (layout_ != system.layout()) follow_layout();
+    if (layout_ != system.layout()) follow_layout(0);
     for (auto& [name, followed] : followed_) {
         followed.channel.latch(system.now().tick);
         if (followed.remembered) followed.channel.append_to(followed.series, system.now().seconds);

@@ -54,6 +54,7 @@ public:
     /// The numbers for this name, which may be a part of a port ("controller.out.vx") whose whole value is remembered.
     struct Remembered {
         const Series* series;
+        std::string name;    ///< under which it is remembered: `whole`, or that of the part
         std::string whole;   ///< of what the series is: "controller.out"
         std::string part;    ///< labels within this are meant; "" for all
         bool holds = false;  ///< as `Channel::holds`
@@ -61,6 +62,9 @@ public:
     Expected<Remembered> remember_part(std::string_view name);
     /// What is remembered under this name already; null without.
     const Series* remembered(std::string_view name) const;
+    /// Whether it has all values under this name since this time [s] of the last start; false where older ones were
+    /// dropped, or where it was not remembered yet.
+    bool has_since(std::string_view name, double seconds) const;
     /// Remembers every port except those of pictures, also later ones, in a system of at most `most_ports`.
     void remember_ports();
 
@@ -70,13 +74,14 @@ private:
     struct Followed {
         Channel channel;
         Series series{};
+        double since = 0;  // [s] when it began to be remembered; 0: as long as the system has had it
         bool remembered = false;
         bool kept = false;  // a reader has it, whether the system has it or not
     };
 
     Expected<Followed*> find(std::string_view name);
     std::size_t bytes() const;
-    void follow_layout();
+    void follow_layout(double since);
 
     System* system_ = nullptr;
     std::uint64_t layout_ = 0;  // of the system at the last resolution of channels

@@ -230,6 +230,12 @@ class Words(rig.PageCase):
         places = [float(row["mouse.truth.pose.position.x"]) for row in rows if row["mouse.truth.pose.position.x"]]
         self.assertLess(places[0], 0.05)
         self.assertGreater(places[-1], 0.3)
+        page.plot("mouse.truth", "velocity.vx")  # which nobody had asked for, so that it is not remembered
+        page.press("From the start")
+        page.js("window.rows = () => { [...document.querySelectorAll('.plots button')].find((each) => each.textContent === 'CSV').click();"
+                "return window.saved.trim().split('\\n').slice(1).filter((row) => !row.endsWith(',')); };")
+        page.until("window.rows().length > 40", "its values since the start are there")
+        page.until("parseFloat(window.rows()[0]) < 0.5", "also those of the first ticks")
         self.assertEqual(page.errors(), [])
 
 

@@ -18,9 +18,9 @@ export class Acts {
     this.#notices = notices;
   }
 
-  async #ask(what, may = this.#model.may_act) {
+  async #ask(what, may = this.#model.may_act, within = undefined) {
     if (!may) return false;
-    const { ok, text } = await this.#link.ask(what);
+    const { ok, text } = await this.#link.ask(what, within);
     if (!ok) this.#notices.say(text || T.link.no_answer, "error");
     return ok;
   }
@@ -40,6 +40,8 @@ export class Acts {
   reset = (component) => this.act("Reset", { component });
   /// Without a time, to the end of the branch.
   seek = (branch, tick = -1) => this.act("Seek", { branch, tick, start: 0 });
+  /// What a plot no longer has of a port comes in a message of its own.
+  earlier = (port) => this.#ask({ do: "earlier", port }, true, 600_000);
   remove = (component) => this.act("Remove", { component });
   connect = (from, to) => this.act("Connect", { from, to });
   disconnect = (from, to) => this.act("Disconnect", { from, to });

@@ -16,6 +16,7 @@ const PLACES = ["pose.position.x", "pose.position.y", "pose.heading"];  // of a 
 class Recording {
   fields = [];  // { port, path }
   rows = [];
+  has_all = false;  // keeps everything since the start
   ghost = [];  // rows of before time went back
 
   get names() {
@@ -48,11 +49,12 @@ class Recording {
 
   #drop_old() {
     const last = this.rows.at(-1)?.[0];
-    const old = this.rows.findIndex(([time]) => time >= last - KEPT);
-    this.rows.splice(0, Math.max(old, this.rows.length - MOST_ROWS));
+    const old = this.has_all ? 0 : this.rows.findIndex(([time]) => time >= last - KEPT);
+    this.rows.splice(0, Math.max(old, this.rows.length - (this.has_all ? 2 : 1) * MOST_ROWS));
   }
 
   clear() {
+    this.has_all = false;
     this.rows.length = this.ghost.length = 0;
   }
 
@@ -142,6 +144,10 @@ class Plots {
     if (parts.run) model.on("frame", () => this.#look(model.frame.time));
     model.on("looked", () => this.#look(model.looked?.time));
     model.on("remembered", (said) => this.#take_history(said));
+    model.on("earlier", (said) => {
+      this.recording.has_all = true;
+      this.#take_history(said);
+    });
     addEventListener("theme", () => this.#anew());
     new ResizeObserver(() => this.#graph?.resize()).observe(this.box);
   }
@@ -209,6 +215,12 @@ class Plots {
     this.on_values?.(time, new Map(names.map((name, i) => [name, rows[index][i + 1]])));
   }
 
+  /// Has the engine compute what was before the rows.
+  ask_earlier() {
+    this.#range = null;
+    for (const port of new Set(this.recording.fields.map((each) => each.port))) this.#parts.acts.earlier(port);
+  }
+
   pause(is_paused) {
     this.#is_paused = is_paused;
     this.draw();
@@ -216,6 +228,7 @@ class Plots {
 
   follow() {
     this.#range = null;
+    this.recording.has_all = false;
     this.draw();
   }
 
@@ -245,7 +258,7 @@ class Plots {
       return;
     }
     const end = Math.max(rows[rows.length - 1][0], this.recording.ghost[this.recording.ghost.length - 1]?.[0] ?? 0);
-    const dateWindow = this.#range ?? [this.#parts.run ? rows[0][0] : Math.max(rows[0][0], end - WINDOW), Math.max(end, rows[0][0] + 1)];
+    const dateWindow = this.#range ?? [this.#parts.run ? rows[0][0] : Math.max(rows[0][0], end - (this.recording.has_all ? Infinity : WINDOW)), Math.max(end, rows[0][0] + 1)];
     const drawn = this.recording.drawn();
     if (this.#graph && this.#graph.numColumns() !== drawn.names.length + 1) {
       this.#graph.destroy();
@@ -313,6 +326,7 @@ export function make_plots(parts) {
   addEventListener("theme", () => show_legend());
   const tools = el("div", { class: "tools", role: "toolbar", "aria-label": T.views.plots }, choose, el("span", { class: "gap" }), pause,
     el("button", { text: T.plots.zoom_out, onclick: () => plots.follow() }),
+    el("button", { text: T.plots.earlier, title: T.plots.earlier_hint, hidden: Boolean(parts.run), onclick: () => plots.ask_earlier() }),
     el("button", { text: T.plots.csv, onclick: () => save_as(`${name()}.csv`, "text/csv", to_csv(recording.names, recording.rows)) }),
     el("button", { text: T.plots.svg, onclick: () => save_as(`${name()}.svg`, "image/svg+xml", to_svg(recording.names, recording.rows, line_colors())) }),
     el("button", { class: "quiet", text: T.plots.clear, onclick: () => plots.clear() }));

@@ -104,7 +104,7 @@ export const EN = {
 
   plots: { search: "Search", without_data: "no data yet", tree: "Values that can be plotted", choose: "Values", more: (count) => `… and ${count} more: search.`, pause: "Pause", resume: "Resume", csv: "CSV",
     svg: "SVG", clear: "Clear", remove: (name) => `Remove ${name}`, empty: "Choose one of the values.",
-    zoom_out: "Last minute", before: (name) => `${name}, before`, time: "time [s]", zoom: "Drag across the plot to zoom; double-click shows all." },
+    zoom_out: "Last minute", earlier: "From the start", earlier_hint: "What is no longer remembered is computed again", before: (name) => `${name}, before`, time: "time [s]", zoom: "Drag across the plot to zoom; double-click shows all." },
 
   cameras: { none: "This system has no camera.", waiting: "No picture yet." },
 

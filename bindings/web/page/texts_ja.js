@@ -104,7 +104,7 @@ export const JA = {
 
   plots: { search: "検索", without_data: "データなし", tree: "グラフにできる値", choose: "値を選ぶ", more: (count) => `… ほかに ${count} 個あります。検索で絞り込めます。`, pause: "一時停止", resume: "再開", csv: "CSV",
     svg: "SVG", clear: "消去", remove: (name) => `${name} を外す`, empty: "グラフにする値を選んでください。",
-    zoom_out: "直近 1 分", before: (name) => `${name} (戻る前)`, time: "時間 [s]", zoom: "横にドラッグすると拡大し、ダブルクリックで全体に戻ります。" },
+    zoom_out: "直近 1 分", earlier: "最初から", earlier_hint: "記録が残っていない値は計算し直します", before: (name) => `${name} (戻る前)`, time: "時間 [s]", zoom: "横にドラッグすると拡大し、ダブルクリックで全体に戻ります。" },
 
   cameras: { none: "このシステムにはカメラがありません。", waiting: "まだ画像がありません。" },
 

@@ -5,6 +5,7 @@
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
+#include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 using Catch::Matchers::Contains;
@@ -57,6 +58,20 @@ run(0.2)
 std::string last_line(const std::string& text) { return text.substr(text.rfind('\n', text.size() - 2) + 1); }
 
 }  // namespace
+
+// They were written on 2026-11-28, 158 changes before this test: a reload, a parameter and a teleport.
+TEST_CASE("a journal and a recording that an earlier nezumi has written are repeated to the same hash",
+          "[cli][journal]") {
+    for (const char* name : {"stop_at_wall.journal", "stop_at_wall.mcap"}) {
+        INFO(name);
+        const std::string file = source_root() + "/tests/golden/runs/" + name;
+        const Outcome run = run_nezumi({"run", file, "--headless", "--speed", "max", "--trace-hash"});
+        INFO(run.error);
+        CHECK(run.status == 0);
+        CHECK(run.out == "trace hash: 030cc99e57633222\n");
+        CHECK(run_nezumi({"compare", file, file}).out == "equal: all messages published in 0.4 s\n");
+    }
+}
 
 TEST_CASE("a run is replayed from its journal alone, and ends with the same hash", "[cli][journal]") {
     Journaled it;

@@ -38,10 +38,10 @@ TEST_CASE("probes are plotted by their names", "[console][plot]") {
     PlotRig it;
     it.turn(1);
     CHECK(it.type("plot(talker.probes.count)") ==
-          "talker.probes.count\ncount = 1 at 0.01 s, the only value that is remembered");
+          "talker.probes.count\ncount = 1 at 0 s, the only value that is remembered");
     CHECK(it.type("plot 'talker.probes.cuont'") == "! plot: talker.probes has no 'cuont' (did you mean 'count'?)");
     CHECK_THAT(it.type("plot(mouse.probes)"), StartsWith("! plot: mouse has no port 'probes'"));
-    CHECK(it.type("plot(talker.probes)") == "talker.probes\ncount = 1 at 0.01 s, the only value that is remembered");
+    CHECK(it.type("plot(talker.probes)") == "talker.probes\ncount = 1 at 0 s, the only value that is remembered");
     it.turn(20);
     CHECK_THAT(it.type("plot(talker.probes.count, 5)"), StartsWith("talker.probes.count\ncount\n21 │"));
     CHECK_THAT(it.type("plot(talker.probes.count, controller.out.vx, 5)"),
@@ -100,14 +100,14 @@ TEST_CASE("a probe is plotted with or without .value, and the error of a wrong n
     for (const std::string name :
          {"talker.probes.count", "talker.probes.count.value", "'talker.probes.count.value'", "t.probes['count'].value"})
         CHECK(it.type("plot(" + name + ")") ==
-              "talker.probes.count\ncount = 1 at 0.01 s, the only value that is remembered");
+              "talker.probes.count\ncount = 1 at 0 s, the only value that is remembered");
     CHECK(it.type("plot(t.probes.cuont.value)") == "! plot: talker.probes has no 'cuont' (did you mean 'count'?)");
 }
 
 TEST_CASE("collided of a robot can be plotted", "[console][plot]") {
     PlotRig it;
     it.turn(1);
-    CHECK(it.type("plot(mouse.collided)") == "mouse.collided\nvalue = 0 at 0.01 s, the only value that is remembered");
+    CHECK(it.type("plot(mouse.collided)") == "mouse.collided\nvalue = 0 at 0 s, the only value that is remembered");
     CHECK(it.type("plot('mouse.collided.by')") == "! plot: mouse.collided is a single value: it has no 'by'");
     CHECK(it.type("plot(talker.collided)") == "! plot: talker has no collided: it is not a robot");
 }
@@ -115,11 +115,11 @@ TEST_CASE("collided of a robot can be plotted", "[console][plot]") {
 TEST_CASE("every value of the console can be plotted", "[console][plot]") {
     SessionRig it;
     it.type("step(1)");
-    CHECK(it.type("plot('mouse.buzzer')") == "mouse.buzzer\nvalue = 0 at 0.01 s, the only value that is remembered");
+    CHECK(it.type("plot('mouse.buzzer')") == "mouse.buzzer\nvalue = 0 at 0 s, the only value that is remembered");
     CHECK(it.type("plot(mouse.limits.speed)") ==
-          "mouse.limits.speed\nspeed = 0.5 at 0.01 s, the only value that is remembered");
-    CHECK(it.type("plot('controller.status')") == "controller.status\nvalue: \"ACTIVE\" from 0.01 s");
+          "mouse.limits.speed\nspeed = 0.5 at 0 s, the only value that is remembered");
+    CHECK(it.type("plot('controller.status')") == "controller.status\nvalue: \"ACTIVE\" from 0 s");
     CHECK(it.type("plot(controller.out.count)") ==
-          "controller.out.count\nvalue = 1 at 0.01 s, the only value that is remembered");
+          "controller.out.count\nvalue = 1 at 0 s, the only value that is remembered");
     CHECK(it.type("plot('mouse.teleport')") == "! plot: mouse has no port 'teleport'");
 }

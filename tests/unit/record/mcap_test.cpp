@@ -164,6 +164,11 @@ TEST_CASE("a recording without a journal says that its run can't be repeated", "
     REQUIRE_FALSE(journal);
     CHECK(describe(journal.error()) ==
           "x.mcap: has no /nezumi/journal: nezumi run --record did not write it, so the run can't be repeated");
+    McapFile cut = read_well(Sample().file());
+    cut.is_complete = false;
+    CHECK(describe(journal_of(cut, "x.mcap").error()) ==
+          "x.mcap: has no /nezumi/journal: it was cut off before that, or nezumi run --record did not write it, so the "
+          "run can't be repeated");
 }
 
 TEST_CASE("seconds with nine decimals come back from nanoseconds exactly", "[record]") {

@@ -1,6 +1,7 @@
 // What a browser is shown besides changing numbers: earlier log lines, the floor, markers, changes by hand.
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -298,6 +299,49 @@ end
     CHECK(values["controller.label"]["leaves"] == Json::array({Json::array({"", "tick 2"})}));
     CHECK(then(0).empty());
     CHECK(rig.live->system().now().tick == 50);
+}
+
+TEST_CASE("a browser is shown values that are no longer remembered, computed again beside the run", "[web][past]") {
+    WebRig rig("behavior 'controller' { script = 'counter' }\n", {{"counter", R"(
+local out = output("out", "TimedVelocity2D")
+state.steps = 0
+function on_execute()
+  state.steps = state.steps + 1
+  out:write { vx = now() }
+end
+)"}});
+    rig.live->trace().keep(20);
+    rig.live->trace().remember_ports();
+    rig.turn(100);
+    rig.pause();
+    const std::uint64_t hash = rig.live->trace_hash();
+    RawBrowser browser = rig.open(rig.view_token);
+    SECTION("at a time of the slider: what is remembered at once, and then the rest") {
+        const Json names{"controller.out", "controller.state"};
+        REQUIRE(browser.send_frame(Json{{"do", "then"}, {"id", 1}, {"at", 0.3}, {"names", names}}.dump()));
+        CHECK(Json::parse(browser.next_text("\"is\":\"then\""))["values"].empty());
+        const Json then = Json::parse(browser.next_text("\"is\":\"then\""));
+        CHECK(then["at"] == 0.3);
+        CHECK(then["values"]["controller.out"]["leaves"][0] == Json::array({"vx", 0.29}));
+        CHECK(then["values"]["controller.state"]["leaves"] == Json::array({Json::array({"steps", 30.0})}));
+        // A later time and one before go on from there, and so does what is remembered.
+        for (const double at : {0.5, 0.1, 0.95}) {
+            REQUIRE(browser.send_frame(Json{{"do", "then"}, {"id", 2}, {"at", at}, {"names", names}}.dump()));
+            static_cast<void>(browser.next_text("\"is\":\"then\""));
+            const Json again = Json::parse(browser.next_text("\"is\":\"then\""));
+            CHECK(again["values"]["controller.state"]["leaves"][0][1] == std::round(at * 100));
+        }
+    }
+    SECTION("for a plot, from the start") {
+        CHECK(WebRig::answer(browser, Json{{"do", "earlier"}, {"id", 1}, {"port", "controller.out"}})["ok"] == true);
+        REQUIRE(browser.send_frame(Json{{"do", "earlier"}, {"id", 2}, {"port", "controller.out"}}.dump()));
+        const Json earlier = Json::parse(browser.next_text("\"is\":\"earlier\""));
+        CHECK(earlier["port"] == "controller.out");
+        CHECK(earlier["values"].front() == Json::array({0.0, 0.0, 0.0, 0.0}));
+        CHECK(earlier["values"].back()[0] == 0.99);
+        CHECK(WebRig::answer(browser, Json{{"do", "earlier"}, {"id", 3}, {"port", "nobody.out"}})["ok"] == false);
+    }
+    CHECK(rig.live->trace_hash() == hash);
 }
 
 TEST_CASE("a browser with full access gets the view-only token", "[web]") {
