@@ -195,7 +195,7 @@ std::optional<Value> Objects::scalar_at(lua_State* L, int index, std::string_vie
     if (ref == nullptr || !ObjectAccess::is_ready(*this)) return std::nullopt;
     auto node = node_of(*ref);
     while (node && !path.empty()) node = node->child(take_step(path));
-    if (!node || node->kind() == Kind::data) return std::nullopt;
+    if (!node || node->kind() == NodeKind::data) return std::nullopt;
     auto value = node->value();
     Value* const held = value ? std::get_if<Value>(&*value) : nullptr;
     if (held == nullptr || !held->type().is_scalar() || held->is_nothing()) return std::nullopt;
