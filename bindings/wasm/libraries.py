@@ -25,3 +25,17 @@ def styles():
     """Those of libraries come first."""
     of_page = re.findall(r'href="([^"]+\.css)"', HEAD)
     return [name for name in of_page if name.startswith("lib/")] + editor_styles() + [name for name in of_page if not name.startswith("lib/")]
+
+
+NAMED_MODULE = re.compile(r'"\./((?:[\w-]+/)*[\w.-]+\.js)"')
+
+
+def modules_from(folder, first):
+    """All modules that it needs: their texts by their names."""
+    modules, waiting = {}, [first]
+    while waiting:
+        name = waiting.pop()
+        if name not in modules:
+            modules[name] = (folder / name).read_text()
+            waiting += NAMED_MODULE.findall(modules[name])
+    return modules

@@ -16,7 +16,8 @@ function load(node) {
 /// Resolves to CodeMirror; fails if the library is not installed.
 export async function load_editor_library() {
   if (globalThis.CodeMirror) return globalThis.CodeMirror;
-  await Promise.all(STYLES.map((href) => load(Object.assign(document.createElement("link"), { rel: "stylesheet", href }))));
-  for (const name of SCRIPTS) await load(Object.assign(document.createElement("script"), { src: HOME + name }));
+  // They come at once and run in their order.
+  await Promise.all([...STYLES.map((href) => load(Object.assign(document.createElement("link"), { rel: "stylesheet", href }))),
+    ...SCRIPTS.map((name) => load(Object.assign(document.createElement("script"), { src: HOME + name, async: false })))]);
   return globalThis.CodeMirror;
 }

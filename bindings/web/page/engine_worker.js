@@ -9,6 +9,7 @@ export class EngineWorker extends Emitter {
   #make;
   #start;
   #worker = null;
+  #ready;  // the first one, which compiles its program already
   #heard = 0;
   #is_open = false;
   serves_pages = false;
@@ -19,6 +20,8 @@ export class EngineWorker extends Emitter {
     super();
     this.#make = make;
     this.#start = start;
+    this.#ready = make();
+    this.#ready.onerror = () => (this.#ready = null);  // connect tries again, and tells
     setInterval(() => this.#is_open && !document.hidden && performance.now() - this.#heard > LONGEST_SILENCE && this.emit("silent"), 1000);
   }
 
@@ -30,7 +33,8 @@ export class EngineWorker extends Emitter {
   connect(start = this.#start) {
     this.end();
     this.#start = start;
-    this.#worker = this.#make();
+    this.#worker = this.#ready ?? this.#make();
+    this.#ready = null;
     this.#worker.onmessage = ({ data }) => this.#take(data);
     this.#worker.onerror = ({ message }) => this.emit("refused", message);
     this.#worker.postMessage({ start });

@@ -29,8 +29,7 @@ async function load(file, make, library) {
 
 /// Builds the page on a link that is not connected yet. Resolves to its parts.
 export async function make_page(link) {
-  const make_world = await load("./world.js", "make_world", "libjs-three");
-  const make_plots = await load("./plots.js", "make_plots", "libjs-dygraphs");
+  const [make_world, make_plots] = await Promise.all([load("./world.js", "make_world", "libjs-three"), load("./plots.js", "make_plots", "libjs-dygraphs")]);
   const notices = new Notices();
   const model = new Model(link);
   const acts = new Acts(link, model, notices);

@@ -82,8 +82,8 @@ async function run(project, shipped, docs) {
   const engine = new EngineWorker(() => new Worker("worker.js"), start());
   engine.helpers = new Helpers(() => new Worker("helper_worker.js"), () => project.files, (what) => engine.emit("message", JSON.stringify(what)));
   engine.on("module", (module) => (engine.helpers.start = { module, shipped }));
-  await Promise.all([load_editor_library(), import("./editor_view.js"), import("./arena_edit.js")]);  // after this nothing is loaded any more
-  const { notices } = await make_page(new Link(engine));
+  const [{ notices }] = await Promise.all([  // after this nothing is loaded any more
+    make_page(new Link(engine)), load_editor_library(), import("./editor_view.js"), import("./arena_edit.js")]);
   document.body.classList.add("in-playground");
   document.body.prepend(make_bar(project, engine, start));
   if (project.guide) document.body.append(make_guide(docs.guide, project, engine.helpers, () => project.id && keep_project(project)));

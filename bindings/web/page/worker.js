@@ -1,5 +1,9 @@
 // The engine's thread: takes the page's messages, and ticks when it is time.
-if (typeof nezumi_engine === "undefined") importScripts("nezumi.js", "engine_files.js");  // else all three are one file
+let program;  // is compiled while the page is still loaded
+if (typeof nezumi_engine === "undefined") {  // else all three are one file, and the program comes with the page
+  program = compiled();
+  importScripts("nezumi.js", "engine_files.js");
+}
 
 const SLICE = 0.012;  // [s] of work until messages are looked at again
 const LOOK_PERIOD = 300;  // [ms] between two looks at the project's files
@@ -34,7 +38,7 @@ function go_on() {
 
 /// The helpers of the page make theirs of the same module.
 function instantiateWasm(imports, take) {
-  compiled().then(async (module) => {
+  program.then(async (module) => {
     postMessage({ module });
     take(await WebAssembly.instantiate(module, imports), module);
   }).catch((wrong) => postMessage({ refused: String(wrong) }));
