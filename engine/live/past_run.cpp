@@ -46,13 +46,13 @@ Expected<bool> PastRun::go_on(Clock::time_point until) {
 }
 
 Expected<bool> PastRun::go_on_beside(Clock::time_point until) {
-    constexpr std::chrono::milliseconds longest_wait{100};
-    constexpr std::chrono::microseconds one_tick{1};
+    constexpr std::chrono::milliseconds longest_wait{100}, least_work{1};
+    constexpr std::chrono::microseconds more{1};
     const auto now = Clock::now();
     until -= 2 * tick_time_;
     if (until <= now) {
         if (now - worked_ < longest_wait) return false;
-        until = now + one_tick;
+        until = now + least_work;
     }
     const std::int64_t before = ticks_;
     auto there = go_on(until);
@@ -60,7 +60,7 @@ Expected<bool> PastRun::go_on_beside(Clock::time_point until) {
     if (ticks_ == before) return there;
     // What other programs take from a slice says nothing about a tick, so the estimate grows slowly.
     const auto took = (worked_ - now) / (ticks_ - before);
-    tick_time_ = before == 0 ? took : std::min<Clock::duration>(took, tick_time_ + tick_time_ / 8 + one_tick);
+    tick_time_ = before == 0 ? took : std::min<Clock::duration>(took, tick_time_ + tick_time_ / 8 + more);
     return there;
 }
 

@@ -23,7 +23,7 @@ public:
     /// differed from the original run.
     Expected<bool> go_on(Clock::time_point until);
     /// The same beside a system that moves, whose next tick is due at this time: begins no tick that would probably end
-    /// later. Where there is never enough time for one, one begins now and then.
+    /// later. Where there is never enough time for one, it takes 1 ms of each 100.
     Expected<bool> go_on_beside(Clock::time_point until);
     /// Remembers these values from this tick of the last start on, instead of what the present remembers before the
     /// moment. Call it before `go_on`.
