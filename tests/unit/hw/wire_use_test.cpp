@@ -109,6 +109,38 @@ TEST_CASE("pause, emergency stop and reload of a driver stop its rover, and it d
     CHECK(run.rover->torn_lines().empty());
 }
 
+TEST_CASE("a new driver that fails while its rover stands is replaced by the one before, and the rover never moves",
+          "[hw][wire][run][safety][wallclock]") {
+    const OwnSockets own;
+    RoverRun run;
+    run.copy("behaviors/rover_driver.lua", "behaviors/rover_driver.lua");
+    run.get_going();
+    const auto say = [&](const std::string& line) {
+        const auto done = run_nezumi({"attach", "--eval", line}, run.folder.path("").string());
+        INFO(line << ": " << done.out << done.error);
+        CHECK(done.status == 0);
+    };
+    say("stop()");
+    REQUIRE(run.stands_within(1));
+    const std::size_t before = run.rover->lines().size();
+    std::string driver = text_of_file(source_root() + "/behaviors/rover_driver.lua");
+    const std::string begin = "function on_execute()";
+    driver.insert(driver.find(begin) + begin.size(), " error('a wheel is missing') ");
+    run.folder.write("behaviors/rover_driver.lua", driver);
+    say("reload()");
+    const bool is_back = run.program->wait_for_error("back to version 1 in rover_driver", 10);
+    INFO(run.program->error);
+    CHECK(is_back);
+    CHECK(run.program->error.find("version 2 failed in its execution 1") != std::string::npos);
+    CHECK(run.program->error.find("a wheel is missing") != std::string::npos);
+    const auto lines = run.rover->lines();
+    CHECK(std::all_of(lines.begin() + static_cast<std::ptrdiff_t>(before), lines.end(),
+                      [](const auto& each) { return each.text == "v 0 0" || each.text == "v 0.000 0.000"; }));
+    say("rearm()");
+    CHECK(holds_within(5, [&] { return run.rover->speed() > 0.19; }));
+    CHECK(run.rover->torn_lines().empty());
+}
+
 TEST_CASE("scenarios run on a real rover whose driver is a behaviour", "[hw][wire][test][wallclock]") {
     RoverRun run;
     run.folder.write("it_test.lua", R"(
