@@ -56,13 +56,20 @@ std::string refuse_write(const PortSlot& slot) {
     return "";
 }
 
+// A stack that grows here shrinks again in the next cycle of the garbage collector.
+template <Held T>
+void reserve_stack(lua_State* L) {
+    constexpr int most_arguments = 2;
+    if constexpr (codec_stack_of<T> + most_arguments > LUA_MINSTACK) luaL_checkstack(L, codec_stack_of<T>, nullptr);
+}
+
 template <Held T>
 int port_read(lua_State* L) {
     PortSlot& slot = slot_of(L);
     if (lua_touserdata(L, 1) != slot.object) return refuse_self(L, slot, "read");
     if (lua_gettop(L) > 1) return refuse_surplus(L, slot, "read", 0, "()");
     if (slot.port == nullptr) return refuse_while_loading(L, slot, "read");
-    if constexpr (!std::is_arithmetic_v<T>) luaL_checkstack(L, 20, nullptr);
+    reserve_stack<T>(L);
     auto& port = *static_cast<InPort<T>*>(slot.port);
     // on_reload may look, the version before may need it
     const T& value = slot.live ? port.read() : port.latest().data;
@@ -113,7 +120,7 @@ int port_write(lua_State* L) {
         if (!LuaState::of(L).kept_error.empty()) return raise_kept(L);
     }
     lua_settop(L, 2);
-    if constexpr (!std::is_arithmetic_v<T>) luaL_checkstack(L, codec_stack, nullptr);
+    reserve_stack<T>(L);
     auto& port = *static_cast<OutPort<T>*>(slot.port);
     const std::size_t before = port.pending();
     T& value = port.next_pending();

@@ -1,6 +1,7 @@
 // Payloads and parameters between C++ and Lua, both ways, derived from the one set of descriptions.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +9,9 @@
 #include <lua.hpp>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "bindings/lua/sandbox/locked_table.hpp"
@@ -36,6 +39,17 @@ std::string describe(const Mismatch& why);
 
 /// Slots of Lua's stack for every payload, both ways: the deepest has `most_message_depth` levels.
 inline constexpr int codec_stack = 40;
+/// Slots for a payload of this type: Lua gives a C function `LUA_MINSTACK` without being asked.
+template <class T>
+inline constexpr int codec_stack_of = std::is_same_v<T, Value> ? codec_stack : 4;
+template <Sequence T>
+inline constexpr int codec_stack_of<T> = 3 + codec_stack_of<typename T::value_type>;
+template <Described T>
+inline constexpr int codec_stack_of<T> = std::apply(
+    [](const auto&... field) {
+        return 3 + std::max({codec_stack_of<std::remove_cvref_t<decltype(std::declval<T>().*field.member)>>...});
+    },
+    Describe<T>::fields);
 
 /// A fresh value of the script's own on top of the stack: a message, a parameter; arrays as plain tables.
 void push_payload(lua_State* L, const ValueView& value);
