@@ -75,6 +75,11 @@ target_link_libraries(web_png PUBLIC web_zlib)
 web_library(fmt ${web_sources}/fmt/src/format.cc)
 web_library(apriltag ${web_sources}/apriltag/tag36h11.c)
 
+# What runs once a file, or in collisions of few shapes.
+foreach(name apriltag ccd fmt png zlib)
+  target_compile_options(web_${name} PRIVATE -Oz)
+endforeach()
+
 # By the names that the rooms use.
 macro(nezumi_package room package)
 endmacro()
