@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -337,8 +338,9 @@ void WebServer::describe_system(Clock::time_point now) {
 }
 
 void WebServer::show(double late, Clock::time_point now) {
-    if (now - shown_ < std::chrono::duration<double>(1 / states)) return;
-    shown_ = now;
+    if (now < due_) return;
+    // Counted from the last one, ticks of 10 ms would give 50 a second.
+    due_ = std::max(due_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / states)), now);
     const Watch wanted = hub_.wanted();
     hub_.put(state_reader_.at(hub_.take_back(), wanted, late));
     pictures_->look(live_.system(), wanted.pictures, now);

@@ -119,7 +119,7 @@ private:
     Explanations explanations_;
     Earlier earlier_;
     PeerDesk peers_;
-    Clock::time_point shown_{};
+    Clock::time_point due_{};  // when the next state is sent
     Clock::time_point described_{};
     std::uint64_t fingerprint_ = 0;
     std::uint64_t layout_ = 0;
