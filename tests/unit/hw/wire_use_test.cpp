@@ -115,19 +115,17 @@ TEST_CASE("a new driver that fails while its rover stands is replaced by the one
     RoverRun run;
     run.copy("behaviors/rover_driver.lua", "behaviors/rover_driver.lua");
     run.get_going();
-    const auto say = [&](const std::string& line) {
-        const auto done = run_nezumi({"attach", "--eval", line}, run.folder.path("").string());
-        INFO(line << ": " << done.out << done.error);
-        CHECK(done.status == 0);
+    const auto says = [&](const std::string& line) {
+        return run_nezumi({"attach", "--eval", line}, run.folder.path("").string()).status == 0;
     };
-    say("stop()");
+    REQUIRE(says("stop()"));
     REQUIRE(run.stands_within(1));
     const std::size_t before = run.rover->lines().size();
     std::string driver = text_of_file(source_root() + "/behaviors/rover_driver.lua");
     const std::string begin = "function on_execute()";
     driver.insert(driver.find(begin) + begin.size(), " error('a wheel is missing') ");
     run.folder.write("behaviors/rover_driver.lua", driver);
-    say("reload()");
+    CHECK(holds_within(5, [&] { return says("reload()"); }));  // it is refused while the robot moves
     const bool is_back = run.program->wait_for_error("back to version 1 in rover_driver", 10);
     INFO(run.program->error);
     CHECK(is_back);
@@ -136,7 +134,7 @@ TEST_CASE("a new driver that fails while its rover stands is replaced by the one
     const auto lines = run.rover->lines();
     CHECK(std::all_of(lines.begin() + static_cast<std::ptrdiff_t>(before), lines.end(),
                       [](const auto& each) { return each.text == "v 0 0" || each.text == "v 0.000 0.000"; }));
-    say("rearm()");
+    CHECK(says("rearm()"));
     CHECK(holds_within(5, [&] { return run.rover->speed() > 0.19; }));
     CHECK(run.rover->torn_lines().empty());
 }

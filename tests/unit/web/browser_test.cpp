@@ -98,9 +98,8 @@ TEST_CASE("a browser gets the system, its types and all poses", "[web]") {
     while (frame.robots.empty()) frame = next_frame(browser);
     CHECK(frame.robots[0].is_truth);
     CHECK_FALSE(frame.rays.empty());
-    while (frame.ports.empty()) frame = next_frame(browser);
+    while (frame.ports.empty() || frame.ports[0].count == 0) frame = next_frame(browser);  // until the first tick
     CHECK(frame.ports[0].index == 0);
-    CHECK(frame.ports[0].count >= 1);
     Velocity2D sent;
     double tm = 0;
     REQUIRE(read_cdr_message(frame.ports[0].payload, sent, tm));
