@@ -64,10 +64,10 @@ Expected<bool> compute_past(Session::Parts& parts, PastRun& run, std::string_vie
         const bool is_beside = Worker::has_thread && !parts.clock.is_paused();
         there = is_beside ? run.go_on_beside(parts.worker.until()) : run.go_on(Clock::now() + slice);
         const int percent = static_cast<int>(100 * run.progress());
-        if (!parts.options.batch && Clock::now() - begin > patience && percent != shown_percent) {
+        // Only a person looks at progress.
+        if (parts.options.output.take_keys && Clock::now() - begin > patience && percent != shown_percent) {
             if (shown_percent < 0) give_keys(parts, true);
-            parts.show_in_place(
-                fmt::format("{}: {} %, {} cancels", what, percent, parts.seek_has_keys ? "Esc" : "Ctrl-C"));
+            parts.show_in_place(fmt::format("{}: {} %, Esc cancels", what, percent));
             shown_percent = percent;
         }
         const bool ended = !there || *there;

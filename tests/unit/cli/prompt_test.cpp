@@ -337,6 +337,11 @@ TEST_CASE("what is typed while a seek computes is the next input", "[cli][prompt
     CHECK(it.wait_for_row("42", 60));
     it.type("now()\r");
     CHECK(it.wait_for_row("99.0"));
+    // A command without a keyboard gets the result alone.
+    PtyProgram second({"attach", "--eval", "seek(97)"}, home.home);
+    CHECK(second.wait_until(
+        [&] { return second.screen.last_row().starts_with("at 97 s") || second.screen.rows().size() > 1; }, 60));
+    CHECK(second.screen.rows().front().starts_with("at 97 s of main"));
 }
 
 TEST_CASE("a second terminal attaches and leaves, and the system goes on", "[cli][prompt][attach]") {
