@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -340,7 +339,8 @@ void WebServer::describe_system(Clock::time_point now) {
 void WebServer::show(double late, Clock::time_point now) {
     if (now < due_) return;
     // Counted from the last one, ticks of 10 ms would give 50 a second.
-    due_ = std::max(due_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / states)), now);
+    constexpr auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / states));
+    due_ = (now - due_ < period ? due_ : now) + period;
     const Watch wanted = hub_.wanted();
     hub_.put(state_reader_.at(hub_.take_back(), wanted, late));
     pictures_->look(live_.system(), wanted.pictures, now);
