@@ -8,12 +8,12 @@ local WALL   = 0.1   -- m
 --- Places for `count` robots that keep `apart` metres from each other and from the walls.
 local function places(count, side, apart)
   local reach = side / 2 - apart
-  local taken, cell = {}, apart
+  local taken, cell, rows = {}, apart, side // apart + 3
   local function is_free(x, y)
     local column, row = x // cell, y // cell
     for c = column - 1, column + 1 do
       for r = row - 1, row + 1 do
-        for _, other in ipairs(taken[c .. "," .. r] or {}) do
+        for _, other in ipairs(taken[c * rows + r] or {}) do
           if (other.x - x) ^ 2 + (other.y - y) ^ 2 < apart * apart then return false end
         end
       end
@@ -26,7 +26,7 @@ local function places(count, side, apart)
     local x, y = (2 * math.random() - 1) * reach, (2 * math.random() - 1) * reach
     if is_free(x, y) then
       local place = { x = x, y = y, heading = (2 * math.random() - 1) * math.pi }
-      local key = x // cell .. "," .. y // cell
+      local key = x // cell * rows + y // cell
       taken[key] = taken[key] or {}
       table.insert(taken[key], place)
       table.insert(found, place)

@@ -1,6 +1,7 @@
 // Stores the latest warnings and errors of a run.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <vector>

@@ -20,17 +20,24 @@ namespace nezumi {
 namespace fs = std::filesystem;
 namespace {
 
-// "light_sensors" and "LightSensors" are the same file name.
-std::string folded(std::string_view name) {
-    std::string text;
-    for (const char c : name) {
-        if (c != '_') text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+// Whether two names are the same file name, as "light_sensors" and "LightSensors" are. Every port of every behaviour
+// asks this of all files beside it, so no text is made.
+bool same_file_name(std::string_view a, std::string_view b) {
+    const auto next = [](std::string_view& name) {
+        while (name.starts_with('_')) name.remove_prefix(1);
+        if (name.empty()) return 0;
+        const int letter = std::tolower(static_cast<unsigned char>(name.front()));
+        name.remove_prefix(1);
+        return letter;
+    };
+    while (true) {
+        const int letter = next(a);
+        if (letter != next(b)) return false;
+        if (letter == 0) return true;
     }
-    return text;
 }
 
-// The name of a file without `ending`; nothing for other files. Every port of every behaviour asks this of all files
-// beside it, so no path is made.
+// The name of a file without `ending`; nothing for other files. No path is made either.
 std::optional<std::string_view> stem_of(std::string_view file, std::string_view ending) {
     if (!file.ends_with(ending)) return std::nullopt;
     return file.substr(0, file.size() - ending.size());
@@ -209,7 +216,7 @@ private:
             const fs::path path = folder / entry;
             const bool means_package = name.package.empty() || name.package == package;
             if (path.extension() == ".lua") {
-                if (package.empty() && name.package.empty() && folded(path.stem().string()) == folded(name.name) &&
+                if (package.empty() && name.package.empty() && same_file_name(path.stem().string(), name.name) &&
                     (of_messages || is_message(path)))
                     all.push_back({path, "", ""});
             } else if (path.extension() == ".msg") {
@@ -249,12 +256,12 @@ private:
 
     // A file that would redefine a built-in type, beside the file at `from` or among the messages.
     std::optional<Definition> redefinition_of(std::string_view built_in, const fs::path& from) {
-        const std::string folded_name = folded(built_in);
         const std::vector<fs::path> folders = project().places(FileKind::message, from);
         for (std::size_t i = 0; i < folders.size(); ++i) {
             for (const std::string& entry : project().files().names_in(folders[i])) {
                 const auto stem = stem_of(entry, ".lua");
-                const bool is_lua = stem && folded(*stem) == folded_name && (i > 0 || is_message(folders[i] / entry));
+                const bool is_lua =
+                    stem && same_file_name(*stem, built_in) && (i > 0 || is_message(folders[i] / entry));
                 if (is_lua || stem_of(entry, ".msg") == built_in) return Definition{folders[i] / entry, "", ""};
             }
         }

@@ -55,9 +55,13 @@ void PathSeen::update(PathSeen later) {
 }
 
 PathSeen& FileSnapshot::at(const fs::path& path) const {
-    const auto [seen, is_new] = found_.try_emplace((working_folder_ / path).lexically_normal());
-    if (is_new) seen->second.what = files_.what_is(path);
-    return seen->second;
+    PathSeen*& known = known_[path.native()];
+    if (known == nullptr) {
+        const auto [seen, is_new] = found_.try_emplace((working_folder_ / path).lexically_normal());
+        if (is_new) seen->second.what = files_.what_is(path);
+        known = &seen->second;
+    }
+    return *known;
 }
 
 std::string FileSnapshot::what_is(const fs::path& path) const { return at(path).what; }

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -55,7 +56,10 @@ public:
     Expected<std::string> read(const std::filesystem::path& path, const std::string& shown) const override;
 
     /// All results by full path; removes them.
-    FilesSeen take() { return std::exchange(found_, {}); }
+    FilesSeen take() {
+        known_.clear();
+        return std::exchange(found_, {});
+    }
 
 private:
     PathSeen& at(const std::filesystem::path& path) const;
@@ -63,6 +67,7 @@ private:
     const ProjectFiles& files_;
     std::filesystem::path working_folder_;
     mutable FilesSeen found_;
+    mutable std::unordered_map<std::string, PathSeen*> known_;  // the same, by each path as it was asked for
 };
 
 }  // namespace nezumi

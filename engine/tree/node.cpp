@@ -303,16 +303,16 @@ Names TreeNode::data_names() const {
     return sorted(std::move(names));
 }
 
-Expected<NodeValue> TreeNode::value(const PlainLimit& limit) const {
+Expected<NodeValue> TreeNode::value_of(std::string_view part, const PlainLimit& limit) const {
     const auto part_of = [&](const ValueView& whole) {
-        auto part = value_below(whole, part_);
-        return part ? NodeValue{std::move(*part)} : NodeValue{};
+        auto found = value_below(whole, part);
+        return found ? NodeValue{std::move(*found)} : NodeValue{};
     };
     if (parameter_ != nullptr) return part_of(parameter_->value);
     if (is_of_value()) return part_of(port_->value());
     if (member_ == nullptr || member_->value == nullptr) return NodeValue{};
     auto whole = member_->value(*this, limit);
-    if (!whole || part_.empty()) return whole;
+    if (!whole || part.empty()) return whole;
     const auto* held = std::get_if<Value>(&*whole);
     return held != nullptr ? part_of(*held) : NodeValue{};
 }

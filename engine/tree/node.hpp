@@ -77,7 +77,12 @@ public:
     std::vector<std::string> children(Called called = Called::either) const;
 
     /// Its present value. An error if it is unknown, such as the truth about a real robot.
-    Expected<NodeValue> value(const PlainLimit& limit = {}) const;
+    Expected<NodeValue> value(const PlainLimit& limit = {}) const { return value_of(part_, limit); }
+    /// The present value of the node at a path below that has only fields and elements, "position.x" of a value: as
+    /// fast as if that node were known. Nothing if there is none.
+    Expected<NodeValue> value_at(std::string_view path) const { return value_of(join_path(part_, path), {}); }
+    /// Whether all names below are of fields and elements of its value.
+    bool is_value() const { return kind() == Kind::value || kind() == Kind::truth || kind() == Kind::parameter; }
 
     /// The child with this name, a parameter that can be set; or an error.
     Expected<TreeNode> to_set(std::string_view name) const;
@@ -97,6 +102,7 @@ private:
     Expected<TreeNode> child_of_component(std::string_view name) const;
     Expected<TreeNode> child_of_port(std::string_view name) const;
     Expected<TreeNode> below(std::string_view name) const;
+    Expected<NodeValue> value_of(std::string_view part, const PlainLimit& limit) const;
     bool is_of_value() const;
     const Type* whole_type() const;
     const Type::Field* field() const;

@@ -194,9 +194,9 @@ std::optional<Value> Objects::scalar_at(lua_State* L, int index, std::string_vie
     const ObjectRef* ref = to_object(L, index);
     if (ref == nullptr || !ObjectAccess::is_ready(*this)) return std::nullopt;
     auto node = node_of(*ref);
-    while (node && !path.empty()) node = node->child(take_step(path));
+    while (node && !path.empty() && !node->is_value()) node = node->child(take_step(path));
     if (!node || node->kind() == NodeKind::data) return std::nullopt;
-    auto value = node->value();
+    auto value = node->value_at(path);
     Value* const held = value ? std::get_if<Value>(&*value) : nullptr;
     if (held == nullptr || !(held->type().is_number() || held->is<bool>())) return std::nullopt;
     if (node->port() != nullptr && on_read_) on_read_({ref->live(), node->component(), node->port()});

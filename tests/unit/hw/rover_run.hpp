@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hw/guard/lease.hpp"
 #include "tests/fakes/fake_rover.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/hw/holds_within.hpp"
@@ -49,6 +50,9 @@ struct RoverRun {
         program.emplace(words, folder.path("").string());
     }
     void get_going() {
+        // The terminal may have the number of an earlier one, whose writer is about to end.
+        const std::string terminal = std::filesystem::canonical(node()).string();
+        REQUIRE(holds_within(10, [&] { return Lease::take("wire " + terminal, terminal).has_value(); }));
         start();
         const bool goes = holds_within(20, [&] { return rover->speed() > 0.19; });
         if (!goes) program->listen(0.2);
