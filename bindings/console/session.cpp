@@ -77,12 +77,7 @@ Expected<void> Session::Parts::open() {
     state = std::move(*fresh);
     objects = std::move(*opened);
     objects->set_hardware(is_hardware);
-    objects->set_visit([this](const std::function<void()>& body) {
-        return worker.perform([&body] {
-            body();
-            return true;
-        });
-    });
+    objects->set_visit([this](const Worker::Work& look) { return worker.perform(look); });
     return open_scope(*this);
 }
 

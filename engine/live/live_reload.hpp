@@ -25,7 +25,6 @@ public:
 
     /// Call this between two ticks. Only reads a flag if nothing has changed.
     void between_ticks() {
-        reloads_.after_tick();
         if (watcher_.has_news() || !worker_.is_idle() || !failed_.empty()) take_changes();
     }
     /// Call this after other reloads, and after components were added or removed: updates the watched files.

@@ -111,11 +111,8 @@ void RunningSystem::activate() {
 }
 
 void RunningSystem::between_ticks() {
-    if (running_->live_reload) {
-        running_->live_reload->between_ticks();
-    } else {
-        running_->reloads->after_tick();
-    }
+    running_->reloads->after_tick();
+    if (running_->live_reload) running_->live_reload->between_ticks();
     if (Network* network = running_->system->network()) {
         network->between_ticks(door(), [this](const Question& question, bool writable, const Actor& who) {
             return answer_question({tree(), trace_, door()}, question, writable, who);

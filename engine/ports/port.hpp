@@ -214,7 +214,7 @@ public:
     /// The latest message that arrived. Does not consume it.
     const Message<T>& latest() const { return *latest_; }
     /// All messages that arrived in the tick `arrival_tick()`, oldest first; empty unless the port is followed.
-    std::span<const Message<T>> messages() const { return arrived_; }
+    std::span<const Message<T>> messages() const { return {arrived_.data(), arrived_count_}; }
 
     void latch(const Time& now) override {
         if (override_ != Override::none) {
@@ -234,13 +234,13 @@ public:
         own_ = {zero_.get()};
         taken_ = {zero_.get()};
         tm_ = 0;
-        arrived_.clear();
+        arrived_count_ = 0;
         arrival_tick_ = -1;
         arrived_at_ = 0;
     }
     void inject(const Value& value) override { injected_.push_back({detail::held_in<T>(value), 0.0}); }
 
-    std::size_t message_count() const override { return arrived_.size(); }
+    std::size_t message_count() const override { return arrived_count_; }
     MessageView message(std::size_t index) const override { return arrived_[index].view(); }
     Value value() const override { return latest_->data; }
     void hold(Value value) override {
@@ -302,8 +302,9 @@ private:
     /// `message` must stay valid until the next `latch` or `keep_latest`.
     void deliver(const Message<T>& message, const Time& now) {
         if (followed_) {
-            if (arrival_tick_ != now.tick) arrived_.clear();
-            arrived_.push_back(message);
+            if (arrival_tick_ != now.tick) arrived_count_ = 0;
+            if (arrived_count_ == arrived_.size()) arrived_.emplace_back();
+            arrived_[arrived_count_++] = message;
         }
         latest_ = &message;
         tm_ = message.tm;
@@ -376,6 +377,7 @@ private:
     std::size_t head_ = 0;
     std::size_t queued_bytes_ = 0;     // of texts and sequences in the queue
     std::vector<Message<T>> arrived_;  // in the tick `arrival_tick_`, when it is followed
+    std::size_t arrived_count_ = 0;    // how many of these; the others keep their memory for later ones
     std::unique_ptr<T> held_;
 };
 

@@ -65,7 +65,11 @@ std::size_t leaf_numbers(const ValueView& value, std::span<double> numbers,
     if (numbers.empty()) return 0;
     std::size_t count = 0;
     const auto add = [&](const ValueView& part) {
-        count += leaf_numbers(part, numbers.subspan(count), of_text);
+        if (part.type->kind == Type::Kind::float64 && count < numbers.size()) {  // most are
+            numbers[count++] = part.as<double>();
+        } else {
+            count += leaf_numbers(part, numbers.subspan(count), of_text);
+        }
         return count < numbers.size();
     };
     switch (value.type->kind) {

@@ -89,7 +89,10 @@ struct ObjectAccess {
         }
         if (!objects.visit_) return body();
         Expected<Answer> got = failure("interrupted");
-        objects.visit_([&] { got = body(); });
+        objects.visit_([&] {
+            got = body();
+            return true;
+        });
         return got;
     }
     /// Whether the system may be read here and now.

@@ -48,9 +48,9 @@ public:
 
     /// Real robots: teleport, press and disturb are refused.
     void set_hardware(bool hardware) { hardware_ = hardware; }
-    /// Sets how reads and acts reach the system: `visit` lets the ticking thread do them, and returns false if it was
-    /// not done. Empty: they are done directly.
-    void set_visit(std::function<bool(const std::function<void()>&)> visit) { visit_ = std::move(visit); }
+    /// Sets how reads and acts reach the system: `visit` lets the ticking thread do them, which return true, and returns
+    /// false if it was not done. Empty: they are done directly.
+    void set_visit(std::function<bool(const std::function<bool()>&)> visit) { visit_ = std::move(visit); }
     /// Called before each read and act; its error replaces the result.
     void set_prepare(std::function<Expected<void>()> prepare) { prepare_ = std::move(prepare); }
     /// Called before each change of a parameter; its error replaces the result.
@@ -91,7 +91,7 @@ private:
 
     bool hardware_ = false;
     std::function<void(const PortAt&)> on_read_;
-    std::function<bool(const std::function<void()>&)> visit_;
+    std::function<bool(const std::function<bool()>&)> visit_;
     std::function<Expected<void>()> prepare_;
     std::function<Expected<void>()> prepare_change_;
     std::unique_ptr<Core> core_;

@@ -91,6 +91,24 @@ TEST_CASE("a port's value has one path, however it is named", "[engine][tree]") 
     CHECK(tree.at("it.config.gains[2]").part() == "gains[2]");
 }
 
+TEST_CASE("a part of a value is read from the value's node as from its own", "[engine][tree]") {
+    Tree tree;
+    const auto part = [&](std::string_view value, std::string_view path) {
+        const TreeNode node = tree.at(value);
+        CHECK(node.is_value());
+        const NodeValue found = node.value_at(path).value();
+        const auto* held = std::get_if<Value>(&found);
+        return held != nullptr ? held->get<double>() : -1;
+    };
+    CHECK(part("it.speed.value", "vx") == 0.25);
+    CHECK(part("it.config.gains", "[2]") == 2);
+    CHECK(part("it.config.speed_x", "") == 0.5);
+    CHECK(part("it.speed.value", "vz") == -1);
+    CHECK(part("it.config.gains", "[3]") == -1);
+    CHECK_FALSE(tree.at("it.speed").is_value());
+    CHECK_FALSE(tree.at("it").is_value());
+}
+
 TEST_CASE("an unknown name is refused, and the error suggests the nearest name", "[engine][tree]") {
     Tree tree;
     CHECK(tree.why_not("itt.speed") == "there is no component 'itt' (did you mean 'it'?)");
