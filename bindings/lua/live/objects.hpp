@@ -48,8 +48,8 @@ public:
 
     /// Real robots: teleport, press and disturb are refused.
     void set_hardware(bool hardware) { hardware_ = hardware; }
-    /// Sets how reads and acts reach the system: `visit` lets the ticking thread do them, which return true, and returns
-    /// false if it was not done. Empty: they are done directly.
+    /// Sets how reads and acts reach the system: `visit` lets the ticking thread do them, which return true, and
+    /// returns false if it was not done. Empty: they are done directly.
     void set_visit(std::function<bool(const std::function<bool()>&)> visit) { visit_ = std::move(visit); }
     /// Called before each read and act; its error replaces the result.
     void set_prepare(std::function<Expected<void>()> prepare) { prepare_ = std::move(prepare); }
