@@ -239,7 +239,7 @@ std::string read_value(const Json& json, const ValuePlace& out, const OtherForms
             if (out.type->kind == Type::Kind::text) {
                 out.as<std::string>() = std::move(*text);
             } else {
-                assign_octets(out.as<Octets>(), *text);
+                out.as<Octets>().assign(text->begin(), text->end());
             }
             return "";
         }

@@ -42,11 +42,6 @@ using EntryVisitor = std::function<void(const std::string& name, const void* ele
 
 /// Raw bytes: one value, a string in Lua.
 using Octets = std::vector<std::uint8_t>;
-/// Sets bytes to those of a text, as one copy: from `char`, `assign` takes them one by one.
-inline void assign_octets(Octets& octets, std::string_view text) {
-    const auto* first = reinterpret_cast<const std::uint8_t*>(text.data());
-    octets.assign(first, first + text.size());
-}
 
 namespace detail {
 template <class T>

@@ -337,7 +337,7 @@ bool read_any(lua_State* L, int index, const ValuePlace& out, Mismatch* why, Num
             if (out.type->kind == Type::Kind::text) {
                 out.as<std::string>() = text;
             } else {
-                assign_octets(out.as<Octets>(), text);
+                out.as<Octets>().assign(text.begin(), text.end());
             }
             return true;
         }

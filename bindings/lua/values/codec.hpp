@@ -217,11 +217,7 @@ bool read_value(lua_State* L, int index, T& out, Numbers numbers) {
         static_assert(std::is_same_v<T, std::string> || std::is_same_v<T, Octets>);
         std::string_view text;
         if (!detail::read_text(L, index, text, nullptr)) return false;
-        if constexpr (std::is_same_v<T, Octets>) {
-            assign_octets(out, text);
-        } else {
-            out = text;
-        }
+        out.assign(text.begin(), text.end());
         return true;
     }
 }
