@@ -7,6 +7,7 @@
 #include <cctype>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -23,18 +24,9 @@ namespace {
 // Whether two names are the same file name, as "light_sensors" and "LightSensors" are. Every port of every behaviour
 // asks this of all files beside it, so no text is made.
 bool same_file_name(std::string_view a, std::string_view b) {
-    const auto next = [](std::string_view& name) {
-        while (name.starts_with('_')) name.remove_prefix(1);
-        if (name.empty()) return 0;
-        const int letter = std::tolower(static_cast<unsigned char>(name.front()));
-        name.remove_prefix(1);
-        return letter;
-    };
-    while (true) {
-        const int letter = next(a);
-        if (letter != next(b)) return false;
-        if (letter == 0) return true;
-    }
+    const auto letters = std::views::filter([](char c) { return c != '_'; });
+    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    return std::ranges::equal(a | letters, b | letters, {}, lower, lower);
 }
 
 // The name of a file without `ending`; nothing for other files. No path is made either.
