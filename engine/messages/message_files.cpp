@@ -7,7 +7,6 @@
 #include <cctype>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <utility>
 
@@ -24,9 +23,15 @@ namespace {
 // Whether two names are the same file name, as "light_sensors" and "LightSensors" are. Every port of every behaviour
 // asks this of all files beside it, so no text is made.
 bool same_file_name(std::string_view a, std::string_view b) {
-    const auto letters = std::views::filter([](char c) { return c != '_'; });
-    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-    return std::ranges::equal(a | letters, b | letters, {}, lower, lower);
+    const auto skip = [](std::string_view& name) {
+        name.remove_prefix(std::min(name.find_first_not_of('_'), name.size()));
+    };
+    for (skip(a), skip(b); !a.empty() && !b.empty(); skip(a), skip(b)) {
+        if (std::tolower(static_cast<unsigned char>(a[0])) != std::tolower(static_cast<unsigned char>(b[0])))
+            return false;
+        a.remove_prefix(1), b.remove_prefix(1);
+    }
+    return a.empty() && b.empty();
 }
 
 // The name of a file without `ending`; nothing for other files. No path is made either.
