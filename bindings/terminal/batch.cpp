@@ -14,6 +14,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bindings/console/input_text.hpp"
 #include "bindings/console/put_text.hpp"
 #include "engine/base/visible.hpp"
 
@@ -36,7 +37,6 @@ private:
     std::optional<std::string> read_line();
     std::optional<std::string> give_up_input();
     bool has_more_input();
-    bool is_complete(const std::string& text);
     bool is_cut_off();  // the system ended without a message; reports it once
     std::optional<Event> wait_for_answer(std::int64_t id);
     void show(const Event& event);
@@ -68,7 +68,7 @@ BatchEnd Batch::run_all() {
         if (next) text += (text.empty() ? "" : "\n") + *next;
         if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
             text.clear();
-        } else if (!next || is_complete(text)) {
+        } else if (!next || is_complete_input(text)) {
             well = run(std::exchange(text, {}), first) && well;
         } else {
             continue;
@@ -118,11 +118,6 @@ bool Batch::is_cut_off() {
     if (client_.is_open() || bye_) return false;
     if (!std::exchange(told_, true)) tell(place("the connection to the system is lost"));
     return true;
-}
-
-bool Batch::is_complete(const std::string& text) {
-    const auto answer = wait_for_answer(client_.send({.kind = Request::Kind::is_complete, .text = text}));
-    return !answer || answer->ok;
 }
 
 std::optional<std::string> Batch::read_line() {

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bindings/console/input_text.hpp"
 #include "bindings/terminal/input_history.hpp"
 #include "bindings/terminal/line_editor.hpp"
 #include "bindings/terminal/tty_input.hpp"
@@ -41,7 +42,6 @@ private:
     bool read_input(std::string& input);
     bool leaves_at_second();
     void evaluate(const std::string& input);
-    bool is_complete(const std::string& input);
     Completion complete(const std::string& text, std::size_t cursor);
     void keep(const std::string& input);
     std::optional<Event> wait_for_answer(std::int64_t id);
@@ -121,7 +121,7 @@ bool Prompt::read_input(std::string& input) {
             case LineEditor::Outcome::input: asked_.reset(); break;
         }
         input += line;
-        if (is_complete(input)) return !ended();
+        if (is_complete_input(input)) return !ended();
         input += "\n";
         begun_ = true;
     }
@@ -148,12 +148,6 @@ void Prompt::keep(const std::string& input) {
 
 void Prompt::evaluate(const std::string& input) {
     wait_for_answer(client_.send({.kind = Request::Kind::eval, .text = input}));
-}
-
-bool Prompt::is_complete(const std::string& input) {
-    if (input.find_first_not_of(" \t\n") == std::string::npos) return true;
-    const auto answer = wait_for_answer(client_.send({.kind = Request::Kind::is_complete, .text = input}));
-    return !answer || answer->ok;
 }
 
 Completion Prompt::complete(const std::string& text, std::size_t cursor) {

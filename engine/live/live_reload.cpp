@@ -76,8 +76,8 @@ void LiveReload::finish(PreparedAct prepared) {
     if (const auto done = live_.commit(std::move(prepared), {Actor::Kind::file_watcher}); !done) {
         live_.system().log(LogLevel::error, describe(done.error()));
         failed_ = std::exchange(loading_, {});
+        watch_again();
     }
-    watch_again();
 }
 
 }  // namespace nezumi
