@@ -59,9 +59,14 @@ Sweep with_drawn(Sweep sweep, const std::vector<DrawnValue>& drawn) {
 
 SweepPoint with_drawn(SweepPoint point, const std::vector<DrawnValue>& drawn) {
     for (const DrawnValue& each : drawn) {
-        if (value_of(point, each.name) != nullptr) continue;
-        point.emplace_back(each.name,
-                           each.choices.empty() ? number_value(each.range, each.number) : text_value(each.text));
+        SweepValue value = each.choices.empty() ? number_value(each.range, each.number) : text_value(each.text);
+        const auto found =
+            std::find_if(point.begin(), point.end(), [&](const auto& at) { return at.first == each.name; });
+        if (found == point.end()) {
+            point.emplace_back(each.name, std::move(value));
+        } else {
+            found->second = std::move(value);  // a name of a run has texts
+        }
     }
     return point;
 }

@@ -364,20 +364,23 @@ std::optional<SweepPoint> find_point(const Sweep& sweep, std::string_view text) 
 
 std::vector<SweepPoint> simpler(const Sweep& sweep, const SweepPoint& point) {
     std::vector<SweepPoint> all;
-    for (std::size_t i = 0; i < point.size(); ++i) {
+    for (const SweepKey& key : sweep.keys) {
+        const SweepValue* const present = value_of(point, key.name);
+        if (present == nullptr) continue;
         const auto add = [&](const SweepValue& value) {
             all.push_back(point);
-            all.back()[i].second = value;
+            for (auto& [name, changed] : all.back()) {
+                if (name == key.name) changed = value;
+            }
         };
         const auto of_range = [&](const SweepRange& range) {
-            for (const double number : simpler_numbers(range, number_in(point[i].second)))
-                add(number_value(range, number));
+            for (const double number : simpler_numbers(range, number_in(*present))) add(number_value(range, number));
         };
         const auto of_list = [&](const std::vector<SweepValue>& list) {
-            const SweepValue* present = find_value(list, point[i].second.text);
-            for (const SweepValue* value = list.data(); value != present; ++value) add(*value);
+            const SweepValue* const found = find_value(list, present->text);
+            for (const SweepValue* value = list.data(); value != found; ++value) add(*value);
         };
-        by_kind(sweep.keys[i], of_range, of_list);
+        by_kind(key, of_range, of_list);
     }
     return all;
 }
