@@ -22,9 +22,12 @@ inline std::size_t& large_allocations() {
 }  // namespace nezumi
 
 #ifndef NEZUMI_THREAD_SANITIZER
-void* operator new(std::size_t size) {
+void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept {
     if (size >= nezumi::large_allocation) ++nezumi::large_allocations();
-    if (void* const memory = std::malloc(size > 0 ? size : 1)) return memory;
+    return std::malloc(size > 0 ? size : 1);
+}
+void* operator new(std::size_t size) {
+    if (void* const memory = operator new(size, std::nothrow)) return memory;
     throw std::bad_alloc();
 }
 void operator delete(void* memory) noexcept { std::free(memory); }

@@ -23,6 +23,7 @@
 #include <system_error>
 
 #include "engine/base/descriptor.hpp"
+#include "engine/base/sanitizers.hpp"
 
 namespace nezumi::web {
 namespace {
@@ -148,7 +149,9 @@ void set_bounds(bool lowers_priority) {
         limit.rlim_cur = std::min(limit.rlim_cur, limit.rlim_max);
         setrlimit(resource, &limit);
     };
+#if !defined(NEZUMI_ADDRESS_SANITIZER) && !defined(NEZUMI_THREAD_SANITIZER)  // these reserve terabytes at the start
     at_most(RLIMIT_DATA, most_memory);
+#endif
     at_most(RLIMIT_FSIZE, longest_pupil_file);
     at_most(RLIMIT_NOFILE, most_open_files);
     at_most(RLIMIT_CORE, 0);

@@ -22,6 +22,13 @@ struct SessionRig : LiveRig, ClockControl {
                         SessionOptions options = {}, const ProjectFiles& files = disk(), bool is_real = false)
         : LiveRig(system, behaviors, files), hardware(is_real) {
         options.output.show = [this](std::string_view text) { add(text); };
+        // As in a terminal: what is directly above and in place goes.
+        options.output.show_in_place = [this](std::string_view text) {
+            if (shown.ends_with(in_place)) shown.resize(shown.size() - in_place.size());
+            const std::size_t before = shown.size();
+            add(text);
+            in_place = shown.substr(before);
+        };
         options.output.show_error = [this](std::string_view text) { add("! " + std::string(text)); };
         options.output.done = [this](bool well) { all_well = all_well && well, ++finished; };
         options.output.take_keys = [this](TakenKeys taken) { keys = taken != TakenKeys::none; };
@@ -32,6 +39,7 @@ struct SessionRig : LiveRig, ClockControl {
     /// What an input shows, its lines joined.
     std::string type(std::string text) {
         shown.clear();
+        in_place.clear();
         all_well = true;
         session->submit(std::move(text));
         for (int rounds = 0; session->is_busy(); ++rounds) {
@@ -92,6 +100,7 @@ struct SessionRig : LiveRig, ClockControl {
     int finished_at_quit = 0;
     bool all_well = true;
     std::string shown;
+    std::string in_place;  // its latest part that may be replaced
     Bell bell;
     std::unique_ptr<Session> session;
 };
