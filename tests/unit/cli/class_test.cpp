@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bindings/web/classroom/confinement.hpp"
+#include "tests/unit/cli/need_landlock.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
@@ -61,7 +62,7 @@ fs::path shipped(const std::string& name) { return fs::path(source_root()) / "be
 }  // namespace
 
 TEST_CASE("the work of a class is collected with results of shown and hidden scenarios", "[cli][class]") {
-    if (!web::can_confine()) return;
+    need_landlock();
     Pupils pupils;
     const fs::path good = pupils.add("花子", "part2_stop_at_wall");
     fs::copy_file(shipped("robot_controller.lua"), good / "behaviors/controller.lua",
@@ -89,7 +90,7 @@ TEST_CASE("the work of a class is collected with results of shown and hidden sce
 }
 
 TEST_CASE("work that can't be checked is reported in the results", "[cli][class]") {
-    if (!web::can_confine()) return;
+    need_landlock();
     Pupils pupils;
     pupils.add("Hanako", "part3_touch_drive");
     const fs::path work = pupils.add("Taro", "part2_stop_at_wall");
@@ -112,7 +113,7 @@ TEST_CASE("a class without a folder, or at a wrong address, is refused in one li
 
 TEST_CASE("without random numbers of the kernel no class begins, because its secrets could be guessed",
           "[cli][class]") {
-    if (!web::can_confine()) throw std::runtime_error("SKIPPED: this kernel has no Landlock");
+    need_landlock();
     const Scratch scratch;
     const Outcome ended = run_without_random_numbers("class " + scratch.path("class").string());
     CHECK(ended.status == 2);

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "bindings/web/classroom/confinement.hpp"
+#include "tests/unit/cli/need_landlock.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
@@ -15,10 +15,6 @@ namespace {
 constexpr const char* drives = R"(robot "mouse" { model = "raspimouse" }
 behavior "controller" { script = "controller" }
 )";
-
-void need_landlock() {
-    if (!web::can_confine()) throw std::runtime_error("SKIPPED: this kernel has no Landlock");
-}
 
 // A class's folder with the project of one pupil, and of another one.
 class Neighbours {

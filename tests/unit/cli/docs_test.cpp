@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/unit/cli/need_landlock.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
@@ -328,6 +329,7 @@ TEST_CASE("the commands on the seminar's page in Japanese give the documented re
 }
 
 TEST_CASE("the commands on the page about classes in Japanese give the documented results", "[cli][docs]") {
+    need_landlock();
     follow("ja/classroom.md", "", "mkdir robots-7b");
 }
 
@@ -415,6 +417,7 @@ TEST_CASE("the commands on the page about learning give the documented results",
 TEST_CASE("the commands on the page about agents give the documented results", "[cli][docs]") { follow("agents.md"); }
 
 TEST_CASE("the commands on the page about classes give the documented results", "[cli][docs]") {
+    need_landlock();
     follow("classroom.md", "", "mkdir robots-7b");
 }
 
