@@ -9,6 +9,7 @@
 
 #include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
+#include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "engine/records/file_table.hpp"
 #include "engine/system/system.hpp"
@@ -171,7 +172,7 @@ Expected<double> Episode::number(EnvironmentFunction function, std::span<const f
     double number = 0;
     const bool is_number = detail::read_number(lua, -1, std::numeric_limits<double>::max(), number, nullptr);
     const std::string got = lua_type(lua, -1) == LUA_TNUMBER
-                                ? fmt::format("{}", lua_tonumber(lua, -1))
+                                ? fmt::format("{}", number_at(lua, -1))
                                 : fmt::format("a {}", lua_typename(lua, lua_type(lua, -1)));
     lua_settop(lua, 0);
     if (!is_number)

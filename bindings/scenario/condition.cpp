@@ -8,6 +8,7 @@
 
 #include "bindings/lua/sandbox/compile.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
+#include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/syntax/globals.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "bindings/scenario/condition_source.hpp"
@@ -211,8 +212,8 @@ int Condition::compare(lua_State* lua, Comparison& comparison) {
     comparison.has_numbers = lua_type(lua, 2) == LUA_TNUMBER && lua_type(lua, 3) == LUA_TNUMBER;
     comparison.robustness = of_result(result);
     if (comparison.has_numbers) {
-        comparison.left_value = lua_tonumber(lua, 2);
-        comparison.right_value = lua_tonumber(lua, 3);
+        comparison.left_value = number_at(lua, 2);
+        comparison.right_value = number_at(lua, 3);
         comparison.robustness = robustness_of(comparison.op, comparison.left_value, comparison.right_value, result);
     }
     lua_pushboolean(lua, result ? 1 : 0);

@@ -218,7 +218,7 @@ Expected<double> ScenarioRun::Methods::seconds(lua_State* lua, int index, std::s
     Mismatch why;
     if (lua_type(lua, index) <= LUA_TNIL || !detail::read_number(lua, index, 1e9, value, &why) || value < 0) {
         return failure(fmt::format("{}{}expected seconds from 0 on, got {}", what, what.empty() ? "" : " ",
-                                   lua_type(lua, index) == LUA_TNUMBER ? fmt::format("{}", lua_tonumber(lua, index))
+                                   lua_type(lua, index) == LUA_TNUMBER ? fmt::format("{}", number_at(lua, index))
                                                                        : Arguments{lua}.kind(index)));
     }
     return value;
@@ -304,7 +304,7 @@ int ScenarioRun::Methods::near(ScenarioRun& run, lua_State* lua) {
     for (int i = 0; i < 3; ++i) {
         if (lua_type(lua, i + 2) != LUA_TNUMBER)
             return raise(run, fmt::format("expected {} (a number), got {}", names[i], Arguments{lua}.kind(i + 2)));
-        values[i] = lua_tonumber(lua, i + 2);
+        values[i] = number_at(lua, i + 2);
     }
     const auto [actual, expected, tolerance] = values;
     if (!(tolerance >= 0)) return raise(run, "expected a tolerance from 0 on");
@@ -347,7 +347,7 @@ int ScenarioRun::Methods::measure(ScenarioRun& run, lua_State* lua) {
         return raise(run, fmt::format("{}: --measures has a column of this name: choose another", what));
     if (lua_type(lua, 3) != LUA_TNUMBER)
         return raise(run, fmt::format("{}: expected a number, got {}", what, Arguments{lua}.kind(3)));
-    measure.value = lua_tonumber(lua, 3);
+    measure.value = number_at(lua, 3);
     if (!std::isfinite(measure.value))
         return raise(run, fmt::format("{}: expected a finite number, got {}", what, measure.value));
     if (lua_type(lua, 4) > LUA_TNIL && lua_type(lua, 4) != LUA_TSTRING)

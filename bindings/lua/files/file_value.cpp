@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bindings/lua/sandbox/locked_table.hpp"
+#include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/codec.hpp"
 
 namespace nezumi {
@@ -51,7 +52,7 @@ private:
             case LUA_TSTRING: return text_at(index);
             case LUA_TNUMBER:
                 if (lua_isinteger(lua_, index) != 0) return fmt::format("[{}]", lua_tointeger(lua_, index));
-                return fmt::format("[{}]", lua_tonumber(lua_, index));
+                return fmt::format("[{}]", number_at(lua_, index));
             case LUA_TBOOLEAN: return lua_toboolean(lua_, index) != 0 ? "[true]" : "[false]";
             default: return fmt::format("[a {}]", lua_typename(lua_, lua_type(lua_, index)));
         }

@@ -30,7 +30,7 @@ std::string step_of(lua_State* L, int index) {
         case LUA_TBOOLEAN: return lua_toboolean(L, index) != 0 ? "[true]" : "[false]";
         case LUA_TNUMBER:
             if (lua_isinteger(L, index) != 0) return fmt::format("[{}]", lua_tointeger(L, index));
-            return fmt::format("[{}]", lua_tonumber(L, index));
+            return fmt::format("[{}]", number_at(L, index));
         default: return fmt::format("[{}]", luaL_typename(L, index));
     }
 }

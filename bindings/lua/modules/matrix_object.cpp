@@ -58,7 +58,7 @@ void add_row_text(lua_State* L, luaL_Buffer& text, MatrixObject& matrix, int row
     for (int j = 0; j < matrix.columns; ++j) {
         luaL_addstring(&text, j == 0 ? "{ " : ", ");
         lua_pushnumber(L, matrix.row(row)[j]);
-        luaL_tolstring(L, -1, nullptr);
+        push_text(L, -1);
         lua_remove(L, -2);
         luaL_addvalue(&text);
     }
@@ -170,7 +170,7 @@ const char* kind_at(lua_State* L, int index) {
 }
 
 double element_at(lua_State* L, int index, int row, int column) {
-    const double value = lua_type(L, index) == LUA_TNUMBER ? lua_tonumber(L, index) : NAN;
+    const double value = lua_type(L, index) == LUA_TNUMBER ? number_at(L, index) : NAN;
     if (!std::isfinite(value)) {
         const char* got = lua_type(L, index) == LUA_TNUMBER ? push_text(L, index) : kind_at(L, index);
         luaL_error(L, "matrix: row %d, column %d expected a finite number, got %s", row, column, got);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bindings/lua/sandbox/line_trace.hpp"
+#include "bindings/lua/sandbox/text.hpp"
 
 namespace nezumi {
 namespace {
@@ -19,7 +20,7 @@ Value value_of(lua_State* lua) {
         case LUA_TBOOLEAN: return lua_toboolean(lua, -1) != 0;
         case LUA_TNUMBER:
             if (lua_isinteger(lua, -1) != 0) return std::int64_t{lua_tointeger(lua, -1)};
-            return lua_tonumber(lua, -1);
+            return number_at(lua, -1);
         case LUA_TSTRING: {
             std::size_t size = 0;
             const char* const text = lua_tolstring(lua, -1, &size);

@@ -14,6 +14,7 @@
 #include "bindings/lua/sandbox/error_frames.hpp"
 #include "bindings/lua/sandbox/line_profile.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
+#include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
 
 namespace nezumi {
@@ -98,7 +99,7 @@ std::string text_of(lua_State* lua, bool within) {
             if (lua_isinteger(lua, -1) != 0) {
                 std::snprintf(text, sizeof text, "%lld", static_cast<long long>(lua_tointeger(lua, -1)));
             } else {
-                std::snprintf(text, sizeof text, "%.6g", lua_tonumber(lua, -1));
+                std::snprintf(text, sizeof text, "%.6g", number_at(lua, -1));
             }
             return text;
         }

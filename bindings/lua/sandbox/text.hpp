@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <lua.hpp>
 #include <string_view>
 
@@ -14,6 +15,12 @@ const char* push_text(lua_State* lua, int index, std::size_t* length = nullptr);
 
 /// Pushes the text for the identity of the value at `index` ("table: 1"), without `__tostring`.
 void push_identity(lua_State* lua, int index);
+
+/// The number at `index`. A NaN is without a sign, because processors give it different ones.
+inline double number_at(lua_State* lua, int index) {
+    const double number = lua_tonumber(lua, index);
+    return number == number ? number : std::numeric_limits<double>::quiet_NaN();
+}
 
 /// The whole string at `index`, which may contain zero bytes. Valid as long as the value.
 inline std::string_view string_at(lua_State* lua, int index) {

@@ -1,5 +1,6 @@
 // Messages about wrong arguments, and the conversion of a stored error to a Lua error.
 #include "bindings/lua/values/bridge.hpp"
+#include "bindings/lua/sandbox/text.hpp"
 
 #include <fmt/format.h>
 
@@ -33,7 +34,7 @@ Expected<std::string> Arguments::text(int position, std::string_view what) const
 Expected<double> Arguments::number(int position, std::string_view what) const {
     if (lua_type(lua, index(position)) != LUA_TNUMBER)
         return failure(fmt::format("expected {}, got {}", what, kind(position)));
-    return lua_tonumber(lua, index(position));
+    return number_at(lua, index(position));
 }
 
 Expected<void> Arguments::at_most(std::string_view function, int most, std::string_view usage) const {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "bindings/lua/sandbox/text.hpp"
 #include "engine/values/limits.hpp"
 
 namespace nezumi {
@@ -269,7 +270,7 @@ bool read_integer(lua_State* L, int index, std::int64_t min, std::int64_t max, s
 
 bool read_number(lua_State* L, int index, double max, double& out, Mismatch* why, Numbers numbers) {
     if (lua_type(L, index) != LUA_TNUMBER) return refuse_type(L, index, "a number", why);
-    out = lua_tonumber(L, index);
+    out = number_at(L, index);
     if (std::fabs(out) <= max || (numbers == Numbers::any && !std::isfinite(out))) return true;
     if (why == nullptr) return false;
     if (!std::isfinite(out)) return refuse(why, "expected a finite number, got " + number_text(out));

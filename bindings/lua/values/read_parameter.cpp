@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/codec.hpp"
 
 namespace nezumi {
@@ -16,7 +17,7 @@ std::vector<T> elements(lua_State* L, int index, std::ptrdiff_t size) {
     for (std::ptrdiff_t i = 1; i <= size; ++i) {
         lua_rawgeti(L, index, i);
         if constexpr (std::is_same_v<T, double>) {
-            all.push_back(lua_tonumber(L, -1));
+            all.push_back(number_at(L, -1));
         } else {
             all.push_back(read_single(L, -1).get<T>());
         }
@@ -61,7 +62,7 @@ Value read_single(lua_State* L, int index) {
         case LUA_TBOOLEAN: return lua_toboolean(L, index) != 0;
         case LUA_TNUMBER:
             if (lua_isinteger(L, index)) return static_cast<std::int64_t>(lua_tointeger(L, index));
-            return static_cast<double>(lua_tonumber(L, index));
+            return number_at(L, index);
         case LUA_TSTRING: {
             std::size_t size = 0;
             const char* text = lua_tolstring(L, index, &size);
