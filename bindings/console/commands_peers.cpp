@@ -85,7 +85,7 @@ Expected<CommandEnd> command_rtm(Session::Parts& parts, const Arguments& argumen
     if (!name) return Unexpected(name.error());
     PeerRequest request{.name = name->starts_with(prefix) ? name->substr(prefix.size()) : *name};
     if (!arguments.has(2)) return ask_peers(parts, request);
-    if (request.name.empty()) return failure("which RTC? rtm() lists them");
+    if (request.name.empty()) return failure("expected the name of an RTC: rtm() lists them");
     const auto what = read_file_value(arguments.lua, arguments.index(2));
     if (!what) return Unexpected(what.error());
     Expected<void> read = failure("expected an action, as in rtm(\"ConsoleOut0\", \"activate\"), or a table of values");

@@ -56,7 +56,7 @@ std::string read_any(const Json& json, Value& out, const OtherForms& others) {
     if (json.is_number_integer()) return read_as(type_of<std::int64_t>(), json);
     if (json.is_number() || (json.is_object() && json.contains("number"))) return read_as(type_of<double>(), json);
     if (json.is_string() || (json.is_object() && json.contains("base64"))) return read_as(type_of<std::string>(), json);
-    if (!json.is_object() || json.size() != 1) return expected_in_json("a value, or one by its type's name", json);
+    if (!json.is_object() || json.size() != 1) return expected_in_json("a value, or { TYPE: value }", json);
     const std::string& name = json.begin().key();
     const Json& held = json.begin().value();
     if (name == "table") {

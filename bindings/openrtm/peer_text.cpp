@@ -17,14 +17,15 @@ namespace {
 constexpr std::string_view service = "service";
 
 std::string_view to_text(PeerSnapshot::State state) {
-    constexpr std::array<std::string_view, 8> texts{"INACTIVE",
-                                                    "ACTIVE",
-                                                    "ERROR",
-                                                    "CREATED",
-                                                    "without a state",
-                                                    "does not answer",
-                                                    "is gone: its program has crashed and left its name",
-                                                    "was not asked: too many others do not answer"};
+    constexpr std::array<std::string_view, 8> texts{
+        "INACTIVE",
+        "ACTIVE",
+        "ERROR",
+        "CREATED",
+        "without a state",
+        "does not answer",
+        "no longer exists: its program has crashed, and its name is still in the name service",
+        "was not asked: too many others do not answer"};
     return texts[static_cast<std::size_t>(state)];
 }
 

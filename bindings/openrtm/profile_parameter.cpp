@@ -206,7 +206,7 @@ std::optional<ParameterSpec> read_parameter(const pugi::xml_node& configuration,
     if (auto value = value_in(text, spec.initial)) {
         spec.initial = std::move(*value);
     } else {
-        remark(fmt::format("its default '{}' is not a {}, so it is {}", shown(text), shown(type_name),
+        remark(fmt::format("its default '{}' is not a {}: {} is used", shown(text), shown(type_name),
                            to_rtc_text(spec.initial)));
     }
 

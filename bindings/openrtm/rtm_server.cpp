@@ -174,7 +174,7 @@ void RtmServer::follow_stop() {
         const auto from = std::find_if(outlets_.begin(), outlets_.end(),
                                        [&](const Outlet& outlet) { return outlet.path == wanted.from; });
         if (!links || from == outlets_.end() || !from->published.commands() || orb_->is_made(links->front())) continue;
-        host_.say(true, fmt::format("rtm: the emergency stop does not reach {}: it is not connected: stop it there",
+        host_.say(true, fmt::format("rtm: the emergency stop does not reach {}, which is not connected: stop it there",
                                     wanted.to));
     }
 }

@@ -30,7 +30,7 @@ struct Describe<openrtm::RtmSpec> {
                 "",
                 "this computer's address, at which others reach them; by default only this computer reaches them",
                 {.adopt = openrtm::adopt_interface}},
-        Setting{"rename", &openrtm::RtmSpec::rename, "", "what RTCs call a port, by `\"name.port\"`"},
+        Setting{"rename", &openrtm::RtmSpec::rename, "", "the name of a port in OpenRTM, by `\"name.port\"`"},
         Setting{"manager", &openrtm::RtmSpec::manager, "",
                 "tools such as RTSystemEditor may add and remove behaviours, and end the run"},
         Internal{&openrtm::RtmSpec::place},

@@ -92,7 +92,7 @@ Expected<Destination> find_destination(const std::string& named) {
     Destination destination{.folder = std::move(*folder)};
     if (const std::string what = what_it_is(destination.folder); !what.empty())
         return failure(
-            fmt::format("{} {}: give the project a folder of its own, as --to robots does", shown(named), what));
+            fmt::format("{} {}: choose a folder for this project only, for example --to robots", shown(named), what));
 
     struct stat status {};
     if (lstat(destination.folder.c_str(), &status) != 0 && errno == ENOENT) return destination;

@@ -21,9 +21,8 @@ int ScenarioRun::Methods::any(ScenarioRun& run, lua_State* lua) {
                                       Arguments{lua}.kind(2)));
     const std::string name(string_at(lua, 2));
     if (!is_identifier(name))
-        return raise(run,
-                     fmt::format("'{}' can't be the name of values: letters, digits and _, not beginning with a digit",
-                                 shown(name)));
+        return raise(run, fmt::format("'{}' can't be the name of values: use letters, digits and _, no digit first",
+                                      shown(name)));
     if (lua_type(lua, 3) != LUA_TTABLE)
         return raise(run, fmt::format("'{}': expected values, as in {{ at = range(0, 10) }}, got {}", name,
                                       Arguments{lua}.kind(3)));

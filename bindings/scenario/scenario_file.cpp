@@ -104,7 +104,7 @@ Expected<void> check_names_of_runs(const Scenario& scenario, const Scenario& bef
     if (has_run_called(before, scenario))
         return failure(fmt::format("{}: the name is taken by a run of {}", what, where));
     if (has_run_called(scenario, before))
-        return failure(fmt::format("{}: its run '{}' has the name of {}", what, shown(before.name), where));
+        return failure(fmt::format("{}: its run '{}' has the same name as {}", what, shown(before.name), where));
     return {};
 }
 

@@ -159,7 +159,7 @@ double VideoCamera::run() {
         case Capture::Wait::nothing: break;
     }
     if (clock_seconds() - frame_at_ < std::max(patience, 3 / settings_.frame_rate)) return 0;
-    close(node_ + ": it gives no pictures: unplug it and plug it in again");
+    close(node_ + ": it sends no pictures: unplug it and plug it in again");
     return search_period;
 }
 

@@ -697,7 +697,7 @@ function output(name, type, doc, options) end
 ---@field nameserver? string|string[] "HOST:PORT" of the CORBA name service, or of several
 ---@field export? string|string[] the components that appear as RTCs
 ---@field interface? string this computer's address, at which others reach them; by default only this computer reaches them
----@field rename? table<string, ParameterValue> what RTCs call a port, by `"name.port"`
+---@field rename? table<string, ParameterValue> the name of a port in OpenRTM, by `"name.port"`
 ---@field manager? boolean tools such as RTSystemEditor may add and remove behaviours, and end the run
 
 ---@class (exact) BodyFields

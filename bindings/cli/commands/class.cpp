@@ -82,7 +82,7 @@ int run_class(const ClassWords& words) {
     if (!read) return refuse(read.error());
     std::error_code problem;
     if (!words.collect.empty() && !std::filesystem::is_directory(words.folder, problem))
-        return refuse(Error{"there is no such folder of a class" + did_you_mean_path(words.folder), {words.folder}});
+        return refuse(Error{"there is no such class folder" + did_you_mean_path(words.folder), {words.folder}});
     std::filesystem::create_directories(words.folder, problem);
     const std::filesystem::path folder = std::filesystem::canonical(words.folder, problem);
     if (problem) return refuse({"can't be made: " + problem.message(), {words.folder}});

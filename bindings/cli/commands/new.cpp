@@ -159,7 +159,7 @@ int new_scenario(const NewScenario& wanted) {
     if (!name) return refuse("new scenario: " + name.error().message);
     const auto file = find_system_file(wanted.system.empty() ? *name : wanted.system);
     if (!file && wanted.system.empty())
-        return refuse("new scenario: for which system? Give --system, for example --system " + *name);
+        return refuse("new scenario: expected a system: give --system, for example --system " + *name);
     if (!file) return refuse(file.error());
     const Project project = Project::of(*file, installed_folders());
     const auto system = read_system_file(*file, project, {.peer_words = peer_words()});

@@ -89,7 +89,7 @@ private:
         if (auto ok = Arguments{lua}.at_most("message", 1, " \"NAME\" { ... }"); !ok) return refuse(ok.error().message);
         const auto name = Arguments{lua}.text(1, "its name");
         if (!name) return refuse(fmt::format("message: {}", name.error().message));
-        if (!name_.empty()) return refuse("message: a file defines one message");
+        if (!name_.empty()) return refuse("message: a file can define only one message");
         const std::string of_file = type_of_file(source_.path);
         if (!is_identifier(*name) || name->find('_') != std::string::npos)
             return refuse(

@@ -278,7 +278,7 @@ Expected<void> SystemWords::finish(bool is_part) const {
     }
     for (const Thing& thing : things_) {
         if (thing.placed) continue;
-        return failure(fmt::format("{0}: is not in the arena: write arena {{ {0} ... }}", thing.call.word),
+        return failure(fmt::format("{0}: it is not in the arena: write arena {{ {0} ... }}", thing.call.word),
                        thing.call.place);
     }
     if (auto ok = check_arena(spec_.arena); !ok) return ok;  // boxes of maps

@@ -28,7 +28,7 @@ Expected<void> check_flat(lua_State* L, int index) {
         flat = is_scalar(lua_type(L, -2)) && is_scalar(lua_type(L, -1));
     }
     lua_settop(L, top);
-    if (!flat) return failure(fmt::format("{}, got a table that holds something else", expected));
+    if (!flat) return failure(fmt::format("{}, got a table that contains other values", expected));
     if (entries > Probes::most_entries)
         return failure(fmt::format("a table has at most {} entries here", Probes::most_entries));
     return {};
@@ -43,12 +43,12 @@ Expected<PlainData> read_probe(lua_State* L, Budget budget) {
         return failure(fmt::format("{}, got {}", expected, Arguments{L}.kind(2)));
     }
     if (type == LUA_TSTRING && string_at(L, 2).size() > Probes::most_text)
-        return failure(fmt::format("its texts have at most {} bytes", Probes::most_text));
+        return failure(fmt::format("its strings have at most {} bytes", Probes::most_text));
     std::vector<Dropped> dropped;
     auto value = take_plain(L, 1, budget, {"value"}, dropped);
     if (!value) return value;
     if (text_bytes(*value) > Probes::most_text)
-        return failure(fmt::format("its texts have at most {} bytes", Probes::most_text));
+        return failure(fmt::format("its strings have at most {} bytes", Probes::most_text));
     return value;
 }
 

@@ -207,7 +207,7 @@ void ScriptComponent::commit(Version next, int reload) {
     if (state() == LifeState::active && !script_->tasks().empty())
         log(LogLevel::info, fmt::format("tasks start again: {}", script_->tasks().names()));
     if (const std::string kept = kept_text(old.parameters, parameters_, configured); !kept.empty())
-        log(LogLevel::info, "keeps what was set: " + kept);
+        log(LogLevel::info, "changed parameters are kept: " + kept);
     past_.push_back(std::move(old));
     std::size_t memory = 0;
     std::size_t kept = 0;

@@ -11,10 +11,10 @@ function on_execute() probe('p', nil) end
 -- error: probe 'p': expected a number, a boolean, a text or a flat table of them, got nothing
 
 function on_execute() probe('p', { { 1 } }) end
--- error: probe 'p': expected a number, a boolean, a text or a flat table of them, got a table that holds something else
+-- error: probe 'p': expected a number, a boolean, a text or a flat table of them, got a table that contains other values
 
 function on_execute() probe('p', { [print] = 1 }) end
--- error: probe 'p': expected a number, a boolean, a text or a flat table of them, got a table that holds something else
+-- error: probe 'p': expected a number, a boolean, a text or a flat table of them, got a table that contains other values
 
 function on_execute() local t = {} for i = 1, 64 do t[i] = i end probe('p', t) end
 
@@ -23,9 +23,9 @@ function on_execute() local t = {} for i = 1, 65 do t[i] = i end probe('p', t) e
 
 function on_execute() probe('p', ('x'):rep(1000)) end
 
-function on_execute() probe('p', ('x'):rep(1001)) end  -- error: probe 'p': its texts have at most 1000 bytes
+function on_execute() probe('p', ('x'):rep(1001)) end  -- error: probe 'p': its strings have at most 1000 bytes
 
-function on_execute() probe('p', { ('x'):rep(500), ('x'):rep(501) }) end  -- error: probe 'p': its texts have at most 1000 bytes
+function on_execute() probe('p', { ('x'):rep(500), ('x'):rep(501) }) end  -- error: probe 'p': its strings have at most 1000 bytes
 
 --- The name of a probe must be an identifier, and probes are set while the behaviour runs.
 function on_execute() probe('a b', 1) end

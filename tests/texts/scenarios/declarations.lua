@@ -10,7 +10,7 @@ scenario('a [x=1, y=b]', function() end)
 
 scenario('a [x=1, y=b]', function() end)
 scenario('a', { sweep = { x = { 1, 2 }, y = { 'b' } } }, function() end)
--- error: scenario 'a': its run 'a [x=1, y=b]' has the name of the scenario of it_test.lua:1
+-- error: scenario 'a': its run 'a [x=1, y=b]' has the same name as the scenario of it_test.lua:1
 
 scenario('a', { sweep = { x = range(0, 3) } }, function() end)
 scenario('a [x=2.0]', function() end)  -- error: scenario 'a [x=2.0]': the name is taken by a run of the scenario of it_test.lua:1

@@ -197,7 +197,7 @@ arena { size = 4 }
 arena 'big'  -- error: arena: expected a table, got string
 
 --- Every object must be in the arena exactly once.
-box { at = { 0, 0 }, size = { 1, 1, 1 } }  -- error: box: is not in the arena: write arena { box ... }
+box { at = { 0, 0 }, size = { 1, 1, 1 } }  -- error: box: it is not in the arena: write arena { box ... }
 
 local b = box { at = { 0, 0 }, size = { 1, 1, 1 } }
 arena { b }

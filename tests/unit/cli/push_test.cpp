@@ -106,7 +106,7 @@ TEST_CASE("a folder there that a project would be mixed into is refused by ssh a
     const SshServer server;
     const PushedProject project;
     server.folder.write("home/.ssh/authorized_keys", "keys");
-    const std::string own = ": give the project a folder of its own, as --to robots does\n";
+    const std::string own = ": choose a folder for this project only, for example --to robots\n";
     for (const char* home : {".", "~", "~/", "./.", "/root", "x/.."}) {
         CAPTURE(home);
         const Outcome refused = project.push(server, {"--to", home});

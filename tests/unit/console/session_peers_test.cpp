@@ -62,7 +62,7 @@ TEST_CASE("a wrong request to an RTC is refused", "[console][rtm]") {
     CHECK(it.type("rtm('Out0', 'activat')") == "! rtm: there is no 'activat' (did you mean 'activate'?)");
     CHECK(it.type("rtm('Out0', 'dance')") ==
           "! rtm: there is no 'dance' (there are activate, deactivate, reset, use, exit, forget)");
-    CHECK(it.type("rtm('rtm:', 'reset')") == "! rtm: which RTC? rtm() lists them");
+    CHECK(it.type("rtm('rtm:', 'reset')") == "! rtm: expected the name of an RTC: rtm() lists them");
     CHECK(it.type("rtm('Out0', 5)") ==
           "! rtm: expected an action, as in rtm(\"ConsoleOut0\", \"activate\"), or a table of values");
     CHECK(it.type("rtm('Out0', {})") == "! rtm: expected values by name, as in rtm(\"ConsoleOut0\", { speed = 0.5 })");

@@ -13,7 +13,7 @@ TEST_CASE("a reload reports kept values that differ from the new defaults", "[lu
     REQUIRE(it.parameters().set("hand", 2.0));
     // What the system file gave goes without saying, unless the file's author has just changed the default.
     CHECK(world.change("it.lua", "param('hand', 1.0) param('system', 1) param('moved', 9) param('free', 9)") == "");
-    CHECK(world.said("it: keeps what was set: hand = 2.0 (its default is 1.0), moved = 6 (its default is 9)"));
+    CHECK(world.said("it: changed parameters are kept: hand = 2.0 (its default is 1.0), moved = 6 (its default is 9)"));
     CHECK_FALSE(world.said("system = 5"));
     CHECK_FALSE(world.said("free ="));
     world.log.clear();

@@ -44,7 +44,7 @@ TEST_CASE("RTCs that are gone or hang are listed as such", "[openrtm][peers]") {
     };
     CHECK(told({}, {.peers = {snapshot("a", PeerSnapshot::State::gone), snapshot("b", PeerSnapshot::State::silent),
                               snapshot("c", PeerSnapshot::State::unasked)}}) ==
-          "rtm:a  is gone: its program has crashed and left its name\n"
+          "rtm:a  no longer exists: its program has crashed, and its name is still in the name service\n"
           "rtm:b  does not answer\n"
           "rtm:c  was not asked: too many others do not answer");
     CHECK(told({}, {}) == "the name service has no RTCs");

@@ -45,7 +45,9 @@ TEST_CASE("a console lists the RTCs of the name service, those that are gone and
     const std::string begin = "rtm:" + host() + ".host_cxt/";
     CHECK(text.find(begin + "Works0  Fake, INACTIVE\n  out out  TimedLong  not connected") != std::string::npos);
     CHECK(text.find(begin + "Hangs0  does not answer") != std::string::npos);
-    CHECK(text.find(begin + "Killed0  is gone: its program has crashed and left its name") != std::string::npos);
+    CHECK(text.find(begin +
+                    "Killed0  no longer exists: its program has crashed, and its name is still in the name service") !=
+          std::string::npos);
     CHECK(text.find(begin + "relay0  Relay, ACTIVE\n  in  in   TimedLong  not connected\n") != std::string::npos);
 }
 

@@ -322,8 +322,8 @@ TEST_CASE("an emergency stop sends zero to RTCs in every tick, until rearm", "[o
     CHECK(sent() == std::vector<double>{0, 0, 0});
     CHECK(rig.said_lines ==
           std::vector<std::string>{"rtm: emergency stop: RTCs connected to controller.out get speed 0 until rearm()",
-                                   "rtm: the emergency stop does not reach rtm:Mouse0.target_velocity_in: it is not "
-                                   "connected: stop it there"});
+                                   "rtm: the emergency stop does not reach rtm:Mouse0.target_velocity_in, which is "
+                                   "not connected: stop it there"});
     rig.turn(100);
     REQUIRE(rig.live->act(Rearm{}, {}));
     CHECK(sent() == std::vector<double>{0.25, 0.25, 0.25});

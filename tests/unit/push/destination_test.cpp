@@ -21,7 +21,7 @@ std::string refusal(const TracedRobot& robot, const std::string& folder) {
     return sent ? "" : describe(sent.error());
 }
 
-const std::string own = ": give the project a folder of its own, as --to robots does";
+const std::string own = ": choose a folder for this project only, for example --to robots";
 
 struct RobotWithFiles : TracedRobot {
     RobotWithFiles() {
