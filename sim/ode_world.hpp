@@ -171,7 +171,7 @@ private:
         Signals now, next;
         bool have_changed = false;
     };
-    std::vector<ShownSignals> signals_;  // by robot
+    std::vector<ShownSignals> signals_;  // index: robot
     std::atomic<bool> signals_have_changed_ = false;
     std::optional<Picture> floor_;
     Point2D floor_size_{};

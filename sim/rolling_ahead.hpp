@@ -51,11 +51,11 @@ private:
     double step_;
     WorkerPool* workers_ = nullptr;
     int taken_ = 0;                                // steps
-    std::vector<Before> before_;                   // state before, by robot that is ahead
-    std::vector<std::uint8_t> is_ahead_;           // by robot
+    std::vector<Before> before_;                   // index: robot; the state before, if it is ahead
+    std::vector<std::uint8_t> is_ahead_;           // index: robot
     std::vector<SimRobot*> others_;                // valid within a call of `OdeWorld::step`
-    std::vector<double> fastest_;                  // by step
-    std::vector<std::vector<double>> fastest_of_;  // by thread and step
+    std::vector<double> fastest_;                  // index: step
+    std::vector<std::vector<double>> fastest_of_;  // indices: thread, step
 };
 
 }  // namespace nezumi::sim

@@ -152,7 +152,7 @@ void stop_at_breaks(Session::Parts& parts) {
             of->shown_at = now;
             if (!parts.is_hardware) {
                 parts.clock.pause();
-                parts.moves = parts.clock.moves();  // a command that lets time pass ends as if it were over
+                parts.moves = parts.clock.moves();  // ends a waiting step or run here, without an error
             }
             parts.show(fmt::format("{}:{} ran at {:g} s{}", hit.file, hit.line, script->now().seconds,
                                    parts.is_hardware ? "" : ": time is paused"));

@@ -24,7 +24,7 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-// Finds the lines of all named objects that contain a text.
+// Finds named objects whose line contains a text.
 class Finder {
 public:
     explicit Finder(std::string_view text) : text_(lower(text)) {}

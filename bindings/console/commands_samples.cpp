@@ -22,7 +22,7 @@ struct PortSamples {
 
 namespace {
 
-// The samples after `since` [s], of these the last `most`.
+// At most the last `most` samples after `since` [s].
 PortSamples samples_of(const Series& series, double since, std::size_t most) {
     PortSamples samples{.labels = series.labels(), .texts = series.texts(), .are_texts = {}, .rows = {}};
     for (std::size_t label = 0; label < samples.labels.size(); ++label)

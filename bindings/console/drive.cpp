@@ -41,7 +41,7 @@ constexpr std::size_t usual_scale = 5;
 static_assert(Drive::scales[usual_scale] == 1);
 
 double press(double place, double by) {
-    if (place * by < 0) return 0;  // the opposite key goes to the middle first
+    if (place * by < 0) return 0;  // a key of the opposite direction first sets 0
     return std::clamp(place + by, -Drive::edge, Drive::edge);
 }
 

@@ -10,7 +10,7 @@
 
 namespace nezumi {
 
-/// The pad of robots.md: 300 x 300 px, y up, (0, 0) in the middle. Terminals do not report the release of a key, so the
+/// The joystick's pad: 300 x 300 px, y up, (0, 0) in the middle. Terminals do not report the release of a key, so the
 /// stick returns to the middle if no key came for `springs_back`.
 class Drive {
 public:

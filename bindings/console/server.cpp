@@ -18,7 +18,8 @@ namespace {
 constexpr std::array<std::string_view, 8> key_names{"up",    "down",   "left",   "right",
                                                     "space", "escape", "faster", "slower"};
 
-// Programs that act for a person, as a language model does. They own what they hold apart from the user's consoles.
+// Programs that act for a person, such as a language model. What they hold is released separately from what the user's
+// consoles hold.
 constexpr std::string_view agent_word = "agent";
 Actor agent() { return {Actor::Kind::console, std::string(agent_word)}; }
 

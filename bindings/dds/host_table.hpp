@@ -32,8 +32,8 @@ public:
     /// Keeps only these writers; the announcements of others are removed.
     void keep(std::span<const std::uint64_t> writers, double now);
 
-    /// Returns nullptr if the host is missing. Of two with this name the latest counts: usually the other one was
-    /// killed and not yet noticed.
+    /// Returns nullptr if the host is missing. Of two hosts with this name the latest is used: usually the
+    /// other one was killed, which was not yet noticed.
     const Announcement* find(std::string_view host) const;
     /// The port named "name.port", or nullptr. `host` as returned by this class: its ports are sorted.
     static const AnnouncedPort* find_port(const Announcement& host, std::string_view name);

@@ -62,11 +62,11 @@ struct AnnouncedType {
     static constexpr std::string_view type_name = "AnnouncedType";
 };
 
-/// A connection between two hosts, both ends "host/name.port"; in a refusal with the reason.
+/// A connection between two hosts, both ends "host/name.port"; `why` is set in a refusal.
 struct AnnouncedConnection {
     std::string from;   ///< host/name.port of an out-port
     std::string to;     ///< host/name.port of an in-port
-    std::string why{};  ///< it is refused
+    std::string why{};  ///< the reason of a refusal
     bool operator==(const AnnouncedConnection&) const = default;
 
     static constexpr std::string_view type_name = "AnnouncedConnection";

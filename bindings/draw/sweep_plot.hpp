@@ -34,7 +34,7 @@ struct SweepPlot {
     std::string by;       ///< the second parameter; "" without one
     std::string measure;  ///< with its unit
     bool is_numeric = true;
-    std::vector<std::string> labels{};  ///< of the places 0, 1, ... of values that are not numbers
+    std::vector<std::string> labels{};  ///< labels of positions 0, 1, ... if the values are not numbers
     std::vector<Series> series;         ///< at least one
     std::string file;                   ///< name without the folder
 };

@@ -32,7 +32,7 @@ public:
     /// Reads a system file, builds the system and activates it at time 0. An error is the first one of the file, with
     /// its location.
     static Expected<Simulation> load(const std::filesystem::path& file, Options options);
-    /// Like `load`, with the program's own makers besides those of `simulated_systems`: components, drivers of devices.
+    /// Like `load`, with the program's own factories besides those of `simulated_systems`: of components and drivers.
     static Expected<Simulation> load_with(const std::filesystem::path& file, LiveOptions options);
 
     /// Runs one tick. Also checks a gamepad's emergency stop button, if a joystick component has one.

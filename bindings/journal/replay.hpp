@@ -38,7 +38,7 @@ public:
     /// Fails if this is not a journal of that system file. Files are compared by name, because they may be elsewhere
     /// now.
     Expected<void> check_system(const std::filesystem::path& file) const;
-    /// Builds the recorded system from the journal only, with these makers of worlds and components, and this log.
+    /// Builds the recorded system from the journal only, with these factories of worlds and components, and this log.
     Expected<std::unique_ptr<RunningSystem>> load(LiveOptions options);
     /// Reads the recorded system's description from the journal only.
     Expected<SystemSpec> spec(const LiveOptions& options);

@@ -34,8 +34,8 @@ struct RtmEnds {
     RtmPath theirs;
 };
 
-/// The ends of a connection between a port of a system and a port of an RTC. An error if not exactly one end is an
-/// RTC's, or if the other end is no port, has the wrong direction, or a type that OpenRTM does not know.
+/// The ends of a connection between a port of a system and a port of an RTC. Exactly one end must be an RTC's, and the
+/// other end must be a port with the right direction and a type that OpenRTM knows.
 Expected<RtmEnds> rtm_ends(const System& system, const ConnectionSpec& connection);
 
 }  // namespace nezumi::openrtm

@@ -87,7 +87,7 @@ void Observed::decide(std::size_t index, bool is_true) {
     if (decision.kind == Decision::Kind::branch) {
         const Robustness distance{std::abs(robustness.value), robustness.decided};
         for (const bool result : {false, true}) {
-            // A branch that was not taken and would have returned the same.
+            // Skips a branch that was not taken and would have returned the same value.
             if (!is_true && decision.literal == result) continue;
             Robustness& nearest = nearest_[result ? 1 : 0];
             if (distance.value < nearest.value || nearest.decided == nullptr) nearest = distance;

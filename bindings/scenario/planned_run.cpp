@@ -1,4 +1,4 @@
-// A failed run is made again, with all its data recorded.
+// A failed run is repeated, with all its data recorded.
 #include "bindings/scenario/planned_run.hpp"
 
 #include <fmt/format.h>

@@ -18,7 +18,7 @@ namespace nezumi {
 /// Options for making the runs of a plan.
 struct TestSessionOptions {
     std::uint64_t seed = 124;
-    std::size_t repeat = 1;                        ///< how often each run is made; all must have the same hash
+    std::size_t repeat = 1;                        ///< how often each run is done; all must have the same hash
     std::size_t jobs = 1;                          ///< processes at a time
     std::filesystem::path folder = "nezumi-test";  ///< the files of failures are in subfolders of it
     bool update_goldens = false;                   ///< writes the goldens instead of comparing with them

@@ -133,7 +133,7 @@ bool read_some(Running& running) {
     return got > 0 || (got < 0 && errno == EINTR);
 }
 
-// Ends a process. Returns an error, unless it had finished before.
+// Ends a process. Returns its answer if it had finished, else an error.
 Expected<std::string> stop(Running& running) {
     kill(running.process, SIGKILL);
     siginfo_t ended{};

@@ -68,7 +68,7 @@ struct RunResult {
     Error error{};                   ///< the failure, with the line of the scenario
     bool component_failed = false;   ///< it failed because a component went to ERROR
     std::vector<std::string> facts;  ///< more about the failure, one fact per line: differences, times, values, a plot
-    std::vector<ConditionMargin> margins{};  ///< of its conditions, `always` and `never` first, in their order
+    std::vector<ConditionMargin> margins{};  ///< margins of its conditions, in order; `always` and `never` first
     std::vector<std::string> printed;        ///< the output of the scenario, and warnings
     std::vector<Measure> measures{};         ///< in the order of `s:measure`, each name once
     std::vector<DrawnValue> drawn{};         ///< in the order of `s:any`; of a search, all values of the run

@@ -101,7 +101,7 @@ bool ScenarioRun::wait(lua_State* lua, Watched& watched) {
     return true;
 }
 
-// After a behaviour went to ERROR, the system says nothing about the behaviour, so the run ends.
+// After a component goes to ERROR, the run no longer tests it, so the run ends.
 bool ScenarioRun::check_components() {
     for (std::size_t i = 0; i < worlds_.size(); ++i) {
         const RunningSystem& live = worlds_[i];

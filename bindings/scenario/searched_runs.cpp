@@ -56,7 +56,7 @@ public:
             if (runs_.options.progress) runs_.options.progress(made, places_.size());
         }
         if (!runs_.keeps() || !runs_.options.keep) return made;
-        // For those who merge: the search ended before these.
+        // For `--merge`: the search ended before these.
         for (std::size_t i = made; i < places_.size(); ++i)
             static_cast<void>(runs_.keep->keep(runs_.key_of(places_[i], 0), {}));
         return made;
@@ -102,7 +102,7 @@ private:
         const auto& [run, repetition] = made;
         const PlannedRun& planned = runs_.run_of(run);
         RunResult result = run_planned(runs_.plan, planned, options, true);
-        // All values, for whoever merges: the plan has only the number of the run.
+        // All values, for `--merge`: the plan has only the number of the run.
         std::vector<DrawnValue> values = drawn_values(sweep_, planned.point);
         for (DrawnValue& value : result.drawn) {
             const auto same = [&](const DrawnValue& other) { return other.name == value.name; };

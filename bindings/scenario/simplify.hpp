@@ -1,4 +1,4 @@
-// Simplifies the failures of drawn and searched runs.
+// Simplifies failed runs whose values were random or found by a search.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace nezumi {
 
-/// The simplest run that fails in the same place as this one, with its result; the run itself if there is none. Kept
-/// for those who merge. Nothing if a signal interrupted.
+/// The simplest run that fails in the same place as this one, with its result; the run itself if there is none. It is
+/// kept for `--merge`. Nothing if a signal interrupted.
 std::optional<KeptResult> simplify_failure(const SessionRuns& runs, std::size_t run);
 
 /// The report about the simplest failure that was found from a run.

@@ -10,7 +10,7 @@ namespace nezumi {
 class Spectator {
 public:
     virtual ~Spectator() = default;
-    /// Lets the first world of the run make exactly one tick, when it likes.
+    /// Lets the first world of the run make exactly one tick. It may wait before the tick.
     virtual void tick(RunningSystem& live) = 0;
     /// A line of any world's log.
     virtual void log(const LogLine& line) = 0;

@@ -57,7 +57,7 @@ double within(const SweepRange& range, double number) {
     return std::clamp(number, range.lo, range.hi);
 }
 
-// Value `index` of a range that can be counted.
+// Value `index` of a range with a step.
 SweepValue value_at(const SweepRange& range, std::uint64_t index) {
     return number_value(range, within(range, range.lo + range.step * static_cast<double>(index)));
 }

@@ -65,7 +65,7 @@ private:
     std::vector<Dated<WebRobot>> robots_;
     std::vector<Dated<WebThing>> things_;
     std::vector<Dated<WebMarker>> markers_;
-    std::vector<Dated<std::vector<WebRay>>> rays_;  // by robot
+    std::vector<Dated<std::vector<WebRay>>> rays_;  // index: robot
     std::map<std::string, Dated<State::Port>, std::less<>> ports_;
     std::map<std::string, Dated<WebMember>, std::less<>> members_;
 };

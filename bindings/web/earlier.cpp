@@ -11,7 +11,7 @@
 namespace nezumi::web {
 namespace {
 
-// The second system is given up when nobody has asked for so long.
+// The second system is given up if nobody asks it for anything during this time.
 constexpr std::chrono::seconds kept{20};
 constexpr std::chrono::milliseconds slice{5};  // while time stands
 

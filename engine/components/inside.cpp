@@ -21,7 +21,7 @@ PlainData table_of(std::span<const Part> parts, const Entry& entry_of) {
     return data;
 }
 
-// The value of a probe; its table is added to `data`.
+// Returns a probe's value; if it is a table, adds it to `data`.
 Value value_in(const Probe& probe, PlainData& data) {
     if (probe.value.tables.empty()) return probe.value.values.front();
     return data.add(probe.value.tables.front());

@@ -88,7 +88,7 @@ private:
     bool speaks_ = false;  // its last message was not the final one
 };
 
-/// The maker of components of type Joystick without a gamepad.
+/// The factory of components of type Joystick without a gamepad.
 Expected<std::unique_ptr<Component>> make_joystick(const ComponentEntry& entry, System& system);
 
 }  // namespace nezumi

@@ -114,7 +114,7 @@ using OpenDevice = std::function<Expected<std::unique_ptr<DeviceLink>>(const Par
 /// is wrong; and with `open`, if it neither has `safe` nor only measures, or if the device can't be opened.
 Expected<std::unique_ptr<Component>> make_wired_device(const ComponentEntry& entry, System& system,
                                                        const OpenDevice& open = {});
-/// Adds the makers of simulated devices of all kinds.
+/// Adds the factories of simulated devices of all kinds.
 void add_simulated_devices(decltype(Makers::components)& makers);
 
 }  // namespace nezumi

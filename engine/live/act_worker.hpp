@@ -24,7 +24,7 @@ public:
     /// Starts to prepare an act, while idle. If the system provides no further thread, the act is prepared before this
     /// returns.
     void start(Preparation prepare);
-    /// The prepared act; waits so long for it.
+    /// Waits at most `patience` for the prepared act. Returns nothing if it is not ready then.
     std::optional<PreparedAct> take(std::chrono::microseconds patience = {});
 
 private:

@@ -35,7 +35,7 @@ public:
 
     const Seek& where() const { return where_; }
     std::size_t branch() const { return branch_; }
-    /// `RunningSystem::generation` of the system whose past this is.
+    /// `RunningSystem::generation` of the system that this past belongs to.
     int generation() const { return generation_; }
     /// The system that computes it.
     RunningSystem& system() { return *system_; }

@@ -30,7 +30,7 @@ struct LiveOptions {
     std::vector<std::filesystem::path> installed;  ///< folders of the installed files (`Project::of`)
     const ProjectFiles* files = &disk();           ///< must outlive the system
     WorldFactory world;                            ///< may be empty: then there can be no robots
-    decltype(Makers::bodies) bodies;               ///< makers of real robots by backend
+    decltype(Makers::bodies) bodies;               ///< factories of real robots by backend
     std::vector<std::string> drivers;              ///< `Makers::drivers`
     RigMaker rig;                                  ///< makes the test rig that sees real robots
     NetworkMaker network;                          ///< may be empty: then a system of several hosts is refused

@@ -98,8 +98,8 @@ protected:
     static constexpr double rounding = 1e-9;       // [s] sums of periods are no exact numbers
 
 private:
-    // Data that no tick uses, kept apart from data that ticks use, because the cache can't hold all ports of a thousand
-    // robots.
+    // Data that no tick uses, kept separate from data that ticks use, because the cache can't hold all ports of a
+    // thousand robots.
     struct Texts {
         std::string name, doc, note;
     };

@@ -94,9 +94,9 @@ public:
     /// At rest it brakes, stands and drops its commands: while the system of a real robot is paused.
     void set_at_rest(bool at_rest) { at_rest_ = at_rest; }
 
-    /// A required sensor without readings for so long [s] keeps the robot from driving.
+    /// A required sensor without readings for this time [s] keeps the robot from driving.
     static constexpr double longest_blindness = 0.3;
-    /// A loop that stood still for so long [s], or for three ticks if this is longer, has stalled.
+    /// A loop that stood still for this time [s], or for three ticks if this is longer, has stalled.
     static constexpr double shortest_stall = 0.2;
 
 private:

@@ -86,7 +86,7 @@ private:
     const RobotSpec& spec_;
     std::unique_ptr<RobotBody> simulated_;
     OutPort<Velocity2D>* commanded_ = nullptr;
-    std::vector<OutPortBase*> actuators_;  // by actuator; null: it has no port
+    std::vector<OutPortBase*> actuators_;  // index: actuator; null: it has no port
     std::vector<double> angles_;           // [rad] of servos, as commanded
     InPort<std::vector<std::int32_t>>* pulses_in_ = nullptr;
     InPort<Velocity2D>* velocity_in_ = nullptr;
@@ -96,7 +96,7 @@ private:
     std::vector<std::vector<double>> values_;
     std::vector<Needed> needed_;
     std::vector<std::string> faults_;
-    std::vector<bool> was_told_;  // by port in sensed_: it had another number of values
+    std::vector<bool> was_told_;  // index: as in sensed_; the port had another number of values
     bool said_pulses_ = false;
 
     WheelReading wheels_;

@@ -14,7 +14,7 @@
 
 namespace nezumi {
 
-/// Facts about the system for the makers of components.
+/// Facts about the system for the factories of components.
 struct MakerContext {
     std::uint64_t seed = 0;  ///< of the run
     double tick_rate = 100;  ///< [Hz]
@@ -57,7 +57,7 @@ struct BuildOptions {
     LogSink log;
 };
 
-/// The context that such a system gives to its makers.
+/// The context that such a system gives to its factories.
 MakerContext context_of(const SystemSpec& spec, const BuildOptions& options);
 
 /// Builds the world, every entry in order and the connections, and sets parameters. Nothing is activated. `spec` must

@@ -44,7 +44,7 @@ public:
 
     /// An entry for `SystemSpec::peers`.
     std::shared_ptr<const PeerSpec> spec(T given) const { return std::make_shared<Spec>(*this, std::move(given)); }
-    /// What a system file says with this word; null if it does not use it.
+    /// What a system file says with this word; null if the file does not use the word.
     static const T* find(const SystemSpec& system) {
         const auto found = system.peers.find(Describe<T>::name);
         return found == system.peers.end() ? nullptr : &static_cast<const Spec&>(*found->second).given;

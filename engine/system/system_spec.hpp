@@ -74,7 +74,7 @@ struct ComponentEntry {
     std::string on;       ///< the robot that carries it; "" for none
     Point3D at{};         ///< [m] in that robot's body frame
     double yaw = 0;       ///< [rad]
-    std::string backend;  ///< key of its type's makers; "": "sim"
+    std::string backend;  ///< key of its type's factories; "": "sim"
     bool active = true;
     /// A Camera's: the file that ROS's camera_calibration wrote. Its values are in `config` after it was read, and this
     /// is "".

@@ -69,8 +69,8 @@ private:
     int generation_ = 0;
     std::vector<Pose3D> things_;  // at the last row
     int things_generation_ = 0;
-    std::vector<bool> touching_;  // by robot, after the last tick
-    std::vector<bool> failed_;    // by component
+    std::vector<bool> touching_;  // index: robot; after the last tick
+    std::vector<bool> failed_;    // index: component
 };
 
 }  // namespace nezumi

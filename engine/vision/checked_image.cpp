@@ -56,7 +56,7 @@ Expected<Format> format_of(const CameraImage& image) {
                                did_you_mean(image.format, names)));
 }
 
-// The format of a picture with consistent sizes.
+// The format of an image; an error if its sizes are inconsistent.
 Expected<Format> checked_format(const CameraImage& image) {
     if (image.width == 0 || image.height == 0 || image.pixels.empty()) {
         return failure(

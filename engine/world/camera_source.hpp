@@ -25,12 +25,12 @@ struct CameraSettings {
     double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;  ///< distortion, as in `CameraIntrinsics`
     double k4 = 0, k5 = 0, k6 = 0;                  ///< more of the distortion
     bool color = true;                              ///< "rgb8", else "gray8"
-    double noise = 0;                               ///< standard deviation of a pixel's value, 0 to 255
+    double noise = 0;                               ///< [0..255] standard deviation of a pixel's value
     double blur = 0;                                ///< [px] standard deviation of a Gaussian
     std::uint64_t seed = 0;                         ///< of the noise
     double fx = 0, fy = 0, cx = 0, cy = 0;          ///< as in `CameraIntrinsics`, instead of `field_of_view`; 0: unused
     bool undistort = false;                         ///< removes the distortion from its pictures
-    std::string pixel_format;                       ///< that a real camera sends, four letters; "": what it likes
+    std::string pixel_format;                       ///< that a real camera sends, four letters; "": the camera's choice
 
     /// The intrinsics of the raw pictures: by size and field of view, or by `fx` to `cy`, with distortion.
     CameraIntrinsics raw_intrinsics() const;

@@ -22,7 +22,7 @@ constexpr std::array<CsvColumn, 7> columns{{{"x"},
                                             {"lz", CsvColumn::Range::positive},
                                             {"yaw"}}};
 
-// The texts of a row, up to a quote that is not closed.
+// The fields of a row, up to an unclosed quote.
 std::vector<std::string> fields_of(std::string_view row) {
     std::vector<std::string> fields;
     for (const std::string_view field : closed_csv_fields(row)) fields.push_back(csv_text(field));

@@ -19,7 +19,7 @@ struct CaptureSettings {
     double frame_rate = 30;           ///< [Hz] the device may choose another rate
     bool color = true;                ///< red, green, blue; otherwise grey
     CameraIntrinsics raw_intrinsics;  ///< for `undistort`
-    std::string pixel_format;         ///< that it sends, four letters; "": what it likes
+    std::string pixel_format;         ///< that it sends, four letters; "": the device's choice
     bool undistort = false;           ///< the pictures become those of a pinhole with the same `fx`, `fy`, `cx`, `cy`
 };
 

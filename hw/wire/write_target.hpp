@@ -1,4 +1,4 @@
-// Writes one message to a device, by the call that its kind needs.
+// Writes one message to a device, with the system call for this kind of device.
 #pragma once
 
 #include <sys/types.h>

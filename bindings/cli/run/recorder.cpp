@@ -82,7 +82,7 @@ Expected<Recorder> Recorder::open(const std::string& file, Trace& trace, const S
     return recorder;
 }
 
-// Where a ranger sits and what it can measure is in a row only when it has changed.
+// Where a ranger is mounted and what it can measure is in a row only if it has changed.
 void Recorder::empty_what_stays(std::vector<std::string>& cells) {
     const std::vector<std::string>& names = table_.names();
     for (std::size_t id = kept_.size(); id < names.size(); ++id) {

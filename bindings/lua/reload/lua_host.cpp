@@ -1,4 +1,4 @@
-// Implements the engine's `ScriptHost` with the readers of Lua files and the maker and reloader of behaviours.
+// Implements the engine's `ScriptHost` with the readers of Lua files and the factory and reloader of behaviours.
 #include "bindings/lua/reload/lua_host.hpp"
 
 #include <map>

@@ -68,7 +68,7 @@ Coverage::Source* Coverage::find(const SourceText& source) {
     const auto same = [&](const Source& each) { return each.hash == hash && each.file == file; };
     if (const auto known = std::find_if(sources_.begin(), sources_.end(), same); known != sources_.end())
         return &*known;
-    // A scenario may reload a behaviour from a text of its own.
+    // A scenario may reload a behaviour from a string instead of its file.
     if (read_whole(source.path, source.path).value_or("") != source.text) return nullptr;
     MarkedText marked = mark_lines(without_preamble(source.text));
     if (marked.text.empty()) return nullptr;

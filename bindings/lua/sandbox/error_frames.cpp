@@ -37,7 +37,7 @@ void add_variable(std::vector<ErrorFrames::Variable>& variables, lua_State* lua,
     Value value = value_of(lua);
     if (*name == '(' || *name == '\0' || (value.is_nothing() && lua_type(lua, -1) != LUA_TNIL)) return;
     ErrorFrames::Variable variable{name, traced_text(lua), std::move(value)};
-    // If two variables have one name, the inner one counts, which comes later.
+    // If two variables have the same name, the inner one is used, which comes later.
     const auto same =
         std::find_if(variables.begin(), variables.end(), [&](const auto& each) { return each.name == variable.name; });
     if (same != variables.end()) {

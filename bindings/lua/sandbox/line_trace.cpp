@@ -129,7 +129,7 @@ void put(std::vector<LineTrace::Value>& values, LineTrace::Value value) {
     }
 }
 
-// If two variables have one name, the inner one counts, which comes later.
+// If two variables have the same name, the inner one is used, which comes later.
 void add_value(std::vector<LineTrace::Value>& values, lua_State* lua, const char* name) {
     std::string text = text_of(lua);
     if (!text.empty()) put(values, {name, std::move(text)});

@@ -90,7 +90,7 @@ void watch_hook(lua_State* lua, lua_Debug*) {
     CallRecord* const call = current_call;
     if (call == nullptr) return free_hook(lua);
     if (call->expired == 0) return free_hook(lua);  // left by a call that was stopped
-    // From here on every instruction ends here, also of handlers and of closing variables.
+    // From here on every instruction ends here, also those of handlers and of to-be-closed variables.
     raise_expiry(lua);
 }
 

@@ -2,8 +2,8 @@
 //
 // A count hook slows Lua down, whatever its interval, so none is set while a call is within its time. Entering a call
 // adds a record to its thread, which takes a few nanoseconds. A timer of the thread's CPU time interrupts the thread
-// every few milliseconds, and its signal handler checks the age of the record. Only if this exceeds the limit, the
-// handler sets a hook on the running coroutine, and again at each interruption until the call has returned; so the
+// every few milliseconds, and its signal handler checks the age of the record. The handler sets a hook on the
+// running coroutine only if this exceeds the limit, and again at each interruption until the call has returned; so the
 // error is raised again if the script catches it (pcall, coroutines, __close).
 #pragma once
 

@@ -81,7 +81,7 @@ public:
         std::vector<std::string> warnings;       ///< parts of the version before that could not be taken over
         int replaced_by = 0;                     ///< number of the reload that replaced it
         std::string set{};                       ///< that was in use then; "": none
-        std::uint64_t uses = 0;                  ///< number of choices of parameter sets until then
+        std::uint64_t uses = 0;                  ///< how often a parameter set had been chosen until then
         int activation = 0;  ///< number of the activation in which it was active: its tasks belong to this activation
         int probation_left = 0;  ///< remaining executions of its probation
     };

@@ -132,7 +132,7 @@ void Tasks::cancel(lua_State* L, Task& task, double now) {
     lua_State* const thread = task.thread;
     set_status(task, Task::Status::cancelled, now);
     if (thread == nullptr) return;                   // it had not started
-    lua_rawgeti(L, LUA_REGISTRYINDEX, task.anchor);  // kept until its closing variables are closed
+    lua_rawgeti(L, LUA_REGISTRYINDEX, task.anchor);  // kept until its to-be-closed variables are closed
     forget(L, task);
     if (!close_slices(L, thread, closes_)) lua_error(L);
     lua_pop(L, 1);

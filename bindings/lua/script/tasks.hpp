@@ -56,7 +56,7 @@ public:
     std::string names() const;
     /// The running task; null if none runs.
     Task* current() const { return current_; }
-    /// Whether closing variables of a task run now.
+    /// Whether to-be-closed variables of a task are being closed now.
     bool closes() const { return closes_; }
     /// Whether `end` runs or has failed.
     bool ends() const { return ends_; }
@@ -89,11 +89,11 @@ private:
 
     std::deque<Task> tasks_;  // a deque, because addresses must not change
     Task* current_ = nullptr;
-    bool closes_ = false;  // while closing variables run
+    bool closes_ = false;  // while to-be-closed variables are closed
     bool ends_ = false;
 };
 
-/// Whether `seconds` have passed from `since` to `now`, apart from rounding errors.
+/// Whether `seconds` have passed from `since` to `now`, except for rounding errors.
 inline bool has_passed(double seconds, double since, double now) { return now - since >= seconds - 1e-9; }
 
 }  // namespace nezumi

@@ -67,7 +67,7 @@ public:
     std::vector<Made> made();
 
     // Connections with ports of ours, which the system carries:
-    /// Shows those with the ports of these paths only, apart from what a tool has just made.
+    /// Removes all except those with ports of these paths and those that a tool has just made.
     void keep_inside(const std::vector<std::string>& others);
     /// Shows one between two ports, at both, unless it is shown.
     static void show_inside(PortObject& from, PortObject& to);

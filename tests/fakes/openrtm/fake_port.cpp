@@ -1,4 +1,5 @@
-// Written apart from nezumi's own ports, so that both can't share a mistake.
+// A data port as OpenRTM-aist's programs have it. Written separately from nezumi's own ports, so that both can't have
+// the same mistake.
 #include "tests/fakes/openrtm/fake_port.hpp"
 
 #include <unistd.h>
