@@ -1,4 +1,5 @@
-// Each request has a number, so a repeated request is distinguished from a new one.
+// Sends requests to other hosts, and answers theirs. Each request has a number, so a repeated request is distinguished
+// from a new one.
 #include "bindings/dds/host_requests.hpp"
 
 #include <fmt/format.h>

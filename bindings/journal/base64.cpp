@@ -1,4 +1,4 @@
-// Three bytes are four letters. Own code, because no library linked at the start has it.
+// Base64 (RFC 4648): three bytes are four letters. Own code, because no library linked at the start has it.
 #include "bindings/journal/base64.hpp"
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A file's text is a plain string, because most parts of a journal are files.
+// The contents of files as JSON. A file's text is a plain string, because most parts of a journal are files.
 #include "bindings/journal/files_json.hpp"
 
 #include <nlohmann/json.hpp>

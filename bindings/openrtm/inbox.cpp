@@ -1,4 +1,5 @@
-// Messages are decoded in the thread that received them.
+// Queues messages and requests from CORBA's threads for the ticking thread. Messages are decoded in the thread that
+// received them.
 #include "bindings/openrtm/inbox.hpp"
 
 #include <utility>

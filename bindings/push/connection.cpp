@@ -1,4 +1,5 @@
-// Each text is sent as its length, eight hexadecimal digits, and its bytes.
+// Sends texts between the two sides of a push. Each text is sent as its length, eight hexadecimal digits, and its
+// bytes.
 #include "bindings/push/connection.hpp"
 
 #include <fmt/format.h>

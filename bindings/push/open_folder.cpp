@@ -1,4 +1,5 @@
-// Each part of a path is opened separately with O_NOFOLLOW, so no link is followed.
+// Reads and changes the contents of a folder. Each part of a path is opened separately with O_NOFOLLOW, so no link is
+// followed.
 #include "bindings/push/open_folder.hpp"
 
 #include <dirent.h>

@@ -1,4 +1,5 @@
-// Programs are run without a shell, so names of files and hosts have no special meaning.
+// Runs programs on a robot's computer by ssh. Programs are run without a shell, so names of files and hosts have no
+// special meaning.
 #include "bindings/push/remote.hpp"
 
 #include <fcntl.h>

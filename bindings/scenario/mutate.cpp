@@ -1,4 +1,5 @@
-// Each change is a task in a process of its own, which reads the changed text in place of the file.
+// Changes a behaviour, one place at a time, and checks whether its scenarios notice. Each change is a task in a process
+// of its own, which reads the changed text in place of the file.
 #include "bindings/scenario/mutate.hpp"
 
 #include <fmt/format.h>

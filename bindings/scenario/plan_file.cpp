@@ -1,4 +1,5 @@
-// Each part writes the same bytes to a file of its own, so parts may share a folder.
+// Stores the plan of a session that runs in parts. Each part writes the same bytes to a file of its own, so parts may
+// share a folder.
 #include "bindings/scenario/plan_file.hpp"
 
 #include <fmt/format.h>

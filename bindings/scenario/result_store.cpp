@@ -1,4 +1,5 @@
-// A file name is the hash of its result's key; the file also contains the key.
+// Stores the results of runs, a file for each. A file name is the hash of its result's key; the file also contains the
+// key.
 #include "bindings/scenario/result_store.hpp"
 
 #include <fmt/format.h>

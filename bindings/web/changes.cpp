@@ -1,4 +1,5 @@
-// Each part has the number of the state in which it last changed; each browser has the number of the last state it got.
+// Finds what has changed since a browser last got the state. Each part has the number of the state in which it last
+// changed; each browser has the number of the last state it got.
 #include "bindings/web/changes.hpp"
 
 #include <tuple>

@@ -1,4 +1,5 @@
-// Each folder on the way is opened from the one before without following links, so nothing leads out of the project.
+// Reads and writes a project's files for browsers. Each folder on the way is opened from the one before without
+// following links, so nothing leads out of the project.
 #include "bindings/web/edited_files.hpp"
 
 #include <dirent.h>

@@ -1,4 +1,4 @@
-// Each deadline is computed from the start, not from the previous tick.
+// Runs ticks at times of the real clock. Each deadline is computed from the start, not from the previous tick.
 #include "engine/system/pacer.hpp"
 
 #include <cassert>

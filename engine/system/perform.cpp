@@ -1,4 +1,4 @@
-// Each act looks up what it names, checks, and then does it.
+// Performs acts on a system. Each act looks up what it names, checks, and then does it.
 #include "engine/system/perform.hpp"
 
 #include <fmt/format.h>

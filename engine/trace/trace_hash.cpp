@@ -1,4 +1,5 @@
-// Each publication has its own hash; their sum is the hash of the run.
+// One hash of everything that ports published in a run. Each publication has its own hash; their sum is the hash of the
+// run.
 #include "engine/trace/trace_hash.hpp"
 
 #include "engine/ports/payload.hpp"

@@ -1,4 +1,4 @@
-// Each function follows the tables of types.
+// Functions over values of any type. Each function follows the tables of types.
 #include "engine/values/walk.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Each path has its calls in the log's order; the clock decides which one is due.
+// Replays a device log as device files. Each path has its calls in the log's order; the clock decides which one is due.
 #include "hw/log/played_files.hpp"
 
 #include <algorithm>

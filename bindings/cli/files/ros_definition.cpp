@@ -1,4 +1,4 @@
-// Each message is defined after those within it.
+// Makes message types from the definitions in a recording. Each message is defined after those within it.
 #include "bindings/cli/files/ros_definition.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
-// Each behaviour is asked for its parameters and ports, so that the file loads.
+// Makes system files from RTSystemEditor's profiles. Each behaviour is asked for its parameters and ports, so that the
+// file loads.
 #include "bindings/cli/new/profile_system.hpp"
 
 #include <fmt/format.h>

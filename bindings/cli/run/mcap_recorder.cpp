@@ -1,4 +1,4 @@
-// Messages are converted in the tick, and packed in the writer's thread.
+// Records a run in MCAP. Messages are converted in the tick, and packed in the writer's thread.
 #include "bindings/cli/run/mcap_recorder.hpp"
 
 #include <fmt/format.h>

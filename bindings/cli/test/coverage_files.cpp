@@ -1,4 +1,4 @@
-// A file that has changed since the run is shown without its lines.
+// Writes the files of `nezumi test --coverage`. A file that has changed since the run is shown without its lines.
 #include "bindings/cli/test/coverage_files.hpp"
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-// Three steps: reading the text, loading its declarations, and checking the use of parameters.
+// Checks the file of a behaviour. Three steps: reading the text, loading its declarations, and checking the use of
+// parameters.
 #include "bindings/lua/script/check_script.hpp"
 
 namespace nezumi {

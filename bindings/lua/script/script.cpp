@@ -1,4 +1,5 @@
-// Loading: the top level runs in a fresh state and declares. Running: one protected call per callback.
+// One version of a script. Loading: the top level runs in a fresh state and declares. Running: one protected call per
+// callback.
 #include "bindings/lua/script/script.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Each pupil is a folder with a number: pupil.json, and the work on each exercise.
+// The pupils of a class. Each pupil is a folder with a number: pupil.json, and the work on each exercise.
 #include "bindings/web/classroom/pupils.hpp"
 
 #include <fmt/format.h>
