@@ -82,7 +82,7 @@ TEST_CASE("a shipped behaviour that goes through a profile declares the same as 
     CHECK(count > 10);
 }
 
-TEST_CASE("the command line adds to a profile", "[cli][new][rtc]") {
+TEST_CASE("options of the command line are added to a profile", "[cli][new][rtc]") {
     openrtm::ComponentProfile profile{.name = "Base", .vendor = "theirs", .category = "test"};
     profile.ports = {{.name = "in", .type = "TimedLong"}};
     std::vector<std::string> remarks;

@@ -34,7 +34,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 }  // namespace
 
-TEST_CASE("a drawing is read with the text around it, and with any ends of lines", "[engine][maze_file]") {
+TEST_CASE("a drawing is read with the text around it, and with any line endings", "[engine][maze_file]") {
     const Maze maze = maze_of(drawing);
     CHECK(maze.marked_start == MazeCell{0, 0});
     CHECK(maze_of(drawing.substr(0, drawing.size() - 1)) == maze);

@@ -188,7 +188,7 @@ TEST_CASE("a pose update sets the odometry, which goes on from there", "[engine]
           std::vector<std::string>{"mouse: input 'pose_in': a pose that is not finite is ignored (reported once)"});
 }
 
-TEST_CASE("odometry adds up arcs as robots.md says", "[engine][odometry]") {
+TEST_CASE("odometry adds up arcs", "[engine][odometry]") {
     Odometry odometry(0.024, 0.024, 0.0925, per_turn);
     odometry.update(pulses(7, 9));
     CHECK(odometry.pose() == Pose2D{});

@@ -57,7 +57,8 @@ TEST_CASE("a robot file that the driver can't serve is refused", "[hw][mouse]") 
           "the driver raspimouse has 4 distance sensors and 3 buttons, but model 'raspimouse' needs more");
 }
 
-TEST_CASE("a drive makes exactly these writes", "[hw][mouse][fakes][wallclock]") {
+TEST_CASE("a drive with a tone and two LEDs makes exactly these writes to device files",
+          "[hw][mouse][fakes][wallclock]") {
     FakeMouse fake;
     {
         auto body = MouseBody::make(mouse_spec(), fake.roots());

@@ -66,7 +66,7 @@ TEST_CASE("when the engine stalls, the safe bytes come within 0.25 s, and it dri
     CHECK(holds_within(3, [&] { return run.rover->speed() > 0.19; }));
 }
 
-TEST_CASE("a rover whose cable is pulled stops by its own time-out, and drives again when it is back",
+TEST_CASE("a rover whose cable is pulled stops by its own time-out, and drives again when the cable is back",
           "[hw][wire][run][safety][wallclock]") {
     RoverRun run;
     run.get_going();

@@ -150,7 +150,7 @@ TEST_CASE("files below the working directory are shown with relative paths, othe
     CHECK(project.shown("../a.lua") == (fs::current_path().parent_path() / "a.lua").string());
 }
 
-TEST_CASE("the error about a name that is no file says what it is", "[lua][project]") {
+TEST_CASE("the error about a name that is not a file says what it is instead", "[lua][project]") {
     const Scratch scratch;
     fs::create_directories(scratch.path("behaviors/folder.lua"));
     REQUIRE(mkfifo(scratch.path("behaviors/pipe.lua").c_str(), 0600) == 0);

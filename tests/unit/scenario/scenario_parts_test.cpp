@@ -113,7 +113,7 @@ TEST_CASE("the merged parts of a session give the report of the whole session", 
     }
 }
 
-TEST_CASE("a missing run is reported with its part", "[scenario][parts]") {
+TEST_CASE("the error about a missing run names the shard that makes it", "[scenario][parts]") {
     PartsRig rig;
     for (std::size_t part = 1; part <= 2; ++part) rig.make_part(part, 2);
     const PlannedRun second = rig.plan().runs[1];

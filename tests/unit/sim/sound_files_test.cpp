@@ -107,7 +107,7 @@ TEST_CASE("without a speech program the texts are kept, with one warning", "[sim
     CHECK_FALSE(fs::exists(folder.path("ev3-0002.wav")));
 }
 
-TEST_CASE("a speech program that fails loses only its sound", "[sim][sound]") {
+TEST_CASE("if a speech program fails, only its sound is missing", "[sim][sound]") {
     const Folder folder;
     std::vector<std::string> warnings;
     {

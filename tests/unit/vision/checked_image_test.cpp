@@ -55,7 +55,7 @@ TEST_CASE("a picture whose sizes do not agree is refused in plain words", "[visi
           "possible)");
 }
 
-TEST_CASE("coloured pictures come as red, green and blue", "[vision][image]") {
+TEST_CASE("colour images are converted to red, green, blue", "[vision][image]") {
     CameraImage two = image(2, 1, 24, "rgb8", 6);
     two.pixels = {1, 2, 3, 4, 5, 6};
     CHECK(to_rgb(two)->pixels == Octets{1, 2, 3, 4, 5, 6});

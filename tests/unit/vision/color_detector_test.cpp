@@ -96,7 +96,7 @@ TEST_CASE("saturation and value include both of their bounds", "[vision][color]"
     CHECK(has(ground, {.saturation_to = 0, .value_to = 0.8}));
 }
 
-TEST_CASE("the largest object counts, even among many small ones", "[vision][color]") {
+TEST_CASE("the largest object is reported, even among many small ones", "[vision][color]") {
     Canvas canvas(200, 100, ground);
     canvas.paint(20, 20, 20, 20, red).paint(120, 50, 24, 24, red).paint(60, 10, 40, 40, blue);
     for (int i = 0; i < 10; ++i) canvas.paint(10 + 18 * i, 90, 8, 8, red);

@@ -199,7 +199,7 @@ TEST_CASE("a picture whose size differs from its intrinsics is reported and not 
           std::vector<std::string>{"image: 320 x 240 pixels, but intrinsics for 640 x 480: nothing can be seen in it"});
 }
 
-TEST_CASE("a camera whose distortion folds its picture reports it", "[vision][detector]") {
+TEST_CASE("a camera whose distortion folds its image goes to ERROR", "[vision][detector]") {
     MarkerWatch watch(one_marker());
     REQUIRE(watch.system.find("eye")->parameters().set("k1", -1.5));
     watch.run(2);
