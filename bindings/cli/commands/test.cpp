@@ -51,7 +51,7 @@ SubCommand test_command() {
              {"--open", &options->open,
               "open the first failed run in the page and the console, paused where it failed, as nezumi open does"},
              {"--show", &options->show,
-              "show one run in a page while it is made, at the speed of the clock; the page can pause it and change "
+              "show one run in a page while it runs, at the speed of the clock; the page can pause it and change "
               "its "
               "speed"},
              {"--port", &options->page.port, "with --show: serve the page on this port, or the next free one", "N"},
