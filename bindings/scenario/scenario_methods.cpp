@@ -4,6 +4,7 @@
 #include "bindings/scenario/measures.hpp"
 #include "bindings/scenario/method_scan.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
+#include "bindings/scenario/table_comparison.hpp"
 
 #include <fmt/format.h>
 
@@ -40,35 +41,6 @@ bool is_early(const std::vector<SystemWord>& words, std::string_view name) {
 
 // Words of system files that have no effect in a scenario: `s.seed` is the seed of the run, and the sweep gives values.
 bool is_of_files_alone(std::string_view word) { return word == "seed" || word == "argument"; }
-
-// Whether two values are equal in Lua, or are tables with equal entries. `where` names the first difference: "pose.x",
-// or "" for the values themselves.
-bool is_deeply_equal(lua_State* lua, int a, int b, std::string& where, int depth) {
-    constexpr int deepest = 100;  // a table may contain itself
-    if (lua_rawequal(lua, a, b) != 0) return true;
-    if (lua_type(lua, a) != LUA_TTABLE || lua_type(lua, b) != LUA_TTABLE) return false;
-    if (depth == deepest || lua_checkstack(lua, 10) == 0) return false;
-    const UnlockedTable left(lua, a), right(lua, b);
-    for (const auto& [from, in] : {std::pair{left.index(), right.index()}, std::pair{right.index(), left.index()}}) {
-        lua_pushnil(lua);
-        while (lua_next(lua, from) != 0) {
-            lua_pushvalue(lua, -2);
-            lua_rawget(lua, in);
-            std::string inner;
-            if (is_deeply_equal(lua, lua_absindex(lua, -2), lua_absindex(lua, -1), inner, depth + 1)) {
-                lua_pop(lua, 2);
-                continue;
-            }
-            lua_pop(lua, 2);
-            where = lua_type(lua, -1) == LUA_TSTRING ? std::string(string_at(lua, lua_absindex(lua, -1)))
-                                                     : fmt::format("[{}]", inspect(lua, lua_gettop(lua)));
-            if (!inner.empty()) where.append(inner.starts_with('[') ? "" : ".").append(inner);
-            lua_pop(lua, 1);
-            return false;
-        }
-    }
-    return true;
-}
 
 // Methods that let time pass, or wait.
 bool needs_time(std::string_view name) {
@@ -307,7 +279,7 @@ int ScenarioRun::Methods::near(ScenarioRun& run, lua_State* lua) {
         values[i] = number_at(lua, i + 2);
     }
     const auto [actual, expected, tolerance] = values;
-    if (!(tolerance >= 0)) return raise(run, "expected a tolerance from 0 on");
+    if (!(tolerance >= 0)) return raise(run, fmt::format("expected a tolerance from 0 on, got {}", tolerance));
     if (auto refused = wrong_message(run, lua, 5)) return *refused;
     const double off = std::abs(actual - expected);
     if (off <= tolerance || actual == expected) return 0;  // equal infinities have no difference
@@ -324,7 +296,14 @@ int ScenarioRun::Methods::equal(ScenarioRun& run, lua_State* lua) {
     if (lua_gettop(lua) < 3) return raise(run, "expected two values, the actual one and the expected one");
     if (auto refused = wrong_message(run, lua, 4)) return *refused;
     std::string where;
-    if (is_deeply_equal(lua, 2, 3, where, 0)) return 0;
+    {
+        TableComparison comparison(lua);
+        const auto answer = comparison.compare(2, 3);
+        if (answer == TableComparison::Answer::equal) return 0;
+        if (answer == TableComparison::Answer::too_deep)
+            return raise(run, "the tables are nested too deeply to be compared");
+        where = comparison.where();
+    }
     const InspectOptions line{.width = 100'000, .text = 200};
     std::string text =
         fmt::format("equal failed: {} is not the expected {}", inspect(lua, 2, line), inspect(lua, 3, line));

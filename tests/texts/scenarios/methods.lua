@@ -104,3 +104,42 @@ s:measure('a', math.huge)  -- error: measure: 'a': expected a finite number, got
 s:measure('a', 1, 5)  -- error: measure: 'a': expected a unit as in "s", got number
 
 s:measure('a', 0.5) s:measure('a', 1)  -- error: measure: 'a': is measured already, as 0.5: a run keeps one number a name
+
+--- Tables are equal at any depth, and compared once each.
+local function chain(n, leaf) local t = { leaf = leaf } for _ = 1, n do t = { x = t } end return t end
+for _, n in ipairs { 24, 99, 100, 300, 50000 } do s:equal(chain(n, 1), chain(n, 1)) end
+local function doubled() local t = { 1 } for _ = 1, 60 do t = { t, t } end return t end
+s:equal(doubled(), doubled())
+
+local function path(n, last) local node = last for i = 1, n do node = { parent = node } end return node end
+s:equal(path(3, { x = 1 }), path(3, { x = 2 }))
+-- failed: equal failed: { parent = { parent = { parent = {...} } } } is not the expected { parent = { parent = { parent = {...} } } } (they differ at parent.parent.parent.x)
+
+local function chain(n) local t = {} for _ = 1, n do t = { t } end return t end
+s:equal(chain(3), chain(4))  -- failed: equal failed: { { { {} } } } is not the expected { { { { {} } } } } (they differ at [1][1][1][1])
+
+--- Tables nested beyond what can be compared are no equal ones, and no different ones.
+local function chain(n) local t = {} for _ = 1, n do t = { t } end return t end
+s:equal(chain(400000), chain(400000))  -- error: equal: the tables are nested too deeply to be compared
+
+--- Tables that contain themselves are equal when they have the same shape.
+local function loop(n) local first = {} local t = first for _ = 2, n do t = { t } end first[1] = t return first end
+s:equal(loop(1), loop(1)) s:equal(loop(2), loop(3)) s:equal(loop(4000), loop(3999))
+local want = { name = 'root' } want.child = { parent = want }
+local got = { name = 'root' } got.child = { parent = got }
+s:equal(got, want)
+
+local want = { name = 'root' } want.child = { parent = want }
+local got = { name = 'root' } got.child = { parent = { name = 'other', child = got.child } }
+s:equal(got, want)
+-- failed: equal failed: { child = { parent = { name = "other" } }, name = "root" } is not the expected { child = { parent = <cycle> }, name = "root" } (they differ at child.parent.name)
+
+--- A key that only one of two tables has makes them different.
+s:equal({ a = { 1 } }, { a = { 1, b = 2 } })  -- failed: equal failed: { a = { 1 } } is not the expected { a = { 1, b = 2 } } (they differ at a.b)
+
+s:equal({ a = { 1, b = 2 } }, { a = { 1 } })  -- failed: equal failed: { a = { 1, b = 2 } } is not the expected { a = { 1 } } (they differ at a.b)
+
+--- A tolerance below 0 is refused with its value.
+s:near(1, 1, -0.1)  -- error: near: expected a tolerance from 0 on, got -0.1
+
+s:near(1, 1, 0/0)  -- error: near: expected a tolerance from 0 on, got nan
