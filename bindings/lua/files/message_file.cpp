@@ -108,17 +108,16 @@ private:
         FieldCheck check(fmt::format("message '{}'", name_), "message", place, file_.source(place.file));
         MessageDefinition made{.name = name_, .doc = first_comment(source_.text), .place = {source_.shown, place.line}};
         Fields all(check, *value);
-        all.text("ros", made.ros);
-        all.text("rtm", made.rtm);
-        if (!made.ros.empty() && !is_type_name(made.ros, "", "/msg/", ""))
-            check.wrong_at({"ros"}, fmt::format("ros: expected a type of ROS 2 such as \"my_msgs/msg/{}\", got '{}'",
-                                                name_, shown(made.ros)));
-        if (!made.rtm.empty() && !is_type_name(made.rtm, "IDL:", "/", ":1.0"))
-            check.wrong_at({"rtm"}, fmt::format("rtm: expected a type of OpenRTM such as \"IDL:My/{}:1.0\", got '{}'",
-                                                name_, shown(made.rtm)));
+        read_foreign_names(all, made);
         std::size_t index = 0;
         for (const Value& each : all.elements()) {
-            read_field({check, each, {fmt::format("[{}]", ++index)}}, made);
+            Fields fields(check, each, {fmt::format("[{}]", ++index)});
+            if (fields.elements().empty() && (fields.gives("ros") || fields.gives("rtm"))) {
+                read_foreign_names(fields, made);
+                fields.done();
+            } else {
+                read_field(std::move(fields), made);
+            }
             if (!check.ok()) break;
         }
         all.done();
@@ -130,9 +129,32 @@ private:
         return {};
     }
 
+    // The names for others, `ros = "my_msgs/msg/Obstacle"`, among the fields or in a table of their own.
+    void read_foreign_names(Fields& fields, MessageDefinition& message) const {
+        const auto read = [&](std::string_view word, std::string& name, auto is_right, std::string_view expected) {
+            std::string given;
+            if (!fields.text(word, given) || given.empty()) return;
+            if (!name.empty()) {
+                fields.check().wrong_at(fields.path_of(word), fmt::format("{}: is set already, to '{}'", word, name));
+            } else if (!is_right(given)) {
+                fields.check().wrong_at(fields.path_of(word), fmt::format("{}: expected a type of {}, got '{}'", word,
+                                                                          expected, shown(given)));
+            }
+            name = std::move(given);
+        };
+        read(
+            "ros", message.ros, [](std::string_view text) { return is_type_name(text, "", "/msg/", ""); },
+            fmt::format("ROS 2 such as \"my_msgs/msg/{}\"", name_));
+        read(
+            "rtm", message.rtm, [](std::string_view text) { return is_type_name(text, "IDL:", "/", ":1.0"); },
+            fmt::format("OpenRTM such as \"IDL:My/{}:1.0\"", name_));
+    }
+
     void read_field(Fields fields, MessageDefinition& message) const {
         FieldCheck& check = fields.check();
         const auto wrong = [&](std::string_view text) { check.wrong_at(fields.path(), text); };
+        if (message.fields.size() == most_message_fields)
+            return wrong(fmt::format("expected at most {} fields", most_message_fields));
         const std::vector<Value>& elements = fields.elements();
         const auto* name = !elements.empty() ? elements[0].get_if<std::string>() : nullptr;
         if (name == nullptr || elements.size() > 2)
