@@ -124,6 +124,11 @@ Expected<CsvMap> read_map(std::string_view text, const std::string& file) {
         map.boxes.push_back(std::move(*box));
     }
     if (map.boxes.empty() && first_short) return *first_short;
+    if (map.boxes.empty()) {
+        return no_box(
+            map.header_is_numbers ? "none: the first line, which reads like a box, is skipped as a header" : "none",
+            {file});
+    }
     return map;
 }
 

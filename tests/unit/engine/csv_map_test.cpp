@@ -77,7 +77,7 @@ TEST_CASE("a map's further columns are ignored, and its comments, blank and shor
     CHECK(read.boxes.size() == 2);
     CHECK(read.skipped == 6);
     CHECK(describe(read, "map.csv") == "map.csv: 2 boxes, 6 lines that are not boxes skipped");
-    CHECK(describe(map_of(header + "# a wall\n"), "m") == "m: 0 boxes, 1 line that is not a box skipped");
+    CHECK(describe(map_of(header + "# a wall\n1,2,3,4,5,6,7\n"), "m") == "m: 1 box, 1 line that is not a box skipped");
     CHECK(describe(map_of("7,6,5,4,3,2,1\n1,2,3,4,5,6,7\n"), "m") ==
           "m: 1 box; its first line, which is skipped as a header, reads like a box");
 }
@@ -120,7 +120,13 @@ TEST_CASE("a map of which no row is a box is an error that says what separates i
     CHECK(error(header + "north\n") == "map.csv:2: expected rows x,y,z,lx,ly,lz,yaw, got 1 column");
 }
 
-TEST_CASE("a map without rows is an empty map", "[engine][csv]") { CHECK(boxes(header).empty()); }
+TEST_CASE("a map without a box is an error", "[engine][csv]") {
+    const std::string none = "map.csv: expected rows x,y,z,lx,ly,lz,yaw, got none";
+    CHECK(error(header) == none);
+    CHECK(error("x,y,z,lx,ly,lz,yaw") == none);
+    CHECK(error(header + "# a wall\n\n") == none);
+    CHECK(error("1,2,3,4,5,6,7\n") == none + ": the first line, which reads like a box, is skipped as a header");
+}
 
 TEST_CASE("an error in a field of a map has the line, the column and the expected value", "[engine][csv]") {
     CHECK(error(header + "1,2,3,4,5,6,7\n\n0,0,0,abc,1,1,0\n") ==
