@@ -148,6 +148,7 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
         check.explain({"sets", std::string(Component::no_set)},
                       "to use \"default\" is to have no set in use: choose another name");
     }
+    if (entry.sets.contains("")) check.explain({"sets", ""}, "a set needs a name");
     if (!entry.set.empty() && !entry.sets.contains(entry.set)) {
         check.explain(fields.path_of("set"),
                       fmt::format("there is no set '{}' in 'sets'{}", entry.set,

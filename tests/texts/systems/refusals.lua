@@ -263,6 +263,9 @@ behavior 'c' { script = 'robot_controller', sets = { careful = {} }, set = 'care
 behavior 'c' { script = 'robot_controller', sets = { default = {} } }
 --                                                   ^ error: behavior 'c': field 'sets.default': to use "default" is to have no set in use: choose another name
 
+behavior 'c' { script = 'robot_controller', sets = { [''] = {} } }
+--                                                    ^ error: behavior 'c': field 'sets.': a set needs a name
+
 behavior 'c' { script = 'robot_controller', set = 'fast' }
 --                                          ^ error: behavior 'c': field 'set': there is no set 'fast' in 'sets'
 
