@@ -1,7 +1,6 @@
 // The word `argument` of system files: its value comes from `--set NAME=VALUE`, or is its default.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "bindings/lua/files/start_values.hpp"
@@ -49,7 +48,10 @@ Expected<Value> SystemWords::argument(const WordCall& call, const Value& name, c
     fields.text("doc", spec.doc);
     fields.done();
     if (auto ok = check.result(); !ok) return Unexpected(ok.error());
-    asked_.push_back(*text);
+    const auto [before, is_new] = asked_.try_emplace(*text, call.place);
+    if (!is_new)
+        return failure(fmt::format("{}: is declared already, at {}:{}", what, before->second.file, before->second.line),
+                       call.place);
     const auto given = given_.find(*text);
     if (given == given_.end()) {
         auto value = check_value(spec, spec.initial);
@@ -65,8 +67,9 @@ Expected<Value> SystemWords::argument(const WordCall& call, const Value& name, c
 
 Expected<void> SystemWords::check_arguments() const {
     for (const auto& [name, argument] : given_) {
-        if (std::find(asked_.begin(), asked_.end(), name) != asked_.end()) continue;
-        const std::vector<std::string_view> asked(asked_.begin(), asked_.end());
+        if (asked_.contains(name)) continue;
+        std::vector<std::string_view> asked;
+        for (const auto& [each, place] : asked_) asked.emplace_back(each);
         const std::string near = did_you_mean(name, asked);
         const std::string all =
             !near.empty()   ? near

@@ -128,7 +128,7 @@ private:
     const PeerWords words_;
     SystemSpec spec_;
     std::map<std::string, Argument, std::less<>> given_;  // by name
-    std::vector<std::string> asked_;                      // names of arguments
+    std::map<std::string, Place, std::less<>> asked_;     // where an argument is declared, by name
     std::vector<Thing> things_;
     std::vector<PendingEntry> pending_;
     std::vector<std::string> notes_;

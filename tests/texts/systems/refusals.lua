@@ -540,3 +540,9 @@ arena { size = { 2, 2 }, line { points = { { 0, 0 }, { 0, 1.1 } } } }
 
 arena { line { points = { { 0, 0 }, { 0, 1 } } } }
 -- error: line: there is no floor to paint it on: give the arena a size or a floor
+
+--- An argument is declared once.
+argument("n", 5)
+argument("n", "x")  -- error: argument 'n': is declared already, at system.lua:1
+
+for _ = 1, 2 do argument("n", 5) end  -- error: argument 'n': is declared already, at system.lua:1
