@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/base/schedule.hpp"
+#include "engine/components/quotes_hint.hpp"
 #include "engine/system/peer_word.hpp"
 #include "engine/system/robot_limits.hpp"
 #include "engine/system/script_drivers.hpp"
@@ -112,9 +113,11 @@ Expected<void> set_values(Parameters& parameters, const ParameterValues& values,
     for (const auto& [name, value] : values) {
         const auto ok = parameters.set(name, value);
         if (ok) continue;
-        const auto place = entry.places.find(fmt::format("{}.{}", path, name));
-        return failure(fmt::format("{}: {}: {}", entry.name, what, ok.error().message),
-                       place != entry.places.end() ? place->second : entry.place);
+        const auto found = entry.places.find(fmt::format("{}.{}", path, name));
+        const Place& place = found != entry.places.end() ? found->second : entry.place;
+        const auto* parameter = parameters.find(name);
+        const std::string hint = parameter != nullptr ? quotes_hint(parameter->spec, value, place.file) : "";
+        return failure(fmt::format("{}: {}: {}{}", entry.name, what, ok.error().message, hint), place);
     }
     return {};
 }

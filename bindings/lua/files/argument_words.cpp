@@ -6,6 +6,7 @@
 #include "bindings/lua/files/start_values.hpp"
 #include "bindings/lua/files/system_words.hpp"
 #include "engine/base/names.hpp"
+#include "engine/components/quotes_hint.hpp"
 #include "engine/records/fields.hpp"
 
 namespace nezumi {
@@ -61,7 +62,9 @@ Expected<Value> SystemWords::argument(const WordCall& call, const Value& name, c
     auto read = read_option_value(given->second.text, project_, given->second.option);
     if (!read) return failure(fmt::format("{}: {}", what, read.error().message), {given->second.option});
     auto value = check_value(spec, *read);
-    if (!value) return failure(as_argument(value.error()), {given->second.option});
+    if (!value)
+        return failure(as_argument(value.error()) + quotes_hint(spec, *read, given->second.option),
+                       {given->second.option});
     return value;
 }
 

@@ -1,0 +1,24 @@
+// What to write for a text of digits on the command line.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+
+#include "engine/components/parameter.hpp"
+
+namespace nezumi {
+
+/// For a parameter that is a text, and a value from "--set c.mode=4" that is none: ": write c.mode='"4"'". Otherwise
+/// "".
+inline std::string quotes_hint(const ParameterSpec& spec, const Value& value, std::string_view option) {
+    constexpr std::string_view set = "--set ";
+    const std::size_t equals = option.find('=');
+    const bool is_single = value.is<bool>() || value.is<std::int64_t>() || value.is<double>();
+    if (!option.starts_with(set) || equals == option.npos || !spec.initial.is<std::string>() || !is_single) return "";
+    return fmt::format(": write {}'\"{}\"'", option.substr(set.size(), equals + 1 - set.size()),
+                       option.substr(equals + 1));
+}
+
+}  // namespace nezumi
