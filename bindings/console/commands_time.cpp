@@ -54,9 +54,9 @@ Expected<CommandEnd> command_run(Session::Parts& parts, const Arguments& argumen
     const auto seconds = arguments.number(1, "seconds");
     if (!seconds) return Unexpected(seconds.error());
     if (!(*seconds > 0)) return failure(fmt::format("expected seconds, more than 0, got {}", *seconds));
-    const double ticks = std::ceil(*seconds * parts.live.system().settings().rate - 1e-6);
-    const auto checked = check_ticks(std::max(1.0, ticks));
-    if (!checked) return Unexpected(checked.error());
+    const double rate = parts.live.system().settings().rate;
+    const auto checked = check_ticks(std::max(1.0, std::ceil(*seconds * rate - 1e-6)));
+    if (!checked) return failure(fmt::format("expected at most {:.0f} seconds, got {}", most_ticks / rate, *seconds));
     return advance(parts, *checked);
 }
 

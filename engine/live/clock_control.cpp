@@ -14,9 +14,8 @@ Expected<double> check_speed(double factor) {
 }
 
 Expected<std::int64_t> check_ticks(double ticks) {
-    constexpr double most = 1e12;
-    if (ticks >= 1 && ticks <= most && ticks == std::floor(ticks)) return static_cast<std::int64_t>(ticks);
-    return failure(fmt::format("expected a whole number of ticks from 1 to {:.0f}, got {}", most, ticks));
+    if (ticks >= 1 && ticks <= most_ticks && ticks == std::floor(ticks)) return static_cast<std::int64_t>(ticks);
+    return failure(fmt::format("expected a whole number of ticks from 1 to {:.0f}, got {}", most_ticks, ticks));
 }
 
 }  // namespace nezumi

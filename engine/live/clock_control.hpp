@@ -15,6 +15,9 @@ inline constexpr double slowest_speed = 0.001, fastest_speed = 1e6;
 /// The speed for ticks without waiting.
 inline constexpr double as_fast_as_possible = std::numeric_limits<double>::infinity();
 
+/// The most ticks that one command lets pass.
+inline constexpr double most_ticks = 1e12;
+
 /// Checks limits of time for command lines, consoles and browsers. The error says what was expected.
 Expected<double> check_speed(double factor);
 Expected<std::int64_t> check_ticks(double ticks);
