@@ -308,8 +308,8 @@ int ScenarioRun::Methods::equal(ScenarioRun& run, lua_State* lua) {
     std::string text =
         fmt::format("equal failed: {} is not the expected {}", inspect(lua, 2, line), inspect(lua, 3, line));
     if (!where.empty()) text += fmt::format(" (they differ at {})", where);
-    const auto is_nan = [lua](int at) { return lua_type(lua, at) == LUA_TNUMBER && std::isnan(lua_tonumber(lua, at)); };
-    if (is_nan(2) || is_nan(3)) text += " (nan is not equal to anything, not even to nan: s:check(x ~= x) expects it)";
+    if (is_nan(lua, 2) || is_nan(lua, 3))
+        text += " (nan is not equal to anything, not even to nan: s:check(x ~= x) expects it)";
     if (!lua_isnoneornil(lua, 4)) text += fmt::format(": {}", string_at(lua, 4));
     fails(run, lua, std::move(text));
     return end_run;

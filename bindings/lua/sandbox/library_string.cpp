@@ -82,7 +82,7 @@ int format(lua_State* lua) {
         } else if (*at == 'p') {
             replace_pointer(lua, argument);
             has_pointer = true;
-        } else if (lua_type(lua, argument) == LUA_TNUMBER && lua_isinteger(lua, argument) == 0) {
+        } else if (is_nan(lua, argument)) {
             lua_pushnumber(lua, number_at(lua, argument));
             lua_replace(lua, argument);
         }

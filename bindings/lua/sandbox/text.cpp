@@ -44,16 +44,12 @@ void push_identity(lua_State* lua, int index) {
 
 const char* push_text(lua_State* lua, int index, std::size_t* length) {
     index = lua_absindex(lua, index);
+    if (is_nan(lua, index)) return lua_pushliteral(lua, "nan"), lua_tolstring(lua, -1, length);
     switch (lua_type(lua, index)) {
         case LUA_TNIL:
         case LUA_TBOOLEAN:
-        case LUA_TSTRING: return luaL_tolstring(lua, index, length);
         case LUA_TNUMBER:
-            if (lua_isinteger(lua, index) != 0) return luaL_tolstring(lua, index, length);
-            lua_pushnumber(lua, number_at(lua, index));
-            luaL_tolstring(lua, -1, nullptr);
-            lua_remove(lua, -2);
-            return lua_tolstring(lua, -1, length);
+        case LUA_TSTRING: return luaL_tolstring(lua, index, length);
         default: break;
     }
     if (luaL_callmeta(lua, index, "__tostring") == 0) {

@@ -1,6 +1,7 @@
 // Converts values to text, without the addresses that Lua would show.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <lua.hpp>
@@ -16,10 +17,15 @@ const char* push_text(lua_State* lua, int index, std::size_t* length = nullptr);
 /// Pushes the text for the identity of the value at `index` ("table: 1"), without `__tostring`.
 void push_identity(lua_State* lua, int index);
 
+/// Whether the value at `index` is the number NaN.
+inline bool is_nan(lua_State* lua, int index) {
+    return lua_type(lua, index) == LUA_TNUMBER && std::isnan(lua_tonumber(lua, index));
+}
+
 /// The number at `index`. A NaN is without a sign, because processors give it different ones.
 inline double number_at(lua_State* lua, int index) {
     const double number = lua_tonumber(lua, index);
-    return number == number ? number : std::numeric_limits<double>::quiet_NaN();
+    return std::isnan(number) ? std::numeric_limits<double>::quiet_NaN() : number;
 }
 
 /// The whole string at `index`, which may contain zero bytes. Valid as long as the value.

@@ -13,12 +13,6 @@
 namespace nezumi {
 namespace {
 
-std::string number_text(double value) {
-    if (std::isnan(value)) return "nan";
-    if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-    return fmt::format("{}", value);
-}
-
 bool refuse(Mismatch* why, std::string text) {
     if (why != nullptr) *why = {.path = "", .text = std::move(text)};
     return false;
@@ -40,7 +34,7 @@ std::string key_name(lua_State* L, int index) {
     switch (lua_type(L, index)) {
         case LUA_TNUMBER:
             return lua_isinteger(L, index) ? fmt::format("[{}]", lua_tointeger(L, index))
-                                           : fmt::format("[{}]", number_text(lua_tonumber(L, index)));
+                                           : fmt::format("[{}]", number_at(L, index));
         case LUA_TBOOLEAN: return lua_toboolean(L, index) != 0 ? "[true]" : "[false]";
         case LUA_TSTRING: {
             std::size_t size = 0;
@@ -256,14 +250,14 @@ bool read_integer(lua_State* L, int index, std::int64_t min, std::int64_t max, s
         if (out >= min && out <= max) return true;
         if (why != nullptr) found = fmt::format("{}", out);
     } else {
-        const double number = lua_tonumber(L, index);
+        const double number = number_at(L, index);
         if (const auto whole = whole_number(number)) {
             out = *whole;
             if (out >= min && out <= max) return true;
         } else if (std::isnan(number) || std::isinf(number) || number != std::floor(number)) {
-            return why != nullptr && refuse(why, "expected an integer, got " + number_text(number));
+            return why != nullptr && refuse(why, fmt::format("expected an integer, got {}", number));
         }
-        if (why != nullptr) found = number_text(number);
+        if (why != nullptr) found = fmt::format("{}", number);
     }
     return why != nullptr && refuse(why, fmt::format("expected an integer from {} to {}, got {}", min, max, found));
 }
@@ -273,9 +267,8 @@ bool read_number(lua_State* L, int index, double max, double& out, Mismatch* why
     out = number_at(L, index);
     if (std::fabs(out) <= max || (numbers == Numbers::any && !std::isfinite(out))) return true;
     if (why == nullptr) return false;
-    if (!std::isfinite(out)) return refuse(why, "expected a finite number, got " + number_text(out));
-    return refuse(why, fmt::format("expected a number from {0} to {1}, got {2}", number_text(-max), number_text(max),
-                                   number_text(out)));
+    if (!std::isfinite(out)) return refuse(why, fmt::format("expected a finite number, got {}", out));
+    return refuse(why, fmt::format("expected a number from {0} to {1}, got {2}", -max, max, out));
 }
 
 bool read_text(lua_State* L, int index, std::string_view& out, Mismatch* why) {
