@@ -13,7 +13,7 @@ template <>
 struct Describe<PlotRequest> {
     static constexpr std::string_view name = "plot_options";
     static constexpr std::string_view doc = "Options of a drawing.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"every",
                 &PlotRequest::every,
                 "s",
@@ -35,7 +35,7 @@ template <>
 struct Describe<ResumeOptions> {
     static constexpr std::string_view name = "resume_options";
     static constexpr std::string_view doc = "Options of `resume`.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"live", &ResumeOptions::live, "", "come back to the present, where other programs wait"},
     };
 };

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "bindings/dds/domain_fields.hpp"
@@ -36,7 +35,7 @@ struct Describe<dds::NetworkSpec> {
     static constexpr std::string_view name = "network";
     static constexpr std::string_view doc =
         "This system is a host among others. Without the word nothing of it is on the network.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"name", &dds::NetworkSpec::name, "", "what other hosts call this one", {.required = true}},
         Setting{"domain",
                 &dds::NetworkSpec::domain,

@@ -3,7 +3,6 @@
 
 #include <string>
 #include <string_view>
-#include <tuple>
 
 #include "bindings/openrtm/rtm_spec.hpp"
 #include "engine/base/error.hpp"
@@ -18,7 +17,7 @@ struct Describe<openrtm::RtmSpec> {
     static constexpr std::string_view name = "rtm";
     static constexpr std::string_view doc =
         "Components that are visible to OpenRTM-aist components and can be connected to them.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"nameserver",
                 &openrtm::RtmSpec::nameservers,
                 "",

@@ -17,7 +17,7 @@ template <>
 struct Describe<Scenario> {
     static constexpr std::string_view name = "scenario_options";
     static constexpr std::string_view doc = "Options of a scenario.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"timeout",
                 &Scenario::timeout,
                 "s",
@@ -70,7 +70,7 @@ struct Describe<Expectation::Terms> {
     static constexpr std::string_view doc = "Options of an expectation over time.";
     static constexpr std::array<std::string_view, 5> kinds{"always", "never", "wait_until", "eventually", "maintain"};
     static constexpr unsigned wait_until = 1U << 2U, eventually = 1U << 3U, maintain = 1U << 4U;
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"within",
                 &Expectation::Terms::within,
                 "s",
@@ -99,7 +99,7 @@ template <>
 struct Describe<GoldenOptions> {
     static constexpr std::string_view name = "golden_options";
     static constexpr std::string_view doc = "Options of a comparison with a committed trace.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"tolerance",
                 &GoldenOptions::tolerance,
                 "",
@@ -115,7 +115,7 @@ template <>
 struct Describe<LoadOptions> {
     static constexpr std::string_view name = "load_options";
     static constexpr std::string_view doc = "Options of a system that is loaded.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Extra{"robots", "table<string, RobotModelFields>", "", "changes to the system's robots, by the robot's name"},
     };
 };
@@ -127,7 +127,7 @@ template <>
 struct Describe<RecordedOptions> {
     static constexpr std::string_view name = "recorded_options";
     static constexpr std::string_view doc = "Options of a recording that is looked at.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Extra{
             "map",
             "table<string, string>",
@@ -142,7 +142,7 @@ template <>
 struct Describe<JudgeRequest> {
     static constexpr std::string_view name = "judge_options";
     static constexpr std::string_view doc = "A behaviour, and the recorded run that it is judged by.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"behavior", &JudgeRequest::behavior, "", "its file, or its name", {.required = true}},
         Setting{"component",
                 &JudgeRequest::component,
@@ -171,7 +171,7 @@ template <>
 struct Describe<ReloadOptions> {
     static constexpr std::string_view name = "reload_options";
     static constexpr std::string_view doc = "Where a behaviour's new version is: one of these.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"file", &ReloadOptions::file, "", "its script, found as a system file finds one"},
         Setting{"text", &ReloadOptions::text, "", "the script itself"},
     };

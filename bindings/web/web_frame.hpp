@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "engine/ports/messages.hpp"
@@ -21,7 +20,7 @@ struct WebRobot {
     std::vector<Point3D> contacts{};
     bool operator==(const WebRobot&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"index", &WebRobot::index, "", "its index among the system's robots"},
         Field{"x", &WebRobot::x, "m", ""},
         Field{"y", &WebRobot::y, "m", ""},
@@ -40,16 +39,16 @@ struct WebThing {
     Pose3D pose{};
     bool operator==(const WebThing&) const = default;
 
-    static constexpr std::tuple fields{Field{"index", &WebThing::index, "", "its place in the arena's things"},
-                                       Field{"pose", &WebThing::pose, "", "of its centre"}};
+    static constexpr FieldList fields{Field{"index", &WebThing::index, "", "its place in the arena's things"},
+                                      Field{"pose", &WebThing::pose, "", "of its centre"}};
 };
 struct WebMarker {
     std::uint32_t index = 0;
     Pose3D pose{};
     bool operator==(const WebMarker&) const = default;
 
-    static constexpr std::tuple fields{Field{"index", &WebMarker::index, "", "its place in the system's markers"},
-                                       Field{"pose", &WebMarker::pose, "", "of its centre"}};
+    static constexpr FieldList fields{Field{"index", &WebMarker::index, "", "its place in the system's markers"},
+                                      Field{"pose", &WebMarker::pose, "", "of its centre"}};
 };
 struct WebRay {
     std::uint32_t robot = 0;
@@ -59,7 +58,7 @@ struct WebRay {
     std::uint32_t distance = 0;
     bool operator==(const WebRay&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"robot", &WebRay::robot, "", "its index among the system's robots"},
         Field{"from", &WebRay::from, "m", ""},
         Field{"to", &WebRay::to, "m", "where it hits or ends"},
@@ -72,7 +71,7 @@ struct WebPort {
     std::uint32_t count = 0;
     Octets payload{};
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"index", &WebPort::index, "", "its index among the watched values"},
         Field{"count", &WebPort::count, "", "messages since the last one shown"},
         Field{"payload", &WebPort::payload, "", "the latest message, as CDR"},
@@ -83,16 +82,16 @@ struct WebLeaf {
     double value = 0;
     bool operator==(const WebLeaf&) const = default;
 
-    static constexpr std::tuple fields{Field{"name", &WebLeaf::name, "", "as in pose.position.x"},
-                                       Field{"value", &WebLeaf::value, "", "a boolean is 0 or 1"}};
+    static constexpr FieldList fields{Field{"name", &WebLeaf::name, "", "as in pose.position.x"},
+                                      Field{"value", &WebLeaf::value, "", "a boolean is 0 or 1"}};
 };
 struct WebMember {
     std::string name;
     std::vector<WebLeaf> leaves{};
     bool operator==(const WebMember&) const = default;
 
-    static constexpr std::tuple fields{Field{"name", &WebMember::name, "", "as in mouse.truth"},
-                                       Field{"leaves", &WebMember::leaves, "", "its numbers"}};
+    static constexpr FieldList fields{Field{"name", &WebMember::name, "", "as in mouse.truth"},
+                                      Field{"leaves", &WebMember::leaves, "", "its numbers"}};
 };
 struct WebFrame {
     double time = 0;
@@ -107,7 +106,7 @@ struct WebFrame {
     std::vector<WebPort> ports{};
     std::vector<WebMember> members{};
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"time", &WebFrame::time, "s", "of the system"},
         Field{"tick", &WebFrame::tick, "", ""},
         Field{"running", &WebFrame::running, "", "time passes"},
@@ -128,7 +127,7 @@ struct WebPicture {
     std::uint32_t height = 0;
     Octets jpeg{};
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"port", &WebPicture::port, "", ""},
         Field{"tm", &WebPicture::tm, "s", ""},
         Field{"width", &WebPicture::width, "", "pixels"},

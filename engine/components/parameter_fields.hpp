@@ -19,7 +19,7 @@ struct Describe<ParameterSpec> {
                                                            "all others"};
     static constexpr double any = std::numeric_limits<double>::max();
     static constexpr unsigned numbers = 1U << 0U | 1U << 1U, arrays = 1U << 1U | 1U << 2U;
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"min",
                 &ParameterSpec::min,
                 "",

@@ -16,7 +16,7 @@ struct Point2D {
     double y = 0;
     bool operator==(const Point2D&) const = default;
 
-    static constexpr std::tuple fields{Field{"x", &Point2D::x, "m", ""}, Field{"y", &Point2D::y, "m", ""}};
+    static constexpr FieldList fields{Field{"x", &Point2D::x, "m", ""}, Field{"y", &Point2D::y, "m", ""}};
 };
 
 struct Point3D {
@@ -25,8 +25,8 @@ struct Point3D {
     double z = 0;
     bool operator==(const Point3D&) const = default;
 
-    static constexpr std::tuple fields{Field{"x", &Point3D::x, "m", ""}, Field{"y", &Point3D::y, "m", ""},
-                                       Field{"z", &Point3D::z, "m", ""}};
+    static constexpr FieldList fields{Field{"x", &Point3D::x, "m", ""}, Field{"y", &Point3D::y, "m", ""},
+                                      Field{"z", &Point3D::z, "m", ""}};
 };
 
 struct Orientation3D {
@@ -35,7 +35,7 @@ struct Orientation3D {
     double y = 0;
     bool operator==(const Orientation3D&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"r", &Orientation3D::r, "rad", "roll about x"},
         Field{"p", &Orientation3D::p, "rad", "pitch about y"},
         Field{"y", &Orientation3D::y, "rad", "yaw about z, counter-clockwise"},
@@ -48,8 +48,8 @@ struct Size3D {
     double h = 0;
     bool operator==(const Size3D&) const = default;
 
-    static constexpr std::tuple fields{Field{"l", &Size3D::l, "m", "along x"}, Field{"w", &Size3D::w, "m", "along y"},
-                                       Field{"h", &Size3D::h, "m", "along z"}};
+    static constexpr FieldList fields{Field{"l", &Size3D::l, "m", "along x"}, Field{"w", &Size3D::w, "m", "along y"},
+                                      Field{"h", &Size3D::h, "m", "along z"}};
 };
 
 /// A velocity in the robot's own frame. The zero value means "stand still".
@@ -59,7 +59,7 @@ struct Velocity2D {
     double va = 0;
     bool operator==(const Velocity2D&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"vx", &Velocity2D::vx, "m/s", "speed along the robot's x axis (forward)"},
         Field{"vy", &Velocity2D::vy, "m/s", "speed along the robot's y axis (left); 0 for two wheels that don't skid"},
         Field{"va", &Velocity2D::va, "rad/s", "yaw rate, counter-clockwise"},
@@ -71,7 +71,7 @@ struct Pose2D {
     double heading = 0;
     bool operator==(const Pose2D&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"position", &Pose2D::position, "", "where"},
         Field{"heading", &Pose2D::heading, "rad", "direction, counter-clockwise from the x axis"},
     };
@@ -82,7 +82,7 @@ struct Pose3D {
     Orientation3D orientation;
     bool operator==(const Pose3D&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"position", &Pose3D::position, "", "where"},
         Field{"orientation", &Pose3D::orientation, "", "roll, pitch and yaw"},
     };
@@ -93,7 +93,7 @@ struct RangerElement {
     Size3D size;
     bool operator==(const RangerElement&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"pose", &RangerElement::pose, "", "relative to the ranger"},
         Field{"size", &RangerElement::size, "", "extent of the element"},
     };
@@ -105,7 +105,7 @@ struct RangerGeometry {
     std::vector<RangerElement> elements;
     bool operator==(const RangerGeometry&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"pose", &RangerGeometry::pose, "", "in the robot's frame"},
         Field{"size", &RangerGeometry::size, "", "extent of the device"},
         Field{"elements", &RangerGeometry::elements, "", "its single transducers"},
@@ -122,7 +122,7 @@ struct RangerConfig {
     double frequency = 0;
     bool operator==(const RangerConfig&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"minAngle", &RangerConfig::minAngle, "rad", "first scan angle"},
         Field{"maxAngle", &RangerConfig::maxAngle, "rad", "last scan angle"},
         Field{"angularRes", &RangerConfig::angularRes, "rad", "angle between two scans"},
@@ -139,7 +139,7 @@ struct RangeData {
     RangerConfig config;
     bool operator==(const RangeData&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"ranges", &RangeData::ranges, "m",
               "distances, one per scan angle; inf: nothing within reach, -inf: too near, nan: no reading (REP 117)",
               Numbers::any},
@@ -157,7 +157,7 @@ struct CameraImage {
     Octets pixels;
     bool operator==(const CameraImage&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"width", &CameraImage::width, "px", ""},
         Field{"height", &CameraImage::height, "px", ""},
         Field{"bpp", &CameraImage::bpp, "bit", "bits per pixel"},
@@ -189,7 +189,7 @@ struct CameraIntrinsics {
     double k6 = 0;
     bool operator==(const CameraIntrinsics&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"width", &CameraIntrinsics::width, "px", "of the pictures"},
         Field{"height", &CameraIntrinsics::height, "px", ""},
         Field{"fx", &CameraIntrinsics::fx, "px", "focal length in x; 0: unknown"},
@@ -213,7 +213,7 @@ struct SeenMarker {
     Pose3D pose;
     bool operator==(const SeenMarker&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"id", &SeenMarker::id, "", "its number"},
         Field{"pose", &SeenMarker::pose, "", "from the camera: x forward, y left, z up"},
     };
@@ -228,7 +228,7 @@ struct Neighbour {
     std::vector<bool> leds;
     bool operator==(const Neighbour&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"name", &Neighbour::name, "", "of the robot"},
         Field{"range", &Neighbour::range, "m", "from the sensor to its middle, seen from above"},
         Field{"bearing", &Neighbour::bearing, "rad", "counter-clockwise from where the sensor looks"},

@@ -1,14 +1,98 @@
 // Connections and queues of ports of any type, and ports made from the name of a message type.
 #include "engine/ports/port.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <iterator>
 
 namespace nezumi {
 
+std::optional<Value> default_safe(const MessageType& type) {
+    if (type.payload == &type_of<Velocity2D>()) return Velocity2D{};
+    return std::nullopt;
+}
+
+bool OutPortBase::latch(const Time& now) {
+    if (override_ != Override::none) {
+        discard();
+        if (override_ != Override::dropped) write_any(override_value());
+    }
+    if (pending_ == 0) return false;
+    // Readers of the publication before this one still refer to its slots, because behaviours latch their outputs after
+    // their inputs.
+    release_slots(sequence_ - 1);
+    tm_ = publish(now);
+    latched_tick_ = now.tick;
+    latched_at_ = now.seconds;
+    count_ += latched_;
+    ++sequence_;
+    return true;
+}
+
 void OutPortBase::release_slots(std::uint64_t sequence) const {
     for (InPortBase* reader : readers_) {
-        if (reader->looks_at_ == this && reader->looked_sequence_ == sequence) reader->keep_latest();
+        if (reader->looks_at_ == this && reader->looked_sequence_ == sequence) reader->forget_source();
     }
+}
+
+void InPortBase::latch(const Time& now) {
+    if (override_ != Override::none) {
+        skip();
+        if (override_ != Override::dropped) take_own(override_value(), now);
+        return;
+    }
+    take_published(now);
+    // Injected messages come last, like those of the newest connection. If a sensor writes the port in every tick, they
+    // are valid for one tick.
+    if (injected_.empty()) return;
+    looks_at_ = nullptr;
+    for (Value& value : injected_) take_own(std::move(value), now);
+    injected_.clear();
+}
+
+void InPortBase::take_published(const Time& now) {
+    // Sources that published in an earlier tick (behaviours) come before sources of this tick (sensors).
+    bool any_of_this_tick = false;
+    for (Source& source : sources_) {
+        if (source.port->sequence() == source.seen) continue;
+        if (source.port->latched_tick() == now.tick) {
+            any_of_this_tick = true;
+        } else {
+            take_source(source, now);
+        }
+    }
+    if (!any_of_this_tick) return;
+    for (Source& source : sources_) {
+        if (source.port->sequence() != source.seen) take_source(source, now);
+    }
+}
+
+void InPortBase::take_source(Source& source, const Time& now) {
+    source.seen = source.port->sequence();
+    looks_at_ = source.port;
+    looked_sequence_ = source.seen;
+    take_from(*source.port, now);
+}
+
+void InPortBase::forget_source() {
+    keep_latest();
+    looks_at_ = nullptr;
+}
+
+void InPortBase::skip() {
+    forget_source();
+    for (Source& source : sources_) source.seen = source.port->sequence();
+    injected_.clear();
+}
+
+void InPortBase::clear() {
+    skip();
+    clear_messages();
+    unread_ = 0;
+    tm_ = 0;
+    arrival_tick_ = -1;
+    arrived_at_ = 0;
+    arrived_count_ = 0;
 }
 
 std::vector<const OutPortBase*> InPortBase::sources() const {
@@ -48,7 +132,7 @@ void InPortBase::move_behind(const OutPortBase& source, std::span<const OutPortB
 void InPortBase::detach(const OutPortBase& source) {
     Source* found = find_source(source);
     if (found == sources_.end() || --found->connections > 0) return;
-    if (looks_at_ == &source) keep_latest();
+    if (looks_at_ == &source) forget_source();
     auto& readers = found->port->readers_;
     readers.erase(std::find(readers.begin(), readers.end(), this));
     sources_.erase(found);
@@ -88,12 +172,9 @@ std::unique_ptr<InPortBase> make_in_port(const MessageType* type, std::string na
     });
 }
 
-std::unique_ptr<OutPortBase> make_out_port(const MessageType* type, std::string name, std::string doc,
-                                           std::optional<Value> safe) {
+std::unique_ptr<OutPortBase> make_out_port(const MessageType* type, std::string name, std::string doc) {
     return with_payload_type(*type, [&]<class T>() -> std::unique_ptr<OutPortBase> {
-        auto port = std::make_unique<OutPort<T>>(std::move(name), std::move(doc), default_safe<T>(), type);
-        if (safe) port->set_safe_any(&*safe);
-        return port;
+        return std::make_unique<OutPort<T>>(std::move(name), std::move(doc), type);
     });
 }
 

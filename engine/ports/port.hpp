@@ -2,13 +2,10 @@
 // latched. Values are not copied on the way: the writer fills a slot of the out-port, and readers refer to this slot.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstdint>
 #include <limits>
-#include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -70,22 +67,11 @@ T held_in(Value&& value) {
 
 }  // namespace detail
 
-/// The default safe value: standing still for a velocity command, none for other types.
-template <Held T>
-std::optional<T> default_safe() {
-    if constexpr (std::is_same_v<T, Velocity2D>) {
-        return Velocity2D{};
-    } else {
-        return std::nullopt;
-    }
-}
-
 template <Held T>
 class OutPort final : public OutPortBase {
 public:
-    explicit OutPort(std::string name, std::string doc = "", std::optional<T> safe = default_safe<T>(),
-                     const MessageType* type = message_of<T>())
-        : OutPortBase(std::move(name), type, Direction::out, std::move(doc)), zero_(type), safe_(std::move(safe)) {}
+    explicit OutPort(std::string name, std::string doc = "", const MessageType* type = message_of<T>())
+        : OutPortBase(std::move(name), type, std::move(doc)), zero_(type) {}
 
     /// Writes a message, which is invisible until the port is latched. Then a queue gets every message of the tick;
     /// other in-ports get only the last one.
@@ -105,7 +91,7 @@ public:
     /// The first slot of `next_pending` in each tick starts as a copy of `value`, so constant parts are written only
     /// once. Call it before the first write.
     void prepare(const T& value) {
-        assert(sequence_ == 0 && pending_ == 0);
+        assert(sequence() == 0 && pending_ == 0);
         for (Few<Message<T>>& slots : slots_) {
             if (slots.empty()) slots.push_back({});
             slots[0].data = value;
@@ -116,12 +102,16 @@ public:
     /// The messages of the last publication, oldest first.
     std::span<const Message<T>> messages() const { return {published().data(), latched_}; }
 
-    bool latch(const Time& now) override {
-        if (override_ != Override::none) apply_override();
-        if (pending_ == 0) return false;
-        // Readers of the publication before this one still refer to its slots, because behaviours latch their outputs
-        // after their inputs.
-        release_slots(sequence_ - 1);
+    void write_any(const Value& value) override { write(detail::held_in<T>(value)); }
+    MessageView message(std::size_t index) const override { return messages()[index].view(); }
+    Value value() const override { return read(); }
+    std::uint64_t hash_latched(std::uint64_t seed) const override {
+        for (const Message<T>& message : messages()) seed = mix_payload(seed, message.data);
+        return seed;
+    }
+
+private:
+    double publish(const Time& now) override {
         Few<Message<T>>& slots = slots_[filling_];
         filling_ = next(filling_);
         latched_ = std::exchange(pending_, 0);
@@ -129,46 +119,7 @@ public:
             double& tm = slots[i].tm;
             if (tm == unstamped) tm = now.seconds;
         }
-        tm_ = slots[latched_ - 1].tm;
-        latched_tick_ = now.tick;
-        latched_at_ = now.seconds;
-        count_ += latched_;
-        ++sequence_;
-        return true;
-    }
-    void discard() override { pending_ = 0; }
-    void write_any(const Value& value) override { write(detail::held_in<T>(value)); }
-    bool has_safe() const override { return safe_.has_value(); }
-    void set_safe_any(const Value* safe) override {
-        safe_ = safe != nullptr ? std::optional<T>(detail::held_in<T>(*safe)) : default_safe<T>();
-    }
-    void write_safe() override {
-        if (safe_) write(*safe_);
-    }
-    /// Replaces the safe value, which is written when the component stops.
-    void set_safe(std::optional<T> safe) { safe_ = std::move(safe); }
-
-    std::size_t message_count() const override { return latched_; }
-    MessageView message(std::size_t index) const override { return messages()[index].view(); }
-    Value value() const override { return read(); }
-    void hold(Value value) override {
-        held_ = std::make_unique<T>(detail::held_in<T>(std::move(value)));
-        override_ = Override::held;
-    }
-    void freeze() override {
-        held_ = std::make_unique<T>(read());
-        override_ = Override::frozen;
-    }
-    Value override_value() const override { return *held_; }
-    std::uint64_t hash_latched(std::uint64_t seed) const override {
-        for (const Message<T>& message : messages()) seed = mix_payload(seed, message.data);
-        return seed;
-    }
-
-private:
-    void apply_override() {
-        pending_ = 0;
-        if (override_ != Override::dropped) write(*held_);
+        return slots[latched_ - 1].tm;
     }
 
     static constexpr double unstamped = std::numeric_limits<double>::infinity();
@@ -179,12 +130,9 @@ private:
     static constexpr std::uint32_t next(std::uint32_t place) { return (place + 1) % places; }
     const Few<Message<T>>& published() const { return slots_[next(next(filling_))]; }
 
-    std::size_t latched_ = 0;    // number of messages in the last publication
     std::uint32_t filling_ = 0;  // the place that is filled
     std::array<Few<Message<T>>, places> slots_;
     [[no_unique_address]] detail::Zero<T> zero_;
-    std::optional<T> safe_;
-    std::unique_ptr<T> held_;
 };
 
 template <Held T>
@@ -216,88 +164,25 @@ public:
     /// All messages that arrived in the tick `arrival_tick()`, oldest first; empty unless the port is followed.
     std::span<const Message<T>> messages() const { return {arrived_.data(), arrived_count_}; }
 
-    void latch(const Time& now) override {
-        if (override_ != Override::none) {
-            skip();
-            if (override_ != Override::dropped) deliver_own({*held_, now.seconds}, now);
-            return;
-        }
-        take_published(now);
-        // Injected messages come last, like those of the newest connection. If a sensor writes the port in every tick,
-        // they are valid for one tick.
-        if (!injected_.empty()) take_injected(now);
-    }
-    void clear() override {
-        unread_ = 0;
-        queued_bytes_ = 0;
-        skip();
-        own_ = {zero_.get()};
-        taken_ = {zero_.get()};
-        tm_ = 0;
-        arrived_count_ = 0;
-        arrival_tick_ = -1;
-        arrived_at_ = 0;
-    }
-    void inject(const Value& value) override { injected_.push_back({detail::held_in<T>(value), 0.0}); }
-
-    std::size_t message_count() const override { return arrived_count_; }
     MessageView message(std::size_t index) const override { return arrived_[index].view(); }
     Value value() const override { return latest_->data; }
-    void hold(Value value) override {
-        held_ = std::make_unique<T>(detail::held_in<T>(std::move(value)));
-        override_ = Override::held;
-    }
-    void freeze() override {
-        held_ = std::make_unique<T>(latest_->data);
-        override_ = Override::frozen;
-    }
-    Value override_value() const override { return *held_; }
 
 private:
-    void take_published(const Time& now) {
-        // Sources that published in an earlier tick (behaviours) come before sources of this tick (sensors).
-        bool any_of_this_tick = false;
-        for (Source& source : sources_) {
-            if (source.port->sequence() == source.seen) continue;
-            if (source.port->latched_tick() == now.tick) {
-                any_of_this_tick = true;
-            } else {
-                take_from(source, now);
-            }
-        }
-        if (!any_of_this_tick) return;
-        for (Source& source : sources_) {
-            if (source.port->sequence() != source.seen) take_from(source, now);
-        }
+    void take_from(const OutPortBase& source, const Time& now) override {
+        for (const Message<T>& message : static_cast<const OutPort<T>&>(source).messages()) deliver(message, now);
     }
-    void take_from(Source& source, const Time& now) {
-        source.seen = source.port->sequence();
-        looks_at_ = source.port;
-        looked_sequence_ = source.seen;
-        const auto& port = static_cast<const OutPort<T>&>(*source.port);
-        for (const Message<T>& message : port.messages()) deliver(message, now);
+    void take_own(Value value, const Time& now) override {
+        own_ = {detail::held_in<T>(std::move(value)), now.seconds};
+        deliver(own_, now);
     }
-    void take_injected(const Time& now) {
-        for (Message<T>& message : injected_) {
-            message.tm = now.seconds;
-            deliver_own(std::move(message), now);
-        }
-        injected_.clear();
-    }
-    void skip() {
-        keep_latest();
-        for (Source& source : sources_) source.seen = source.port->sequence();
-        injected_.clear();
+    void clear_messages() override {
+        queued_bytes_ = 0;
+        own_ = {zero_.get()};
+        taken_ = {zero_.get()};
     }
     void keep_latest() override {
         if (latest_ != &own_) own_ = *latest_;
         latest_ = &own_;
-        looks_at_ = nullptr;
-    }
-    void deliver_own(Message<T> message, const Time& now) {
-        own_ = std::move(message);
-        looks_at_ = nullptr;
-        deliver(own_, now);
     }
     /// `message` must stay valid until the next `latch` or `keep_latest`.
     void deliver(const Message<T>& message, const Time& now) {
@@ -369,16 +254,13 @@ private:
 
     // Members that are used in every tick come first.
     const Message<T>* latest_ = &own_;  // a slot of `looks_at_`, or `own_`
-    std::vector<Message<T>> injected_;
     [[no_unique_address]] detail::Zero<T> zero_;
     Message<T> own_{zero_.get()};    // if it does not belong to a source
     Message<T> taken_{zero_.get()};  // with a queue: what was read last
     std::vector<Message<T>> queue_;  // a ring of `capacity_`, empty until something arrives
     std::size_t head_ = 0;
     std::size_t queued_bytes_ = 0;     // of texts and sequences in the queue
-    std::vector<Message<T>> arrived_;  // in the tick `arrival_tick_`, when it is followed
-    std::size_t arrived_count_ = 0;    // how many of these; the others keep their memory for later ones
-    std::unique_ptr<T> held_;
+    std::vector<Message<T>> arrived_;  // the first `arrived_count_`; the others keep their memory for later ones
 };
 
 }  // namespace nezumi

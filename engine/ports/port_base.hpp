@@ -80,13 +80,19 @@ public:
     std::uint64_t count() const { return count_; }
 
     /// From now on, sends this value once per tick and blocks all other messages. The value must have the port's type.
-    virtual void hold(Value value) = 0;
+    void hold(Value value) {
+        held_ = std::make_unique<Value>(std::move(value));
+        override_ = Override::held;
+    }
     /// Blocks all messages from now on.
     void drop() { override_ = Override::dropped; }
     /// From now on, sends the present value once per tick and blocks all other messages.
-    virtual void freeze() = 0;
+    void freeze() {
+        held_ = std::make_unique<Value>(value());
+        override_ = Override::frozen;
+    }
     /// The value that `hold` or `freeze` sends; the port must be held or frozen.
-    virtual Value override_value() const = 0;
+    const Value& override_value() const { return *held_; }
     /// Ends `hold`, `drop` and `freeze`.
     void release() { override_ = Override::none; }
 
@@ -105,6 +111,8 @@ private:
     };
     std::unique_ptr<Texts> texts_;
 
+    std::unique_ptr<Value> held_;
+
 protected:
     double tm_ = 0;
     std::uint64_t count_ = 0;
@@ -117,19 +125,21 @@ protected:
     Override override_ = Override::none;
 };
 
+/// The default safe value: standing still for a velocity command, none for other types.
+std::optional<Value> default_safe(const MessageType& type);
+
 /// An out-port of any type. One component writes it; any number of in-ports read it.
 class OutPortBase : public Port {
 public:
+    std::size_t message_count() const override { return latched_; }
     /// Publishes the messages written since the last call; a message without its own stamp gets that of `now`. Returns
     /// whether there were any.
-    virtual bool latch(const Time& now) = 0;
+    bool latch(const Time& now);
     /// Sets the stamp [s] of the message written last to the time of its measurement. There must be an unpublished
     /// message.
     virtual void stamp(double tm) = 0;
     /// Discards all unpublished messages.
-    virtual void discard() = 0;
-    /// Writes the safe value for when the component stops, if there is one.
-    virtual void write_safe() = 0;
+    void discard() { pending_ = 0; }
     /// Writes a value of the port's type.
     virtual void write_any(const Value& value) = 0;
     /// Whether there are unpublished messages.
@@ -139,10 +149,13 @@ public:
     /// Discards all unpublished messages except the first `count`.
     void discard_after(std::size_t count) { pending_ = pending_ < count ? pending_ : count; }
     /// Whether a safe value is written when the component stops.
-    virtual bool has_safe() const = 0;
-    /// Replaces the safe value, which is written when the component stops. Null: the default of the type, if it has
-    /// one.
-    virtual void set_safe_any(const Value* safe) = 0;
+    bool has_safe() const { return safe_ != nullptr; }
+    /// Writes the safe value for when the component stops, if there is one.
+    void write_safe() {
+        if (safe_) write_any(*safe_);
+    }
+    /// Replaces the safe value, which must have the port's type; at first it is `default_safe` of that type.
+    void set_safe(std::optional<Value> safe) { safe_ = safe ? std::make_unique<Value>(std::move(*safe)) : nullptr; }
     /// The tick of the last publication; -1 before the first one.
     std::int64_t latched_tick() const { return latched_tick_; }
     /// The rate of publications [Hz] that its owner declares; 0: none is declared.
@@ -163,20 +176,28 @@ public:
     void set_companion(OutPortBase& companion) { companion_ = &companion; }
 
 protected:
-    using Port::Port;
+    OutPortBase(std::string name, const MessageType* type, std::string doc)
+        : Port(std::move(name), type, Direction::out, std::move(doc)) {
+        set_safe(default_safe(*type));
+    }
+    /// Publishes the pending slots, at least one, and returns the stamp of the last one.
+    virtual double publish(const Time& now) = 0;
+
+    std::size_t pending_ = 0;  // how many of the pending slots are filled
+    std::size_t latched_ = 0;  // number of messages in the last publication
+
+private:
+    friend class InPortBase;
     /// Before the slots of this publication are reused: its readers keep copies of what they refer to.
     void release_slots(std::uint64_t sequence) const;
 
-    std::size_t pending_ = 0;  // how many of the pending slots are filled
     std::int64_t latched_tick_ = -1;
     double latched_at_ = 0;  // [s]
     std::uint64_t sequence_ = 0;
     double rate_ = 0;
     OutPortBase* companion_ = nullptr;
-
-private:
-    friend class InPortBase;
     Few<InPortBase*> readers_;  // connected to it
+    std::unique_ptr<Value> safe_;
 };
 
 /// A message of any type.
@@ -188,13 +209,14 @@ struct AnyMessage {
 /// An in-port of any type. Any number of out-ports of the same type can be connected to it.
 class InPortBase : public Port {
 public:
+    std::size_t message_count() const override { return arrived_count_; }
     /// Takes the publications of its sources: in the order of ticks, then in the order of the connections.
-    virtual void latch(const Time& now) = 0;
+    void latch(const Time& now);
     /// Discards everything that has arrived: the port is in the state before its first message.
-    virtual void clear() = 0;
+    void clear();
     /// Sends one value as if it came from a connection; it arrives at the next latch, after the messages of its
     /// sources.
-    virtual void inject(const Value& value) = 0;
+    void inject(Value value) { injected_.push_back(std::move(value)); }
     /// Changes the length of the queue (0: only the latest value). Unread messages stay; if they are too many, the
     /// newest stay. Returns the dropped messages, oldest first, and counts them as dropped.
     std::vector<AnyMessage> set_queue(std::size_t queue);
@@ -273,6 +295,12 @@ protected:
         std::uint64_t seen = 0;  // the sequence number of the publication taken last
         int connections = 1;
     };
+    /// Takes the last publication of a source.
+    virtual void take_from(const OutPortBase& source, const Time& now) = 0;
+    /// Takes a message that no source sent.
+    virtual void take_own(Value value, const Time& now) = 0;
+    /// Discards the messages in this port.
+    virtual void clear_messages() = 0;
     /// Copies the latest message into this port, so that it no longer refers to a source.
     virtual void keep_latest() = 0;
     /// Changes `capacity_`; the queue is filled by `fill` afterwards.
@@ -286,6 +314,7 @@ protected:
     const OutPortBase* looks_at_ = nullptr;  // the source whose slot has the latest message; null: this port has it
     std::uint64_t looked_sequence_ = 0;      // the publication of this slot
     Few<Source> sources_;
+    std::vector<Value> injected_;
     mutable bool followed_ = false;  // may be set by readers: it does not change the port's behaviour
     std::size_t capacity_;
     std::size_t unread_ = 0;
@@ -294,9 +323,15 @@ protected:
     std::uint64_t count_when_left_ = 0;  // the number of messages when its last connection went
     std::int64_t arrival_tick_ = -1;
     double arrived_at_ = 0;
+    std::size_t arrived_count_ = 0;  // messages in the tick `arrival_tick_`, when it is followed
 
 private:
     friend class OutPortBase;
+    void take_published(const Time& now);
+    void take_source(Source& source, const Time& now);
+    /// Copies the latest message, so that it no longer refers to a source.
+    void forget_source();
+    void skip();
     Source* find_source(const OutPortBase& source);
     void attach(OutPortBase& source);
     /// Moves a source forward so that only the sources in `before` come before it.
@@ -309,8 +344,7 @@ private:
 };
 
 std::unique_ptr<InPortBase> make_in_port(const MessageType* type, std::string name, std::string doc, std::size_t queue);
-std::unique_ptr<OutPortBase> make_out_port(const MessageType* type, std::string name, std::string doc,
-                                           std::optional<Value> safe = std::nullopt);
+std::unique_ptr<OutPortBase> make_out_port(const MessageType* type, std::string name, std::string doc);
 
 /// Finds a compiled message type by name; the error has the nearest name.
 Expected<const MessageType*> find_message_type(std::string_view name);

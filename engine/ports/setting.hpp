@@ -75,7 +75,7 @@ Internal(T S::*) -> Internal<S, T>;
 template <class E>
 struct Choices;
 
-/// A structure that is written as a table in files: `Describe` has `name`, `doc` and a tuple `fields` of the above. If
+/// A structure that is written as a table in files: `Describe` has `name`, `doc` and `fields` of the above. If
 /// it has several kinds, `kinds` has their names.
 template <class T>
 concept Recorded = requires {
@@ -85,10 +85,8 @@ concept Recorded = requires {
 
 namespace detail {
 
-template <class T, std::size_t I, std::size_t J>
-constexpr bool is_same_member() {
-    const auto& a = std::get<I>(Describe<T>::fields);
-    const auto& b = std::get<J>(Describe<T>::fields);
+template <class A, class B>
+constexpr bool is_same_member(const A& a, const B& b) {
     if constexpr (requires { a.member == b.member; }) {
         return a.member == b.member;
     } else {
@@ -96,19 +94,17 @@ constexpr bool is_same_member() {
     }
 }
 
-// 1 for a member without an earlier field; two fields may set the same member.
-template <class T, std::size_t I, std::size_t... J>
-constexpr std::size_t is_new_member(std::index_sequence<J...>) {
-    if constexpr (requires { std::get<I>(Describe<T>::fields).member; }) {
-        return (is_same_member<T, I, J>() || ...) ? 0 : 1;
-    } else {
-        return 0;
-    }
-}
-
-template <class T, std::size_t... I>
-constexpr std::size_t described_members(std::index_sequence<I...>) {
-    return (is_new_member<T, I>(std::make_index_sequence<I>{}) + ... + 0);
+// The number of members that the fields set; two fields may set the same one.
+template <class... Each>
+constexpr std::size_t count_members(const Each&... each) {
+    std::size_t members = 0, place = 0;
+    const auto count = [&](const auto& field) {
+        std::size_t first = 0;  // place of the first field with this member
+        (void)((is_same_member(field, each) || (++first, false)) || ...);
+        if (first == place++) ++members;
+    };
+    (count(each), ...);
+    return members;
 }
 
 }  // namespace detail
@@ -117,14 +113,14 @@ constexpr std::size_t described_members(std::index_sequence<I...>) {
 /// omits a member.
 template <Recorded T, class Visit>
 constexpr void for_each_setting(Visit&& visit) {
-    using Fields = std::remove_cvref_t<decltype(Describe<T>::fields)>;
-    static_assert(detail::member_count<T>() ==
-                      detail::described_members<T>(std::make_index_sequence<std::tuple_size_v<Fields>>{}),
+    constexpr std::size_t described =
+        Describe<T>::fields.apply([](const auto&... each) { return detail::count_members(each...); });
+    static_assert(detail::member_count<T>() == described,
                   "Describe<T>::fields must list every member of T: as a Setting, or as Internal");
     const auto one = [&](const auto& field) {
         if constexpr (requires { field.rule; }) visit(field);
     };
-    std::apply([&](const auto&... field) { (one(field), ...); }, Describe<T>::fields);
+    Describe<T>::fields.apply([&](const auto&... field) { (one(field), ...); });
 }
 
 /// The numbers that a rule allows, in words: "a number", "a positive number", "a number from 0 to 1".

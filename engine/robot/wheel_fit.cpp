@@ -69,18 +69,20 @@ Expected<WheelFit> fit_wheels(const std::vector<MeasuredDrive>& drives, const Wh
     WheelFit fit{.wheels = believed, .before = root_mean_square(now), .after = 0};
     for (int round = 0; round < 20; ++round) {
         constexpr double step = 1e-6;
-        Eigen::MatrixXd slopes(now.size(), 3);
+        Eigen::MatrixX3d slopes(now.size(), 3);
         for (Eigen::Index i = 0; i < 3; ++i) {
             Scales moved = scales;
             moved[i] += step;
             slopes.col(i) = (residuals(drives, believed, moved) - now) / step;
         }
-        const auto decomposed = slopes.colPivHouseholderQr();
-        if (decomposed.rank() < 3)
+        const Eigen::Matrix3d normal = slopes.transpose() * slopes;
+        // 1 for slopes at right angles to each other, 0 for dependent ones; not a number if a slope is 0.
+        const double independence = normal.determinant() / normal.diagonal().prod();
+        if (!(independence > 1e-12))
             return failure(
                 "these drives do not determine the wheel parameters: drive a straight line, and squares in both "
                 "directions");
-        const Scales change = decomposed.solve(-now);
+        const Scales change = normal.inverse() * (slopes.transpose() * -now);
         scales += change;
         if (!((scales - Scales::Ones()).cwiseAbs().maxCoeff() < largest_change))
             return failure(

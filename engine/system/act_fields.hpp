@@ -19,7 +19,7 @@ template <>
 struct Describe<RobotPlace> {
     static constexpr std::string_view name = "pose";
     static constexpr std::string_view doc = "Where a robot is put.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"x", &RobotPlace::x, "m", ""},
         Setting{"y", &RobotPlace::y, "m", ""},
         Setting{"heading", &RobotPlace::heading, "rad", "counter-clockwise, 0 looks along x"},
@@ -35,7 +35,7 @@ template <>
 struct Describe<MarkerPlace> {
     static constexpr std::string_view name = "marker_pose";
     static constexpr std::string_view doc = "Where a marker is carried.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"x", &MarkerPlace::x, "m", "", {.fallback = "as it is"}},
         Setting{"y", &MarkerPlace::y, "m", "", {.fallback = "as it is"}},
         Setting{"z", &MarkerPlace::z, "m", "of its centre", {.fallback = "as it is"}},
@@ -52,7 +52,7 @@ template <>
 struct Describe<HoldOptions> {
     static constexpr std::string_view name = "hold_options";
     static constexpr std::string_view doc = "Options of a hold.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"take", &HoldOptions::take, "", "even if another actor holds the port"},
     };
 };
@@ -63,7 +63,7 @@ struct Describe<VelocityConstraint> {
     static constexpr std::string_view doc = "Velocities that are forced on a robot.";
     static constexpr std::array<std::string_view, 2> kinds{"a component's disturb", "s:disturb"};
     static constexpr unsigned at_once = 1U << 0U, in_scenarios = 1U << 1U;
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"vx", &VelocityConstraint::vx, "m/s", "along the robot's x axis", {.fallback = "free"}},
         Setting{"vy", &VelocityConstraint::vy, "m/s", "along the robot's y axis", {.fallback = "free"}},
         Setting{"va", &VelocityConstraint::va, "rad/s", "yaw rate, counter-clockwise", {.fallback = "free"}},

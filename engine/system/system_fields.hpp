@@ -20,7 +20,7 @@ template <>
 struct Describe<RobotEntry> {
     static constexpr std::string_view name = "robot";
     static constexpr std::string_view doc = "A robot of the system.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"model", &RobotEntry::model, "", "a robot's file, for example \"raspimouse\"", {.required = true}},
         Setting{"pose", &RobotEntry::pose, "", "where it starts"},
         Setting{"limits", &RobotEntry::limits, "", "instead of the model's"},
@@ -44,7 +44,7 @@ template <>
 struct Describe<BehaviorEntry> {
     static constexpr std::string_view name = "behavior";
     static constexpr std::string_view doc = "A component written in Lua.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"script",
                 &BehaviorEntry::script,
                 "",
@@ -71,7 +71,7 @@ template <>
 struct Describe<ComponentEntry> {
     static constexpr std::string_view name = "component";
     static constexpr std::string_view doc = "A native component.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{
             "type", &ComponentEntry::type, "", "a native component's type, for example \"Camera\"", {.required = true}},
         Setting{"config", &ComponentEntry::config, "", "values of its parameters"},
@@ -102,7 +102,7 @@ template <>
 struct Describe<PhysicsFields> {
     static constexpr std::string_view name = "physics";
     static constexpr std::string_view doc = "How the simulation runs.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"step",
                 &PhysicsFields::step,
                 "s",

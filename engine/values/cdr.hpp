@@ -14,7 +14,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
 
 #include "engine/base/error.hpp"
 #include "engine/values/view.hpp"
@@ -40,8 +39,8 @@ struct CdrTime {
     bool operator==(const CdrTime&) const = default;
 
     static constexpr std::string_view type_name = "Time";
-    static constexpr std::tuple fields{Field{"sec", &CdrTime::sec, "s", "whole seconds"},
-                                       Field{"nsec", &CdrTime::nsec, "ns", "the rest"}};
+    static constexpr FieldList fields{Field{"sec", &CdrTime::sec, "s", "whole seconds"},
+                                      Field{"nsec", &CdrTime::nsec, "ns", "the rest"}};
 };
 
 /// Rounds to the nearest nanosecond. Negative, too large or NaN values become the nearest end of the range.

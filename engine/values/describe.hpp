@@ -4,7 +4,6 @@
 #include <concepts>
 #include <cstddef>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -29,16 +28,42 @@ struct Field {
 template <class S, class T>
 Field(const char*, T S::*, const char*, const char*, Numbers = Numbers::finite) -> Field<S, T>;
 
-/// The description of a structure: a tuple `fields` of the structure that lists every member in order, and its name, or
-/// its `type_name` if the name outside C++ is different. For structures that files write as tables it is specialised
-/// beside the rules of the fields (engine/ports/setting.hpp).
+namespace detail {
+template <std::size_t, class Each>
+struct FieldAt {
+    Each field;
+};
+template <class Places, class... Each>
+struct NumberedFields;
+template <std::size_t... I, class... Each>
+struct NumberedFields<std::index_sequence<I...>, Each...> : FieldAt<I, Each>... {
+    constexpr explicit NumberedFields(const Each&... each) : FieldAt<I, Each>{each}... {}
+    template <class Use>
+    constexpr decltype(auto) apply(Use&& use) const {
+        return use(FieldAt<I, Each>::field...);
+    }
+};
+}  // namespace detail
+
+/// The fields of a structure, in order; `apply(use)` returns use(field, field, ...). A `std::tuple` takes longer to
+/// compile: its constructors ask of each field what it converts to.
+template <class... Each>
+struct FieldList : detail::NumberedFields<std::index_sequence_for<Each...>, Each...> {
+    constexpr explicit FieldList(const Each&... each)
+        : detail::NumberedFields<std::index_sequence_for<Each...>, Each...>(each...) {}
+    static constexpr std::size_t count = sizeof...(Each);
+};
+
+/// The description of a structure: a `FieldList` with the name `fields` in the structure that lists every member in
+/// order, and its name, or its `type_name` if the name outside C++ is different. For structures that files write as
+/// tables it is specialised beside the rules of the fields (engine/ports/setting.hpp).
 template <class T>
 struct Describe;
 
 /// A structure that describes itself.
 template <class T>
 concept Described = requires {
-    std::tuple_size<std::remove_cvref_t<decltype(T::fields)>>::value;
+    T::fields.count;
 };
 
 /// A type with a static member `type_name`.
@@ -125,8 +150,7 @@ constexpr std::size_t member_count() {
 namespace detail {
 template <Described T>
 constexpr void check_fields() {
-    static_assert(member_count<T>() == std::tuple_size_v<std::remove_cvref_t<decltype(T::fields)>>,
-                  "T::fields must list every member of T");
+    static_assert(member_count<T>() == T::fields.count, "T::fields must list every member of T");
 }
 }  // namespace detail
 
@@ -139,7 +163,7 @@ requires Described<std::remove_const_t<T>>
 constexpr void for_each_field(T& object, Visit&& visit) {
     using Plain = std::remove_const_t<T>;
     detail::check_fields<Plain>();
-    std::apply([&](const auto&... field) { (visit(field, object.*(field.member)), ...); }, Plain::fields);
+    Plain::fields.apply([&](const auto&... field) { (visit(field, object.*(field.member)), ...); });
 }
 
 }  // namespace nezumi

@@ -277,13 +277,11 @@ Type make_type() {
         type.name = Describe<T>::name;
         const T sample{};
         check_fields<T>();
-        std::apply(
-            [&]<class... M>(const Field<T, M>&... field) {
-                add_fields(type, std::array<FieldSeed, sizeof...(M)>{
-                                     FieldSeed{field.name, place_in(sample, sample.*(field.member)), type_of<M>,
-                                               field.unit, field.doc, numbers_of(field)}...});
-            },
-            T::fields);
+        T::fields.apply([&]<class... M>(const Field<T, M>&... field) {
+            add_fields(type, std::array<FieldSeed, sizeof...(M)>{
+                                 FieldSeed{field.name, place_in(sample, sample.*(field.member)), type_of<M>, field.unit,
+                                           field.doc, numbers_of(field)}...});
+        });
     } else if constexpr (described_by_names<T>) {
         type.name = Describe<T>::name;
         const T sample{};

@@ -47,7 +47,7 @@ template <>
 struct Describe<BoxSpec> {
     static constexpr std::string_view name = "box";
     static constexpr std::string_view doc = "A box, fixed or movable.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"at", &BoxSpec::at, "m", "centre; without z it stands on the floor", {.required = true, .level = true}},
         Setting{"size",
                 &BoxSpec::size,
@@ -74,7 +74,7 @@ template <>
 struct Describe<WallSpec> {
     static constexpr std::string_view name = "wall";
     static constexpr std::string_view doc = "A wall on the floor from one place to another.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"from", &WallSpec::from, "m", "middle of one end", {.required = true}},
         Setting{"to", &WallSpec::to, "m", "middle of the other end", {.required = true}},
         Setting{"height", &WallSpec::height, "m", "", {.range = NumberRange::positive, .least = least_length}},
@@ -88,7 +88,7 @@ template <>
 struct Describe<CylinderSpec> {
     static constexpr std::string_view name = "cylinder";
     static constexpr std::string_view doc = "An upright cylinder, fixed or movable.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"at",
                 &CylinderSpec::at,
                 "m",
@@ -118,7 +118,7 @@ template <>
 struct Describe<MarkerSpec> {
     static constexpr std::string_view name = "marker";
     static constexpr std::string_view doc = "An AprilTag of the family 36h11, without thickness.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"id", &MarkerSpec::id, "", "the tag's number", {.required = true, .max = last_tag}},
         Setting{"name",
                 &MarkerSpec::name,
@@ -140,7 +140,7 @@ template <>
 struct Describe<FloorSpec> {
     static constexpr std::string_view name = "floor";
     static constexpr std::string_view doc = "A picture on the floor, its middle at the origin.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"image",
                 &FloorSpec::image,
                 "",
@@ -160,7 +160,7 @@ template <>
 struct Describe<LineSpec> {
     static constexpr std::string_view name = "line";
     static constexpr std::string_view doc = "A line painted on the floor; needs the arena's `size`, or a `floor`.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Extra{"points",
               "number[][]",
               "m",
@@ -177,7 +177,7 @@ template <>
 struct Describe<MazePlan> {
     static constexpr std::string_view name = "maze_plan";
     static constexpr std::string_view doc = "A generated maze: there is exactly one path between any two cells.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"columns", &MazePlan::columns, "", "cells from west to east", {.min = 1, .max = most_maze_cells}},
         Setting{"rows", &MazePlan::rows, "", "cells from south to north", {.min = 1, .max = most_maze_cells}},
         Setting{"seed", &MazePlan::seed, "", "another seed, another maze", {.max = 1'000'000}},
@@ -188,7 +188,7 @@ template <>
 struct Describe<MazeSpec> {
     static constexpr std::string_view name = "maze";
     static constexpr std::string_view doc = "The walls of a maze of square cells, as in the contests of micromice.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Extra{"rows", "string[]", "", "the maze as a drawing, the north first", {.by_hand = true}},
         Setting{"generate", &MazeSpec::generate, "", "instead of `rows`: generates a maze"},
         Setting{"cell",
@@ -210,7 +210,7 @@ template <>
 struct Describe<BorderSpec> {
     static constexpr std::string_view name = "border";
     static constexpr std::string_view doc = "The walls around an arena.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"thickness", &BorderSpec::thickness, "m", "", {.range = NumberRange::positive, .least = least_length}},
         Setting{"height", &BorderSpec::height, "m", "", {.range = NumberRange::positive, .least = least_length}},
     };
@@ -220,7 +220,7 @@ template <>
 struct Describe<ArenaSpec> {
     static constexpr std::string_view name = "arena";
     static constexpr std::string_view doc = "The floor and what stands on it. Several arenas add up.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"size",
                 &ArenaSpec::size,
                 "m",

@@ -46,7 +46,7 @@ template <>
 struct Describe<WheelCalibration> {
     static constexpr std::string_view name = "odometry_calibration";
     static constexpr std::string_view doc = "The measured wheels of a robot.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"track",
                 &WheelCalibration::track,
                 "m",
@@ -69,7 +69,7 @@ template <>
 struct Describe<Calibration> {
     static constexpr std::string_view name = "calibration";
     static constexpr std::string_view doc = "The measured parameters of one robot, in `ROBOT.calibration.lua`.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"robot", &Calibration::robot, "", "its name in the system", {.required = true}},
         Setting{"model", &Calibration::model, "", "that it was measured with", {.required = true}},
         Setting{"serial", &Calibration::serial, "", "number of its computer: on another one the file is refused"},

@@ -18,7 +18,7 @@ inline constexpr Rule limit_rule{
 
 /// The four limits of `S`, a structure with these members.
 template <class S>
-inline constexpr std::tuple limit_fields{
+inline constexpr FieldList limit_fields{
     Setting{"speed", &S::speed, "m/s", "along x, both ways", limit_rule<S>},
     Setting{"yaw_rate", &S::yaw_rate, "rad/s", "both ways", limit_rule<S>},
     Setting{"acceleration", &S::acceleration, "m/s^2", "along x; also when braking", limit_rule<S>},
@@ -42,7 +42,7 @@ struct Describe<BodySpec> {
     static constexpr std::string_view name = "body";
     static constexpr std::string_view doc = "The robot's hull. Without it: a box about as large as the track.";
     static constexpr auto& kinds = Choices<BodySpec::Shape>::names;
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"shape", &BodySpec::shape, "", "", {.selects = true}},
         Setting{"size",
                 &BodySpec::size,
@@ -63,7 +63,7 @@ template <>
 struct Describe<DriveSpec> {
     static constexpr std::string_view name = "drive";
     static constexpr std::string_view doc = "Two driven wheels on one axis, and skids before and behind.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"radius",
                 &DriveSpec::radius,
                 "m",
@@ -128,7 +128,7 @@ struct Describe<SensorSpec> {
     static constexpr unsigned range_only = 1U << 0U, touch_only = 1U << 2U, gyro_only = 1U << 3U,
                               reflect_only = 1U << 5U, ambient_only = 1U << 6U, scan_only = 1U << 7U,
                               imu_only = 1U << 8U, neighbours_only = 1U << 9U, ranging = range_only | scan_only;
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"kind", &SensorSpec::kind, "", "what it measures", {.required = true, .selects = true}},
         Setting{"at", &SensorSpec::at, "m", "from the hull's centre", {.level = true}},
         Setting{"yaw", &SensorSpec::yaw, "rad", "where it looks, counter-clockwise"},
@@ -236,7 +236,7 @@ struct Describe<ActuatorSpec> {
         "a text to speak.";
     static constexpr auto& kinds = Choices<ActuatorSpec::Kind>::names;
     static constexpr unsigned leds_only = 1U << 0U, servo_only = 1U << 2U;
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"kind", &ActuatorSpec::kind, "", "", {.required = true, .selects = true}},
         Setting{"count", &ActuatorSpec::count, "", "how many", {.min = 1, .max = 1000, .of = leds_only}},
         Setting{"max_rate",
@@ -273,7 +273,7 @@ struct Describe<PortSpec> {
     static constexpr std::string_view doc = "A port of the robot, with its sensors or its actuator.";
     static constexpr std::array<std::string_view, 2> kinds{"out-port", "in-port"};
     static constexpr unsigned out_only = 1U << 0U, in_only = 1U << 1U;
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"type", &PortSpec::type, "", "a message type", {.required = true}},
         Setting{"from",
                 &PortSpec::items,
@@ -319,7 +319,7 @@ template <>
 struct Describe<HardwareSpec> {
     static constexpr std::string_view name = "hardware";
     static constexpr std::string_view doc = "How `nezumi run --hw` reaches the real robot.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"driver",
                 &HardwareSpec::driver,
                 "",
@@ -361,7 +361,7 @@ template <>
 struct Describe<RobotSpec> {
     static constexpr std::string_view name = "robot_model";
     static constexpr std::string_view doc = "A model of robot: `return robot_model { ... }` is a robot file.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Extra{"base",
               "string",
               "",

@@ -9,7 +9,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "engine/base/error.hpp"
@@ -134,7 +133,7 @@ struct Truth {
     double height = 0;    ///< [m] of the body frame's origin over the floor
     double tilt = 0;      ///< [rad] between the body's z axis and the vertical
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"pose", &Truth::pose, "", "where it is"},
         Field{"velocity", &Truth::velocity, "", "in the robot's frame"},
         Field{"height", &Truth::height, "m", "of the body frame's origin over the floor"},

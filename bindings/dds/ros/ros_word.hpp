@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "bindings/dds/domain_fields.hpp"
@@ -42,7 +41,7 @@ template <>
 struct Describe<dds::RosTopic> {
     static constexpr std::string_view name = "ros_topic";
     static constexpr std::string_view doc = "A topic of ROS 2, if a name alone is not enough.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"topic", &dds::RosTopic::topic, "", "of `publish`: its name, for example \"/odom\""},
         Setting{"port", &dds::RosTopic::port, "", "of `subscribe`: the in-port, \"name.port\""},
         Setting{"type",
@@ -59,7 +58,7 @@ template <>
 struct Describe<dds::RosSpec> {
     static constexpr std::string_view name = "ros";
     static constexpr std::string_view doc = "This system is a node among those of ROS 2.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"node", &dds::RosSpec::node, "", "the node's name", {.required = true}},
         Extra{"publish", "table<string, string|RosTopicFields|any[]>", "",
               "out-ports and the topics that carry them: `[\"mouse.current_velocity_out\"] = \"/velocity\"`"},

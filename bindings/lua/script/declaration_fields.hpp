@@ -12,7 +12,7 @@ struct Describe<PortDeclaration> {
     static constexpr std::string_view doc = "Options of a port.";
     static constexpr std::array<std::string_view, 2> kinds{"input", "output"};
     static constexpr unsigned input = 1U << 0U, output = 1U << 1U;
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"queue",
                 &PortDeclaration::queue,
                 "",
@@ -36,7 +36,7 @@ template <>
 struct Describe<TaskOptions> {
     static constexpr std::string_view name = "task_options";
     static constexpr std::string_view doc = "Options of a task.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"repeating", &TaskOptions::repeating, "", "starts again in the next execution after its end"},
     };
 };
@@ -45,7 +45,7 @@ template <>
 struct Describe<WaitOptions> {
     static constexpr std::string_view name = "wait_options";
     static constexpr std::string_view doc = "Options of a wait for a condition.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"within",
                 &WaitOptions::within,
                 "s",
@@ -58,7 +58,7 @@ template <>
 struct Describe<ScriptAbout> {
     static constexpr std::string_view name = "about";
     static constexpr std::string_view doc = "The version, vendor and category of this component.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"version", &ScriptAbout::version, "", "of the file, for example \"1.2\""},
         Setting{"vendor", &ScriptAbout::vendor, "", "who made it"},
         Setting{"category", &ScriptAbout::category, "", "what kind of component it is, for example \"navigation\""},

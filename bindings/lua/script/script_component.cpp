@@ -383,7 +383,8 @@ ScriptComponent::Version ScriptComponent::replace(Version next) {
             auto port = take_fitting(old.out_ports, declaration);
             if (port == nullptr) port = take_fitting(next.out_ports, declaration);
             port->set_doc(declaration.doc);
-            port->set_safe_any(declaration.safe.empty() ? nullptr : &declaration.safe.front());
+            port->set_safe(declaration.safe.empty() ? default_safe(*declaration.type)
+                                                    : std::optional<Value>(declaration.safe.front()));
             port->set_rate(rate);
             out_ports_.push_back(std::move(port));
         }

@@ -45,11 +45,9 @@ inline constexpr int codec_stack_of = std::is_same_v<T, Value> ? codec_stack : 4
 template <Sequence T>
 inline constexpr int codec_stack_of<T> = 3 + codec_stack_of<typename T::value_type>;
 template <Described T>
-inline constexpr int codec_stack_of<T> = std::apply(
-    [](const auto&... field) {
-        return 3 + std::max({codec_stack_of<std::remove_cvref_t<decltype(std::declval<T>().*field.member)>>...});
-    },
-    Describe<T>::fields);
+inline constexpr int codec_stack_of<T> = Describe<T>::fields.apply([](const auto&... field) {
+    return 3 + std::max({codec_stack_of<std::remove_cvref_t<decltype(std::declval<T>().*field.member)>>...});
+});
 
 /// A fresh value of the script's own on top of the stack: a message, a parameter; arrays as plain tables.
 void push_payload(lua_State* L, const ValueView& value);
@@ -109,7 +107,7 @@ std::string_view key_text(lua_State* L);
 template <class T>
 void push_value(lua_State* L, const T& value) {
     if constexpr (Described<T>) {
-        lua_createtable(L, 0, static_cast<int>(std::tuple_size_v<std::remove_cvref_t<decltype(Describe<T>::fields)>>));
+        lua_createtable(L, 0, static_cast<int>(Describe<T>::fields.count));
         for_each_field(value, [L](const auto& field, const auto& member) {
             lua_pushlstring(L, field.name.data(), field.name.size());
             push_value(L, member);

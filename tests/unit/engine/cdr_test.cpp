@@ -58,7 +58,7 @@ struct Mixed {
     std::int16_t last = 0;
     bool operator==(const Mixed&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"flag", &Mixed::flag, "", ""},     Field{"number", &Mixed::number, "", ""},
         Field{"text", &Mixed::text, "", ""},     Field{"value", &Mixed::value, "", ""},
         Field{"values", &Mixed::values, "", ""}, Field{"last", &Mixed::last, "", ""},
@@ -330,7 +330,7 @@ struct Matrix {
     std::array<double, 2> rows{};
     bool operator==(const Matrix&) const = default;
 
-    static constexpr std::tuple fields{Field{"before", &Matrix::before, "", ""}, Field{"rows", &Matrix::rows, "", ""}};
+    static constexpr FieldList fields{Field{"before", &Matrix::before, "", ""}, Field{"rows", &Matrix::rows, "", ""}};
 };
 
 }  // namespace

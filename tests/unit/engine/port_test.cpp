@@ -194,14 +194,14 @@ TEST_CASE("a velocity is safe at zero, and another value can be declared safe", 
     tone.write_safe();
     CHECK(tone.latch(at(2)));
     CHECK(tone.read() == 5);
-    tone.set_safe_any(nullptr);
+    tone.set_safe(std::nullopt);
     CHECK_FALSE(tone.has_safe());
     const Value slow = Velocity2D{.vx = 0.1};
-    velocity.set_safe_any(&slow);
+    velocity.set_safe(slow);
     velocity.write_safe();
     velocity.latch(at(3));
     CHECK(velocity.read() == Velocity2D{.vx = 0.1});
-    velocity.set_safe_any(nullptr);
+    velocity.set_safe(default_safe(*velocity.type()));
     velocity.write_safe();
     velocity.latch(at(4));
     CHECK(velocity.read() == Velocity2D{});

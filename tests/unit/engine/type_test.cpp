@@ -18,7 +18,7 @@ struct Sample {
     std::array<std::int8_t, 3> levels{};
     std::vector<bool> flags{};
 
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Field{"on", &Sample::on, "", "a boolean"},
         Field{"limit", &Sample::limit, "m", ""},
         Field{"levels", &Sample::levels, "", ""},

@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 #include <string>
 #include <string_view>
-#include <tuple>
 
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/files/system_text.hpp"
@@ -26,7 +25,7 @@ template <>
 struct Describe<radio::RadioSpec> {
     static constexpr std::string_view name = "radio";
     static constexpr std::string_view doc = "Reaches radio stations.";
-    static constexpr std::tuple fields{
+    static constexpr FieldList fields{
         Setting{"band", &radio::RadioSpec::band, "MHz", "of all stations", {.range = NumberRange::positive}},
         Internal{&radio::RadioSpec::place},
     };
