@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/script_config.hpp"
@@ -198,11 +199,17 @@ double Script::dt() const {
 }
 
 void Script::log(LogLevel level, std::string text) {
+    // Also after a step back in time.
+    if (std::abs(seconds() - logged_since_) >= 1) {
+        logged_since_ = seconds();
+        logged_bytes_ = 0;
+    }
     if (logged_bytes_ > most_logged_bytes) return;
     logged_bytes_ += sizeof(std::string) + text.size();
     if (logged_bytes_ > most_logged_bytes) {
         level = LogLevel::warn;
-        text = fmt::format("more than {} MB of log in one execution: the rest is dropped", most_logged_bytes >> 20);
+        text = fmt::format("more than {} MB of log in one second: the rest of that second is dropped",
+                           most_logged_bytes >> 20);
     }
     if (owner_ != nullptr) return owner_->log(level, std::move(text));
     early_log_.emplace_back(level, std::move(text));
@@ -210,7 +217,6 @@ void Script::log(LogLevel level, std::string text) {
 
 Expected<void> Script::begin_call() {
     written_bytes_ = 0;
-    logged_bytes_ = 0;
     missing_.port = nullptr;
     Parameters& now = parameters();
     if (now.version() == seen_parameters_) return {};

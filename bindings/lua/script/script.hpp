@@ -156,8 +156,8 @@ public:
 
     /// [bytes] memory of its Lua state.
     std::size_t memory() const { return lua_->memory(); }
-    /// Log lines of the top level, which could not be sent yet. Limit for everything that an execution writes to its
-    /// ports and to the log. The engine stores this outside of the script's memory.
+    /// Limits for everything that an execution writes to its ports, and for what is logged in a second of `now()`. The
+    /// engine stores this outside of the script's memory.
     static constexpr std::size_t most_written_bytes = std::size_t{64} << 20;
     static constexpr std::size_t most_logged_bytes = std::size_t{1} << 20;
     /// Counts written bytes of this execution. False if they are too many.
@@ -165,6 +165,7 @@ public:
         written_bytes_ += bytes;
         return written_bytes_ <= most_written_bytes;
     }
+    /// Log lines of the top level, which could not be sent yet.
     std::vector<std::pair<LogLevel, std::string>> take_early_log() { return std::exchange(early_log_, {}); }
 
     // Functions for the C functions that scripts call. Errors are texts without a location.
@@ -256,7 +257,8 @@ private:
     Tasks tasks_;
     std::array<int, 9> hooks_{};     // registry references, by Hook
     std::size_t written_bytes_ = 0;  // in this execution
-    std::size_t logged_bytes_ = 0;   // the same
+    std::size_t logged_bytes_ = 0;   // since `logged_since_`
+    double logged_since_ = 0;        // [s] when the second began in which logged bytes are counted
     Component* owner_ = nullptr;
     Phase phase_ = Phase::loading;
     bool was_activated_ = false;         // in this version
