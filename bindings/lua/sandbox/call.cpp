@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bindings/lua/sandbox/error_frames.hpp"
+#include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/line_trace.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 
@@ -145,6 +146,18 @@ Place to_place(const CallRecord::ScriptPlace& place) {
     return {place.file, place.line};
 }
 
+// The fields of the table on top of the stack, in one line. Nothing for one that can't be shown, or while another is
+// shown, whose metamethods may raise tables again.
+std::string shown_fields(lua_State* lua) {
+    static thread_local bool is_showing = false;
+    if (std::exchange(is_showing, true)) return "";
+    InspectWork work{.steps = 100, .bytes = longest_message};
+    const std::string fields =
+        inspect(lua, -1, {.width = longest_message, .depth = 3, .items = 20, .text = 200, .work = &work});
+    is_showing = false;
+    return fields.starts_with("{ ") ? ": " + fields : "";
+}
+
 std::string describe_value(lua_State* lua, std::size_t prefix) {
     switch (lua_type(lua, -1)) {
         case LUA_TSTRING:
@@ -158,10 +171,14 @@ std::string describe_value(lua_State* lua, std::size_t prefix) {
                     text += prefix, length -= prefix;
                 } while (prefix > 0 && std::string_view(text, length).starts_with(place));
             }
+            if (std::string_view(text, length) == "C stack overflow")
+                return "stack overflow: the recursion through metamethods, coroutines or functions of Lua's library is "
+                       "too deep";
             if (length <= longest_message) return {text, length};
             return fmt::format("{}...", std::string_view(text, longest_message));
         }
         case LUA_TNIL: return "an error of value nil";
+        case LUA_TTABLE: return "an error of type table" + shown_fields(lua);
         default: return fmt::format("an error of type {}", luaL_typename(lua, -1));
     }
 }
