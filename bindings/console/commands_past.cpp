@@ -1,6 +1,7 @@
 // Commands that go back in time. The past is computed between two ticks, in slices.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -172,16 +173,17 @@ Expected<CommandEnd> command_rewind(Session::Parts& parts, const Arguments& argu
     if (!seconds) return Unexpected(seconds.error());
     if (!(*seconds >= 0)) return failure(fmt::format("expected seconds from 0 on, got {:g}", *seconds));
     return go_to(parts, [&]() -> Expected<Seek> {
-        Seek where{.tick = parts.live.system().now().tick - tick_at(parts.live, *seconds),
-                   .start = parts.live.starts()};
+        const std::int64_t back = tick_at(parts.live, std::min(*seconds, 1e9));
+        Seek where{.tick = parts.live.system().now().tick - back, .start = parts.live.starts()};
         // Before a restart, time goes on at its end.
         while (where.tick < 0) {
             const auto end = where.start > 1
                                  ? parts.live.history().end_of_start(where.start - 1, parts.live.history().current())
                                  : std::nullopt;
             if (!end) {
-                const double back = static_cast<double>(where.tick) / parts.live.system().settings().rate;
-                return failure(fmt::format("only {:g} s have passed since the start", *seconds + back));
+                return failure(
+                    fmt::format("only {:g} s have passed since the start",
+                                static_cast<double>(where.tick + back) / parts.live.system().settings().rate));
             }
             where.tick += *end;
             --where.start;
