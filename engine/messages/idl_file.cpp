@@ -194,6 +194,8 @@ private:
         if (!value) return fail(fmt::format("constant '{}': {}", shown(name), value.error().message));
         constants_[in_module(name)] = *value;
         step();
+        if (token_.kind == Kind::sign && !is(";"))
+            return fail(fmt::format("constant '{}': expressions are not supported: write the value", shown(name)));
         expect(";");
     }
 

@@ -44,6 +44,7 @@ bool IdlLexer::skip_comment(std::string& comment) {
     }
     if (!rest.starts_with("/*")) return false;
     const std::size_t end = text_.find("*/", at_ + 2);
+    is_cut_off_ = end == std::string_view::npos;
     at_ = end == std::string_view::npos ? text_.size() : end + 2;
     const std::string_view all = text_.substr(begin, at_ - begin);
     line_ += static_cast<int>(std::count(all.begin(), all.end(), '\n'));
@@ -105,6 +106,11 @@ IdlToken IdlLexer::next() {
         token.kind = IdlToken::Kind::include;
         token.text = include_;
         include_ = {};
+        return token;
+    }
+    if (is_cut_off_) {
+        token.kind = IdlToken::Kind::wrong;
+        token.text = "the end of a comment";
         return token;
     }
     if (at_ >= text_.size()) return token;

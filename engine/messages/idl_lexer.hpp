@@ -39,6 +39,7 @@ private:
     std::size_t at_ = 0;
     int line_ = 1;
     std::string_view include_;
+    bool is_cut_off_ = false;  // within a comment
 };
 
 }  // namespace nezumi

@@ -106,9 +106,10 @@ private:
         if (text.empty() || trimmed(text.substr(0, 1)).size() == 1)
             return wrong(fmt::format("expected a field's name behind its type '{}'", shown(field.kind)));
         text = trimmed(text);
+        const std::string_view given = text;
         field.name = take_word(text);
         if (field.name.empty() || std::isdigit(static_cast<unsigned char>(field.name.front())) != 0)
-            return wrong(fmt::format("expected a field's name, got '{}'", shown(text)));
+            return wrong(fmt::format("expected a field's name, got '{}'", shown(given)));
         const std::string_view behind = trimmed(text);
         if (behind.starts_with('=')) return read_constant(field, behind.substr(1));
         for (const FieldDefinition& other : message_.fields) {

@@ -44,7 +44,12 @@ Expected<Value> plain_value(std::string_view text, std::string_view kind) {
         // A character is its code.
         if (text.size() == 3 && text.front() == '\'' && text.back() == '\'')
             return Value(std::int64_t{static_cast<unsigned char>(text[1])});
-        return whole_value(text, text);
+        auto value = whole_value(text, text);
+        if (!value) return value;
+        const auto [least, most] = type->integer_range();
+        const std::int64_t whole = *value->get_if<std::int64_t>();
+        if (whole >= least && whole <= most) return value;
+        return failure(fmt::format("expected an integer from {} to {}, got '{}'", least, most, shown(text)));
     }
     const auto number = number_in<double>(text);
     if (!number) return failure(fmt::format("expected a number, got '{}'", shown(text)));
