@@ -120,16 +120,21 @@ std::string unknown_method(std::string_view object, std::string_view name,
     return text + did_you_mean(name, methods);
 }
 
-bool calls_any(std::string_view text, int line) {
+DrawingScenarios find_drawing_scenarios(std::string_view text) {
+    DrawingScenarios found;
     const SyntaxTree tree(without_preamble(text));
     for (const SyntaxNode& node : tree.nodes()) {
         if (!node.is(Kind::method_call) || node.word_text() != "any") continue;
         const SyntaxNode* call = node.parent;
         while (call != nullptr && !(call->is(Kind::call) && call->child->is_global("scenario"))) call = call->parent;
         // A function outside of all scenarios may be called by any of them.
-        if (call == nullptr || call->first->line == line) return true;
+        if (call == nullptr) {
+            found.all = true;
+        } else {
+            found.lines.insert(call->first->line);
+        }
     }
-    return false;
+    return found;
 }
 
 std::vector<Error> unknown_methods(std::string_view text, const std::string& shown,

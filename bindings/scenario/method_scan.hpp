@@ -1,6 +1,7 @@
 // Finds unknown methods of a scenario in the text without running it.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +21,13 @@ std::string unknown_method(std::string_view object, std::string_view name,
 std::vector<Error> unknown_methods(std::string_view text, const std::string& shown,
                                    const std::vector<std::string_view>& methods);
 
-/// Whether the call `scenario(...)` of this line calls `s:any`, or a method of this name of anything else.
-bool calls_any(std::string_view text, int line);
+/// The scenarios that call `s:any`, or a method of this name of anything else.
+struct DrawingScenarios {
+    bool all = false;     ///< a function outside of all scenarios calls it
+    std::set<int> lines;  ///< of the calls `scenario(...)` that contain such a call
+
+    bool contain(int line) const { return all || lines.count(line) != 0; }
+};
+DrawingScenarios find_drawing_scenarios(std::string_view text);
 
 }  // namespace nezumi

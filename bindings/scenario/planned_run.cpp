@@ -30,7 +30,8 @@ RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSes
                                                .peer_words = options.peer_words,
                                                .seed = options.seed,
                                                .coverage = covered,
-                                               .project_files = &files_of_project});
+                                               .project_files = &files_of_project,
+                                               .only = run.scenario});
     const auto reads = [&files_of_project] {
         const std::set<std::string>& all = files_of_project.looked_for();
         return std::vector<std::string>(all.begin(), all.end());

@@ -97,15 +97,8 @@ bool has_run_called(const Scenario& swept, const Scenario& other) {
     return point && text_of(*point) == values;
 }
 
-// The name must identify a run in results, folders of failures, and --filter.
-Expected<void> check_names_of_runs(const Scenario& scenario, const Scenario& before) {
-    const std::string what = fmt::format("scenario '{}'", shown(scenario.name));
-    const std::string where = fmt::format("the scenario of {}:{}", before.place.file, before.place.line);
-    if (has_run_called(before, scenario))
-        return failure(fmt::format("{}: the name is taken by a run of {}", what, where));
-    if (has_run_called(scenario, before))
-        return failure(fmt::format("{}: its run '{}' has the same name as {}", what, shown(before.name), where));
-    return {};
+std::string place_of(const Scenario& scenario) {
+    return fmt::format("the scenario of {}:{}", scenario.place.file, scenario.place.line);
 }
 
 }  // namespace
@@ -126,7 +119,8 @@ Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem
     Project project = Project::of(path, options.installed);
     if (options.project_files != nullptr) project = project.through(*options.project_files);
     std::string shown = project.shown(path);
-    std::unique_ptr<ScenarioFile> file(new ScenarioFile(std::move(project), options.peer_words, std::move(shown)));
+    std::unique_ptr<ScenarioFile> file(
+        new ScenarioFile(std::move(project), options.peer_words, std::move(shown), options.only));
     const auto give_up = [&](Error error) {
         if (errors != nullptr && errors->empty()) errors->push_back(error);
         return Unexpected(std::move(error));
@@ -160,24 +154,31 @@ Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem
     if (file->scenarios_.empty()) {
         return give_up({"the file has no scenario: expected scenario(\"name\", function(s) ... end)", {file->shown_}});
     }
-    if (const auto diagnostics =
-            unknown_methods(file->text_, file->shown_, ScenarioRun::Methods::names(options.peer_words));
-        !diagnostics.empty()) {
-        if (errors != nullptr) *errors = diagnostics;
-        return give_up(diagnostics.front());
-    }
-    for (Scenario& scenario : file->scenarios_) {
-        scenario.draws = calls_any(file->text_, scenario.place.line);
-        if (scenario.search > 0 && scenario.sweep.keys.empty() && !scenario.draws)
-            return give_up(
-                {fmt::format("scenario '{}': option 'search': there is nothing to search: expected a sweep, or "
-                             "s:any",
-                             nezumi::shown(scenario.name)),
-                 scenario.place});
+    if (!options.only) {
+        if (auto ok = file->check_text(errors); !ok) return give_up(ok.error());
     }
     lua_settop(file->file_->lua(), 0);
     file->is_read_ = true;
     return file;
+}
+
+Expected<void> ScenarioFile::check_text(std::vector<Error>* errors) {
+    if (const auto diagnostics = unknown_methods(text_, shown_, ScenarioRun::Methods::names(peer_words_));
+        !diagnostics.empty()) {
+        if (errors != nullptr) *errors = diagnostics;
+        return Unexpected(diagnostics.front());
+    }
+    const DrawingScenarios drawing = find_drawing_scenarios(text_);
+    for (Scenario& scenario : scenarios_) {
+        scenario.draws = drawing.contain(scenario.place.line);
+        if (scenario.search > 0 && scenario.sweep.keys.empty() && !scenario.draws)
+            return Unexpected(
+                Error{fmt::format("scenario '{}': option 'search': there is nothing to search: expected a sweep, or "
+                                  "s:any",
+                                  nezumi::shown(scenario.name)),
+                      scenario.place});
+    }
+    return {};
 }
 
 const std::string* ScenarioFile::text(const std::string& shown) const { return shown == shown_ ? &text_ : nullptr; }
@@ -232,9 +233,14 @@ int ScenarioFile::scenario_word(lua_State* lua) {
 Expected<void> ScenarioFile::add(lua_State* lua) {
     if (is_read_)
         return failure("scenario: a scenario can't declare another scenario: declare it at the top level of the file");
+    if (only_ && *only_ != scenarios_.size()) {
+        scenarios_.emplace_back();
+        return {};
+    }
     const Place place = calling_place(lua);
     auto scenario = read_call(lua, place);
     if (scenario) {
+        named_.emplace(scenario->name, scenarios_.size());
         scenarios_.push_back(std::move(*scenario));
         return {};
     }
@@ -272,18 +278,37 @@ Expected<Scenario> ScenarioFile::read_call(lua_State* lua, const Place& place) {
     }
     if (auto ok = check_parameters(lua, has_options ? 3 : 2, 2); !ok)
         return failure(fmt::format("{}: the function gets the scenario and its values; {}", what, ok.error().message));
-    for (const Scenario& other : scenarios_) {
-        if (other.name != scenario.name) continue;
-        return failure(
-            fmt::format("{}: the name is taken by the scenario of {}:{}", what, other.place.file, other.place.line));
-    }
+    if (const auto same = named_.find(scenario.name); same != named_.end())
+        return failure(fmt::format("{}: the name is taken by {}", what, place_of(scenarios_[same->second])));
     if (has_options && lua_type(lua, 2) == LUA_TTABLE) {
         if (auto ok = read_options(lua, 2, scenario); !ok) return Unexpected(ok.error());
     }
-    for (const Scenario& other : scenarios_) {
-        if (auto ok = check_names_of_runs(scenario, other); !ok) return Unexpected(ok.error());
-    }
+    if (auto ok = check_names_of_runs(scenario); !ok) return Unexpected(ok.error());
     return scenario;
+}
+
+// The name must identify a run in results, folders of failures, and --filter. A file may have thousands of scenarios:
+// only those whose names begin like a run of the other are compared.
+Expected<void> ScenarioFile::check_names_of_runs(const Scenario& scenario) const {
+    const std::string what = fmt::format("scenario '{}'", nezumi::shown(scenario.name));
+    if (scenario.sweep.keys.empty()) {
+        const std::string_view name = scenario.name;
+        for (std::size_t end = name.find(" ["); end != std::string_view::npos; end = name.find(" [", end + 1)) {
+            const auto swept = named_.find(name.substr(0, end));
+            if (swept == named_.end() || !has_run_called(scenarios_[swept->second], scenario)) continue;
+            return failure(
+                fmt::format("{}: the name is taken by a run of {}", what, place_of(scenarios_[swept->second])));
+        }
+        return {};
+    }
+    const std::string begin = scenario.name + " [";
+    for (auto other = named_.lower_bound(begin); other != named_.end() && other->first.starts_with(begin); ++other) {
+        const Scenario& before = scenarios_[other->second];
+        if (!has_run_called(scenario, before)) continue;
+        return failure(fmt::format("{}: its run '{}' has the same name as {}", what, nezumi::shown(before.name),
+                                   place_of(before)));
+    }
+    return {};
 }
 
 Expected<void> ScenarioFile::read_options(lua_State* lua, int index, Scenario& scenario) {

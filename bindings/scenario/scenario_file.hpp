@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <lua.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,6 +52,8 @@ struct ScenarioFileOptions {
     std::optional<std::string> text{};             ///< replaces the content of the file, which need not exist
     Coverage* coverage = nullptr;                  ///< of required modules; may be null, must outlive the file
     const ProjectFiles* project_files = nullptr;   ///< of the project, in place of the disk; may be null
+    /// Only this scenario runs: the others, which were checked when the runs were planned, are counted and not read.
+    std::optional<std::size_t> only{};
 };
 
 class ScenarioFile {
@@ -80,24 +83,28 @@ public:
     void push_function(lua_State* lua, std::size_t scenario) const;
 
 private:
-    ScenarioFile(Project project, PeerWords peer_words, std::string shown)
-        : project_(std::move(project)), peer_words_(std::move(peer_words)), shown_(std::move(shown)) {}
+    ScenarioFile(Project project, PeerWords peer_words, std::string shown, std::optional<std::size_t> only)
+        : project_(std::move(project)), peer_words_(std::move(peer_words)), shown_(std::move(shown)), only_(only) {}
 
     static int scenario_word(lua_State* lua);
     static int range_word(lua_State* lua);
     Expected<void> noted(Expected<void> done);
+    Expected<void> check_text(std::vector<Error>* errors);
     Expected<void> add(lua_State* lua);
     Expected<Scenario> read_call(lua_State* lua, const Place& place);
+    Expected<void> check_names_of_runs(const Scenario& scenario) const;
     Expected<void> read_options(lua_State* lua, int index, Scenario& scenario);
     Expected<void> read_sweep(lua_State* lua, int index, Scenario& scenario);
 
     Project project_;
     PeerWords peer_words_;
     std::string shown_;
+    std::optional<std::size_t> only_;
     std::string text_;
     std::string refused_;
     std::vector<Scenario> scenarios_;
-    bool is_read_ = false;  // after this, declarations are refused
+    std::map<std::string, std::size_t, std::less<>> named_;  // the scenarios by their names
+    bool is_read_ = false;                                   // after this, declarations are refused
     std::unique_ptr<DataFile> file_;
 };
 

@@ -1,5 +1,6 @@
 // Sessions: plans, filters, processes, hashes, failing samples, files of failures.
 #include <catch2/catch.hpp>
+#include <chrono>
 
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/scenario/scenario_rig.hpp"
@@ -131,4 +132,15 @@ TEST_CASE("a file that can't be read changes the status, and the other files run
     CHECK(plan->files[1].errors.front().message ==
           "the file has no scenario: expected scenario(\"name\", function(s) ... end)");
     CHECK(plan->runs.size() == 5);
+}
+
+TEST_CASE("a file of thousands of scenarios is read in time that grows with their number", "[scenario][wallclock]") {
+    std::string text;
+    for (int i = 0; i < 3000; ++i)
+        text += "scenario('s" + std::to_string(i) + "', function(s)\n  s:check(true, 'x')\nend)\n";
+    ScenarioRig rig(text);
+    const auto begin = std::chrono::steady_clock::now();
+    CHECK(rig.plan().runs.size() == 3000);
+    CHECK(rig.run("s2999").outcome == RunOutcome::passed);
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(5));  // 0.1 s; quadratic: 30 s
 }
